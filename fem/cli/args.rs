@@ -1,0 +1,108 @@
+//! What can be typed.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+use crate::model::Setting;
+
+/// Predicts what a machine, fixture and workpiece do to a part.
+#[derive(Debug, Parser)]
+#[command(name = "fem", version, about, after_help = "Examples:
+  fem new turning -o shaft.toml      a commented model to start from
+  fem run shaft.toml                 predict, summarise, write out/shaft/
+  fem effects turning                what else could be happening
+  fem add shaft.toml tool-wear 'rate=8 um/km' -o worn.toml
+
+Exit status: 0 done, 1 the computation or the writing failed, 2 the input is wrong.")]
+pub struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Solve a model, print a summary, write profile, summary and shapes
+    Run(Run),
+    /// The catalogue of effects: law, parameters, units, neutral value, source
+    Effects(Effects),
+    /// Write a model with one more effect
+    Add(Add),
+    /// Write a commented model to start from
+    New(New),
+    /// The JSON Schema of model files, for editors
+    Schema,
+    /// Every handbook and benchmark case: expected, computed, error
+    Validate(Validate),
+    /// A completion script for a shell
+    #[command(after_help = "Example:\n  fem completions bash > /etc/bash_completion.d/fem")]
+    Completions {
+        /// For which shell
+        shell: clap_complete::Shell,
+    },
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  fem run models/lathe.toml
+  fem run models/lathe.toml -o results
+  fem run models/lathe.toml --json | jq .findings.largest")]
+pub struct Run {
+    /// The model file
+    pub model: PathBuf,
+    /// Where to write; out/<model name> if left out
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Print the summary as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  fem effects
+  fem effects turning
+  fem effects tool-wear")]
+pub struct Effects {
+    /// A process or an effect; everything if left out
+    pub name: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Parameters that are left out are written as unknown (\"? um\"), for `fem fit` to find.
+
+Examples:
+  fem add shaft.toml tool-wear 'rate=8 +- 2 um/km' -o worn.toml
+  fem add shaft.toml carriage-contact 'c=0.3 um/N^n' n=0.5 -o closer.toml")]
+pub struct Add {
+    /// The model file; it is not changed
+    pub model: PathBuf,
+    /// The effect to add
+    pub effect: String,
+    /// Parameters, each with its unit
+    #[arg(value_name = "KEY=VALUE")]
+    pub settings: Vec<Setting>,
+    /// The file to write
+    #[arg(short, long, value_name = "NEW.toml")]
+    pub output: PathBuf,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  fem new turning -o shaft.toml")]
+pub struct New {
+    /// The process to model
+    pub process: String,
+    /// The file to write; it must not exist. Printed if left out
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+pub struct Validate {
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}

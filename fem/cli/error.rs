@@ -1,0 +1,120 @@
+//! How a command fails, and how that is told.
+
+use std::io::IsTerminal;
+use std::process::ExitCode;
+
+use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource};
+
+use crate::input::{InputError, Problem};
+use crate::model::AddError;
+use crate::output::OutputError;
+use crate::process::Failure;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug)]
+pub enum Error {
+    /// A file is wrong.
+    Input(InputError),
+    /// The command line asks for something that cannot be.
+    Request(Problem),
+    /// The computation gave no answer.
+    Compute(Failure),
+    /// A result cannot be written.
+    Output(OutputError),
+    /// Stdout cannot be written.
+    Stdout(std::io::Error),
+    /// Something was checked and found wrong; it has been printed.
+    Found,
+}
+
+impl From<InputError> for Error {
+    fn from(error: InputError) -> Self {
+        Self::Input(error)
+    }
+}
+
+impl From<Failure> for Error {
+    fn from(error: Failure) -> Self {
+        Self::Compute(error)
+    }
+}
+
+impl From<OutputError> for Error {
+    fn from(error: OutputError) -> Self {
+        Self::Output(error)
+    }
+}
+
+impl From<AddError> for Error {
+    fn from(error: AddError) -> Self {
+        match error {
+            AddError::Request(problem) => Self::Request(problem),
+            AddError::Model(error) => Self::Input(error),
+        }
+    }
+}
+
+impl Error {
+    /// Tells it on stderr, and gives the exit status: 2 where the input is wrong, 1 where the computation or the writing failed.
+    pub fn report(self) -> ExitCode {
+        match self {
+            Self::Input(error) => {
+                eprint!("{}", rendered(&error));
+                ExitCode::from(2)
+            }
+            Self::Request(problem) => {
+                tell(&problem.message, problem.help.as_deref());
+                ExitCode::from(2)
+            }
+            Self::Compute(failure) => {
+                tell(&failure.message, Some(&failure.help));
+                ExitCode::from(1)
+            }
+            Self::Output(error) => {
+                tell(&error.to_string(), Some("choose another place with -o, or make room"));
+                ExitCode::from(1)
+            }
+            Self::Stdout(error) => {
+                tell(&format!("the output cannot be written: {error}"), None);
+                ExitCode::from(1)
+            }
+            Self::Found => ExitCode::from(1),
+        }
+    }
+}
+
+fn tell(message: &str, help: Option<&str>) {
+    eprintln!("error: {message}");
+    if let Some(help) = help {
+        eprintln!("  help: {help}");
+    }
+}
+
+/// Every problem with its line and a mark under what it is about.
+fn rendered(error: &InputError) -> String {
+    let handler = if std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
+        GraphicalReportHandler::new_themed(GraphicalTheme::unicode())
+    } else {
+        GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
+    };
+    let mut text = String::new();
+    for problem in &error.problems {
+        let place = problem.span.as_ref().map_or(String::new(), |span| {
+            let (line, column) = error.source.line_column(span.start);
+            format!(":{line}:{column}")
+        });
+        let mut diagnostic = MietteDiagnostic::new(format!("{}{place}: {}", error.source.name, problem.message));
+        diagnostic.help = problem.help.clone();
+        if let Some(span) = &problem.span {
+            diagnostic = diagnostic.with_label(LabeledSpan::underline(span.clone()));
+        }
+        let source = NamedSource::new(&*error.source.name, error.source.text.to_string());
+        let report = miette::Report::new(diagnostic).with_source_code(source);
+        // Writing to a String does not fail.
+        let _ = handler.render_report(&mut text, report.as_ref());
+    }
+    if error.problems.len() > 1 {
+        text.push_str(&format!("{} problems in {}\n", error.problems.len(), error.source.name));
+    }
+    text
+}

@@ -1,0 +1,51 @@
+//! The command line: one file per command.
+
+mod add;
+mod args;
+mod effects;
+mod error;
+mod new;
+mod run;
+mod schema;
+mod validate;
+mod watch;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use args::{Args, Command};
+use error::Error;
+
+/// Runs the command that the user typed.
+pub fn main() -> ExitCode {
+    watch::stop_cleanly();
+    let args = Args::parse();
+    let result = match args.command {
+        Command::Run(args) => run::run(&args),
+        Command::Effects(args) => effects::effects(&args),
+        Command::Add(args) => add::add(&args),
+        Command::New(args) => new::new(&args),
+        Command::Schema => schema::schema(),
+        Command::Validate(args) => validate::validate(&args),
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Args::command(), "fem", &mut script);
+            print(&String::from_utf8_lossy(&script))
+        }
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => error.report(),
+    }
+}
+
+/// Prints to stdout; a reader that has gone away (`fem … | head`) is no error.
+fn print(text: &str) -> Result<(), Error> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Error::Stdout(e)),
+        _ => Ok(()),
+    }
+}

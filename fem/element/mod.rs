@@ -1,0 +1,7 @@
+//! Elements: what one piece of a body resists with.
+
+mod beam;
+mod section;
+
+pub use beam::BeamPiece;
+pub use section::{Rectangle, Round};

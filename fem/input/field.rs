@@ -1,0 +1,273 @@
+//! One key of a table: its kind, its bounds, and whether it may be left out.
+
+use serde_json::json;
+use toml_edit::{Item, Value};
+
+use super::{Problem, Reader, nearest};
+use crate::units::{Kind, Knowledge, Quantity};
+
+/// Where a value must lie, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bounds {
+    /// Anywhere.
+    Any,
+    /// Above zero.
+    Positive,
+    /// Zero or more.
+    NotNegative,
+    /// Above the first, at most the second.
+    Within(f64, f64),
+}
+
+/// A key that holds a physical quantity or a pure number.
+#[must_use = "say whether the key is required, optional or has a default"]
+pub struct Field<'r, 'a> {
+    reader: &'r Reader<'a>,
+    key: &'static str,
+    kind: Kind,
+    about: &'static str,
+    bounds: Bounds,
+}
+
+impl<'r, 'a> Field<'r, 'a> {
+    pub(super) fn new(reader: &'r Reader<'a>, key: &'static str, kind: Kind, about: &'static str) -> Self {
+        Self { reader, key, kind, about, bounds: Bounds::Any }
+    }
+
+    /// Must lie within `bounds`.
+    pub fn bounds(mut self, bounds: Bounds) -> Self {
+        self.bounds = bounds;
+        self
+    }
+
+    /// Must be above zero.
+    pub fn positive(self) -> Self {
+        self.bounds(Bounds::Positive)
+    }
+
+    /// Must be zero or more.
+    pub fn not_negative(self) -> Self {
+        self.bounds(Bounds::NotNegative)
+    }
+
+    /// Must be above `low` and at most `high`, both in SI units.
+    pub fn within(self, low: f64, high: f64) -> Self {
+        self.bounds(Bounds::Within(low, high))
+    }
+
+    /// The value in SI units; an absent key is a problem.
+    pub fn required(self) -> f64 {
+        self.describe(true);
+        match self.read() {
+            Some(value) => value,
+            None => {
+                self.reader.missing(self.key, &self.example(), self.about);
+                f64::NAN
+            }
+        }
+    }
+
+    /// The value in SI units, or `None` where the key is absent.
+    pub fn optional(self) -> Option<f64> {
+        self.describe(false);
+        self.read()
+    }
+
+    /// The value in SI units, or `default` (SI) where the key is absent.
+    pub fn or(self, default: f64) -> f64 {
+        self.optional().unwrap_or(default)
+    }
+
+    fn example(&self) -> String {
+        match self.kind.unit {
+            "" => format!("{} = 0.5", self.key),
+            unit => format!("{} = \"10 {unit}\"", self.key),
+        }
+    }
+
+    fn describe(&self, required: bool) {
+        let about = match self.kind.unit {
+            "" => self.about.to_string(),
+            unit => format!("{} (e.g. \"10 {unit}\")", self.about),
+        };
+        let shape = match self.kind.unit {
+            "" => json!({ "type": ["number", "string"], "description": about }),
+            unit => json!({ "type": "string", "description": about, "examples": [format!("10 {unit}"), format!("10 +- 1 {unit}"), format!("? {unit}")] }),
+        };
+        self.reader.describe(self.key, shape, required);
+    }
+
+    /// `None` where the key is absent; NaN, with a problem noted, where it is wrong.
+    fn read(&self) -> Option<f64> {
+        let item = self.reader.item(self.key)?;
+        match self.parse(item).and_then(|q| self.check(q)) {
+            Ok(quantity) => Some(self.reader.note(self.key, self.kind, quantity, item.span())),
+            Err(problem) => {
+                self.reader.refuse(problem.at(item.span()));
+                Some(f64::NAN)
+            }
+        }
+    }
+
+    fn parse(&self, item: &Item) -> Result<Quantity, Problem> {
+        let wrong = |message: String| {
+            Problem::new(message).help(format!("write {}", self.example()))
+        };
+        match item.as_value() {
+            Some(Value::String(text)) => Quantity::parse(text.value(), &self.kind).map_err(|e| {
+                let problem = Problem::new(format!("`{}`: {}", self.key, e.message));
+                match e.hint {
+                    Some(hint) => problem.help(hint),
+                    None => problem.help(format!("write {}", self.example())),
+                }
+            }),
+            Some(Value::Integer(_) | Value::Float(_)) if self.kind.unit.is_empty() => {
+                let number = item.as_float().or_else(|| item.as_integer().map(|i| i as f64)).unwrap_or(f64::NAN);
+                match number.is_finite() {
+                    true => Ok(Quantity::known(number)),
+                    false => Err(wrong(format!("`{}` is not a finite number", self.key))),
+                }
+            }
+            Some(Value::Integer(_) | Value::Float(_)) => {
+                Err(wrong(format!("`{}` has no unit: {} is a string with its unit", self.key, self.kind.name)))
+            }
+            _ => Err(wrong(format!("`{}` is no {}", self.key, self.kind.bare_name()))),
+        }
+    }
+
+    fn check(&self, quantity: Quantity) -> Result<Quantity, Problem> {
+        if quantity.knowledge == Knowledge::Free {
+            return Ok(quantity);
+        }
+        let value = quantity.value;
+        let shown = |si: f64| format!("{} {}", self.kind.from_si(si), self.kind.unit).trim_end().to_string();
+        let expected = match self.bounds {
+            Bounds::Positive if value <= 0.0 => "above zero".to_string(),
+            Bounds::NotNegative if value < 0.0 => "zero or more".to_string(),
+            Bounds::Within(low, high) if !(value > low && value <= high) => {
+                format!("above {} and at most {}", shown(low), shown(high))
+            }
+            _ => return Ok(quantity),
+        };
+        Err(Problem::new(format!("`{}` is {}", self.key, shown(value))).help(format!("it must be {expected}")))
+    }
+}
+
+/// A key that holds a whole number of things.
+#[must_use = "say whether the key is required or has a default"]
+pub struct Count<'r, 'a> {
+    reader: &'r Reader<'a>,
+    key: &'static str,
+    about: &'static str,
+    range: (usize, usize),
+}
+
+impl<'r, 'a> Count<'r, 'a> {
+    pub(super) fn new(reader: &'r Reader<'a>, key: &'static str, about: &'static str) -> Self {
+        Self { reader, key, about, range: (0, 1_000_000) }
+    }
+
+    /// Both ends belong to what is allowed.
+    pub fn between(mut self, low: usize, high: usize) -> Self {
+        self.range = (low, high);
+        self
+    }
+
+    /// The number, or `default` where the key is absent.
+    pub fn or(self, default: usize) -> usize {
+        self.describe(json!(default), false);
+        self.read().unwrap_or(default)
+    }
+
+    /// The number; an absent key is a problem.
+    pub fn required(self) -> usize {
+        self.describe(serde_json::Value::Null, true);
+        self.read().unwrap_or_else(|| {
+            self.reader.missing(self.key, &format!("{} = {}", self.key, self.range.0), self.about);
+            self.range.0
+        })
+    }
+
+    fn describe(&self, default: serde_json::Value, required: bool) {
+        let mut shape = json!({ "type": "integer", "description": self.about, "minimum": self.range.0, "maximum": self.range.1 });
+        if !default.is_null() {
+            shape["default"] = default;
+        }
+        self.reader.describe(self.key, shape, required);
+    }
+
+    fn read(&self) -> Option<usize> {
+        let item = self.reader.item(self.key)?;
+        let (low, high) = self.range;
+        match item.as_integer().and_then(|i| usize::try_from(i).ok()).filter(|i| (low..=high).contains(i)) {
+            Some(count) => Some(count),
+            None => {
+                let given = item.to_string();
+                let problem = Problem::new(format!("`{}` is {}", self.key, given.trim()))
+                    .help(format!("it must be a whole number from {low} to {high}"));
+                self.reader.refuse(problem.at(item.span()));
+                Some(low)
+            }
+        }
+    }
+}
+
+/// A key whose value is one word of a few.
+#[must_use = "say whether the key is required or has a default"]
+pub struct Choice<'r, 'a, T: Copy + 'static> {
+    reader: &'r Reader<'a>,
+    key: &'static str,
+    about: &'static str,
+    words: &'static [(&'static str, T)],
+}
+
+impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
+    pub(super) fn new(
+        reader: &'r Reader<'a>,
+        key: &'static str,
+        about: &'static str,
+        words: &'static [(&'static str, T)],
+    ) -> Self {
+        Self { reader, key, about, words }
+    }
+
+    /// What the word stands for; an absent key is a problem, and `fallback` lets the reading go on after one.
+    pub fn required(self, fallback: T) -> T {
+        self.describe(None);
+        self.read(fallback).unwrap_or_else(|| {
+            let first = self.words.first().map_or("", |w| w.0);
+            self.reader.missing(self.key, &format!("{} = \"{first}\"", self.key), self.about);
+            fallback
+        })
+    }
+
+    /// What the word stands for, or what the first of the list stands for where the key is absent.
+    pub fn or_first(self, fallback: T) -> T {
+        self.describe(self.words.first().map(|w| w.0));
+        self.read(fallback).unwrap_or(fallback)
+    }
+
+    fn describe(&self, default: Option<&str>) {
+        let words: Vec<&str> = self.words.iter().map(|w| w.0).collect();
+        let mut shape = json!({ "enum": words, "description": self.about });
+        if let Some(default) = default {
+            shape["default"] = json!(default);
+        }
+        self.reader.describe(self.key, shape, default.is_none());
+    }
+
+    fn read(&self, fallback: T) -> Option<T> {
+        let item = self.reader.item(self.key)?;
+        let given = item.as_str().unwrap_or_default();
+        if let Some((_, meaning)) = self.words.iter().find(|w| w.0 == given) {
+            return Some(*meaning);
+        }
+        let words: Vec<String> = self.words.iter().map(|w| format!("\"{}\"", w.0)).collect();
+        let near = nearest(given, self.words.iter().map(|w| w.0));
+        let meant = near.map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
+        let problem = Problem::new(format!("`{}` is {}", self.key, item.to_string().trim()))
+            .help(format!("{meant}it must be one of {}", words.join(", ")));
+        self.reader.refuse(problem.at(item.span()));
+        Some(fallback)
+    }
+}

@@ -1,0 +1,12 @@
+//! Reading what users write: where a text came from, what is wrong in it and where, and the reader by which every
+//! table of a model file is read, checked and described at once.
+
+mod field;
+mod problem;
+mod reader;
+mod source;
+
+pub use field::{Bounds, Choice, Count, Field};
+pub use problem::{InputError, Problem, nearest};
+pub use reader::{Parameter, Reader, Shape};
+pub use source::Source;

@@ -1,0 +1,93 @@
+//! What is wrong with an input, where, and what to do about it.
+
+use std::fmt;
+use std::ops::Range;
+
+use super::Source;
+
+/// One thing that is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// The finding, in one sentence.
+    pub message: String,
+    /// The remedy.
+    pub help: Option<String>,
+    /// Bytes of the source that it is about.
+    pub span: Option<Range<usize>>,
+}
+
+impl Problem {
+    /// A problem without place or remedy yet.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), help: None, span: None }
+    }
+
+    /// With the place in the source.
+    #[must_use]
+    pub fn at(mut self, span: Option<Range<usize>>) -> Self {
+        self.span = span;
+        self
+    }
+
+    /// With the remedy.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+/// Everything that is wrong with one input, found in one reading.
+#[derive(Clone, Debug)]
+pub struct InputError {
+    /// What was read.
+    pub source: Source,
+    /// In the order of their places.
+    pub problems: Vec<Problem>,
+}
+
+impl InputError {
+    /// Sorted by place, so that a reader can walk down the file.
+    pub fn new(source: Source, mut problems: Vec<Problem>) -> Self {
+        problems.sort_by_key(|p| p.span.as_ref().map_or(0, |s| s.start));
+        Self { source, problems }
+    }
+
+    /// One problem of a source.
+    pub fn one(source: Source, problem: Problem) -> Self {
+        Self { source, problems: vec![problem] }
+    }
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, problem) in self.problems.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{}", self.source.name)?;
+            if let Some(span) = &problem.span {
+                let (line, column) = self.source.line_column(span.start);
+                write!(f, ":{line}:{column}")?;
+            }
+            write!(f, ": {}", problem.message)?;
+            if let Some(help) = &problem.help {
+                write!(f, " ({help})")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for InputError {}
+
+/// The candidate that `word` most likely means, if one is near enough.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let near = |c: &str| strsim::normalized_damerau_levenshtein(&word.to_lowercase(), c);
+    candidates
+        .into_iter()
+        .map(|candidate| (near(candidate), candidate))
+        .filter(|(likeness, _)| *likeness >= 0.5)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, candidate)| candidate)
+}

@@ -1,0 +1,337 @@
+//! The reader of a table: one function per table reads it, checks it and describes it.
+//!
+//! A table's reading function asks a [`Reader`] for each of its keys. On a user's file the reader answers with the
+//! values and notes every problem, so that all of them are reported together; on no file at all it records what was
+//! asked, and the record is the JSON Schema. What is read and what is documented can thus never differ.
+
+use std::cell::RefCell;
+use std::ops::Range;
+
+use serde_json::{Map, Value as Json, json};
+use toml_edit::{Item, TableLike, Value};
+
+use super::{Choice, Count, Field, Problem, nearest};
+use crate::units::{Kind, Knowledge, Quantity};
+
+/// A quantity of the model that is not exactly known (`+-` or `?`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Where it stands: `effects.tool-wear.rate`, `workpiece.segments[1].diameter`.
+    pub path: String,
+    /// Its kind, with the canonical unit.
+    pub kind: Kind,
+    /// Value in SI and knowledge.
+    pub quantity: Quantity,
+    /// Bytes of its value in the model file.
+    pub span: Option<Range<usize>>,
+}
+
+/// What one reading finds beside the values.
+#[derive(Default)]
+struct Findings {
+    problems: RefCell<Vec<Problem>>,
+    parameters: RefCell<Vec<Parameter>>,
+}
+
+/// What a reader stands on.
+enum Ground<'a> {
+    /// A table of the user's file.
+    Given(&'a dyn TableLike, Option<Range<usize>>),
+    /// A table that is not there: every key is absent, and nothing is said again.
+    Absent,
+    /// No file: what is asked is recorded.
+    Described,
+}
+
+/// A JSON Schema in the making: properties and the names of those that are required.
+#[derive(Default)]
+pub struct Shape {
+    properties: Map<String, Json>,
+    required: Vec<Json>,
+}
+
+impl Shape {
+    /// The schema of an object with these properties and no others.
+    pub fn into_schema(self, about: &str) -> Json {
+        json!({ "type": "object", "description": about, "properties": self.properties, "required": self.required, "additionalProperties": false })
+    }
+}
+
+/// Reads one table.
+pub struct Reader<'a> {
+    ground: Ground<'a>,
+    path: String,
+    findings: std::rc::Rc<Findings>,
+    asked: RefCell<Vec<&'static str>>,
+    shape: RefCell<Shape>,
+}
+
+impl<'a> Reader<'a> {
+    /// Reads the top of a document with `read`; the second part holds the problems found, in no order.
+    pub fn document<T>(table: &'a dyn TableLike, read: impl FnOnce(&Reader<'a>) -> T) -> (T, Vec<Parameter>, Vec<Problem>) {
+        let reader = Self::on(Ground::Given(table, None), String::new(), Default::default());
+        let value = read(&reader);
+        reader.finish();
+        let findings = reader.findings;
+        (value, findings.parameters.take(), findings.problems.take())
+    }
+
+    /// The schema of what `read` asks for.
+    pub fn schema<T>(about: &str, read: impl FnOnce(&Reader<'a>) -> T) -> Json {
+        let reader = Self::on(Ground::Described, String::new(), Default::default());
+        read(&reader);
+        reader.shape.take().into_schema(about)
+    }
+
+    fn on(ground: Ground<'a>, path: String, findings: std::rc::Rc<Findings>) -> Self {
+        Self { ground, path, findings, asked: RefCell::default(), shape: RefCell::default() }
+    }
+
+    fn child(&self, ground: Ground<'a>, key: &str) -> Self {
+        let path = if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) };
+        Self::on(ground, path, self.findings.clone())
+    }
+
+    /// A key with a quantity of `kind`.
+    pub fn quantity(&self, key: &'static str, kind: Kind, about: &'static str) -> Field<'_, 'a> {
+        Field::new(self, key, kind, about)
+    }
+
+    /// A key with a whole number.
+    pub fn count(&self, key: &'static str, about: &'static str) -> Count<'_, 'a> {
+        Count::new(self, key, about)
+    }
+
+    /// A key with one of `words`.
+    pub fn choice<T: Copy + 'static>(&self, key: &'static str, about: &'static str, words: &'static [(&'static str, T)]) -> Choice<'_, 'a, T> {
+        Choice::new(self, key, about, words)
+    }
+
+    /// A key with any text.
+    pub fn text(&self, key: &'static str, about: &'static str) -> Option<String> {
+        self.describe(key, json!({ "type": "string", "description": about }), false);
+        let item = self.item(key)?;
+        if item.as_str().is_none() {
+            self.refuse(Problem::new(format!("`{key}` is no text")).help(format!("write {key} = \"…\"")).at(item.span()));
+        }
+        item.as_str().map(str::to_string)
+    }
+
+    /// A table that must be there.
+    pub fn table<T>(&self, key: &'static str, about: &'static str, read: impl FnOnce(&Reader<'a>) -> T) -> T {
+        let ground = match self.item(key) {
+            Some(item) => self.ground_of(key, item, "a table"),
+            None => {
+                self.missing(key, &format!("[{key}]"), about);
+                Ground::Absent
+            }
+        };
+        self.read_child(key, about, ground, true, read)
+    }
+
+    /// A table that may be left out.
+    pub fn optional_table<T>(&self, key: &'static str, about: &'static str, read: impl FnOnce(&Reader<'a>) -> T) -> Option<T> {
+        let ground = match self.item(key) {
+            Some(item) => self.ground_of(key, item, "a table"),
+            None => Ground::Absent,
+        };
+        let given = !matches!(ground, Ground::Absent) || matches!(self.ground, Ground::Described);
+        given.then(|| self.read_child(key, about, ground, false, read))
+    }
+
+    fn read_child<T>(&self, key: &'static str, about: &str, ground: Ground<'a>, required: bool, read: impl FnOnce(&Reader<'a>) -> T) -> T {
+        let described = matches!(self.ground, Ground::Described);
+        let reader = self.child(if described { Ground::Described } else { ground }, key);
+        let value = read(&reader);
+        reader.finish();
+        if described {
+            self.describe(key, reader.shape.take().into_schema(about), required);
+        }
+        value
+    }
+
+    /// A list of tables, empty where the key is absent. `read` also gets the position, from 0.
+    pub fn list<T>(&self, key: &'static str, about: &'static str, read: impl Fn(&Reader<'a>, usize) -> T) -> Vec<T> {
+        if matches!(self.ground, Ground::Described) {
+            let reader = self.child(Ground::Described, key);
+            let example = read(&reader, 0);
+            let items = reader.shape.take().into_schema(about);
+            self.describe(key, json!({ "type": "array", "description": about, "items": items }), false);
+            return vec![example];
+        }
+        let Some(item) = self.item(key) else { return Vec::new() };
+        let mut grounds = Vec::new();
+        match item {
+            Item::Value(Value::Array(array)) => {
+                for value in array {
+                    match value.as_inline_table() {
+                        Some(table) => grounds.push(Ground::Given(table, value.span())),
+                        None => self.refuse(
+                            Problem::new(format!("an entry of `{key}` is no table")).help("write { key = value, … }").at(value.span()),
+                        ),
+                    }
+                }
+            }
+            Item::ArrayOfTables(tables) => grounds.extend(tables.iter().map(|t| Ground::Given(t, t.span()))),
+            _ => self.refuse(Problem::new(format!("`{key}` is no list")).help(format!("write {key} = [{{ … }}]")).at(item.span())),
+        }
+        let mut values = Vec::with_capacity(grounds.len());
+        for (i, ground) in grounds.into_iter().enumerate() {
+            let reader = self.child(ground, &format!("{key}[{i}]"));
+            values.push(read(&reader, i));
+            reader.finish();
+        }
+        values
+    }
+
+    /// Tables with names of the user's choice among `known`: `[effects.NAME]`. `refuse` words the problem of a name
+    /// that is not known. Each comes with its name.
+    pub fn named_tables<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        known: &[&'static str],
+        unknown: impl Fn(&str) -> Problem,
+        read: impl Fn(&'static str, &Reader<'a>) -> T,
+    ) -> Vec<T> {
+        let item = self.item(key);
+        let parent = match (&self.ground, item) {
+            (Ground::Described, _) => self.child(Ground::Described, key),
+            (_, Some(item)) => self.child(self.ground_of(key, item, "a table of tables"), key),
+            (_, None) => return Vec::new(),
+        };
+        let mut values = Vec::new();
+        for name in parent.names(known, unknown) {
+            let ground = match parent.item(name) {
+                Some(item) => parent.ground_of(name, item, "a table"),
+                None => Ground::Described,
+            };
+            parent.read_child(name, about, ground, false, |reader| values.push(read(name, reader)));
+        }
+        if matches!(self.ground, Ground::Described) {
+            self.describe(key, parent.shape.take().into_schema(about), false);
+        }
+        values
+    }
+
+    /// The known names in the order in which the file has them (all, where there is no file).
+    fn names(&self, known: &[&'static str], unknown: impl Fn(&str) -> Problem) -> Vec<&'static str> {
+        let Ground::Given(table, _) = &self.ground else { return known.to_vec() };
+        let mut names = Vec::new();
+        for (name, _) in table.iter() {
+            match known.iter().find(|k| **k == name) {
+                Some(name) => names.push(*name),
+                None => self.refuse(unknown(name).at(table.key(name).and_then(|k| k.span()))),
+            }
+        }
+        names
+    }
+
+    /// A key that holds either a name or a table: a material. `read` gets the name, if there is one, and a reader of
+    /// the table, with every key absent where there is none.
+    pub fn name_or_table<T>(&self, key: &'static str, about: &'static str, names: &[&str], read: impl FnOnce(Option<&str>, &Reader<'a>) -> T) -> T {
+        let mut name = None;
+        let ground = match self.item(key) {
+            Some(item) if item.as_str().is_some() => {
+                name = item.as_str();
+                Ground::Absent
+            }
+            Some(item) => self.ground_of(key, item, "a name or a table"),
+            None => {
+                self.missing(key, &format!("{key} = \"{}\"", names.first().unwrap_or(&"")), about);
+                Ground::Absent
+            }
+        };
+        let described = matches!(self.ground, Ground::Described);
+        let reader = self.child(if described { Ground::Described } else { ground }, key);
+        let value = read(name, &reader);
+        reader.finish();
+        if described {
+            let table = reader.shape.take().into_schema(about);
+            self.describe(key, json!({ "description": about, "anyOf": [{ "enum": names }, table] }), true);
+        }
+        value
+    }
+
+    fn ground_of(&self, key: &str, item: &'a Item, expected: &str) -> Ground<'a> {
+        match item.as_table_like() {
+            Some(table) => Ground::Given(table, item.span()),
+            None => {
+                self.refuse(Problem::new(format!("`{key}` is no table")).help(format!("it must be {expected}")).at(item.span()));
+                Ground::Absent
+            }
+        }
+    }
+
+    /// Notes a problem with a key of this table, or with the table where the key is absent.
+    pub fn problem(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
+        let span = match &self.ground {
+            Ground::Given(table, span) => table.get(key).and_then(Item::span).or_else(|| span.clone()),
+            _ => return,
+        };
+        self.refuse(Problem::new(message).help(help).at(span));
+    }
+
+    /// Whether the file has this key.
+    pub fn has(&self, key: &'static str) -> bool {
+        matches!(&self.ground, Ground::Given(table, _) if table.contains_key(key))
+    }
+
+    pub(super) fn item(&self, key: &'static str) -> Option<&'a Item> {
+        self.asked.borrow_mut().push(key);
+        match &self.ground {
+            Ground::Given(table, _) => table.get(key).filter(|item| !item.is_none()),
+            _ => None,
+        }
+    }
+
+    pub(super) fn refuse(&self, problem: Problem) {
+        self.findings.problems.borrow_mut().push(problem);
+    }
+
+    pub(super) fn missing(&self, key: &str, example: &str, about: &str) {
+        if let Ground::Given(_, span) = &self.ground {
+            let place = if self.path.is_empty() { String::new() } else { format!(" in `{}`", self.path) };
+            let problem = Problem::new(format!("`{key}` is missing{place}: {about}")).help(format!("add {example}"));
+            self.refuse(problem.at(span.clone().map(|s| s.start..s.start + 1)));
+        }
+    }
+
+    /// Keeps a quantity that is not exactly known, and gives its value.
+    pub(super) fn note(&self, key: &str, kind: Kind, quantity: Quantity, span: Option<Range<usize>>) -> f64 {
+        if quantity.knowledge != Knowledge::Known {
+            let path = format!("{}.{key}", self.path);
+            self.findings.parameters.borrow_mut().push(Parameter { path, kind, quantity, span });
+        }
+        quantity.value
+    }
+
+    pub(super) fn describe(&self, key: &str, schema: Json, required: bool) {
+        if matches!(self.ground, Ground::Described) {
+            let mut shape = self.shape.borrow_mut();
+            shape.properties.insert(key.to_string(), schema);
+            if required {
+                shape.required.push(json!(key));
+            }
+        }
+    }
+
+    /// Refuses the keys that nobody asked for.
+    fn finish(&self) {
+        let Ground::Given(table, _) = &self.ground else { return };
+        let asked = self.asked.borrow();
+        for (key, item) in table.iter() {
+            if asked.contains(&key) {
+                continue;
+            }
+            let place = if self.path.is_empty() { "a model file".to_string() } else { format!("`{}`", self.path) };
+            let near = nearest(key, asked.iter().copied().filter(|a| !table.contains_key(a)));
+            let help = match near {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("its keys are {}", asked.join(", ")),
+            };
+            let span = table.key(key).and_then(|k| k.span()).or_else(|| item.span());
+            self.refuse(Problem::new(format!("`{key}` is no key of {place}")).help(help).at(span));
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Joints: supports that yield, linearly and by the contact law y = c·Qⁿ.
+
+/// A yielding support: springs and contacts in series, y(Q) = Q·Σ1/k + Σ c·Qⁿ.
+///
+/// Contacts press only: for Q ≤ 0 they do not move, and only the springs yield.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Joint {
+    /// Sum of the springs' compliances, m/N; 0 is rigid.
+    pub spring_compliance: f64,
+    /// Contacts in series.
+    pub contacts: Vec<Contact>,
+}
+
+/// A contact joint y = c·Qⁿ (Q > 0), n in (0, 1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// c, m/Nⁿ.
+    pub coefficient: f64,
+    /// n, in (0, 1].
+    pub exponent: f64,
+}
+
+impl Contact {
+    /// How far the contact gives way under the force `q` (N), m.
+    pub fn displacement(&self, q: f64) -> f64 {
+        if q <= 0.0 { 0.0 } else { self.coefficient * q.powf(self.exponent) }
+    }
+}
+
+/// A joint at one value of its path variable: force, displacement and how both change with the variable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointState {
+    /// Q, N.
+    pub force: f64,
+    /// y, m.
+    pub displacement: f64,
+    /// dQ/ds.
+    pub force_rate: f64,
+    /// dy/ds.
+    pub displacement_rate: f64,
+}
+
+impl Joint {
+    /// Whether y is proportional to Q.
+    pub fn is_linear(&self) -> bool {
+        self.contacts.iter().all(|c| c.exponent == 1.0 && c.coefficient == 0.0)
+    }
+
+    /// Whether the joint does not yield at all.
+    pub fn is_rigid(&self) -> bool {
+        self.spring_compliance == 0.0 && self.contacts.is_empty()
+    }
+
+    /// y under the force `q`, m.
+    pub fn displacement(&self, q: f64) -> f64 {
+        self.spring_compliance * q + self.contacts.iter().map(|c| c.displacement(q)).sum::<f64>()
+    }
+
+    /// dy/dQ under the force `q`, m/N; infinite at q = 0 where a contact with n < 1 closes.
+    pub fn compliance(&self, q: f64) -> f64 {
+        let contact = |c: &Contact| match q {
+            q if q < 0.0 => 0.0,
+            q => c.coefficient * c.exponent * q.powf(c.exponent - 1.0),
+        };
+        self.spring_compliance + self.contacts.iter().map(contact).sum::<f64>()
+    }
+
+    /// The joint along a path s through its states, on which neither force nor displacement has an infinite slope.
+    ///
+    /// y = c·Qⁿ rises vertically at Q = 0. With Q = s^(1/n), n the smallest exponent, Q and y are both smooth and
+    /// rising in s ≥ 0; for s < 0, where contacts are shut, Q = s.
+    pub fn along(&self, s: f64) -> JointState {
+        if s < 0.0 || self.contacts.is_empty() {
+            let k = self.spring_compliance;
+            return JointState { force: s, displacement: k * s, force_rate: 1.0, displacement_rate: k };
+        }
+        let power = 1.0 / self.path_exponent();
+        let force = s.powf(power);
+        let force_rate = power * s.powf(power - 1.0);
+        let mut state = JointState {
+            force,
+            displacement: self.spring_compliance * force,
+            force_rate,
+            displacement_rate: self.spring_compliance * force_rate,
+        };
+        for contact in &self.contacts {
+            let exponent = contact.exponent * power; // ≥ 1
+            state.displacement += contact.coefficient * s.powf(exponent);
+            state.displacement_rate += contact.coefficient * exponent * s.powf(exponent - 1.0);
+        }
+        state
+    }
+
+    /// The path variable at which the joint carries the force `q`.
+    pub fn path_at(&self, q: f64) -> f64 {
+        if q <= 0.0 || self.contacts.is_empty() { q } else { q.powf(self.path_exponent()) }
+    }
+
+    fn path_exponent(&self) -> f64 {
+        self.contacts.iter().map(|c| c.exponent).fold(1.0, f64::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn joint() -> Joint {
+        let contacts = vec![
+            Contact { coefficient: 2e-7, exponent: 0.5 },
+            Contact { coefficient: 1e-8, exponent: 0.8 },
+        ];
+        Joint { spring_compliance: 1e-8, contacts }
+    }
+
+    #[test]
+    fn the_path_runs_through_the_law() {
+        let joint = joint();
+        for q in [-50.0, 0.0, 1e-12, 3.0, 400.0] {
+            let state = joint.along(joint.path_at(q));
+            assert!((state.force - q).abs() <= 1e-12 * q.abs(), "{q}");
+            assert!((state.displacement - joint.displacement(q)).abs() <= 1e-20 + 1e-12 * joint.displacement(q).abs());
+        }
+    }
+
+    #[test]
+    fn rates_are_finite_and_equal_the_finite_difference() {
+        let joint = joint();
+        for s in [-3.0, 0.7, 4.0, 20.0] {
+            let h = 1e-6;
+            let (a, b, at) = (joint.along(s - h), joint.along(s + h), joint.along(s));
+            assert!(((b.force - a.force) / (2.0 * h) / at.force_rate - 1.0).abs() < 1e-7);
+            assert!(((b.displacement - a.displacement) / (2.0 * h) / at.displacement_rate - 1.0).abs() < 1e-7);
+        }
+        let at_zero = joint.along(0.0);
+        assert!(at_zero.force_rate.is_finite() && at_zero.displacement_rate > 0.0);
+    }
+}

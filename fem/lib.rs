@@ -1,0 +1,27 @@
+//! Predicts what a machine, fixture and workpiece do to a part, and says which effect is missing when it does not.
+//!
+//! Layers, each using only those above it:
+//!
+//! ```text
+//! units                 quantities with units; SI inside
+//! progress              how far a computation has come
+//! input                 reading a user's file: places, problems, one function per table
+//! material  element  joint     what bodies, pieces and joints resist with
+//! solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat
+//! process               a process and its effects: turning, …
+//! model                 a model file: process, effects, what is known; run, add, schema
+//! output                text, CSV, JSON, VTK; files that appear whole
+//! cli                   the commands
+//! ```
+
+pub mod cli;
+pub mod element;
+pub mod input;
+pub mod joint;
+pub mod material;
+pub mod model;
+pub mod output;
+pub mod process;
+pub mod progress;
+pub mod solve;
+pub mod units;

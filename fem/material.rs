@@ -1,0 +1,102 @@
+//! Materials: a built-in list, or a table of one's own.
+
+use crate::input::{Bounds, Reader, nearest};
+use crate::units::{CONDUCTIVITY, EXPANSION, Kind, MASS_DENSITY, NUMBER, PRESSURE, SPECIFIC_HEAT};
+
+/// An isotropic, linear material. SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// E, Pa.
+    pub youngs_modulus: f64,
+    /// ν.
+    pub poisson_ratio: f64,
+    /// ρ, kg/m³.
+    pub density: f64,
+    /// α, 1/K.
+    pub expansion: f64,
+    /// k, W/(m K).
+    pub conductivity: f64,
+    /// c, J/(kg K).
+    pub specific_heat: f64,
+}
+
+/// Typical room-temperature values of handbooks; a part that matters deserves its own table.
+const BUILT_IN: &[(&str, Material)] = &[
+    ("steel", material(210e9, 0.30, 7850.0, 11.5e-6, 50.0, 470.0)),
+    ("stainless-steel", material(193e9, 0.29, 8000.0, 16.5e-6, 16.0, 500.0)),
+    ("cast-iron", material(110e9, 0.26, 7200.0, 10.5e-6, 50.0, 500.0)),
+    ("aluminium", material(70e9, 0.33, 2700.0, 23.5e-6, 170.0, 900.0)),
+    ("brass", material(105e9, 0.34, 8500.0, 19.0e-6, 120.0, 380.0)),
+    ("bronze", material(110e9, 0.34, 8800.0, 17.5e-6, 60.0, 380.0)),
+    ("copper", material(120e9, 0.34, 8960.0, 16.8e-6, 390.0, 385.0)),
+    ("titanium", material(114e9, 0.34, 4430.0, 8.6e-6, 6.7, 526.0)),
+    ("carbide", material(600e9, 0.22, 14_800.0, 5.5e-6, 85.0, 210.0)),
+];
+
+const fn material(
+    youngs_modulus: f64,
+    poisson_ratio: f64,
+    density: f64,
+    expansion: f64,
+    conductivity: f64,
+    specific_heat: f64,
+) -> Material {
+    Material { youngs_modulus, poisson_ratio, density, expansion, conductivity, specific_heat }
+}
+
+impl Material {
+    /// Reads a material from `key`: a name, or a table with every property, or overrides on a `base`.
+    pub fn read(table: &Reader, key: &'static str) -> Self {
+        let names: Vec<&'static str> = BUILT_IN.iter().map(|m| m.0).collect();
+        table.name_or_table(key, "a material's name, or a table of its properties", &names, |name, own| {
+            let named = |name: &str| BUILT_IN.iter().find(|m| m.0 == name).map(|m| m.1);
+            if let Some(name) = name {
+                return named(name).unwrap_or_else(|| {
+                    table.problem(key, format!("`{name}` is no material known here"), listed(name, &names));
+                    Self::STEEL
+                });
+            }
+            let base = own.text("base", "material whose other properties are taken").and_then(|base| {
+                let found = named(&base);
+                if found.is_none() {
+                    own.problem("base", format!("`{base}` is no material known here"), listed(&base, &names));
+                }
+                found.or(Some(Self::STEEL))
+            });
+            Self::read_own(own, base)
+        })
+    }
+
+    /// The `steel` of the list.
+    pub const STEEL: Self = BUILT_IN[0].1;
+
+    fn read_own(own: &Reader, base: Option<Self>) -> Self {
+        let read = |key, kind: Kind, about, bounds, of: fn(&Self) -> f64| {
+            let field = own.quantity(key, kind, about).bounds(bounds);
+            match &base {
+                Some(base) => field.or(of(base)),
+                None => field.required(),
+            }
+        };
+        // No solid is softer than 1 MPa or stiffer than 5 TPa: beyond that the unit is wrong.
+        let solid = Bounds::Within(1e6, 5e12);
+        Self {
+            youngs_modulus: read("youngs_modulus", PRESSURE, "Young's modulus", solid, |m| m.youngs_modulus),
+            poisson_ratio: read("poisson_ratio", NUMBER, "Poisson's ratio", Bounds::Within(-1.0, 0.5), |m| m.poisson_ratio),
+            density: read("density", MASS_DENSITY, "density", Bounds::Positive, |m| m.density),
+            expansion: read("expansion", EXPANSION, "thermal expansion", Bounds::Any, |m| m.expansion),
+            conductivity: read("conductivity", CONDUCTIVITY, "heat conductivity", Bounds::Positive, |m| m.conductivity),
+            specific_heat: read("specific_heat", SPECIFIC_HEAT, "specific heat", Bounds::Positive, |m| m.specific_heat),
+        }
+    }
+
+    /// G = E / 2(1+ν), Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        self.youngs_modulus / (2.0 * (1.0 + self.poisson_ratio))
+    }
+}
+
+fn listed(name: &str, names: &[&'static str]) -> String {
+    let meant = nearest(name, names.iter().copied()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
+    format!("{meant}known are {}; or give a table of its properties", names.join(", "))
+}

@@ -1,0 +1,122 @@
+//! Writing a model with one more effect, every comment and the order of the file kept.
+
+use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
+
+use super::{Model, effect_of};
+use crate::input::{InputError, Problem, Source, nearest};
+use crate::process::Description;
+use crate::units::Quantity;
+
+/// A `KEY=VALUE` of the command line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    /// The parameter.
+    pub key: String,
+    /// As it is to stand in the file, without quotes.
+    pub value: String,
+}
+
+impl std::str::FromStr for Setting {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, as in 'rate=8 um/km'")?;
+        Ok(Self { key: key.trim().into(), value: value.trim().trim_matches('"').into() })
+    }
+}
+
+/// Why an effect cannot be added.
+#[derive(Debug, thiserror::Error)]
+pub enum AddError {
+    /// The command line asks for something that does not fit the model.
+    #[error("{}", .0.message)]
+    Request(Problem),
+    /// The model that would be written has something wrong with it.
+    #[error("{0}")]
+    Model(#[from] InputError),
+}
+
+/// The text of `model` with the effect `name` added. Parameters without a setting are written as unknown (`?`), but for those that may be
+/// left out.
+///
+/// # Errors
+/// The effect is unknown, present already, or does not fit; a setting is unknown or wrong.
+pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<String, AddError> {
+    let effect = effect_of(model.process, name).map_err(AddError::Request)?;
+    if model.effects.iter().any(|e| e.description == effect) {
+        let problem = Problem::new(format!("the model has the effect `{name}` already"));
+        return Err(AddError::Request(problem.help("edit its values in the file")));
+    }
+    if let Err(reason) = model.system.admits(name) {
+        return Err(AddError::Request(Problem::new(reason).help("it cannot act on this workholding")));
+    }
+    check_settings(effect, settings).map_err(AddError::Request)?;
+    let unreadable = |e: toml_edit::TomlError| AddError::Request(Problem::new(e.message().to_string()));
+    let mut document: DocumentMut = model.source.text.parse().map_err(unreadable)?;
+    insert(&mut document, effect, settings);
+    let text = document.to_string();
+    Model::parse(Source::new(model.source.name.clone(), text.clone()))?;
+    Ok(text)
+}
+
+fn check_settings(effect: &Description, settings: &[Setting]) -> Result<(), Problem> {
+    for (i, Setting { key, value }) in settings.iter().enumerate() {
+        let names = || effect.parameters.iter().map(|p| p.name);
+        let Some(parameter) = effect.parameters.iter().find(|p| p.name == key) else {
+            let meant = nearest(key, names()).map_or(String::new(), |n| format!("did you mean `{n}`? "));
+            let listed = names().collect::<Vec<_>>().join(", ");
+            let problem = Problem::new(format!("`{key}` is no parameter of `{}`", effect.name));
+            return Err(problem.help(format!("{meant}its parameters are {listed}")));
+        };
+        if settings[..i].iter().any(|s| s.key == *key) {
+            return Err(Problem::new(format!("`{key}` is given twice")).help("give it once"));
+        }
+        if let Err(e) = Quantity::parse(value, &parameter.kind) {
+            let problem = Problem::new(format!("{key}={value}: {}", e.message));
+            return Err(problem.help(e.hint.unwrap_or_else(|| format!("write '{key}=10 {}'", parameter.kind.unit))));
+        }
+    }
+    Ok(())
+}
+
+fn insert(document: &mut DocumentMut, effect: &Description, settings: &[Setting]) {
+    let effects = document.entry("effects").or_insert_with(|| {
+        let mut table = Table::new();
+        table.set_implicit(true);
+        Item::Table(table)
+    });
+    let inline = effects.is_inline_table();
+    let Some(effects) = effects.as_table_like_mut() else { return };
+    if inline {
+        let mut table = InlineTable::new();
+        fill(&mut table, effect, settings);
+        effects.insert(effect.name, Item::Value(Value::InlineTable(table)));
+    } else {
+        let mut table = Table::new();
+        fill(&mut table, effect, settings);
+        table.decor_mut().set_prefix("\n");
+        effects.insert(effect.name, Item::Table(table));
+    }
+}
+
+fn fill(table: &mut dyn TableLike, effect: &Description, settings: &[Setting]) {
+    let set = |name: &str| settings.iter().find(|s| s.key == name);
+    let is_zero = |name: &str| set(name).is_none_or(|s| s.value.starts_with("0 ") || s.value == "0");
+    for parameter in effect.parameters {
+        let value = match set(parameter.name) {
+            Some(setting) => written(&setting.value, parameter.kind.unit.is_empty()),
+            None if parameter.default.is_some() || parameter.needed_with.is_some_and(is_zero) => continue,
+            None => Value::from(format!("? {}", parameter.kind.unit).trim_end()),
+        };
+        table.insert(parameter.name, Item::Value(value));
+    }
+}
+
+/// Pure numbers that are known stand without quotes.
+fn written(value: &str, pure: bool) -> Value {
+    let number = value.parse::<f64>().ok().filter(|_| pure);
+    match number {
+        Some(number) => Value::from(number),
+        None => Value::from(value),
+    }
+}

@@ -1,0 +1,138 @@
+//! A model file: a process, its tables, and the effects that are present.
+
+mod add;
+mod run;
+mod schema;
+
+pub use add::{AddError, Setting, add_effect};
+pub use run::{Run, Share};
+pub use schema::schema;
+
+use std::path::Path;
+
+use toml_edit::Document;
+
+use crate::input::{InputError, Parameter, Problem, Reader, Source, nearest};
+use crate::process::{self, Active, Description, Process, System};
+use crate::units::Knowledge;
+
+/// Largest model file, bytes. A model is written by people.
+const LARGEST: u64 = 4_000_000;
+
+/// A model that was read without a problem.
+pub struct Model {
+    /// The file.
+    pub source: Source,
+    /// `title`, if it has one.
+    pub title: Option<String>,
+    /// Which process it models.
+    pub process: &'static dyn Process,
+    /// The ideal system that its tables describe.
+    pub system: Box<dyn System>,
+    /// Its effects, in the order of the file.
+    pub effects: Vec<Active>,
+    /// What it does not know exactly.
+    pub parameters: Vec<Parameter>,
+}
+
+impl Model {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file, with places and remedies.
+    pub fn load(path: &Path) -> Result<Self, InputError> {
+        Self::parse(Source::read(path, LARGEST)?)
+    }
+
+    /// Reads a model from its text.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn parse(source: Source) -> Result<Self, InputError> {
+        let document = Document::parse(&*source.text).map_err(|e| {
+            let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
+            InputError::one(source.clone(), problem.help("a model file is TOML: [table], key = \"value\", # comment"))
+        })?;
+        let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
+        let ((title, system, effects), parameters, problems) =
+            Reader::document(document.as_table(), |model| read(model, process));
+        if !problems.is_empty() {
+            return Err(InputError::new(source, problems));
+        }
+        Ok(Self { title, process, system, effects, parameters, source: source.clone() })
+    }
+
+    /// Refuses a model with parameters that are still unknown (`?`).
+    ///
+    /// # Errors
+    /// Names each of them.
+    pub fn require_values(&self) -> Result<(), InputError> {
+        let free = self.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free);
+        let problem = |p: &Parameter| {
+            let example = format!("\"10 {}\"", p.kind.unit).replace(" \"", "\"");
+            Problem::new(format!("`{}` is unknown (`?`)", p.path))
+                .help(format!("give it a value such as {example}, or let `fem fit` find it from measurements"))
+                .at(p.span.clone())
+        };
+        let problems: Vec<Problem> = free.map(problem).collect();
+        if problems.is_empty() { Ok(()) } else { Err(InputError::new(self.source.clone(), problems)) }
+    }
+}
+
+fn find_process(document: &Document<&str>) -> Result<&'static dyn Process, Problem> {
+    let names = || process::ALL.iter().map(|p| p.name());
+    let listed = || names().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
+    let Some(item) = document.get("process") else {
+        let example = names().next().unwrap_or_default();
+        let problem = Problem::new("the model does not say which process it models");
+        return Err(problem.help(format!("add process = \"{example}\" at the top; known are {}", listed())).at(Some(0..0)));
+    };
+    let given = item.as_str().unwrap_or_default();
+    process::ALL.iter().copied().find(|p| p.name() == given).ok_or_else(|| {
+        let meant = nearest(given, names()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
+        let problem = Problem::new(format!("{} is no process known here", item.to_string().trim()));
+        problem.help(format!("{meant}known are {}", listed())).at(item.span())
+    })
+}
+
+/// Reads everything a model file may hold; also the ground of its schema.
+fn read(model: &Reader, process: &'static dyn Process) -> (Option<String>, Box<dyn System>, Vec<Active>) {
+    let title = model.text("title", "what is modelled, for people");
+    model.text("process", "which process is modelled");
+    let system = process.read(model);
+    let effects = read_effects(model, process, &*system);
+    (title, system, effects)
+}
+
+fn read_effects(model: &Reader, process: &'static dyn Process, system: &dyn System) -> Vec<Active> {
+    let known = process.effects();
+    let names: Vec<&'static str> = known.iter().map(|d| d.name).collect();
+    let unknown = |name: &str| unknown_effect(name, process, &names);
+    let read = |name: &'static str, table: &Reader| {
+        if let Err(reason) = system.admits(name) {
+            table.problem("", reason, "remove the effect, or change what it acts on");
+        }
+        known.iter().find(|d| d.name == name).map(|d| d.read(table))
+    };
+    model.named_tables("effects", "physical effects beyond the ideal system", &names, unknown, read).into_iter().flatten().collect()
+}
+
+fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> Problem {
+    let owner = process::ALL.iter().find(|p| p.effects().iter().any(|d| d.name == name));
+    if let Some(owner) = owner {
+        let message = format!("`{name}` is an effect of `{}`, not of `{}`", owner.name(), process.name());
+        return Problem::new(message).help(format!("`fem effects {}` lists those that fit", process.name()));
+    }
+    let problem = Problem::new(format!("`{name}` is no effect known here"));
+    match nearest(name, names.iter().copied()) {
+        Some(near) => problem.help(format!("did you mean `{near}`? `fem effects {}` lists all", process.name())),
+        None => problem.help(format!("`fem effects {}` lists those that are", process.name())),
+    }
+}
+
+/// The effect of a process by its name.
+pub fn effect_of(process: &dyn Process, name: &str) -> Result<&'static Description, Problem> {
+    let known = process.effects();
+    let names: Vec<&'static str> = known.iter().map(|d| d.name).collect();
+    known.into_iter().find(|d| d.name == name).ok_or_else(|| unknown_effect(name, process, &names))
+}

@@ -1,0 +1,24 @@
+//! The JSON Schema of the model file, from the functions that read it.
+
+use serde_json::{Value as Json, json};
+
+use super::read;
+use crate::input::Reader;
+use crate::process;
+
+/// The schema, for editors: one alternative per process, chosen by `process`.
+pub fn schema() -> Json {
+    let one = |process: &'static dyn process::Process| {
+        let mut shape = Reader::schema(process.about(), |model| read(model, process));
+        shape["properties"]["process"] = json!({ "const": process.name() });
+        shape["required"].as_array_mut().map(|required| required.push(json!("process")));
+        shape["title"] = json!(process.name());
+        shape
+    };
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "fem model",
+        "description": "A quantity is a string with its unit: \"60 N/um\" is known, \"60 +- 15 N/um\" is known roughly, \"? N/um\" is to be fitted.",
+        "oneOf": process::ALL.iter().map(|p| one(*p)).collect::<Vec<_>>(),
+    })
+}

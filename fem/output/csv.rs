@@ -1,0 +1,25 @@
+//! Tables as CSV: one header row `name [unit]`, numbers at full precision.
+
+use std::fmt::Write;
+
+use crate::process::{Column, Table};
+
+/// The table as CSV text, with numbers that read back exactly.
+pub fn table(table: &Table) -> String {
+    let header = |c: &Column| match c.unit {
+        Some(unit) => format!("{} [{unit}]", c.name),
+        None => c.name.to_string(),
+    };
+    let mut text = table.columns.iter().map(header).collect::<Vec<_>>().join(",");
+    text.push('\n');
+    let rows = table.columns.first().map_or(0, |c| c.values.len());
+    for row in 0..rows {
+        for (i, column) in table.columns.iter().enumerate() {
+            let comma = if i == 0 { "" } else { "," };
+            // Writing to a String does not fail.
+            let _ = write!(text, "{comma}{}", column.values[row]);
+        }
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,76 @@
+//! Writing results: for people, for programs, for ParaView. Files appear whole or not at all.
+
+pub mod csv;
+pub mod files;
+pub mod json;
+pub mod plot;
+pub mod text;
+pub mod vtk;
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use crate::model::{Model, Run};
+use crate::process::Animation;
+use crate::progress::Progress;
+
+/// Writing failed.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// The file system refused.
+    #[error("{} cannot be written: {error}", path.display())]
+    File {
+        /// Which file.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// A shape cannot be written as VTK.
+    #[error("{} cannot be written: {error}", path.display())]
+    Shape {
+        /// Which file.
+        path: PathBuf,
+        /// Why.
+        error: vtk::VtkError,
+    },
+}
+
+/// Writes everything a run gives into `directory`: `profile.csv`, `summary.json`, and the animation as `NAME.pvd` with its frames in
+/// `NAME/`. Gives the files that a user opens.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_run(model: &Model, run: &Run, directory: &Path, progress: &Progress) -> Result<Vec<PathBuf>, OutputError> {
+    let profile = directory.join("profile.csv");
+    files::write(&profile, csv::table(&run.outcome.profile).as_bytes())?;
+    let mut written = vec![profile];
+    if let Some(animation) = &run.outcome.animation {
+        written.push(write_animation(animation, directory, progress)?);
+    }
+    let summary = directory.join("summary.json");
+    let json = format!("{:#}\n", json::run(model, run));
+    files::write(&summary, json.as_bytes())?;
+    written.push(summary);
+    Ok(written)
+}
+
+fn write_animation(animation: &Animation, directory: &Path, progress: &Progress) -> Result<PathBuf, OutputError> {
+    let folder = directory.join(animation.name);
+    let name = |i: usize| format!("{}_{i:04}.vtu", animation.name);
+    progress.expect(animation.frames as u64);
+    let write = |i: usize| {
+        let frame = (animation.frame)(i);
+        let path = folder.join(name(i));
+        let bytes = vtk::vtu(&frame.grid).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
+        files::write(&path, &bytes)?;
+        progress.advance(1);
+        Ok((frame.time, format!("{}/{}", animation.name, name(i))))
+    };
+    let frames: Vec<(f64, String)> = (0..animation.frames).into_par_iter().map(write).collect::<Result<_, OutputError>>()?;
+    let path = directory.join(format!("{}.pvd", animation.name));
+    let text = vtk::pvd(&frames).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
+    files::write(&path, text.as_bytes())?;
+    files::remove_others(&folder, |file| frames.iter().any(|f| f.1.ends_with(file)));
+    Ok(path)
+}

@@ -1,0 +1,49 @@
+//! Small curves in text.
+
+use crate::process::Plot;
+
+const WIDTH: usize = 61;
+const HEIGHT: usize = 11;
+
+/// The curve as lines of text with its axes.
+pub fn lines(plot: &Plot) -> Vec<String> {
+    let ys = || plot.points.iter().map(|p| p.1);
+    let (low, high) = (ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max));
+    let mut lines = vec![plot.title.clone()];
+    let (Some(first), Some(last)) = (plot.points.first(), plot.points.last()) else { return lines };
+    // A constant is drawn in the middle; below a millionth of a unit there is nothing to see.
+    let (low, high) = if high - low < 1e-6 { (low - 0.5, high + 0.5) } else { (low, high) };
+    let mut canvas = vec![[' '; WIDTH]; HEIGHT];
+    for column in 0..WIDTH {
+        let x = first.0 + (last.0 - first.0) * (column as f64 / (WIDTH - 1) as f64);
+        let row = (high - value_at(&plot.points, x)) / (high - low) * (HEIGHT - 1) as f64;
+        canvas[(row.round() as usize).min(HEIGHT - 1)][column] = '•';
+    }
+    let label = |row: usize| high - (high - low) * (row as f64 / (HEIGHT - 1) as f64);
+    for (row, line) in canvas.iter().enumerate() {
+        let mark = if row % 5 == 0 { format!("{:>10} ┤", short(label(row))) } else { format!("{:>10} │", "") };
+        lines.push(format!("{mark}{}", line.iter().collect::<String>().trim_end()));
+    }
+    lines.push(format!("{:>10} └{}", "", "─".repeat(WIDTH)));
+    let (left, right) = (short(first.0), format!("{} {}", short(last.0), plot.x_unit));
+    lines.push(format!("{:>11} {left}{right:>width$}", "", width = WIDTH - left.chars().count()));
+    lines
+}
+
+/// Linear between the points.
+fn value_at(points: &[(f64, f64)], x: f64) -> f64 {
+    let i = points.partition_point(|p| p.0 < x).clamp(1, points.len().max(2) - 1);
+    let (Some(a), Some(b)) = (points.get(i - 1), points.get(i)) else {
+        return points.first().map_or(0.0, |p| p.1);
+    };
+    a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0)
+}
+
+/// A number in a few characters.
+fn short(value: f64) -> String {
+    match value.abs() {
+        a if a >= 1000.0 => format!("{value:.0}"),
+        a if a >= 100.0 => format!("{value:.1}"),
+        _ => format!("{value:.2}"),
+    }
+}

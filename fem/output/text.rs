@@ -1,0 +1,104 @@
+//! Results for people.
+
+use std::fmt::Write;
+
+use super::plot;
+use crate::model::{Model, Run, Share};
+use crate::process::{Case, Description, Neutral, Parameter, Tolerance};
+
+/// The terminal summary of a run.
+pub fn run(model: &Model, run: &Run) -> String {
+    let mut text = String::new();
+    let title = model.title.as_deref().unwrap_or(&model.source.name);
+    // Writing to a String does not fail, here and below.
+    let _ = writeln!(text, "{title}\n{}: {}\n", model.process.name(), model.process.about());
+    for finding in &run.outcome.findings {
+        let _ = writeln!(text, "  {:<24} {}", finding.label, finding.text);
+    }
+    shares(&mut text, &run.shares);
+    for plot in &run.outcome.plots {
+        let _ = writeln!(text, "\n{}", plot::lines(plot).join("\n"));
+    }
+    text
+}
+
+fn shares(text: &mut String, shares: &[Share]) {
+    let _ = writeln!(text, "\n  what changes the diameter   {:>10} {:>10} {:>10}   um", "rms", "from", "to");
+    for share in shares {
+        let name = if share.name == "ideal" { "the elastic work alone" } else { share.name };
+        let (rms, low, high) = (1e6 * share.rms, 1e6 * share.smallest, 1e6 * share.largest);
+        let _ = writeln!(text, "  {name:<27} {rms:>10.3} {low:>+10.3} {high:>+10.3}");
+    }
+}
+
+/// One line per effect: its name and what it is.
+pub fn effect_line(effect: &Description) -> String {
+    format!("  {:<24} {}", effect.name, effect.about)
+}
+
+/// All about one effect.
+pub fn effect(process: &str, effect: &Description) -> String {
+    let mut text = format!("{} ({process})\n  {}\n\n  law     {}\n  source  {}\n\n", effect.name, effect.about, effect.law, effect.source);
+    for parameter in effect.parameters {
+        let _ = writeln!(text, "  {}", parameter_line(parameter));
+    }
+    if !effect.look_alikes.is_empty() {
+        let _ = writeln!(text, "\n  can look the same as");
+        for (name, difference) in effect.look_alikes {
+            let _ = writeln!(text, "    {name:<22} what separates them: {difference}");
+        }
+    }
+    let _ = writeln!(text, "\n  in a model file\n    [effects.{}]", effect.name);
+    for p in effect.parameters {
+        let middle = 0.5 * (p.range.0 + p.range.1);
+        let value = if p.kind.unit.is_empty() { format!("{middle}") } else { format!("\"{middle} {}\"", p.kind.unit) };
+        let _ = writeln!(text, "    {} = {value}", p.name);
+    }
+    text
+}
+
+fn parameter_line(p: &Parameter) -> String {
+    let neutral = match p.neutral {
+        Neutral::Value(value) => format!("vanishes at {value}"),
+        Neutral::Infinity => "vanishes at infinity".into(),
+        Neutral::Shape => "shapes the effect".into(),
+    };
+    let unit = if p.kind.unit.is_empty() { "-" } else { p.kind.unit };
+    let optional = match (p.default, p.needed_with) {
+        (Some(si), _) => format!("; {} if left out", p.kind.from_si(si)),
+        (None, Some(other)) => format!("; only with {other}"),
+        (None, None) => String::new(),
+    };
+    format!("{:<14} {:<10} {}; plausible {} to {}; {neutral}{optional}", p.name, unit, p.about, p.range.0, p.range.1)
+}
+
+/// The validation table.
+pub fn validation(cases: &[Case]) -> String {
+    let width = cases.iter().map(|c| c.name.chars().count() + c.quantity.chars().count() + 2).max().unwrap_or(0);
+    let mut text = format!("{:<width$} {:>16} {:>16} {:<8} {:>9} {:>9}\n", "case", "expected", "computed", "unit", "error", "allowed");
+    for case in cases {
+        let name = format!("{}, {}", case.name, case.quantity);
+        let percent = if matches!(case.tolerance, Tolerance::Relative(_)) { " rel" } else { " abs" };
+        let verdict = if case.passed() { "" } else { "  FAILED" };
+        let _ = writeln!(
+            text,
+            "{name:<width$} {:>16} {:>16} {:<8} {:>9.1e} {:>9.1e}{percent}  {}{verdict}",
+            figure(case.expected),
+            figure(case.computed),
+            case.unit,
+            case.error(),
+            case.allowed(),
+            case.source,
+        );
+    }
+    let failed = cases.iter().filter(|c| !c.passed()).count();
+    let _ = writeln!(text, "\n{} cases, {failed} failed", cases.len());
+    text
+}
+
+fn figure(value: f64) -> String {
+    match value.abs() {
+        a if a == 0.0 || (1e-3..1e6).contains(&a) => format!("{value:.9}"),
+        _ => format!("{value:.9e}"),
+    }
+}

@@ -1,0 +1,167 @@
+//! Effects: named physical causes with parameters, each in a file of its own.
+
+use std::ops::Index;
+
+use crate::input::{Bounds, Reader};
+use crate::units::Kind;
+
+/// A named physical cause that changes what a system of type `S` produces.
+pub trait Effect<S: ?Sized>: Sync {
+    /// Its name, law, source and parameters.
+    fn description(&self) -> &'static Description;
+
+    /// Lets it act on the system.
+    fn act(&self, values: &Values, system: &mut S);
+}
+
+/// What `fem effects` says of an effect, and all that is needed to read it.
+#[derive(Debug, PartialEq)]
+pub struct Description {
+    /// The word in `[effects.NAME]`.
+    pub name: &'static str,
+    /// The phenomenon, in one sentence.
+    pub about: &'static str,
+    /// The equation.
+    pub law: &'static str,
+    /// Where the law comes from.
+    pub source: &'static str,
+    /// In the order of the law.
+    pub parameters: &'static [Parameter],
+    /// Effects whose signature can be the same, and what separates them.
+    pub look_alikes: &'static [(&'static str, &'static str)],
+}
+
+/// A parameter of an effect.
+#[derive(Debug, PartialEq)]
+pub struct Parameter {
+    /// The key.
+    pub name: &'static str,
+    /// Its kind, with the canonical unit.
+    pub kind: Kind,
+    /// What it is.
+    pub about: &'static str,
+    /// Where the effect vanishes.
+    pub neutral: Neutral,
+    /// What is physically plausible, in the canonical unit.
+    pub range: (f64, f64),
+    /// What can be computed with.
+    pub bounds: Bounds,
+    /// SI value where the key is left out; `None` where it must be written.
+    pub default: Option<f64>,
+    /// A parameter without which this one may be left out: while that one is zero it has nothing to shape.
+    pub needed_with: Option<&'static str>,
+}
+
+/// The value of a parameter at which its effect vanishes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Neutral {
+    /// A number in the canonical unit.
+    Value(f64),
+    /// A stiffness that does not yield.
+    Infinity,
+    /// The parameter shapes the effect and does not switch it.
+    Shape,
+}
+
+/// An effect of a model with the values of its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Active {
+    /// Which effect.
+    pub description: &'static Description,
+    /// SI values in the order of its parameters.
+    pub values: Vec<f64>,
+}
+
+/// Parameter values by name, as an effect's law uses them.
+pub struct Values<'a>(pub &'a Active);
+
+impl Index<&str> for Values<'_> {
+    type Output = f64;
+
+    /// The SI value. Naming a parameter that the effect does not have is a mistake in the effect's own file, and found
+    /// by the test over the whole catalogue.
+    fn index(&self, name: &str) -> &f64 {
+        let position = self.0.description.parameters.iter().position(|p| p.name == name);
+        &self.0.values[position.unwrap_or(usize::MAX)]
+    }
+}
+
+impl Description {
+    /// Reads the parameters from an effect's table.
+    pub fn read(&'static self, table: &Reader) -> Active {
+        let mut values: Vec<f64> = Vec::with_capacity(self.parameters.len());
+        for p in self.parameters {
+            let field = table.quantity(p.name, p.kind, p.about).bounds(p.bounds);
+            let is_zero = |name| self.parameters.iter().zip(&values).any(|(p, v)| p.name == name && *v == 0.0);
+            values.push(match (p.default, p.needed_with) {
+                (Some(default), _) => field.or(default),
+                (None, Some(other)) if is_zero(other) => field.or(p.kind.to_si(p.range.0)),
+                _ => field.required(),
+            });
+        }
+        Active { description: self, values }
+    }
+
+    /// The effect with every parameter at its neutral value, and in the middle of its range where it has none.
+    pub fn neutral(&'static self) -> Active {
+        let value = |p: &Parameter| match p.neutral {
+            Neutral::Value(value) => p.kind.to_si(value),
+            Neutral::Infinity => f64::INFINITY,
+            Neutral::Shape => p.kind.to_si(0.5 * (p.range.0 + p.range.1)),
+        };
+        Active { description: self, values: self.parameters.iter().map(value).collect() }
+    }
+
+    /// The effect with every parameter in the middle of its plausible range.
+    pub fn typical(&'static self) -> Active {
+        let value = |p: &Parameter| p.kind.to_si(0.5 * (p.range.0 + p.range.1));
+        Active { description: self, values: self.parameters.iter().map(value).collect() }
+    }
+}
+
+impl Parameter {
+    const fn new(name: &'static str, kind: Kind, about: &'static str, neutral: Neutral, bounds: Bounds, range: (f64, f64)) -> Self {
+        Self { name, kind, about, neutral, range, bounds, default: None, needed_with: None }
+    }
+
+    /// A stiffness: infinite is neutral.
+    pub const fn stiffness(kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
+        Self::new("stiffness", kind, about, Neutral::Infinity, Bounds::Positive, range)
+    }
+
+    /// A quantity of either sign that is neutral at zero.
+    pub const fn signed(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
+        Self::new(name, kind, about, Neutral::Value(0.0), Bounds::Any, range)
+    }
+
+    /// A quantity that is never negative and neutral at zero.
+    pub const fn amplitude(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
+        Self::new(name, kind, about, Neutral::Value(0.0), Bounds::NotNegative, range)
+    }
+
+    /// A positive quantity that shapes the effect without switching it: a time constant, a width.
+    pub const fn shape(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
+        Self::new(name, kind, about, Neutral::Shape, Bounds::Positive, range)
+    }
+
+    /// With other bounds.
+    #[must_use]
+    pub const fn within(mut self, bounds: Bounds) -> Self {
+        self.bounds = bounds;
+        self
+    }
+
+    /// May be left out, and is then `si`.
+    #[must_use]
+    pub const fn or(mut self, si: f64) -> Self {
+        self.default = Some(si);
+        self
+    }
+
+    /// May be left out while `other` is zero.
+    #[must_use]
+    pub const fn needed_with(mut self, other: &'static str) -> Self {
+        self.needed_with = Some(other);
+        self
+    }
+}

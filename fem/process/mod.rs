@@ -1,0 +1,79 @@
+//! Processes: the ways in which the system makes or moves something, each a module of its own.
+//!
+//! A process is read from a model file into a [`System`]; a system with its effects acting is a [`Job`], which predicts.
+//! To add a process, write its module and one line in [`ALL`].
+
+mod effect;
+mod grid;
+mod outcome;
+pub mod turning;
+mod validation;
+
+pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
+pub use grid::{Cell, Field, Frame, Grid};
+pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
+pub use validation::{Case, Tolerance};
+
+use crate::input::Reader;
+use crate::progress::Progress;
+
+/// Every process the program knows.
+pub const ALL: &[&dyn Process] = &[&turning::Turning];
+
+/// A way in which the system makes or moves something.
+pub trait Process: Sync {
+    /// The word after `process =`.
+    fn name(&self) -> &'static str;
+
+    /// What it predicts, in half a sentence.
+    fn about(&self) -> &'static str;
+
+    /// A commented model to start from.
+    fn starting_model(&self) -> &'static str;
+
+    /// Its catalogue of effects, in the order in which people meet them.
+    fn effects(&self) -> Vec<&'static Description>;
+
+    /// Reads its tables. What is wrong is noted in the reader; the system is of use only if nothing was.
+    fn read(&self, model: &Reader) -> Box<dyn System>;
+
+    /// Handbook and benchmark cases, computed.
+    fn validation(&self) -> Vec<Case>;
+}
+
+/// A machine, fixture, tool and workpiece, ideal but for the workpiece's own elasticity.
+pub trait System: Send + Sync {
+    /// Says why an effect cannot act in this system, if it cannot.
+    ///
+    /// # Errors
+    /// The reason, as a sentence.
+    fn admits(&self, effect: &str) -> Result<(), String>;
+
+    /// The system with effects acting, ready to predict.
+    fn equip(&self, effects: &[Active]) -> Box<dyn Job>;
+}
+
+/// A system with its effects acting.
+pub trait Job: Send + Sync {
+    /// The observable at every point of the model's own programme, SI units.
+    ///
+    /// # Errors
+    /// The computation failed: the body is loose, or an equilibrium was not found.
+    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure>;
+
+    /// Everything a run reports, given the prediction and what each effect changes.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure>;
+}
+
+/// A computation that gave no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct Failure {
+    /// What happened.
+    pub message: String,
+    /// What to change.
+    pub help: String,
+}

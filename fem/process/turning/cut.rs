@@ -1,0 +1,99 @@
+//! The cut: its depth, its force, and the pass of the tool.
+
+use super::schedule::Pass;
+use crate::input::Reader;
+use crate::units::{FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
+
+/// Depth and force of the cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// t₀, m.
+    pub depth: f64,
+    /// Radial force.
+    pub force: Force,
+}
+
+/// Where the radial force comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Force {
+    /// Given directly, N.
+    Given(f64),
+    /// From the empirical law.
+    Law(ForceLaw),
+}
+
+/// P = C·s^y·t^x·HBⁿ with s in mm/rev, t in mm, P in N [seed law (16)].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForceLaw {
+    /// C.
+    pub coefficient: f64,
+    /// x, of the depth.
+    pub depth_exponent: f64,
+    /// y, of the feed.
+    pub feed_exponent: f64,
+    /// HBⁿ.
+    pub hardness_factor: f64,
+}
+
+impl ForceLaw {
+    /// Radial force in N at a depth in m and a feed in m/rad.
+    pub fn force(&self, depth: f64, feed: f64) -> f64 {
+        let feed_per_rev = FEED.from_si(feed);
+        self.coefficient
+            * feed_per_rev.powf(self.feed_exponent)
+            * (1e3 * depth.max(0.0)).powf(self.depth_exponent)
+            * self.hardness_factor
+    }
+}
+
+impl Cut {
+    /// Reads `[cut]`: the cut and the pass along a shaft of `length` m.
+    pub fn read(model: &Reader, length: f64) -> (Self, Pass) {
+        model.table("cut", "what the tool is set to", |t| {
+            let depth = t.quantity("depth", LENGTH, "set depth of cut").positive().required();
+            let feed = t.quantity("feed", FEED, "feed per revolution").positive().required();
+            let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed").positive().required();
+            let force = read_force(t);
+            let from = t.quantity("from", LENGTH, "where the cut begins; the tailstock end if left out").or(length);
+            let to = t.quantity("to", LENGTH, "where it ends; the headstock end if left out").or(0.0);
+            for (key, x) in [("from", from), ("to", to)] {
+                if x < 0.0 || x > length * (1.0 + 1e-12) {
+                    let help = format!("the shaft reaches from 0 mm to {} mm", 1e3 * length);
+                    t.problem(key, format!("the tool would stand outside the shaft, at {} mm", 1e3 * x), help);
+                }
+            }
+            if from == to {
+                t.problem("to", "the pass is empty: it ends where it begins", "let `to` differ from `from`");
+            }
+            let to = to.min(length);
+            let from = from.min(length);
+            (Self { depth, force }, Pass { from, to, feed, spindle_speed: speed })
+        })
+    }
+}
+
+fn read_force(t: &Reader) -> Force {
+    let given = t.quantity("radial_force", FORCE, "radial force of the cut").not_negative().optional();
+    let law = t.optional_table("force", "P = C·s^y·t^x·HB^n in N, s in mm/rev, t in mm", |t| {
+        let number = |key, about| t.quantity(key, NUMBER, about);
+        let coefficient = number("C", "coefficient C").positive().required();
+        let depth_exponent = number("x", "exponent of the depth").within(0.0, 1.0).required();
+        let feed_exponent = number("y", "exponent of the feed").within(0.0, 1.0).required();
+        let hardness_exponent = number("n", "exponent of the hardness").not_negative().or(0.0);
+        let hardness = number("HB", "Brinell hardness").positive().or(1.0);
+        ForceLaw { coefficient, depth_exponent, feed_exponent, hardness_factor: hardness.powf(hardness_exponent) }
+    });
+    match (given, law) {
+        (Some(force), None) => Force::Given(force),
+        (None, Some(law)) => Force::Law(law),
+        (Some(_), Some(_)) => {
+            t.problem("force", "the force is given twice", "keep either `radial_force` or `force`");
+            Force::Given(0.0)
+        }
+        (None, None) => {
+            let help = "add radial_force = \"450 N\", or force = { C = 1250.0, x = 0.9, y = 0.75 }";
+            t.problem("", "the force of the cut is missing", help);
+            Force::Given(0.0)
+        }
+    }
+}

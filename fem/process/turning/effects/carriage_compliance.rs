@@ -1,0 +1,46 @@
+//! Tool, slide and carriage yield like a spring.
+//!
+//! y += P/k [seed 002 (8), (18)], k in N/m. In series with the tool holder of the model. Left out: the slide's tilt, which changes with the
+//! overhang of the slide.
+
+use super::super::Machine;
+use crate::process::{Description, Effect, Parameter, Values};
+use crate::units::STIFFNESS;
+
+/// `carriage-compliance`.
+pub struct CarriageCompliance;
+
+static DESCRIPTION: Description = Description {
+    name: "carriage-compliance",
+    about: "tool, slide and carriage give way under the cutting force like a spring",
+    law: "y += P/k",
+    source: "seed 002 (8), (18)",
+    parameters: &[
+        Parameter::stiffness(STIFFNESS, "stiffness of tool, slide and carriage", (5.0, 1000.0)),
+    ],
+    look_alikes: &[("setting-error", "a second force: a setting error does not change with it"), ("carriage-contact", "a third force level"), ("force-feedback", "a measured blank: only feedback copies it")],
+};
+
+impl Effect<Machine> for CarriageCompliance {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn act(&self, values: &Values, machine: &mut Machine) {
+        machine.carriage.soften(values["stiffness"]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bench::*;
+
+    #[test]
+    fn it_adds_the_same_everywhere() {
+        let rigid = lathe("centres", "carriage-compliance", &[f64::INFINITY]);
+        let springy = lathe("centres", "carriage-compliance", &[50.0]);
+        for x in [0.0, 0.15, 0.6] {
+            assert!((gap(&springy, x) - gap(&rigid, x) - 10.0).abs() < 1e-9);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The chuck tilts.
+//!
+//! A chuck holds the shaft's rotation like a spring, M = k·φ, and not like a wall. On a cantilever y += P·x²/k. k in N m/rad; only
+//! where there is a chuck. Left out: jaws that slip.
+
+use super::super::Machine;
+use crate::process::{Description, Effect, Parameter, Values};
+use crate::solve::Hold;
+use crate::units::ROTATIONAL_STIFFNESS;
+
+/// `chuck-tilt`.
+pub struct ChuckTilt;
+
+static DESCRIPTION: Description = Description {
+    name: "chuck-tilt",
+    about: "the chuck yields to the bending moment like a rotational spring",
+    law: "M = k*phi at the chuck; on a free shaft y += P*x^2/k",
+    source: "statics; cf. seed 002 (14), (15)",
+    parameters: &[
+        Parameter::stiffness(ROTATIONAL_STIFFNESS, "rotational stiffness of the chuck", (10.0, 2000.0)),
+    ],
+    look_alikes: &[("headstock-compliance", "measure near the chuck: a tilt leaves nothing there")],
+};
+
+impl Effect<Machine> for ChuckTilt {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn act(&self, values: &Values, machine: &mut Machine) {
+        machine.hold = Hold::Compliance(1.0 / values["stiffness"]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bench::*;
+
+    #[test]
+    fn a_free_shaft_turns_about_the_chuck() {
+        let stiff = lathe("chuck", "chuck-tilt", &[f64::INFINITY]);
+        let tilting = lathe("chuck", "chuck-tilt", &[100.0]);
+        // 500 N · (0.4 m)² / 100 kN m/rad = 800 um.
+        assert!((gap(&tilting, 0.4) - gap(&stiff, 0.4) - 800.0).abs() < 1e-8);
+    }
+}

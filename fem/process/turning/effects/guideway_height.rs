@@ -1,0 +1,49 @@
+//! The guideway rises or falls: a hyperboloid.
+//!
+//! Δz = slope·x lifts the tool nose off the axis plane; ΔD += √(D² + 4Δz²) − D, a hyperboloid of revolution [seed 002 (2), (3)]; the handbook's 2Δz²/D [seed 002 (7)] is its
+//! first term. slope in m/m, of either sign, with the same effect.
+
+use super::super::Machine;
+use crate::process::{Description, Effect, Parameter, Values};
+use crate::units::STEEP_SLOPE;
+
+/// `guideway-height`.
+pub struct GuidewayHeight;
+
+static DESCRIPTION: Description = Description {
+    name: "guideway-height",
+    about: "the guideway rises or falls against the spindle axis; the shaft becomes a hyperboloid",
+    law: "dD += sqrt(D^2 + 4*dz^2) - D, dz = slope*x",
+    source: "seed 002 (2), (3), (7)",
+    parameters: &[
+        Parameter::signed("slope", STEEP_SLOPE, "rise of the guideway", (-5.0, 5.0)),
+    ],
+    look_alikes: &[("tailstock-compliance", "a second force: both grow with x squared, only one with the force")],
+};
+
+impl Effect<Machine> for GuidewayHeight {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn act(&self, values: &Values, machine: &mut Machine) {
+        let slope = values["slope"];
+        machine.shift(move |at| {
+            let rise = 2.0 * slope * at.x;
+            // √(D² + r²) − D without the loss of digits in the difference.
+            rise * rise / (at.diameter.hypot(rise) + at.diameter)
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bench::*;
+
+    #[test]
+    fn the_height_adds_the_hyperboloid() {
+        // Δz = 0.3 mm on Ø50 mm.
+        let expected = 1e6 * ((0.05f64.powi(2) + 4.0 * 0.0003f64.powi(2)).sqrt() - 0.05);
+        assert!((shift("guideway-height", &[2.0], moment()) - expected).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,57 @@
+//! The guideway is worn where the slide works most.
+//!
+//! The slide sinks and tilts there, and the tool nose leaves the axis: ΔD += 2·depth·exp(−((x − centre)/width)²/2) [seed 002, wear of the guideways]. depth is the
+//! displacement of the nose, m; centre and width in m along the shaft.
+
+use super::super::Machine;
+use crate::input::Bounds;
+use crate::process::{Description, Effect, Neutral, Parameter, Values};
+use crate::units::{LENGTH, MICRO};
+
+/// `guideway-wear`.
+pub struct GuidewayWear;
+
+static DESCRIPTION: Description = Description {
+    name: "guideway-wear",
+    about: "the guideway is worn at one place, and the tool nose leaves the axis there",
+    law: "dD += 2*depth*exp(-((x - centre)/width)^2/2)",
+    source: "seed 002, wear of the guideways",
+    parameters: &[
+        Parameter::amplitude("depth", MICRO, "displacement of the tool nose at the worst place", (1.0, 100.0)),
+        Parameter {
+            name: "centre",
+            kind: LENGTH,
+            about: "the worst place, from the headstock",
+            neutral: Neutral::Shape,
+            range: (0.0, 1000.0),
+            bounds: Bounds::Any,
+            default: None,
+            needed_with: None,
+        },
+        Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
+    ],
+    look_alikes: &[],
+};
+
+impl Effect<Machine> for GuidewayWear {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn act(&self, values: &Values, machine: &mut Machine) {
+        let (depth, centre, width) = (values["depth"], values["centre"], values["width"]);
+        machine.shift(move |at| 2.0 * depth * (-0.5 * ((at.x - centre) / width).powi(2)).exp());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bench::*;
+
+    #[test]
+    fn wear_is_deepest_at_its_centre() {
+        let depth = |centre| shift("guideway-wear", &[7.0, centre, 50.0], moment());
+        assert!((depth(150.0) - 14.0).abs() < 1e-12);
+        assert!((depth(200.0) - 14.0 * (-0.5f64).exp()).abs() < 1e-12);
+    }
+}

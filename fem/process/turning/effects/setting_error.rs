@@ -1,0 +1,42 @@
+//! The tool is set off its size.
+//!
+//! ΔD += 2·offset, the same on every point of every part of one setting [seed 002 (33), (34)]. offset in m, away from the axis.
+
+use super::super::Machine;
+use crate::process::{Description, Effect, Parameter, Values};
+use crate::units::MICRO;
+
+/// `setting-error`.
+pub struct SettingError;
+
+static DESCRIPTION: Description = Description {
+    name: "setting-error",
+    about: "the tool is set off its size",
+    law: "dD += 2*offset",
+    source: "seed 002 (33), (34)",
+    parameters: &[
+        Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0)),
+    ],
+    look_alikes: &[("carriage-compliance", "a second force: a setting error does not change with it")],
+};
+
+impl Effect<Machine> for SettingError {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn act(&self, values: &Values, machine: &mut Machine) {
+        let offset = values["offset"];
+        machine.shift(move |_| 2.0 * offset);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bench::*;
+
+    #[test]
+    fn the_offset_counts_twice() {
+        assert!((shift("setting-error", &[-7.0], moment()) + 14.0).abs() < 1e-12);
+    }
+}

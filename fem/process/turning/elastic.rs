@@ -1,0 +1,108 @@
+//! The deflection under the tool: shaft, supports, carriage and force in one equilibrium.
+
+use super::machine::Machine;
+use crate::joint::Joint;
+use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
+
+/// What sets the force at one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conditions {
+    /// Nominal radial force P₀, N.
+    pub force: f64,
+    /// Depth t that the tool is set to there, m; below zero where the blank is smaller than the set diameter.
+    pub set_depth: f64,
+}
+
+/// The equilibrium at one tool position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deflection {
+    /// Radial force that really acts, N.
+    pub force: f64,
+    /// Forces and displacements of headstock and tailstock.
+    pub supports: Equilibrium,
+    /// The shaft's own bending under the tool, m.
+    pub shaft: f64,
+    /// Tool, slide and holder, m.
+    pub carriage: f64,
+    /// The whole gap y between tool and work, m.
+    pub total: f64,
+    /// dy/dP, m/N.
+    pub rate: f64,
+}
+
+/// The elastic part of a machine: what a deflection depends on.
+pub struct Elastic<'a> {
+    shaft: &'a Condensed,
+    joints: [Joint; 2],
+    carriage: &'a Joint,
+    feedback: Option<f64>,
+    /// t₀, the depth that the nominal force belongs to, m.
+    nominal_depth: f64,
+}
+
+impl<'a> Elastic<'a> {
+    /// A machine on a shaft condensed to the positions of interest.
+    pub fn new(machine: &'a Machine, shaft: &'a Condensed) -> Self {
+        let joints = [machine.headstock.clone(), machine.tailstock.clone()];
+        let nominal_depth = machine.setup.cut.depth;
+        Self { shaft, joints, carriage: &machine.carriage, feedback: machine.feedback, nominal_depth }
+    }
+
+    /// The equilibrium with the tool at position number `i`.
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn deflect(&self, i: usize, at: Conditions) -> Result<Deflection, JointsError> {
+        match self.feedback {
+            Some(exponent) if exponent != 0.0 => self.fed_back(i, at, exponent),
+            _ => self.under(i, at.force),
+        }
+    }
+
+    /// The equilibrium under a given force.
+    fn under(&self, i: usize, force: f64) -> Result<Deflection, JointsError> {
+        let influence = self.shaft.influence[i];
+        let supports = solve_joints(&self.joints, influence, &self.shaft.constraint, force)?;
+        let shaft = self.shaft.compliance[i] * force;
+        let carriage = self.carriage.displacement(force);
+        let [d, rates] = [supports.displacements, supports.displacement_rates];
+        let total = shaft + influence[0] * d[0] + influence[1] * d[1] + carriage;
+        let rate = self.shaft.compliance[i]
+            + influence[0] * rates[0]
+            + influence[1] * rates[1]
+            + self.carriage.compliance(force);
+        Ok(Deflection { force, supports, shaft, carriage, total, rate })
+    }
+
+    /// The deflection takes depth off the cut, and the force with it: P = P₀·(t_d/t₀)^e, t_d = t_set − y(P) ≥ 0.
+    ///
+    /// t_d + y(P(t_d)) rises with t_d from 0 to beyond t_set, so the root is bracketed; Newton's step is taken where it
+    /// stays inside the bracket.
+    fn fed_back(&self, i: usize, at: Conditions, exponent: f64) -> Result<Deflection, JointsError> {
+        if at.set_depth <= 0.0 {
+            return self.under(i, 0.0);
+        }
+        let force = |depth: f64| at.force * (depth / self.nominal_depth).powf(exponent);
+        let (mut low, mut high) = (0.0, at.set_depth);
+        let first = self.under(i, force(at.set_depth))?;
+        let mut depth = at.set_depth / (1.0 + first.total / at.set_depth);
+        for _ in 0..MAX_ITERATIONS {
+            let deflection = self.under(i, force(depth))?;
+            let excess = depth + deflection.total - at.set_depth;
+            if excess > 0.0 { high = depth } else { low = depth }
+            let slope = 1.0 + deflection.rate * exponent * deflection.force / depth;
+            let newton = depth - excess / slope;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - depth).abs() <= TOLERANCE * at.set_depth {
+                return self.under(i, force(next));
+            }
+            depth = next;
+        }
+        Err(JointsError { load: at.force, iterations: MAX_ITERATIONS, residual: force(high) - force(low) })
+    }
+}
+
+/// Change of the cut depth at which the feedback counts as settled, relative to the set depth.
+const TOLERANCE: f64 = 1e-14;
+/// Bisection alone would need 47.
+const MAX_ITERATIONS: usize = 100;

@@ -1,0 +1,119 @@
+//! A lathe with its effects, at work.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::elastic::{Conditions, Deflection, Elastic};
+use super::machine::{Machine, Moment};
+use super::model::Setup;
+use super::{effect, findings, shapes};
+use crate::process::{Active, Failure, Job, Outcome, Values};
+use crate::progress::Progress;
+use crate::solve::{Condensed, JointsError, ShaftError};
+
+/// A machine that predicts.
+pub struct Lathe {
+    /// With its effects.
+    pub machine: Arc<Machine>,
+}
+
+impl Lathe {
+    /// Lets the effects act on a set-up.
+    pub fn equip(setup: Arc<Setup>, active: &[Active]) -> Self {
+        let mut machine = Machine::ideal(setup);
+        for active in active {
+            if let Some(effect) = effect(active.description.name) {
+                effect.act(&Values(active), &mut machine);
+            }
+        }
+        Self { machine: Arc::new(machine) }
+    }
+
+    fn setup(&self) -> &Setup {
+        &self.machine.setup
+    }
+
+    /// The shaft as the machine holds it, condensed to tool positions in m.
+    ///
+    /// # Errors
+    /// The shaft is loose or a position is off it.
+    pub fn condense(&self, positions: &[f64]) -> Result<Condensed, Failure> {
+        self.setup().shaft(self.machine.hold).condense(positions).map_err(Failure::from)
+    }
+
+    /// Force and depth at the model's own settings.
+    pub fn conditions(&self) -> Conditions {
+        Conditions { force: self.setup().nominal_force(), set_depth: self.setup().cut.depth }
+    }
+
+    /// The equilibrium at each of the condensed positions under the model's own force.
+    ///
+    /// # Errors
+    /// No equilibrium at some position.
+    pub fn deflections(&self, shaft: &Condensed, progress: &Progress) -> Result<Vec<Deflection>, Failure> {
+        let elastic = Elastic::new(&self.machine, shaft);
+        let conditions = self.conditions();
+        let deflect = |i: usize| {
+            let deflection = elastic.deflect(i, conditions);
+            progress.advance(1);
+            deflection
+        };
+        progress.expect(shaft.compliance.len() as u64);
+        let all: Result<Vec<_>, _> = (0..shaft.compliance.len()).into_par_iter().with_min_len(64).map(deflect).collect();
+        all.map_err(Failure::from)
+    }
+
+    /// Everything but force that changes the diameter when the tool is at `x` on `part`, m.
+    pub fn shift(&self, part: usize, x: f64) -> f64 {
+        let schedule = &self.setup().schedule;
+        let moment =
+            Moment { x, diameter: self.setup().diameter(x), time: schedule.time(part, x), path: schedule.path(part, x) };
+        self.machine.shifts.iter().map(|shift| shift(&moment)).sum()
+    }
+}
+
+impl Job for Lathe {
+    /// ΔD in m, part by part, x rising.
+    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
+        let positions = self.setup().sweep();
+        let shaft = self.condense(&positions)?;
+        let deflections = self.deflections(&shaft, progress)?;
+        let parts = self.setup().schedule.parts;
+        let mut errors = vec![0.0; parts * positions.len()];
+        progress.expect(parts as u64);
+        errors.par_chunks_mut(positions.len()).enumerate().for_each(|(k, errors)| {
+            for ((error, &x), deflection) in errors.iter_mut().zip(&positions).zip(&deflections) {
+                *error = 2.0 * deflection.total + self.shift(k + 1, x);
+            }
+            progress.advance(1);
+        });
+        Ok(errors)
+    }
+
+    fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure> {
+        let positions = self.setup().sweep();
+        let shaft = self.condense(&positions)?;
+        let deflections = self.deflections(&shaft, &Progress::default())?;
+        let mut outcome = findings::outcome(self, &positions, &deflections, prediction)?;
+        outcome.animation = Some(shapes::animation(self)?);
+        Ok(outcome)
+    }
+}
+
+impl From<ShaftError> for Failure {
+    fn from(error: ShaftError) -> Self {
+        let help = match error {
+            ShaftError::Loose { .. } => "give the shaft a stiffer support, or check its dimensions and stiffnesses",
+            ShaftError::OffTheShaft { .. } => "keep every position between the ends of the shaft",
+        };
+        Self { message: error.to_string(), help: help.into() }
+    }
+}
+
+impl From<JointsError> for Failure {
+    fn from(error: JointsError) -> Self {
+        let help = "check force, stiffnesses and contact parameters: values far from physical ones do not converge";
+        Self { message: error.to_string(), help: help.into() }
+    }
+}

@@ -1,0 +1,111 @@
+//! When and after how much cutting each point of each part is turned.
+
+use super::model::Segment;
+
+/// One pass of the tool along the shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pass {
+    /// m from the headstock.
+    pub from: f64,
+    /// m from the headstock.
+    pub to: f64,
+    /// m per radian of the spindle.
+    pub feed: f64,
+    /// rad/s.
+    pub spindle_speed: f64,
+}
+
+impl Pass {
+    /// Speed of the tool along the shaft, m/s.
+    pub fn speed(&self) -> f64 {
+        self.feed * self.spindle_speed
+    }
+
+    /// Cutting time, s.
+    pub fn duration(&self) -> f64 {
+        (self.to - self.from).abs() / self.speed()
+    }
+
+    /// Smallest and largest x, m.
+    pub fn ends(&self) -> (f64, f64) {
+        (self.from.min(self.to), self.from.max(self.to))
+    }
+}
+
+/// A rest of the machine after a part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pause {
+    /// Part number, from 1.
+    pub after: usize,
+    /// s.
+    pub duration: f64,
+}
+
+/// The batch: part k starts (k − 1) cycles and all earlier pauses after the first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Schedule {
+    /// The pass, the same on every part.
+    pub pass: Pass,
+    /// How many parts.
+    pub parts: usize,
+    /// Start of each part, s since the start of the batch.
+    starts: Vec<f64>,
+    /// (x, ∫₀ˣ D/2 dx) at the ends of the segments.
+    swept: Vec<(f64, f64)>,
+}
+
+impl Schedule {
+    pub(super) fn new(pass: Pass, parts: usize, cycle_time: f64, mut pauses: Vec<Pause>, segments: &[Segment]) -> Self {
+        pauses.sort_by_key(|p| p.after);
+        let mut pauses = pauses.into_iter().peekable();
+        let mut rested = 0.0;
+        let start = |part: usize| {
+            while let Some(pause) = pauses.next_if(|p| p.after < part) {
+                rested += pause.duration;
+            }
+            (part - 1) as f64 * cycle_time + rested
+        };
+        let starts = (1..=parts).map(start).collect();
+        let mut swept = vec![(0.0, 0.0)];
+        let (mut x, mut area) = (0.0, 0.0);
+        for segment in segments {
+            x += segment.length;
+            area += 0.5 * segment.section.diameter * segment.length;
+            swept.push((x, area));
+        }
+        Self { pass, parts, starts, swept }
+    }
+
+    /// Start of `part` (from 1), s; parts beyond the batch start with its last.
+    pub fn start(&self, part: usize) -> f64 {
+        let last = self.starts.len().saturating_sub(1);
+        self.starts.get(part.saturating_sub(1).min(last)).copied().unwrap_or(0.0)
+    }
+
+    /// Starts of all parts in order, s.
+    pub fn starts(&self) -> &[f64] {
+        &self.starts
+    }
+
+    /// When the tool is at `x` on `part`, s since the start of the batch.
+    pub fn time(&self, part: usize, x: f64) -> f64 {
+        self.start(part) + (x - self.pass.from).abs() / self.pass.speed()
+    }
+
+    /// Cutting path of the tool until it is at `x` on `part`, m: ∫πD dx per feed, over all earlier parts and this one.
+    pub fn path(&self, part: usize, x: f64) -> f64 {
+        let whole = self.path_between(self.pass.from, self.pass.to);
+        (part.saturating_sub(1)) as f64 * whole + self.path_between(self.pass.from, x)
+    }
+
+    /// The work turns by dx/feed (rad) under the tool, whose edge then passes D/2 per radian.
+    fn path_between(&self, a: f64, b: f64) -> f64 {
+        (self.swept_to(b) - self.swept_to(a)).abs() / self.pass.feed
+    }
+
+    fn swept_to(&self, x: f64) -> f64 {
+        let i = self.swept.partition_point(|s| s.0 < x).clamp(1, self.swept.len() - 1);
+        let ((x0, s0), (x1, s1)) = (self.swept[i - 1], self.swept[i]);
+        s0 + (s1 - s0) * (x - x0) / (x1 - x0)
+    }
+}

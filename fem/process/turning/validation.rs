@@ -1,0 +1,3 @@
+//! stub
+use crate::process::Case;
+pub fn cases() -> Vec<Case> { Vec::new() }

@@ -1,0 +1,8 @@
+//! Solvers: the shaft under a travelling force, the joints that hold it, and the plain sparse solve that checks both.
+
+mod equilibrium;
+mod plane;
+mod shaft;
+
+pub use equilibrium::{Equilibrium, JointsError, solve_joints};
+pub use shaft::{Condensed, Hold, Rest, Shaft, ShaftError};

@@ -1,0 +1,278 @@
+//! A shaft on its supports, condensed to what the tool and the joints see of it.
+//!
+//! The tool travels, so the profile is the *diagonal* of the compliance. The shaft is cut at every position; the part
+//! on either side of a cut is one [`HalfPlane`], found for all cuts in one pass from each end. The cost is that of pieces
+//! plus positions, and pieces of any length are exact. Headstock and tailstock stay outside as rigid
+//! supports that the joints displace, so that nonlinear joints and the force's feedback are a problem of two unknowns at
+//! each position (see `equilibrium`).
+
+use super::plane::{HalfPlane, Link, Turning};
+use crate::element::BeamPiece;
+
+/// A steady rest: a spring under the shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest {
+    /// Distance from the headstock, m.
+    pub at: f64,
+    /// N/m.
+    pub stiffness: f64,
+}
+
+/// How the headstock holds the shaft's rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hold {
+    /// A centre: free to turn.
+    Free,
+    /// A chuck with this tilting compliance in rad/(N m); 0 is a clamp.
+    Compliance(f64),
+}
+
+/// A shaft of uniform pieces from the headstock, held in translation there and, where there is a tailstock, at its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaft {
+    /// From the headstock on.
+    pub pieces: Vec<BeamPiece>,
+    /// Rotation at the headstock.
+    pub hold: Hold,
+    /// Whether a tailstock holds the far end.
+    pub tailstock: bool,
+    /// Springs between the ends.
+    pub rests: Vec<Rest>,
+}
+
+/// The shaft cannot be condensed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ShaftError {
+    /// A rigid motion is left, or numbers have overflowed.
+    #[error("the shaft is loose at x = {at} m: nothing holds it against the tool there")]
+    Loose {
+        /// Tool position, m.
+        at: f64,
+    },
+    /// A position or a rest off the shaft.
+    #[error("x = {at} m is not on the shaft, which is {length} m long")]
+    OffTheShaft {
+        /// Position, m.
+        at: f64,
+        /// Length of the shaft, m.
+        length: f64,
+    },
+}
+
+/// A shaft cut at a row of positions.
+pub struct Condensed {
+    /// From each cut to the next; the first cut is at the headstock, the last at the end.
+    links: Vec<Link>,
+    /// What holds each cut from the headstock's side, with the rest at the cut.
+    left: Vec<HalfPlane>,
+    /// What holds each cut from the tailstock's side, without the rest at the cut.
+    right: Vec<HalfPlane>,
+    /// The cut of each position.
+    cuts: Vec<u32>,
+    /// Deflection under the tool on rigid supports, m/N, per position.
+    pub compliance: Vec<f64>,
+    /// Deflection at each position per unit displacement of headstock and tailstock; equally the part of the tool's force
+    /// that each takes when both are rigid.
+    pub influence: Vec<[f64; 2]>,
+    /// Forces at headstock and tailstock per unit displacement of each, N/m: zero where statics alone decides.
+    pub constraint: [[f64; 2]; 2],
+}
+
+impl Shaft {
+    /// m.
+    pub fn length(&self) -> f64 {
+        self.pieces.iter().map(|p| p.length).sum()
+    }
+
+    fn turning(&self) -> Turning {
+        match self.hold {
+            Hold::Free => Turning { p: 1.0, q: 0.0 },
+            Hold::Compliance(p) => Turning { p, q: 1.0 },
+        }
+    }
+
+    /// Whether statics alone gives the supports' forces.
+    fn is_determinate(&self) -> bool {
+        self.rests.is_empty() && !(self.tailstock && self.hold != Hold::Free)
+    }
+
+    /// Cuts the shaft at `positions` (m, in any order) and condenses it to them and to its two end supports.
+    ///
+    /// # Errors
+    /// A position is off the shaft, or the shaft is loose.
+    pub fn condense(&self, positions: &[f64]) -> Result<Condensed, ShaftError> {
+        let (links, cuts) = self.cut(positions)?;
+        let tail = if self.tailstock { HalfPlane::held(Turning::FREE) } else { HalfPlane::FREE };
+        let ahead = || planes_ahead(HalfPlane::held(self.turning()), &links);
+        let behind = || planes_behind(tail, &links);
+        // Two threads pay from some ten thousand cuts on.
+        let (left, right) = if links.len() > 8192 { rayon::join(ahead, behind) } else { (ahead(), behind()) };
+        let compliance: Vec<f64> =
+            cuts.iter().map(|&c| left[c as usize].joined(&right[c as usize]).0).collect();
+        if let Some(i) = compliance.iter().position(|c| !c.is_finite()) {
+            return Err(ShaftError::Loose { at: positions[i] });
+        }
+        let mut condensed = Condensed { links, left, right, cuts, compliance, influence: Vec::new(), constraint: [[0.0; 2]; 2] };
+        if self.is_determinate() {
+            let length = self.length();
+            let share = |x: &f64| if self.tailstock { [1.0 - x / length, x / length] } else { [1.0, 0.0] };
+            condensed.influence = positions.iter().map(share).collect();
+        } else {
+            condensed.displace_supports(self);
+        }
+        Ok(condensed)
+    }
+
+    /// Splits the pieces at positions and rests: links from cut to cut, and the cut of each position.
+    fn cut(&self, positions: &[f64]) -> Result<(Vec<Link>, Vec<u32>), ShaftError> {
+        let length = self.length();
+        let on_shaft = |at: f64| match (-1e-12 * length..=length * (1.0 + 1e-12)).contains(&at) {
+            true => Ok(()),
+            false => Err(ShaftError::OffTheShaft { at, length }),
+        };
+        positions.iter().copied().chain(self.rests.iter().map(|r| r.at)).try_for_each(on_shaft)?;
+        let mut order: Vec<u32> = (0..(positions.len() + self.rests.len()) as u32).collect();
+        let at = |i: u32| positions.get(i as usize).copied().unwrap_or_else(|| self.rests[i as usize - positions.len()].at);
+        if !order.is_sorted_by(|a, b| at(*a) <= at(*b)) {
+            order.sort_unstable_by(|a, b| at(*a).total_cmp(&at(*b)));
+        }
+        let mut cutter = Cutter::new(&self.pieces, self.pieces.len() + order.len(), length);
+        let mut cuts = vec![0; positions.len()];
+        for i in order {
+            let cut = cutter.advance(at(i));
+            match cuts.get_mut(i as usize) {
+                Some(place) => *place = cut,
+                None => cutter.support(self.rests[i as usize - positions.len()].stiffness),
+            }
+        }
+        cutter.advance(length);
+        Ok((cutter.links, cuts))
+    }
+}
+
+/// Walks along the pieces and makes links from cut to cut.
+struct Cutter<'a> {
+    pieces: std::iter::Peekable<std::slice::Iter<'a, BeamPiece>>,
+    links: Vec<Link>,
+    /// Where the walk stands and where the current piece ends.
+    here: f64,
+    piece_end: f64,
+    /// Lengths below this are no length.
+    nil: f64,
+}
+
+impl<'a> Cutter<'a> {
+    fn new(pieces: &'a [BeamPiece], capacity: usize, length: f64) -> Self {
+        let mut pieces = pieces.iter().peekable();
+        let piece_end = pieces.peek().map_or(0.0, |p| p.length);
+        Self { pieces, links: Vec::with_capacity(capacity), here: 0.0, piece_end, nil: 1e-13 * length }
+    }
+
+    /// Walks to `to`, and gives the number of the cut there.
+    fn advance(&mut self, to: f64) -> u32 {
+        while let Some(piece) = self.pieces.peek().copied() {
+            let end = to.min(self.piece_end);
+            if end - self.here > self.nil {
+                self.links.push(BeamPiece { length: end - self.here, ..*piece }.into());
+                self.here = end;
+            }
+            if to < self.piece_end + self.nil {
+                break;
+            }
+            self.pieces.next();
+            match self.pieces.peek() {
+                Some(next) => self.piece_end += next.length,
+                None => break,
+            }
+        }
+        self.links.len() as u32
+    }
+
+    /// Puts a rest under the cut that was reached.
+    fn support(&mut self, stiffness: f64) {
+        if let Some(link) = self.links.last_mut() {
+            link.rest += stiffness;
+        }
+    }
+}
+
+fn planes_ahead(start: HalfPlane, links: &[Link]) -> Vec<HalfPlane> {
+    let mut planes = Vec::with_capacity(links.len() + 1);
+    let mut plane = start;
+    planes.push(plane);
+    for link in links {
+        plane = plane.beyond(link).with_rest(link);
+        planes.push(plane);
+    }
+    planes
+}
+
+fn planes_behind(start: HalfPlane, links: &[Link]) -> Vec<HalfPlane> {
+    let mut planes = vec![start; links.len() + 1];
+    let mut plane = start;
+    for (i, link) in links.iter().enumerate().rev() {
+        plane = plane.with_rest(link).beyond(link);
+        planes[i] = plane;
+    }
+    planes
+}
+
+impl Condensed {
+    /// Finds influence and constraint by displacing headstock and tailstock by one unit each.
+    fn displace_supports(&mut self, shaft: &Shaft) {
+        let last = self.links.len();
+        let (slope, head_force) = self.right[0].displaced(shaft.turning());
+        let head = self.towards_tail(0, (1.0, slope));
+        let mut tail = vec![0.0; last + 1];
+        if shaft.tailstock {
+            let (slope, tail_force) = self.left[last].displaced(Turning::FREE);
+            tail = self.towards_head(last, (1.0, slope));
+            tail[0] = 0.0;
+            // Headstock and tailstock push the shaft against its rests.
+            let rests: f64 = self.links.iter().zip(&head[1..]).map(|(link, w)| link.rest * w).sum();
+            let mutual = rests - head_force;
+            self.constraint = [[head_force, mutual], [mutual, tail_force]];
+        } else {
+            self.constraint[0][0] = head_force;
+        }
+        self.influence = self.cuts.iter().map(|&c| [head[c as usize], tail[c as usize]]).collect();
+        if shaft.tailstock {
+            // The tailstock is rigid while the headstock moves.
+            let at_end = |c: &u32| *c as usize == last;
+            self.cuts.iter().zip(&mut self.influence).filter(|(c, _)| at_end(c)).for_each(|(_, i)| i[0] = 0.0);
+        }
+    }
+
+    /// Deflections at all cuts beyond `cut`, whose deflection and slope (counted toward the headstock) are `from`.
+    fn towards_tail(&self, cut: usize, from: (f64, f64)) -> Vec<f64> {
+        let mut deflections = vec![0.0; self.links.len() + 1];
+        let mut end = from;
+        deflections[cut] = end.0;
+        for (i, link) in self.links.iter().enumerate().skip(cut) {
+            end = self.right[i + 1].with_rest(link).followed(link, end);
+            deflections[i + 1] = end.0;
+        }
+        deflections
+    }
+
+    /// Deflections at all cuts before `cut`, whose deflection and slope (counted toward the tailstock) are `from`.
+    fn towards_head(&self, cut: usize, from: (f64, f64)) -> Vec<f64> {
+        let mut deflections = vec![0.0; self.links.len() + 1];
+        let mut end = from;
+        deflections[cut] = end.0;
+        for (i, link) in self.links.iter().enumerate().take(cut).rev() {
+            end = self.left[i].followed(link, end);
+            deflections[i] = end.0;
+        }
+        deflections
+    }
+
+    /// Deflection at every position while a unit force stands at position number `tool`, on rigid supports; m/N.
+    pub fn shape(&self, tool: usize) -> Vec<f64> {
+        let cut = self.cuts[tool] as usize;
+        let (w, slope) = self.left[cut].joined(&self.right[cut]);
+        let before = self.towards_head(cut, (w, slope));
+        let after = self.towards_tail(cut, (w, -slope));
+        self.cuts.iter().map(|&c| if (c as usize) < cut { before[c as usize] } else { after[c as usize] }).collect()
+    }
+}

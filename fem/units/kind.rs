@@ -1,0 +1,116 @@
+//! The kinds of quantity that models and effects are written in, each with its canonical unit.
+
+use super::{Dimension, Unit, UnitError};
+
+/// A kind of quantity: what it is called and the canonical unit in which results and JSON give it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Kind {
+    /// With its article, as in "expected a length".
+    pub name: &'static str,
+    /// Canonical unit, also the example of what is expected; empty for a pure number.
+    pub unit: &'static str,
+}
+
+macro_rules! kinds {
+    ($($constant:ident = $name:literal in $unit:literal;)*) => {
+        $(#[doc = concat!("Canonical unit `", $unit, "`.")] pub const $constant: Kind = Kind { name: $name, unit: $unit };)*
+        /// Every kind, for whole-table tests.
+        pub const ALL: &[Kind] = &[$($constant),*];
+    };
+}
+
+kinds! {
+    NUMBER = "a pure number" in "";
+    LENGTH = "a length" in "mm";
+    MICRO = "a small length" in "um";
+    PATH = "a cutting path" in "m";
+    TIME = "a time" in "min";
+    FORCE = "a force" in "N";
+    MASS_DENSITY = "a density" in "kg/m^3";
+    PRESSURE = "a modulus" in "GPa";
+    STIFFNESS = "a stiffness" in "N/um";
+    ROTATIONAL_STIFFNESS = "a rotational stiffness" in "kN*m/rad";
+    CONTACT_COEFFICIENT = "a contact coefficient" in "um/N^n";
+    SLOPE = "a slope" in "um/m";
+    STEEP_SLOPE = "a slope" in "mm/m";
+    WEAR_RATE = "a wear rate" in "um/km";
+    FEED = "a feed per revolution" in "mm/rev";
+    SPINDLE_SPEED = "a spindle speed" in "rpm";
+    POWER = "a power" in "W";
+    CONVECTION = "a heat transfer coefficient" in "W/m^2/K";
+    EXPANSION = "a thermal expansion" in "/K";
+    CONDUCTIVITY = "a conductivity" in "W/m/K";
+    SPECIFIC_HEAT = "a specific heat" in "J/kg/K";
+}
+
+impl Kind {
+    /// The canonical unit, parsed. The units of [`ALL`] are checked by a test, so a failure can only come from a
+    /// `Kind` made elsewhere; it then counts as a pure number.
+    pub fn canonical(&self) -> Unit {
+        Unit::parse(self.unit).unwrap_or(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE })
+    }
+
+    /// `si` in the canonical unit.
+    pub fn from_si(&self, si: f64) -> f64 {
+        let unit = self.canonical();
+        (si - unit.offset) / unit.factor
+    }
+
+    /// A number in the canonical unit, in SI.
+    pub fn to_si(&self, canonical: f64) -> f64 {
+        let unit = self.canonical();
+        canonical * unit.factor + unit.offset
+    }
+
+    /// Reads a unit and checks that it measures this kind.
+    ///
+    /// # Errors
+    /// The text is no unit, or a unit of something else.
+    pub fn unit_of(&self, text: &str) -> Result<Unit, UnitError> {
+        let (unit, canonical) = (Unit::parse(text)?, self.canonical());
+        if unit.dimension != canonical.dimension {
+            return Err(self.wrong_dimension(text, &unit));
+        }
+        if unit.offset != 0.0 && canonical.offset == 0.0 {
+            return Err(UnitError::new("a temperature difference is not written in degC").hint("write it in K"));
+        }
+        Ok(unit)
+    }
+
+    fn wrong_dimension(&self, text: &str, unit: &Unit) -> UnitError {
+        let error = match text.trim() {
+            "" => UnitError::new("the unit is missing"),
+            text => UnitError::new(format!("`{text}` measures {}, not {}", measured(unit.dimension), self.name)),
+        };
+        match self.unit {
+            "" => error.hint("write the number alone"),
+            canonical => error.hint(format!("write it in {canonical} or another unit of {}", self.bare_name())),
+        }
+    }
+
+    /// The name without its article.
+    pub fn bare_name(&self) -> &'static str {
+        self.name.split_once(' ').map_or(self.name, |(_, name)| name)
+    }
+}
+
+/// What a dimension measures, in words where it is a kind we know.
+fn measured(dimension: Dimension) -> String {
+    match ALL.iter().find(|k| k.canonical().dimension == dimension) {
+        Some(kind) => kind.name.to_string(),
+        None => format!("something in {dimension}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_canonical_unit_parses_and_converts_back() {
+        for kind in ALL {
+            assert!(Unit::parse(kind.unit).is_ok(), "{}", kind.unit);
+            assert!((kind.from_si(kind.to_si(3.7)) - 3.7).abs() < 1e-14);
+        }
+    }
+}

@@ -1,0 +1,259 @@
+//! Reading of unit expressions.
+
+use super::{Dimension, Unit, UnitError};
+
+/// A named unit: name, SI units per unit, exponents over m, kg, s, K, rad, and whether SI prefixes are taken.
+struct Named(&'static str, f64, [i8; 5], bool);
+
+const PI: f64 = std::f64::consts::PI;
+
+/// Every unit a file may use. Inch, pound-force and psi are exact by definition.
+const UNITS: &[Named] = &[
+    Named("m", 1.0, [1, 0, 0, 0, 0], true),
+    Named("g", 1e-3, [0, 1, 0, 0, 0], true),
+    Named("s", 1.0, [0, 0, 1, 0, 0], true),
+    Named("K", 1.0, [0, 0, 0, 1, 0], true),
+    Named("rad", 1.0, [0, 0, 0, 0, 1], true),
+    Named("N", 1.0, [1, 1, -2, 0, 0], true),
+    Named("Pa", 1.0, [-1, 1, -2, 0, 0], true),
+    Named("J", 1.0, [2, 1, -2, 0, 0], true),
+    Named("W", 1.0, [2, 1, -3, 0, 0], true),
+    Named("Hz", 1.0, [0, 0, -1, 0, 0], true),
+    Named("bar", 1e5, [-1, 1, -2, 0, 0], true),
+    Named("min", 60.0, [0, 0, 1, 0, 0], false),
+    Named("h", 3600.0, [0, 0, 1, 0, 0], false),
+    Named("deg", PI / 180.0, [0, 0, 0, 0, 1], false),
+    Named("°", PI / 180.0, [0, 0, 0, 0, 1], false),
+    Named("arcmin", PI / 10_800.0, [0, 0, 0, 0, 1], false),
+    Named("arcsec", PI / 648_000.0, [0, 0, 0, 0, 1], false),
+    Named("rev", 2.0 * PI, [0, 0, 0, 0, 1], false),
+    Named("rpm", PI / 30.0, [0, 0, -1, 0, 1], false),
+    Named("degC", 1.0, [0, 0, 0, 1, 0], false),
+    Named("°C", 1.0, [0, 0, 0, 1, 0], false),
+    Named("ppm", 1e-6, [0, 0, 0, 0, 0], false),
+    Named("in", 0.0254, [1, 0, 0, 0, 0], false),
+    Named("lbf", 4.448_221_615_260_5, [1, 1, -2, 0, 0], false),
+    Named("psi", 6894.757_293_168_361, [-1, 1, -2, 0, 0], false),
+];
+
+const PREFIXES: &[(&str, f64)] = &[
+    ("p", 1e-12),
+    ("n", 1e-9),
+    ("u", 1e-6),
+    ("µ", 1e-6), // micro sign
+    ("μ", 1e-6), // Greek mu
+    ("m", 1e-3),
+    ("c", 1e-2),
+    ("d", 1e-1),
+    ("k", 1e3),
+    ("M", 1e6),
+    ("G", 1e9),
+    ("T", 1e12),
+];
+
+/// 0 degC in kelvin.
+const CELSIUS_ZERO: f64 = 273.15;
+
+pub(super) fn unit(text: &str) -> Result<Unit, UnitError> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Ok(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE });
+    }
+    if matches!(text, "degC" | "°C") {
+        let dimension = Dimension::base([0, 0, 0, 1, 0]);
+        return Ok(Unit { factor: 1.0, offset: CELSIUS_ZERO, dimension });
+    }
+    let mut reader = Reader { rest: text, whole: text };
+    let unit = reader.product(0)?;
+    if !reader.rest.is_empty() {
+        return Err(reader.unexpected());
+    }
+    Ok(unit)
+}
+
+struct Reader<'a> {
+    rest: &'a str,
+    whole: &'a str,
+}
+
+impl Reader<'_> {
+    /// product = ["/"] factor { ("*" | "·" | "/") factor }, read from left to right.
+    fn product(&mut self, depth: usize) -> Result<Unit, UnitError> {
+        let mut unit = Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE };
+        let mut sign = if self.take("/") { -1 } else { 1 };
+        loop {
+            let factor = self.factor(depth)?;
+            unit.factor *= if sign == 1 { factor.factor } else { 1.0 / factor.factor };
+            unit.dimension = unit.dimension.combine(factor.dimension, sign).ok_or_else(|| self.too_high())?;
+            if self.take("/") {
+                sign = -1;
+            } else if self.take("*") || self.take("·") {
+                sign = 1;
+            } else {
+                return Ok(unit);
+            }
+        }
+    }
+
+    /// factor = ( name | whole number | "(" product ")" ) [ "^" exponent | "²" | "³" ].
+    fn factor(&mut self, depth: usize) -> Result<Unit, UnitError> {
+        let base = if depth < 8 && self.take("(") {
+            let inner = self.product(depth + 1)?;
+            if !self.take(")") {
+                return Err(UnitError::new(format!("`{}` lacks a closing parenthesis", self.whole)));
+            }
+            inner
+        } else {
+            let end = self.rest.find(['*', '·', '/', '^', '(', ')', '²', '³', ' ']).unwrap_or(self.rest.len());
+            let (name, rest) = self.rest.split_at(end);
+            let base = named(name).ok_or_else(|| self.unknown(name))?;
+            self.rest = rest;
+            base
+        };
+        self.raise(base)
+    }
+
+    fn raise(&mut self, base: Unit) -> Result<Unit, UnitError> {
+        let exponent: i8 = if self.take("²") {
+            2
+        } else if self.take("³") {
+            3
+        } else if self.take("^n") {
+            if (base.factor - 1.0).abs() > 1e-12 {
+                return Err(UnitError::new(format!("`{}` raises a prefixed unit to the power n", self.whole))
+                    .hint("write the force of a contact law in N: `um/N^n`"));
+            }
+            let dimension = base.dimension.power_n().ok_or_else(|| self.too_high())?;
+            return Ok(Unit { dimension, ..base });
+        } else if self.take("^") {
+            let end = self
+                .rest
+                .char_indices()
+                .find(|&(i, c)| !(c.is_ascii_digit() || (i == 0 && c == '-')))
+                .map_or(self.rest.len(), |(i, _)| i);
+            let (digits, rest) = self.rest.split_at(end);
+            let exponent = digits.parse::<i8>().ok().filter(|e| (-9..=9).contains(e));
+            self.rest = rest;
+            exponent.ok_or_else(|| {
+                UnitError::new(format!("`{}` has an exponent that is no whole number from -9 to 9", self.whole))
+            })?
+        } else {
+            1
+        };
+        let dimension = base.dimension.power(exponent).ok_or_else(|| self.too_high())?;
+        Ok(Unit { factor: base.factor.powi(exponent.into()), offset: 0.0, dimension })
+    }
+
+    fn take(&mut self, mark: &str) -> bool {
+        let trimmed = self.rest.trim_start();
+        match trimmed.strip_prefix(mark) {
+            Some(rest) => {
+                self.rest = rest.trim_start();
+                true
+            }
+            None => {
+                if trimmed.is_empty() {
+                    self.rest = trimmed;
+                }
+                false
+            }
+        }
+    }
+
+    fn unknown(&self, name: &str) -> UnitError {
+        if name.is_empty() {
+            return self.unexpected();
+        }
+        let error = UnitError::new(format!("`{name}` is no unit that is known here"));
+        match nearest(name) {
+            Some(near) => error.hint(format!("did you mean `{near}`?")),
+            None => error.hint("units are built from m, g, s, K, rad, N, Pa, J, W, min, h, deg, rev, rpm, degC with SI prefixes, `*`, `/` and `^`"),
+        }
+    }
+
+    fn unexpected(&self) -> UnitError {
+        UnitError::new(format!("`{}` is no unit", self.whole)).hint("write a unit such as `N/um`, `W/m^2/K` or `mm/rev`")
+    }
+
+    fn too_high(&self) -> UnitError {
+        UnitError::new(format!("`{}` has exponents that are too high", self.whole))
+    }
+}
+
+/// A unit by its name: exact names first (so that `min` is a minute, not a milli-inch), then prefix and name, then a
+/// whole number as a plain factor (`um/1000`).
+fn named(name: &str) -> Option<Unit> {
+    let plain = |factor: f64, exponents: [i8; 5]| Unit { factor, offset: 0.0, dimension: Dimension::base(exponents) };
+    if let Some(unit) = UNITS.iter().find(|u| u.0 == name) {
+        return Some(plain(unit.1, unit.2));
+    }
+    for (prefix, scale) in PREFIXES {
+        let Some(rest) = name.strip_prefix(prefix) else { continue };
+        if let Some(unit) = UNITS.iter().find(|u| u.3 && u.0 == rest) {
+            return Some(plain(scale * unit.1, unit.2));
+        }
+    }
+    let digits = !name.is_empty() && name.len() <= 9 && name.bytes().all(|b| b.is_ascii_digit());
+    let factor: f64 = if digits { name.parse().ok()? } else { return None };
+    (factor > 0.0).then_some(plain(factor, [0; 5]))
+}
+
+/// The known unit (with its prefix) that differs from `name` in letter case or by one slip.
+fn nearest(name: &str) -> Option<String> {
+    let mut best: Option<(usize, String)> = None;
+    let prefixed = UNITS.iter().filter(|u| u.3).flat_map(|u| PREFIXES.iter().map(move |p| format!("{}{}", p.0, u.0)));
+    for candidate in UNITS.iter().map(|u| u.0.to_string()).chain(prefixed) {
+        let distance = if candidate.eq_ignore_ascii_case(name) { 0 } else { strsim::damerau_levenshtein(name, &candidate) };
+        if distance <= 1 && best.as_ref().is_none_or(|(d, _)| distance < *d) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_have_their_si_value() {
+        let cases: &[(&str, f64, &str)] = &[
+            ("N/um", 1e6, "kg·s^-2"),
+            ("um", 1e-6, "m"),
+            ("µm", 1e-6, "m"),
+            ("μm", 1e-6, "m"),
+            ("min", 60.0, "s"),
+            ("mm/rev", 1e-3 / (2.0 * PI), "m·rad^-1"),
+            ("rpm", PI / 30.0, "s^-1·rad"),
+            ("kN*m/rad", 1e3, "m^2·kg·s^-2·rad^-1"),
+            ("W/m^2/K", 1.0, "kg·s^-3·K^-1"),
+            ("W/m²/K", 1.0, "kg·s^-3·K^-1"),
+            ("W/(m^2*K)", 1.0, "kg·s^-3·K^-1"),
+            ("N/(mm^2/s)", 1e6, "m^-1·kg·s^-1"),
+            ("/K", 1.0, "K^-1"),
+            ("1/K", 1.0, "K^-1"),
+            ("um/N^n", 1e-6, "m·m^(-1n)·kg^(-1n)·s^(2n)"),
+            ("um/1000", 1e-9, "m"),
+            ("um/km", 1e-9, "1"),
+            ("GPa", 1e9, "m^-1·kg·s^-2"),
+            ("kg*mm", 1e-3, "m·kg"),
+            ("J/kg/K", 1.0, "m^2·s^-2·K^-1"),
+            ("in", 0.0254, "m"),
+        ];
+        for (text, factor, dimension) in cases {
+            let unit = Unit::parse(text).unwrap();
+            assert!((unit.factor / factor - 1.0).abs() < 1e-15, "{text}: {} for {factor}", unit.factor);
+            assert_eq!(unit.dimension.to_string(), *dimension, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_unit_is_refused_with_the_nearest() {
+        for (text, hint) in [("Mpa", "MPa"), ("newton", ""), ("N/", ""), ("N//m", ""), ("N^99", ""), ("(N", ""), ("kmh", ""), ("N/kN^n", ""), ("Um", "um")] {
+            let error = Unit::parse(text).unwrap_err();
+            assert!(error.hint.unwrap_or_default().contains(hint), "{text}");
+        }
+        assert!(Unit::parse("((((((((((m").is_err());
+        assert!(Unit::parse("m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9").is_err());
+    }
+}

@@ -1,0 +1,150 @@
+//! A value with its unit and how well it is known.
+
+use super::{Kind, UnitError};
+
+/// How well a value is known, as its writer says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Knowledge {
+    /// `"60 N/um"`: never changed by a fit.
+    Known,
+    /// `"60 +- 15 N/um"`: known with this standard uncertainty (SI), a prior for a fit.
+    Rough(f64),
+    /// `"? N/um"`: unknown, to be fitted.
+    Free,
+}
+
+/// A value in SI units and how well it is known. The value of a [`Knowledge::Free`] quantity is NaN until it is fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// In SI units.
+    pub value: f64,
+    /// Known, roughly known or free.
+    pub knowledge: Knowledge,
+}
+
+impl Quantity {
+    /// A value that is known.
+    pub fn known(value: f64) -> Self {
+        Self { value, knowledge: Knowledge::Known }
+    }
+
+    /// Reads `NUMBER UNIT`, `NUMBER +- NUMBER UNIT` (or `±`) or `? UNIT`.
+    ///
+    /// # Errors
+    /// Not a finite number, a unit of another kind, or a standard uncertainty that is not positive.
+    pub fn parse(text: &str, kind: &Kind) -> Result<Self, UnitError> {
+        let text = text.trim();
+        if let Some(unit) = text.strip_prefix('?') {
+            kind.unit_of(unit)?;
+            return Ok(Self { value: f64::NAN, knowledge: Knowledge::Free });
+        }
+        let (value, rest) = number(text, kind)?;
+        let uncertain = rest.strip_prefix("+-").or_else(|| rest.strip_prefix("±")).or_else(|| rest.strip_prefix("+/-"));
+        let Some(rest) = uncertain else {
+            let unit = kind.unit_of(rest)?;
+            return finite(value * unit.factor + unit.offset).map(Self::known);
+        };
+        let (std, rest) = number(rest.trim_start(), kind)?;
+        let unit = kind.unit_of(rest)?;
+        if std <= 0.0 {
+            return Err(UnitError::new(format!("the standard uncertainty after `+-` is {std}"))
+                .hint("it must be above zero; leave it out if the value is known"));
+        }
+        let value = finite(value * unit.factor + unit.offset)?;
+        Ok(Self { value, knowledge: Knowledge::Rough(finite(std * unit.factor)?) })
+    }
+}
+
+/// Splits a leading number off `text`.
+fn number<'a>(text: &'a str, kind: &Kind) -> Result<(f64, &'a str), UnitError> {
+    let bytes = text.as_bytes();
+    let mut end = 0;
+    while end < bytes.len() {
+        let (byte, before) = (bytes[end], if end == 0 { b' ' } else { bytes[end - 1] });
+        let exponent = matches!(byte, b'e' | b'E')
+            && before.is_ascii_digit()
+            && bytes.get(end + 1).is_some_and(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-'));
+        // `5+-1 um`: the sign belongs to the uncertainty, not to the number before it.
+        let sign = matches!(byte, b'+' | b'-') && (end == 0 || matches!(before, b'e' | b'E'));
+        if !(byte.is_ascii_digit() || byte == b'.' || exponent || sign) {
+            break;
+        }
+        end += 1;
+    }
+    let expected = || match kind.unit {
+        "" => "a number such as `0.5`".to_string(),
+        unit => format!("a number and a unit, such as `10 {unit}`"),
+    };
+    let (digits, rest) = text.split_at(end);
+    if rest.starts_with(',') {
+        return Err(UnitError::new("the decimal mark is a comma").hint("write a decimal point: `0.5`, not `0,5`"));
+    }
+    let value: f64 = digits.parse().map_err(|_| UnitError::new(format!("`{text}` does not begin with a number")).hint(format!("write {}", expected())))?;
+    Ok((finite(value)?, rest.trim_start()))
+}
+
+fn finite(value: f64) -> Result<f64, UnitError> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(UnitError::new("the number is too large to be computed with").hint("write a finite number"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::*;
+    use super::*;
+
+    #[test]
+    fn quantities_are_read_in_any_unit_and_spelling() {
+        let rough = |value, std| Quantity { value, knowledge: Knowledge::Rough(std) };
+        let cases = [
+            ("60 N/um", STIFFNESS, Quantity::known(60e6)),
+            ("60N/um", STIFFNESS, Quantity::known(60e6)),
+            ("6e1 kN/mm", STIFFNESS, Quantity::known(60e6)),
+            ("60 +- 15 N/um", STIFFNESS, rough(60e6, 15e6)),
+            ("60+-15N/um", STIFFNESS, rough(60e6, 15e6)),
+            ("60 ± 15 N/µm", STIFFNESS, rough(60e6, 15e6)),
+            ("-1.5e-3 m", LENGTH, Quantity::known(-1.5e-3)),
+            ("0.5", NUMBER, Quantity::known(0.5)),
+            ("0.5 +- 0.1", NUMBER, rough(0.5, 0.1)),
+            ("11.5e-6 /K", EXPANSION, Quantity::known(11.5e-6)),
+            ("2 um/N^n", CONTACT_COEFFICIENT, Quantity::known(2e-6)),
+        ];
+        for (text, kind, expected) in cases {
+            let read = Quantity::parse(text, &kind).unwrap();
+            assert!((read.value - expected.value).abs() <= 1e-15 * expected.value.abs(), "{text}: {read:?}");
+            match (read.knowledge, expected.knowledge) {
+                (Knowledge::Rough(a), Knowledge::Rough(b)) => assert!((a / b - 1.0).abs() < 1e-14, "{text}"),
+                (a, b) => assert_eq!(a, b, "{text}"),
+            }
+        }
+        assert_eq!(Quantity::parse("? N/um", &STIFFNESS).unwrap().knowledge, Knowledge::Free);
+        assert_eq!(Quantity::parse("?", &NUMBER).unwrap().knowledge, Knowledge::Free);
+    }
+
+    #[test]
+    fn what_is_no_quantity_is_refused() {
+        for (text, kind, part) in [
+            ("60", STIFFNESS, "unit is missing"),
+            ("60 N", STIFFNESS, "measures a force"),
+            ("60 Nm/um", STIFFNESS, "no unit"),
+            ("abc", LENGTH, "does not begin with a number"),
+            ("", LENGTH, "does not begin with a number"),
+            ("nan mm", LENGTH, "does not begin with a number"),
+            ("inf mm", LENGTH, "does not begin with a number"),
+            ("1e400 mm", LENGTH, "too large"),
+            ("1e308 km", LENGTH, "too large"),
+            ("1,5 mm", LENGTH, "comma"),
+            ("5 +- -1 mm", LENGTH, "standard uncertainty"),
+            ("5 +- 0 mm", LENGTH, "standard uncertainty"),
+            ("0.2 mm", FEED, "not a feed per revolution"),
+            ("600 Hz", SPINDLE_SPEED, "not a spindle speed"),
+            ("0.5 mm", NUMBER, "not a pure number"),
+        ] {
+            let error = Quantity::parse(text, &kind).unwrap_err();
+            assert!(error.message.contains(part), "{text}: {}", error.message);
+        }
+    }
+}
