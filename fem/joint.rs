@@ -23,7 +23,12 @@ pub struct Contact {
 impl Contact {
     /// How far the contact gives way under the force `q` (N), m.
     pub fn displacement(&self, q: f64) -> f64 {
-        if q <= 0.0 { 0.0 } else { self.coefficient * q.powf(self.exponent) }
+        match self.exponent {
+            _ if q <= 0.0 => 0.0,
+            // The square root is exact, and many times faster than a power.
+            0.5 => self.coefficient * q.sqrt(),
+            n => self.coefficient * q.powf(n),
+        }
     }
 }
 
@@ -51,18 +56,25 @@ impl Joint {
         self.spring_compliance == 0.0 && self.contacts.is_empty()
     }
 
-    /// y under the force `q`, m.
-    pub fn displacement(&self, q: f64) -> f64 {
-        self.spring_compliance * q + self.contacts.iter().map(|c| c.displacement(q)).sum::<f64>()
+    /// y (m) and dy/dQ (m/N) under the force `q`; the latter is infinite at q = 0 where a contact with n < 1 closes.
+    pub fn yield_under(&self, q: f64) -> (f64, f64) {
+        let (mut displacement, mut compliance) = (self.spring_compliance * q, self.spring_compliance);
+        if q >= 0.0 {
+            for contact in &self.contacts {
+                let y = contact.displacement(q);
+                displacement += y;
+                compliance += match q {
+                    0.0 => contact.coefficient * contact.exponent * q.powf(contact.exponent - 1.0),
+                    q => contact.exponent * y / q,
+                };
+            }
+        }
+        (displacement, compliance)
     }
 
-    /// dy/dQ under the force `q`, m/N; infinite at q = 0 where a contact with n < 1 closes.
-    pub fn compliance(&self, q: f64) -> f64 {
-        let contact = |c: &Contact| match q {
-            q if q < 0.0 => 0.0,
-            q => c.coefficient * c.exponent * q.powf(c.exponent - 1.0),
-        };
-        self.spring_compliance + self.contacts.iter().map(contact).sum::<f64>()
+    /// y under the force `q`, m.
+    pub fn displacement(&self, q: f64) -> f64 {
+        self.yield_under(q).0
     }
 
     /// The joint along a path s through its states, on which neither force nor displacement has an infinite slope.
@@ -75,18 +87,17 @@ impl Joint {
             return JointState { force: s, displacement: k * s, force_rate: 1.0, displacement_rate: k };
         }
         let power = 1.0 / self.path_exponent();
+        // s^(p−1) is s^p/s, but at the closing point, where all but the steepest contact have no slope.
+        let rate = |value: f64, p: f64| if s > 0.0 { p * value / s } else { f64::from(p == 1.0) };
         let force = s.powf(power);
-        let force_rate = power * s.powf(power - 1.0);
-        let mut state = JointState {
-            force,
-            displacement: self.spring_compliance * force,
-            force_rate,
-            displacement_rate: self.spring_compliance * force_rate,
-        };
+        let force_rate = rate(force, power);
+        let k = self.spring_compliance;
+        let mut state = JointState { force, displacement: k * force, force_rate, displacement_rate: k * force_rate };
         for contact in &self.contacts {
-            let exponent = contact.exponent * power; // ≥ 1
-            state.displacement += contact.coefficient * s.powf(exponent);
-            state.displacement_rate += contact.coefficient * exponent * s.powf(exponent - 1.0);
+            let exponent = contact.exponent * power; // ≥ 1, and 1 for the steepest
+            let value = if exponent == 1.0 { s } else { s.powf(exponent) };
+            state.displacement += contact.coefficient * value;
+            state.displacement_rate += contact.coefficient * rate(value, exponent);
         }
         state
     }
@@ -106,10 +117,7 @@ mod tests {
     use super::*;
 
     fn joint() -> Joint {
-        let contacts = vec![
-            Contact { coefficient: 2e-7, exponent: 0.5 },
-            Contact { coefficient: 1e-8, exponent: 0.8 },
-        ];
+        let contacts = vec![Contact { coefficient: 2e-7, exponent: 0.5 }, Contact { coefficient: 1e-8, exponent: 0.8 }];
         Joint { spring_compliance: 1e-8, contacts }
     }
 

@@ -82,7 +82,9 @@ impl Material {
         let solid = Bounds::Within(1e6, 5e12);
         Self {
             youngs_modulus: read("youngs_modulus", PRESSURE, "Young's modulus", solid, |m| m.youngs_modulus),
-            poisson_ratio: read("poisson_ratio", NUMBER, "Poisson's ratio", Bounds::Within(-1.0, 0.5), |m| m.poisson_ratio),
+            poisson_ratio: read("poisson_ratio", NUMBER, "Poisson's ratio", Bounds::Within(-1.0, 0.5), |m| {
+                m.poisson_ratio
+            }),
             density: read("density", MASS_DENSITY, "density", Bounds::Positive, |m| m.density),
             expansion: read("expansion", EXPANSION, "thermal expansion", Bounds::Any, |m| m.expansion),
             conductivity: read("conductivity", CONDUCTIVITY, "heat conductivity", Bounds::Positive, |m| m.conductivity),

@@ -19,10 +19,14 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
     let name = args.output.display();
     let written = Model::parse(Source::new(name.to_string(), text))?;
     let prefix = format!("effects.{}.", args.effect);
-    let free = written.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free && p.path.starts_with(&prefix));
+    let free =
+        written.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free && p.path.starts_with(&prefix));
     let unknown: Vec<&str> = free.map(|p| &p.path[prefix.len()..]).collect();
     if !unknown.is_empty() {
-        eprintln!("note: {} stands as unknown (`?`) in {name}; give it a value, or let `fem fit` find it", unknown.join(", "));
+        eprintln!(
+            "note: {} stands as unknown (`?`) in {name}; give it a value, or let `fem fit` find it",
+            unknown.join(", ")
+        );
     }
     print(&format!("written {name}: {} with {}\n", args.model.display(), args.effect))
 }

@@ -8,13 +8,18 @@ use crate::model::Setting;
 
 /// Predicts what a machine, fixture and workpiece do to a part.
 #[derive(Debug, Parser)]
-#[command(name = "fem", version, about, after_help = "Examples:
+#[command(
+    name = "fem",
+    version,
+    about,
+    after_help = "Examples:
   fem new turning -o shaft.toml      a commented model to start from
   fem run shaft.toml                 predict, summarise, write out/shaft/
   fem effects turning                what else could be happening
   fem add shaft.toml tool-wear 'rate=8 um/km' -o worn.toml
 
-Exit status: 0 done, 1 the computation or the writing failed, 2 the input is wrong.")]
+Exit status: 0 done, 1 the computation or the writing failed, 2 the input is wrong."
+)]
 pub struct Args {
     #[command(subcommand)]
     pub command: Command,

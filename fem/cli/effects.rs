@@ -14,10 +14,8 @@ pub fn effects(args: &args::Effects) -> Result<(), Error> {
         process::ALL.iter().flat_map(|p| p.effects().into_iter().map(move |e| (*p, e))).collect();
     let name = args.name.as_deref();
     let of_process = name.is_none_or(|n| process::ALL.iter().any(|p| p.name() == n));
-    let chosen: Vec<_> = all
-        .iter()
-        .filter(|(p, e)| name.is_none_or(|n| if of_process { p.name() == n } else { e.name == n }))
-        .collect();
+    let chosen: Vec<_> =
+        all.iter().filter(|(p, e)| name.is_none_or(|n| if of_process { p.name() == n } else { e.name == n })).collect();
     if chosen.is_empty() {
         return Err(Error::Request(unknown(name.unwrap_or_default(), &all)));
     }

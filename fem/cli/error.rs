@@ -110,11 +110,14 @@ fn rendered(error: &InputError) -> String {
         }
         let source = NamedSource::new(&*error.source.name, error.source.text.to_string());
         let report = miette::Report::new(diagnostic).with_source_code(source);
+        if !text.is_empty() {
+            text.push('\n');
+        }
         // Writing to a String does not fail.
         let _ = handler.render_report(&mut text, report.as_ref());
     }
     if error.problems.len() > 1 {
-        text.push_str(&format!("{} problems in {}\n", error.problems.len(), error.source.name));
+        text.push_str(&format!("\n{} problems in {}\n", error.problems.len(), error.source.name));
     }
     text
 }

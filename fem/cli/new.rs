@@ -10,7 +10,8 @@ use crate::process;
 pub fn new(args: &args::New) -> Result<(), Error> {
     let Some(process) = process::ALL.iter().find(|p| p.name() == args.process) else {
         let names: Vec<&str> = process::ALL.iter().map(|p| p.name()).collect();
-        let meant = nearest(&args.process, names.iter().copied()).map_or(String::new(), |n| format!("did you mean `{n}`? "));
+        let meant =
+            nearest(&args.process, names.iter().copied()).map_or(String::new(), |n| format!("did you mean `{n}`? "));
         let problem = Problem::new(format!("`{}` is no process known here", args.process));
         return Err(Error::Request(problem.help(format!("{meant}known are {}", names.join(", ")))));
     };

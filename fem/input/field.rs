@@ -92,7 +92,9 @@ impl<'r, 'a> Field<'r, 'a> {
         };
         let shape = match self.kind.unit {
             "" => json!({ "type": ["number", "string"], "description": about }),
-            unit => json!({ "type": "string", "description": about, "examples": [format!("10 {unit}"), format!("10 +- 1 {unit}"), format!("? {unit}")] }),
+            unit => {
+                json!({ "type": "string", "description": about, "examples": [format!("10 {unit}"), format!("10 +- 1 {unit}"), format!("? {unit}")] })
+            }
         };
         self.reader.describe(self.key, shape, required);
     }
@@ -110,9 +112,7 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     fn parse(&self, item: &Item) -> Result<Quantity, Problem> {
-        let wrong = |message: String| {
-            Problem::new(message).help(format!("write {}", self.example()))
-        };
+        let wrong = |message: String| Problem::new(message).help(format!("write {}", self.example()));
         match item.as_value() {
             Some(Value::String(text)) => Quantity::parse(text.value(), &self.kind).map_err(|e| {
                 let problem = Problem::new(format!("`{}`: {}", self.key, e.message));
@@ -189,7 +189,8 @@ impl<'r, 'a> Count<'r, 'a> {
     }
 
     fn describe(&self, default: serde_json::Value, required: bool) {
-        let mut shape = json!({ "type": "integer", "description": self.about, "minimum": self.range.0, "maximum": self.range.1 });
+        let mut shape =
+            json!({ "type": "integer", "description": self.about, "minimum": self.range.0, "maximum": self.range.1 });
         if !default.is_null() {
             shape["default"] = default;
         }

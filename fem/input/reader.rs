@@ -68,7 +68,10 @@ pub struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     /// Reads the top of a document with `read`; the second part holds the problems found, in no order.
-    pub fn document<T>(table: &'a dyn TableLike, read: impl FnOnce(&Reader<'a>) -> T) -> (T, Vec<Parameter>, Vec<Problem>) {
+    pub fn document<T>(
+        table: &'a dyn TableLike,
+        read: impl FnOnce(&Reader<'a>) -> T,
+    ) -> (T, Vec<Parameter>, Vec<Problem>) {
         let reader = Self::on(Ground::Given(table, None), String::new(), Default::default());
         let value = read(&reader);
         reader.finish();
@@ -103,7 +106,12 @@ impl<'a> Reader<'a> {
     }
 
     /// A key with one of `words`.
-    pub fn choice<T: Copy + 'static>(&self, key: &'static str, about: &'static str, words: &'static [(&'static str, T)]) -> Choice<'_, 'a, T> {
+    pub fn choice<T: Copy + 'static>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        words: &'static [(&'static str, T)],
+    ) -> Choice<'_, 'a, T> {
         Choice::new(self, key, about, words)
     }
 
@@ -112,7 +120,9 @@ impl<'a> Reader<'a> {
         self.describe(key, json!({ "type": "string", "description": about }), false);
         let item = self.item(key)?;
         if item.as_str().is_none() {
-            self.refuse(Problem::new(format!("`{key}` is no text")).help(format!("write {key} = \"…\"")).at(item.span()));
+            self.refuse(
+                Problem::new(format!("`{key}` is no text")).help(format!("write {key} = \"…\"")).at(item.span()),
+            );
         }
         item.as_str().map(str::to_string)
     }
@@ -130,7 +140,12 @@ impl<'a> Reader<'a> {
     }
 
     /// A table that may be left out.
-    pub fn optional_table<T>(&self, key: &'static str, about: &'static str, read: impl FnOnce(&Reader<'a>) -> T) -> Option<T> {
+    pub fn optional_table<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        read: impl FnOnce(&Reader<'a>) -> T,
+    ) -> Option<T> {
         let ground = match self.item(key) {
             Some(item) => self.ground_of(key, item, "a table"),
             None => Ground::Absent,
@@ -139,7 +154,14 @@ impl<'a> Reader<'a> {
         given.then(|| self.read_child(key, about, ground, false, read))
     }
 
-    fn read_child<T>(&self, key: &'static str, about: &str, ground: Ground<'a>, required: bool, read: impl FnOnce(&Reader<'a>) -> T) -> T {
+    fn read_child<T>(
+        &self,
+        key: &'static str,
+        about: &str,
+        ground: Ground<'a>,
+        required: bool,
+        read: impl FnOnce(&Reader<'a>) -> T,
+    ) -> T {
         let described = matches!(self.ground, Ground::Described);
         let reader = self.child(if described { Ground::Described } else { ground }, key);
         let value = read(&reader);
@@ -167,13 +189,17 @@ impl<'a> Reader<'a> {
                     match value.as_inline_table() {
                         Some(table) => grounds.push(Ground::Given(table, value.span())),
                         None => self.refuse(
-                            Problem::new(format!("an entry of `{key}` is no table")).help("write { key = value, … }").at(value.span()),
+                            Problem::new(format!("an entry of `{key}` is no table"))
+                                .help("write { key = value, … }")
+                                .at(value.span()),
                         ),
                     }
                 }
             }
             Item::ArrayOfTables(tables) => grounds.extend(tables.iter().map(|t| Ground::Given(t, t.span()))),
-            _ => self.refuse(Problem::new(format!("`{key}` is no list")).help(format!("write {key} = [{{ … }}]")).at(item.span())),
+            _ => self.refuse(
+                Problem::new(format!("`{key}` is no list")).help(format!("write {key} = [{{ … }}]")).at(item.span()),
+            ),
         }
         let mut values = Vec::with_capacity(grounds.len());
         for (i, ground) in grounds.into_iter().enumerate() {
@@ -229,7 +255,13 @@ impl<'a> Reader<'a> {
 
     /// A key that holds either a name or a table: a material. `read` gets the name, if there is one, and a reader of
     /// the table, with every key absent where there is none.
-    pub fn name_or_table<T>(&self, key: &'static str, about: &'static str, names: &[&str], read: impl FnOnce(Option<&str>, &Reader<'a>) -> T) -> T {
+    pub fn name_or_table<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        names: &[&str],
+        read: impl FnOnce(Option<&str>, &Reader<'a>) -> T,
+    ) -> T {
         let mut name = None;
         let ground = match self.item(key) {
             Some(item) if item.as_str().is_some() => {
@@ -257,7 +289,9 @@ impl<'a> Reader<'a> {
         match item.as_table_like() {
             Some(table) => Ground::Given(table, item.span()),
             None => {
-                self.refuse(Problem::new(format!("`{key}` is no table")).help(format!("it must be {expected}")).at(item.span()));
+                self.refuse(
+                    Problem::new(format!("`{key}` is no table")).help(format!("it must be {expected}")).at(item.span()),
+                );
                 Ground::Absent
             }
         }

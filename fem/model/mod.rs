@@ -85,7 +85,9 @@ fn find_process(document: &Document<&str>) -> Result<&'static dyn Process, Probl
     let Some(item) = document.get("process") else {
         let example = names().next().unwrap_or_default();
         let problem = Problem::new("the model does not say which process it models");
-        return Err(problem.help(format!("add process = \"{example}\" at the top; known are {}", listed())).at(Some(0..0)));
+        return Err(problem
+            .help(format!("add process = \"{example}\" at the top; known are {}", listed()))
+            .at(Some(0..0)));
     };
     let given = item.as_str().unwrap_or_default();
     process::ALL.iter().copied().find(|p| p.name() == given).ok_or_else(|| {
@@ -114,7 +116,11 @@ fn read_effects(model: &Reader, process: &'static dyn Process, system: &dyn Syst
         }
         known.iter().find(|d| d.name == name).map(|d| d.read(table))
     };
-    model.named_tables("effects", "physical effects beyond the ideal system", &names, unknown, read).into_iter().flatten().collect()
+    model
+        .named_tables("effects", "physical effects beyond the ideal system", &names, unknown, read)
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> Problem {

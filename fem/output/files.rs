@@ -26,7 +26,8 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         _ => Path::new("."),
     };
     std::fs::create_dir_all(directory).map_err(failed)?;
-    let mut file = tempfile::Builder::new().prefix(".fem-").suffix(".partial").tempfile_in(directory).map_err(failed)?;
+    let mut file =
+        tempfile::Builder::new().prefix(".fem-").suffix(".partial").tempfile_in(directory).map_err(failed)?;
     let beside = file.path().to_path_buf();
     partial().insert(beside.clone());
     let result = file.write_all(bytes).and_then(|()| publish(file, path));

@@ -11,9 +11,7 @@ pub fn run(model: &Model, run: &Run) -> Json {
     for finding in &run.outcome.findings {
         findings.insert(finding.key.to_string(), finding.json.clone());
     }
-    let share = |s: &crate::model::Share| {
-        json!({ "effect": s.name, "rms": 1e6 * s.rms, "smallest": 1e6 * s.smallest, "largest": 1e6 * s.largest, "unit": "um" })
-    };
+    let share = |s: &crate::model::Share| json!({ "effect": s.name, "rms": 1e6 * s.rms, "smallest": 1e6 * s.smallest, "largest": 1e6 * s.largest, "unit": "um" });
     json!({
         "schema": "fem-run/1",
         "model": &*model.source.name,

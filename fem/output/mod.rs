@@ -67,7 +67,8 @@ fn write_animation(animation: &Animation, directory: &Path, progress: &Progress)
         progress.advance(1);
         Ok((frame.time, format!("{}/{}", animation.name, name(i))))
     };
-    let frames: Vec<(f64, String)> = (0..animation.frames).into_par_iter().map(write).collect::<Result<_, OutputError>>()?;
+    let frames: Vec<(f64, String)> =
+        (0..animation.frames).into_par_iter().map(write).collect::<Result<_, OutputError>>()?;
     let path = directory.join(format!("{}.pvd", animation.name));
     let text = vtk::pvd(&frames).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
     files::write(&path, text.as_bytes())?;

@@ -38,7 +38,10 @@ pub fn effect_line(effect: &Description) -> String {
 
 /// All about one effect.
 pub fn effect(process: &str, effect: &Description) -> String {
-    let mut text = format!("{} ({process})\n  {}\n\n  law     {}\n  source  {}\n\n", effect.name, effect.about, effect.law, effect.source);
+    let mut text = format!(
+        "{} ({process})\n  {}\n\n  law     {}\n  source  {}\n\n",
+        effect.name, effect.about, effect.law, effect.source
+    );
     for parameter in effect.parameters {
         let _ = writeln!(text, "  {}", parameter_line(parameter));
     }
@@ -50,8 +53,8 @@ pub fn effect(process: &str, effect: &Description) -> String {
     }
     let _ = writeln!(text, "\n  in a model file\n    [effects.{}]", effect.name);
     for p in effect.parameters {
-        let middle = 0.5 * (p.range.0 + p.range.1);
-        let value = if p.kind.unit.is_empty() { format!("{middle}") } else { format!("\"{middle} {}\"", p.kind.unit) };
+        let number = (p.example() * 1e6).round() / 1e6;
+        let value = if p.kind.unit.is_empty() { format!("{number}") } else { format!("\"{number} {}\"", p.kind.unit) };
         let _ = writeln!(text, "    {} = {value}", p.name);
     }
     text
@@ -75,7 +78,10 @@ fn parameter_line(p: &Parameter) -> String {
 /// The validation table.
 pub fn validation(cases: &[Case]) -> String {
     let width = cases.iter().map(|c| c.name.chars().count() + c.quantity.chars().count() + 2).max().unwrap_or(0);
-    let mut text = format!("{:<width$} {:>16} {:>16} {:<8} {:>9} {:>9}\n", "case", "expected", "computed", "unit", "error", "allowed");
+    let mut text = format!(
+        "{:<width$} {:>16} {:>16} {:<8} {:>9} {:>9}\n",
+        "case", "expected", "computed", "unit", "error", "allowed"
+    );
     for case in cases {
         let name = format!("{}, {}", case.name, case.quantity);
         let percent = if matches!(case.tolerance, Tolerance::Relative(_)) { " rel" } else { " abs" };

@@ -35,25 +35,14 @@ const ZLIB_LEVEL: u32 = 1;
 pub fn vtu(grid: &Grid) -> Result<Vec<u8>, VtkError> {
     check::check(grid)?;
     let large = array_bytes(grid) > COMPRESS_ABOVE;
-    encode(
-        grid,
-        if large {
-            Compressor::ZLib
-        } else {
-            Compressor::None
-        },
-    )
+    encode(grid, if large { Compressor::ZLib } else { Compressor::None })
 }
 
 /// The bytes of one `.vtu` file for a `grid` that passed [`check::check`].
 fn encode(grid: &Grid, compressor: Compressor) -> Result<Vec<u8>, VtkError> {
     let file = vtk(grid).try_into_xml_format(compressor, ZLIB_LEVEL)?;
     // Base64 takes 4/3 of the bytes; 4 kB for the tags.
-    let guess = if compressor.is_none() {
-        array_bytes(grid) * 4 / 3 + 4096
-    } else {
-        0
-    };
+    let guess = if compressor.is_none() { array_bytes(grid) * 4 / 3 + 4096 } else { 0 };
     let mut bytes = Vec::with_capacity(guess);
     file.write(&mut bytes)?;
     Ok(bytes)
@@ -101,19 +90,12 @@ fn vtk(grid: &Grid) -> Vtk {
 /// `field` in vtkio's terms.
 fn attribute(field: &Field) -> Attribute {
     let elem = match field.components {
-        1 => ElementType::Scalars {
-            num_comp: 1,
-            lookup_table: None,
-        },
+        1 => ElementType::Scalars { num_comp: 1, lookup_table: None },
         3 => ElementType::Vectors,
         n => ElementType::Generic(n as u32), // 6 or 9, checked before
     };
     let data = IOBuffer::F64(field.values.clone());
-    Attribute::DataArray(DataArray {
-        name: field.name.clone(),
-        elem,
-        data,
-    })
+    Attribute::DataArray(DataArray { name: field.name.clone(), elem, data })
 }
 
 /// `cell` in vtkio's terms.
@@ -148,15 +130,8 @@ mod tests {
         let mut scalar: Vec<f64> = (0..points).map(|i| 1.0 / (i as f64 + 1.0)).collect();
         scalar[..4].copy_from_slice(&[-0.0, f64::MAX, f64::MIN_POSITIVE / 3.0, 0.1 + 0.2]);
         let vector = grid.points.iter().map(|p| p.map(|x| x * 1e-9)).collect();
-        grid.point_fields = vec![
-            Field::scalar("a<b & \"c\"", scalar),
-            Field::vector("displacement", vector),
-        ];
-        grid.cell_fields = vec![Field {
-            name: "stress".into(),
-            components: 6,
-            values: vec![0.1; 6 * Cell::ALL.len()],
-        }];
+        grid.point_fields = vec![Field::scalar("a<b & \"c\"", scalar), Field::vector("displacement", vector)];
+        grid.cell_fields = vec![Field { name: "stress".into(), components: 6, values: vec![0.1; 6 * Cell::ALL.len()] }];
         grid
     }
 
@@ -179,45 +154,25 @@ mod tests {
     }
 
     fn expected(fields: &[Field]) -> Vec<Array> {
-        fields
-            .iter()
-            .map(|f| (f.name.clone(), f.components, bits(&f.values)))
-            .collect()
+        fields.iter().map(|f| (f.name.clone(), f.components, bits(&f.values))).collect()
     }
 
     /// 4096 points fill vtkio's compressed blocks of 32768 bytes exactly.
     #[test]
     fn vtkio_reads_back_every_bit() -> Result<(), Box<dyn Error>> {
-        for (points, compressor) in [
-            (20, Compressor::None),
-            (20, Compressor::ZLib),
-            (4096, Compressor::ZLib),
-        ] {
+        for (points, compressor) in [(20, Compressor::None), (20, Compressor::ZLib), (4096, Compressor::ZLib)] {
             let grid = grid(points);
             check::check(&grid)?;
             let bytes = encode(&grid, compressor)?;
-            assert_eq!(
-                String::from_utf8_lossy(&bytes).contains("vtkZLibDataCompressor"),
-                !compressor.is_none()
-            );
-            let DataSet::UnstructuredGrid { pieces, .. } = Vtk::parse_xml(bytes.as_slice())?.data
-            else {
+            assert_eq!(String::from_utf8_lossy(&bytes).contains("vtkZLibDataCompressor"), !compressor.is_none());
+            let DataSet::UnstructuredGrid { pieces, .. } = Vtk::parse_xml(bytes.as_slice())?.data else {
                 return Err("not an unstructured grid".into());
             };
             let [piece] = <[_; 1]>::try_from(pieces).map_err(|_| "not one piece")?;
             let piece = piece.into_loaded_piece_data(None)?;
-            assert_eq!(
-                piece.points.into_vec().map(|p| bits(&p)),
-                Some(bits(grid.points.as_flattened()))
-            );
+            assert_eq!(piece.points.into_vec().map(|p| bits(&p)), Some(bits(grid.points.as_flattened())));
             let (connectivity, offsets) = piece.cells.cell_verts.into_xml();
-            assert_eq!(
-                connectivity,
-                grid.connectivity
-                    .iter()
-                    .map(|&p| u64::from(p))
-                    .collect::<Vec<_>>()
-            );
+            assert_eq!(connectivity, grid.connectivity.iter().map(|&p| u64::from(p)).collect::<Vec<_>>());
             assert_eq!(offsets, [1, 3, 6, 10, 13, 19, 27, 36]);
             assert_eq!(piece.cells.types, Cell::ALL.map(cell_type));
             assert_eq!(arrays(piece.data.point), expected(&grid.point_fields));
@@ -237,8 +192,7 @@ mod tests {
     fn large_grids_are_compressed() -> Result<(), VtkError> {
         let small = vtu(&grid(100))?;
         let large = vtu(&grid(100_000))?;
-        let compressed =
-            |bytes: &[u8]| String::from_utf8_lossy(bytes).contains("vtkZLibDataCompressor");
+        let compressed = |bytes: &[u8]| String::from_utf8_lossy(bytes).contains("vtkZLibDataCompressor");
         assert!(!compressed(&small) && compressed(&large));
         Ok(())
     }

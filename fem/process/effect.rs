@@ -102,25 +102,32 @@ impl Description {
         Active { description: self, values }
     }
 
-    /// The effect with every parameter at its neutral value, and in the middle of its range where it has none.
+    /// The effect with every parameter at its neutral value, and a plausible one where it has none.
     pub fn neutral(&'static self) -> Active {
         let value = |p: &Parameter| match p.neutral {
             Neutral::Value(value) => p.kind.to_si(value),
             Neutral::Infinity => f64::INFINITY,
-            Neutral::Shape => p.kind.to_si(0.5 * (p.range.0 + p.range.1)),
+            Neutral::Shape => p.kind.to_si(p.example()),
         };
         Active { description: self, values: self.parameters.iter().map(value).collect() }
     }
 
-    /// The effect with every parameter in the middle of its plausible range.
+    /// The effect with every parameter at a plausible value.
     pub fn typical(&'static self) -> Active {
-        let value = |p: &Parameter| p.kind.to_si(0.5 * (p.range.0 + p.range.1));
-        Active { description: self, values: self.parameters.iter().map(value).collect() }
+        let values = self.parameters.iter().map(|p| p.kind.to_si(p.example())).collect();
+        Active { description: self, values }
     }
 }
 
 impl Parameter {
-    const fn new(name: &'static str, kind: Kind, about: &'static str, neutral: Neutral, bounds: Bounds, range: (f64, f64)) -> Self {
+    const fn new(
+        name: &'static str,
+        kind: Kind,
+        about: &'static str,
+        neutral: Neutral,
+        bounds: Bounds,
+        range: (f64, f64),
+    ) -> Self {
         Self { name, kind, about, neutral, range, bounds, default: None, needed_with: None }
     }
 
@@ -142,6 +149,14 @@ impl Parameter {
     /// A positive quantity that shapes the effect without switching it: a time constant, a width.
     pub const fn shape(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
         Self::new(name, kind, about, Neutral::Shape, Bounds::Positive, range)
+    }
+
+    /// A value for an example, in the canonical unit: in the middle of the plausible range, with one digit.
+    pub fn example(&self) -> f64 {
+        let (low, high) = self.range;
+        let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * high };
+        let digit = 10f64.powf(middle.abs().log10().floor());
+        if middle == 0.0 { 0.0 } else { (middle / digit).round() * digit }
     }
 
     /// With other bounds.

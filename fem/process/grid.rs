@@ -80,20 +80,12 @@ pub struct Field {
 impl Field {
     /// One value per point or cell, in SI units.
     pub fn scalar(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self {
-            name: name.into(),
-            components: 1,
-            values,
-        }
+        Self { name: name.into(), components: 1, values }
     }
 
     /// One vector (x, y, z) per point or cell, in SI units.
     pub fn vector(name: impl Into<String>, values: Vec<[f64; 3]>) -> Self {
-        Self {
-            name: name.into(),
-            components: 3,
-            values: values.into_flattened(),
-        }
+        Self { name: name.into(), components: 3, values: values.into_flattened() }
     }
 }
 

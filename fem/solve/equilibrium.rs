@@ -24,6 +24,8 @@ pub struct Equilibrium {
     pub displacements: [f64; 2],
     /// dy/dP of each, m/N.
     pub displacement_rates: [f64; 2],
+    /// Where each joint stands on its path: a start for the solution under a similar force.
+    pub path: [f64; 2],
     /// Newton iterations.
     pub iterations: usize,
 }
@@ -40,7 +42,8 @@ pub struct JointsError {
     pub residual: f64,
 }
 
-/// Solves for the joints under the tool force `load` (N), given influence g and constraint S.
+/// Solves for the joints under the tool force `load` (N), given influence g and constraint S, from the solution under a
+/// similar force if there is one.
 ///
 /// # Errors
 /// Newton's method did not converge.
@@ -49,29 +52,49 @@ pub fn solve_joints(
     influence: [f64; 2],
     constraint: &[[f64; 2]; 2],
     load: f64,
+    near: Option<&Equilibrium>,
 ) -> Result<Equilibrium, JointsError> {
     let target = [influence[0] * load, influence[1] * load];
-    let mut path = [joints[0].path_at(target[0]), joints[1].path_at(target[1])];
-    if *constraint != [[0.0; 2]; 2] && joints.iter().any(|j| !j.is_rigid()) {
-        let guess = secant_forces(joints, target, constraint);
-        path = [joints[0].path_at(guess[0]), joints[1].path_at(guess[1])];
+    if *constraint == [[0.0; 2]; 2] {
+        return Ok(determinate(joints, influence, target));
     }
+    let path = near.map_or_else(
+        || {
+            let guess = secant_forces(joints, target, constraint);
+            [joints[0].path_at(guess[0]), joints[1].path_at(guess[1])]
+        },
+        |near| near.path,
+    );
     let mut state = States::at(joints, path, target, constraint);
     for iterations in 0..MAX_ITERATIONS {
         if state.residual_norm() <= TOLERANCE * state.scale {
-            return Ok(state.finish(joints, target, influence, constraint, iterations));
+            return Ok(state.finish(influence, constraint, iterations));
         }
         let Some(step) = solve2(state.jacobian(constraint), state.residual) else { break };
         match state.search(joints, target, constraint, step) {
             Some(next) => state = next,
             // No shorter step lowers the residual any more: at round-off this is the answer.
             None if state.residual_norm() <= 1e3 * TOLERANCE * state.scale => {
-                return Ok(state.finish(joints, target, influence, constraint, iterations));
+                return Ok(state.finish(influence, constraint, iterations));
             }
             None => return Err(state.failure(load, iterations)),
         }
     }
     Err(state.failure(load, MAX_ITERATIONS))
+}
+
+/// Statics alone gives the forces.
+fn determinate(joints: &[Joint; 2], influence: [f64; 2], forces: [f64; 2]) -> Equilibrium {
+    let [(y0, rate0), (y1, rate1)] = [joints[0].yield_under(forces[0]), joints[1].yield_under(forces[1])];
+    // A joint without force does not move, however steep its law begins.
+    let rate = |g: f64, rate: f64| if g == 0.0 { 0.0 } else { g * rate };
+    Equilibrium {
+        forces,
+        displacements: [y0, y1],
+        displacement_rates: [rate(influence[0], rate0), rate(influence[1], rate1)],
+        path: [0.0; 2],
+        iterations: 0,
+    }
 }
 
 /// Forces with each joint replaced by its secant at the forces that statics alone would give.
@@ -107,11 +130,16 @@ impl States {
     }
 
     fn jacobian(&self, s: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
-        let [a, b] = &self.joints;
-        [
-            [a.force_rate + s[0][0] * a.displacement_rate, s[0][1] * b.displacement_rate],
-            [s[1][0] * a.displacement_rate, b.force_rate + s[1][1] * b.displacement_rate],
-        ]
+        let rates = |j: &JointState| (j.force_rate, j.displacement_rate);
+        let [(q0, y0), (q1, y1)] = [rates(&self.joints[0]), rates(&self.joints[1])];
+        let mut jacobian = [[q0 + s[0][0] * y0, s[0][1] * y1], [s[1][0] * y0, q1 + s[1][1] * y1]];
+        for (i, row) in jacobian.iter_mut().enumerate() {
+            // Nothing can load this joint, as where there is no tailstock: it stays unloaded.
+            if *row == [0.0; 2] {
+                row[i] = 1.0;
+            }
+        }
+        jacobian
     }
 
     /// The first of ever shorter steps that lowers the residual.
@@ -128,19 +156,14 @@ impl States {
         None
     }
 
-    fn finish(&self, joints: &[Joint; 2], target: [f64; 2], g: [f64; 2], s: &[[f64; 2]; 2], iterations: usize) -> Equilibrium {
+    fn finish(&self, influence: [f64; 2], s: &[[f64; 2]; 2], iterations: usize) -> Equilibrium {
         let [a, b] = &self.joints;
-        // Where statics decides, the tangent needs no inverse (and a joint without force has none).
-        let displacement_rates = if *s == [[0.0; 2]; 2] {
-            [0, 1].map(|i| if g[i] == 0.0 { 0.0 } else { g[i] * joints[i].compliance(target[i]) })
-        } else {
-            let path_rates = solve2(self.jacobian(s), g).unwrap_or([0.0; 2]);
-            [a.displacement_rate * path_rates[0], b.displacement_rate * path_rates[1]]
-        };
+        let path_rates = solve2(self.jacobian(s), influence).unwrap_or([0.0; 2]);
         Equilibrium {
             forces: [a.force, b.force],
             displacements: [a.displacement, b.displacement],
-            displacement_rates,
+            displacement_rates: [a.displacement_rate * path_rates[0], b.displacement_rate * path_rates[1]],
+            path: self.path,
             iterations,
         }
     }

@@ -1,6 +1,7 @@
 //! Solvers: the shaft under a travelling force, the joints that hold it, and the plain sparse solve that checks both.
 
 mod equilibrium;
+pub mod frame;
 mod plane;
 mod shaft;
 

@@ -96,11 +96,7 @@ impl HalfPlane {
 
     /// With a translational spring of `stiffness` N/m at the cut. Scaled so that many springs do not overflow.
     pub fn sprung(self, stiffness: f64) -> Self {
-        let stiffer = Self {
-            a11: self.a11 + stiffness * self.delta,
-            det: self.det + stiffness * self.a22,
-            ..self
-        };
+        let stiffer = Self { a11: self.a11 + stiffness * self.delta, det: self.det + stiffness * self.a22, ..self };
         let scale = stiffer.delta.max(stiffer.a11).max(stiffer.a22).max(stiffer.det);
         if scale > 0.0 && scale.is_finite() { stiffer.times(1.0 / scale) } else { stiffer }
     }

@@ -107,12 +107,12 @@ impl Shaft {
         let behind = || planes_behind(tail, &links);
         // Two threads pay from some ten thousand cuts on.
         let (left, right) = if links.len() > 8192 { rayon::join(ahead, behind) } else { (ahead(), behind()) };
-        let compliance: Vec<f64> =
-            cuts.iter().map(|&c| left[c as usize].joined(&right[c as usize]).0).collect();
+        let compliance: Vec<f64> = cuts.iter().map(|&c| left[c as usize].joined(&right[c as usize]).0).collect();
         if let Some(i) = compliance.iter().position(|c| !c.is_finite()) {
             return Err(ShaftError::Loose { at: positions[i] });
         }
-        let mut condensed = Condensed { links, left, right, cuts, compliance, influence: Vec::new(), constraint: [[0.0; 2]; 2] };
+        let mut condensed =
+            Condensed { links, left, right, cuts, compliance, influence: Vec::new(), constraint: [[0.0; 2]; 2] };
         if self.is_determinate() {
             let length = self.length();
             let share = |x: &f64| if self.tailstock { [1.0 - x / length, x / length] } else { [1.0, 0.0] };
@@ -132,7 +132,8 @@ impl Shaft {
         };
         positions.iter().copied().chain(self.rests.iter().map(|r| r.at)).try_for_each(on_shaft)?;
         let mut order: Vec<u32> = (0..(positions.len() + self.rests.len()) as u32).collect();
-        let at = |i: u32| positions.get(i as usize).copied().unwrap_or_else(|| self.rests[i as usize - positions.len()].at);
+        let at =
+            |i: u32| positions.get(i as usize).copied().unwrap_or_else(|| self.rests[i as usize - positions.len()].at);
         if !order.is_sorted_by(|a, b| at(*a) <= at(*b)) {
             order.sort_unstable_by(|a, b| at(*a).total_cmp(&at(*b)));
         }

@@ -172,7 +172,8 @@ impl Reader<'_> {
     }
 
     fn unexpected(&self) -> UnitError {
-        UnitError::new(format!("`{}` is no unit", self.whole)).hint("write a unit such as `N/um`, `W/m^2/K` or `mm/rev`")
+        UnitError::new(format!("`{}` is no unit", self.whole))
+            .hint("write a unit such as `N/um`, `W/m^2/K` or `mm/rev`")
     }
 
     fn too_high(&self) -> UnitError {
@@ -203,7 +204,8 @@ fn nearest(name: &str) -> Option<String> {
     let mut best: Option<(usize, String)> = None;
     let prefixed = UNITS.iter().filter(|u| u.3).flat_map(|u| PREFIXES.iter().map(move |p| format!("{}{}", p.0, u.0)));
     for candidate in UNITS.iter().map(|u| u.0.to_string()).chain(prefixed) {
-        let distance = if candidate.eq_ignore_ascii_case(name) { 0 } else { strsim::damerau_levenshtein(name, &candidate) };
+        let distance =
+            if candidate.eq_ignore_ascii_case(name) { 0 } else { strsim::damerau_levenshtein(name, &candidate) };
         if distance <= 1 && best.as_ref().is_none_or(|(d, _)| distance < *d) {
             best = Some((distance, candidate));
         }
@@ -249,7 +251,17 @@ mod tests {
 
     #[test]
     fn what_is_no_unit_is_refused_with_the_nearest() {
-        for (text, hint) in [("Mpa", "MPa"), ("newton", ""), ("N/", ""), ("N//m", ""), ("N^99", ""), ("(N", ""), ("kmh", ""), ("N/kN^n", ""), ("Um", "um")] {
+        for (text, hint) in [
+            ("Mpa", "MPa"),
+            ("newton", ""),
+            ("N/", ""),
+            ("N//m", ""),
+            ("N^99", ""),
+            ("(N", ""),
+            ("kmh", ""),
+            ("N/kN^n", ""),
+            ("Um", "um"),
+        ] {
             let error = Unit::parse(text).unwrap_err();
             assert!(error.hint.unwrap_or_default().contains(hint), "{text}");
         }

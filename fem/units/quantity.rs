@@ -79,7 +79,9 @@ fn number<'a>(text: &'a str, kind: &Kind) -> Result<(f64, &'a str), UnitError> {
     if rest.starts_with(',') {
         return Err(UnitError::new("the decimal mark is a comma").hint("write a decimal point: `0.5`, not `0,5`"));
     }
-    let value: f64 = digits.parse().map_err(|_| UnitError::new(format!("`{text}` does not begin with a number")).hint(format!("write {}", expected())))?;
+    let value: f64 = digits.parse().map_err(|_| {
+        UnitError::new(format!("`{text}` does not begin with a number")).hint(format!("write {}", expected()))
+    })?;
     Ok((finite(value)?, rest.trim_start()))
 }
 

@@ -80,9 +80,7 @@ pub enum VtkError {
         components: usize,
     },
     /// A field has too few or too many values.
-    #[error(
-        "{place} field '{name}' has {given} values, {rows} {place}s x {components} components need {expected}"
-    )]
+    #[error("{place} field '{name}' has {given} values, {rows} {place}s x {components} components need {expected}")]
     Length {
         /// `point` or `cell`.
         place: &'static str,
@@ -110,9 +108,7 @@ pub enum VtkError {
         value: f64,
     },
     /// The times of a `.pvd` are not finite, or do not increase.
-    #[error(
-        "frame {frame} ('{file}'): time {time} must be finite and greater than the time before"
-    )]
+    #[error("frame {frame} ('{file}'): time {time} must be finite and greater than the time before")]
     Time {
         /// Index of the frame.
         frame: usize,

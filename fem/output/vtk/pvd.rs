@@ -18,18 +18,11 @@ pub fn pvd(frames: &[(f64, String)]) -> Result<String, VtkError> {
     let mut before = f64::NEG_INFINITY;
     for (frame, (time, file)) in frames.iter().enumerate() {
         if !time.is_finite() || *time <= before {
-            return Err(VtkError::Time {
-                frame,
-                file: file.clone(),
-                time: *time,
-            });
+            return Err(VtkError::Time { frame, file: file.clone(), time: *time });
         }
         before = *time;
         if file.is_empty() || file.chars().any(char::is_control) {
-            return Err(VtkError::FileName {
-                frame,
-                file: file.clone(),
-            });
+            return Err(VtkError::FileName { frame, file: file.clone() });
         }
         text.push_str("    <DataSet timestep=\"");
         // Shortest text that reads back as the same number; writing to a String cannot fail.
@@ -62,16 +55,9 @@ mod tests {
 
     #[test]
     fn file_names_are_escaped_and_times_exact() -> Result<(), VtkError> {
-        let frames = [
-            (-0.1, "a/b & \"c\" <'d'>.vtu".to_owned()),
-            (0.1 + 0.2, "шаг 2.vtu".to_owned()),
-        ];
+        let frames = [(-0.1, "a/b & \"c\" <'d'>.vtu".to_owned()), (0.1 + 0.2, "шаг 2.vtu".to_owned())];
         let text = pvd(&frames)?;
-        let sets: Vec<&str> = text
-            .lines()
-            .filter(|l| l.contains("<DataSet"))
-            .map(str::trim)
-            .collect();
+        let sets: Vec<&str> = text.lines().filter(|l| l.contains("<DataSet")).map(str::trim).collect();
         assert_eq!(
             sets,
             [
@@ -84,27 +70,16 @@ mod tests {
 
     #[test]
     fn times_must_be_finite_and_increase() {
-        for (times, faulty) in [
-            ([0.0, f64::NAN], 1),
-            ([f64::INFINITY, 1.0], 0),
-            ([1.0, 1.0], 1),
-            ([1.0, 0.5], 1),
-        ] {
+        for (times, faulty) in [([0.0, f64::NAN], 1), ([f64::INFINITY, 1.0], 0), ([1.0, 1.0], 1), ([1.0, 0.5], 1)] {
             let frames = times.map(|time| (time, "x.vtu".to_owned()));
             let result = pvd(&frames);
-            assert!(
-                matches!(result, Err(VtkError::Time { frame, .. }) if frame == faulty),
-                "{times:?}: {result:?}"
-            );
+            assert!(matches!(result, Err(VtkError::Time { frame, .. }) if frame == faulty), "{times:?}: {result:?}");
         }
     }
 
     #[test]
     fn names_xml_cannot_carry_are_refused() {
         let result = pvd(&[(0.0, "a\0.vtu".to_owned())]);
-        assert!(
-            matches!(result, Err(VtkError::FileName { frame: 0, .. })),
-            "{result:?}"
-        );
+        assert!(matches!(result, Err(VtkError::FileName { frame: 0, .. })), "{result:?}");
     }
 }

@@ -55,22 +55,20 @@ impl<'a> Elastic<'a> {
     pub fn deflect(&self, i: usize, at: Conditions) -> Result<Deflection, JointsError> {
         match self.feedback {
             Some(exponent) if exponent != 0.0 => self.fed_back(i, at, exponent),
-            _ => self.under(i, at.force),
+            _ => self.under(i, at.force, None),
         }
     }
 
-    /// The equilibrium under a given force.
-    fn under(&self, i: usize, force: f64) -> Result<Deflection, JointsError> {
+    /// The equilibrium under a given force, from that under a similar one if there is one.
+    fn under(&self, i: usize, force: f64, near: Option<&Deflection>) -> Result<Deflection, JointsError> {
         let influence = self.shaft.influence[i];
-        let supports = solve_joints(&self.joints, influence, &self.shaft.constraint, force)?;
+        let near = near.map(|d| &d.supports);
+        let supports = solve_joints(&self.joints, influence, &self.shaft.constraint, force, near)?;
         let shaft = self.shaft.compliance[i] * force;
-        let carriage = self.carriage.displacement(force);
+        let (carriage, carriage_rate) = self.carriage.yield_under(force);
         let [d, rates] = [supports.displacements, supports.displacement_rates];
         let total = shaft + influence[0] * d[0] + influence[1] * d[1] + carriage;
-        let rate = self.shaft.compliance[i]
-            + influence[0] * rates[0]
-            + influence[1] * rates[1]
-            + self.carriage.compliance(force);
+        let rate = self.shaft.compliance[i] + influence[0] * rates[0] + influence[1] * rates[1] + carriage_rate;
         Ok(Deflection { force, supports, shaft, carriage, total, rate })
     }
 
@@ -80,21 +78,27 @@ impl<'a> Elastic<'a> {
     /// stays inside the bracket.
     fn fed_back(&self, i: usize, at: Conditions, exponent: f64) -> Result<Deflection, JointsError> {
         if at.set_depth <= 0.0 {
-            return self.under(i, 0.0);
+            return self.under(i, 0.0, None);
         }
         let force = |depth: f64| at.force * (depth / self.nominal_depth).powf(exponent);
         let (mut low, mut high) = (0.0, at.set_depth);
-        let first = self.under(i, force(at.set_depth))?;
-        let mut depth = at.set_depth / (1.0 + first.total / at.set_depth);
+        let mut deflection = self.under(i, force(at.set_depth), None)?;
+        let mut depth = at.set_depth / (1.0 + deflection.total / at.set_depth);
         for _ in 0..MAX_ITERATIONS {
-            let deflection = self.under(i, force(depth))?;
+            deflection = self.under(i, force(depth), Some(&deflection))?;
             let excess = depth + deflection.total - at.set_depth;
-            if excess > 0.0 { high = depth } else { low = depth }
+            if excess > 0.0 {
+                high = depth
+            } else {
+                low = depth
+            }
             let slope = 1.0 + deflection.rate * exponent * deflection.force / depth;
             let newton = depth - excess / slope;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - depth).abs() <= TOLERANCE * at.set_depth {
-                return self.under(i, force(next));
+            let inside = newton > low && newton < high;
+            let next = if inside || excess == 0.0 { newton } else { 0.5 * (low + high) };
+            let step = (next - depth).abs() / at.set_depth;
+            if (inside && step <= NEWTON_STEP) || step <= ROUND_OFF {
+                return self.under(i, force(next), Some(&deflection));
             }
             depth = next;
         }
@@ -102,7 +106,9 @@ impl<'a> Elastic<'a> {
     }
 }
 
-/// Change of the cut depth at which the feedback counts as settled, relative to the set depth.
-const TOLERANCE: f64 = 1e-14;
-/// Bisection alone would need 47.
+/// A step of Newton's method that is this short, relative to the set depth, has left an error of about its square.
+const NEWTON_STEP: f64 = 1e-8;
+/// A step of any kind that changes nothing any more.
+const ROUND_OFF: f64 = 4e-16;
+/// Bisection alone would need 52.
 const MAX_ITERATIONS: usize = 100;

@@ -11,7 +11,12 @@ use crate::process::{Column, Failure, Finding, Outcome, Plot, Table};
 const STRAIGHT: f64 = 1e-9;
 
 /// Everything but the animation. `errors` holds ΔD in m, part by part, x rising.
-pub fn outcome(lathe: &Lathe, positions: &[f64], deflections: &[Deflection], errors: Vec<f64>) -> Result<Outcome, Failure> {
+pub fn outcome(
+    lathe: &Lathe,
+    positions: &[f64],
+    deflections: &[Deflection],
+    errors: Vec<f64>,
+) -> Result<Outcome, Failure> {
     let setup = &lathe.machine.setup;
     let mut findings = extremes(setup, positions, &errors);
     let first = &errors[..positions.len()];
@@ -143,8 +148,17 @@ fn forces(deflections: &[Deflection]) -> Finding {
     let of = |d: &Deflection| d.force;
     let low = deflections.iter().map(of).fold(f64::INFINITY, f64::min);
     let high = deflections.iter().map(of).fold(0.0, f64::max);
-    let text = if high - low < 1e-9 * high { format!("{high:.1} N") } else { format!("{low:.1} to {high:.1} N along the pass") };
-    Finding { key: "radial_force", label: "radial force", text, json: json!({ "smallest": low, "largest": high, "unit": "N" }) }
+    let text = if high - low < 1e-9 * high {
+        format!("{high:.1} N")
+    } else {
+        format!("{low:.1} to {high:.1} N along the pass")
+    };
+    Finding {
+        key: "radial_force",
+        label: "radial force",
+        text,
+        json: json!({ "smallest": low, "largest": high, "unit": "N" }),
+    }
 }
 
 fn schedule(setup: &Setup) -> Finding {
@@ -154,7 +168,10 @@ fn schedule(setup: &Setup) -> Finding {
     Finding {
         key: "schedule",
         label: "schedule",
-        text: format!("{} part(s), {cut:.3} min of cutting each, done after {end:.2} min and {path:.1} m of cutting path", schedule.parts),
+        text: format!(
+            "{} part(s), {cut:.3} min of cutting each, done after {end:.2} min and {path:.1} m of cutting path",
+            schedule.parts
+        ),
         json: json!({ "parts": schedule.parts, "cutting_time": cut, "end": end, "time_unit": "min", "path": path, "path_unit": "m" }),
     }
 }

@@ -60,15 +60,20 @@ impl Lathe {
             deflection
         };
         progress.expect(shaft.compliance.len() as u64);
-        let all: Result<Vec<_>, _> = (0..shaft.compliance.len()).into_par_iter().with_min_len(64).map(deflect).collect();
+        let all: Result<Vec<_>, _> =
+            (0..shaft.compliance.len()).into_par_iter().with_min_len(64).map(deflect).collect();
         all.map_err(Failure::from)
     }
 
     /// Everything but force that changes the diameter when the tool is at `x` on `part`, m.
     pub fn shift(&self, part: usize, x: f64) -> f64 {
         let schedule = &self.setup().schedule;
-        let moment =
-            Moment { x, diameter: self.setup().diameter(x), time: schedule.time(part, x), path: schedule.path(part, x) };
+        let moment = Moment {
+            x,
+            diameter: self.setup().diameter(x),
+            time: schedule.time(part, x),
+            path: schedule.path(part, x),
+        };
         self.machine.shifts.iter().map(|shift| shift(&moment)).sum()
     }
 }

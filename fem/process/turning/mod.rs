@@ -15,7 +15,7 @@ mod shapes;
 mod validation;
 
 pub use cut::{Cut, Force, ForceLaw};
-pub use elastic::{Conditions, Deflection};
+pub use elastic::{Conditions, Deflection, Elastic};
 pub use lathe::Lathe;
 pub use machine::{Machine, Moment};
 pub use model::{Segment, Setup, Workholding};

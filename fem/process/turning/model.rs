@@ -93,7 +93,10 @@ impl Setup {
     /// Reads every table of a turning model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
         let (material, segments) = model.table("workpiece", "the finished shaft", |t| {
-            (Material::read(t, "material"), t.list("segments", "uniform lengths of the shaft, from the headstock", read_segment))
+            (
+                Material::read(t, "material"),
+                t.list("segments", "uniform lengths of the shaft, from the headstock", read_segment),
+            )
         });
         let length: f64 = segments.iter().map(|s| s.length).sum();
         if segments.is_empty() {
@@ -104,7 +107,8 @@ impl Setup {
             let kind = t.choice("type", "how the shaft is held", Workholding::WORDS).required(Workholding::Centres);
             (kind, t.list("steady_rests", "springs under the shaft", |t, _| read_rest(t, length)))
         });
-        let holder_compliance = model.optional_table("tool", "the tool holder, a cantilever", read_holder).unwrap_or(0.0);
+        let holder_compliance =
+            model.optional_table("tool", "the tool holder, a cantilever", read_holder).unwrap_or(0.0);
         let (cut, pass) = Cut::read(model, length);
         let positions = model
             .optional_table("sweep", "where the profile is predicted", |t| {
@@ -118,7 +122,18 @@ impl Setup {
             model.problem("batch", message, "take fewer positions or parts");
         }
         let (element_size, beam) = read_mesh(model, length);
-        Self { material, segments, workholding, steady_rests, holder_compliance, cut, schedule, positions, element_size, beam }
+        Self {
+            material,
+            segments,
+            workholding,
+            steady_rests,
+            holder_compliance,
+            cut,
+            schedule,
+            positions,
+            element_size,
+            beam,
+        }
     }
 
     /// Length of the shaft, m.
@@ -153,7 +168,9 @@ impl Setup {
             shear_rigidity: match self.beam {
                 BeamTheory::EulerBernoulli => f64::INFINITY,
                 BeamTheory::Timoshenko => {
-                    s.section.shear_coefficient(self.material.poisson_ratio) * self.material.shear_modulus() * s.section.area()
+                    s.section.shear_coefficient(self.material.poisson_ratio)
+                        * self.material.shear_modulus()
+                        * s.section.area()
                 }
             },
         };
@@ -206,9 +223,16 @@ fn read_holder(t: &Reader) -> f64 {
 fn read_batch(model: &Reader, cutting_time: f64) -> (usize, f64, Vec<Pause>) {
     let batch = model.optional_table("batch", "the parts turned one after the other", |t| {
         let parts = t.count("parts", "how many parts").between(1, 1_000_000).or(1);
-        let cycle = t.quantity("cycle_time", TIME, "from the start of one part to the start of the next").positive().or(cutting_time);
+        let cycle = t
+            .quantity("cycle_time", TIME, "from the start of one part to the start of the next")
+            .positive()
+            .or(cutting_time);
         if cycle < cutting_time * (1.0 - 1e-9) {
-            let message = format!("the cycle time of {:.4} min is shorter than the cut, which takes {:.4} min", cycle / 60.0, cutting_time / 60.0);
+            let message = format!(
+                "the cycle time of {:.4} min is shorter than the cut, which takes {:.4} min",
+                cycle / 60.0,
+                cutting_time / 60.0
+            );
             t.problem("cycle_time", message, "lengthen the cycle, or feed faster");
         }
         let pauses = t.list("pauses", "breaks between parts", |t, _| {

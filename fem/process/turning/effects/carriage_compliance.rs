@@ -15,10 +15,12 @@ static DESCRIPTION: Description = Description {
     about: "tool, slide and carriage give way under the cutting force like a spring",
     law: "y += P/k",
     source: "seed 002 (8), (18)",
-    parameters: &[
-        Parameter::stiffness(STIFFNESS, "stiffness of tool, slide and carriage", (5.0, 1000.0)),
+    parameters: &[Parameter::stiffness(STIFFNESS, "stiffness of tool, slide and carriage", (5.0, 1000.0))],
+    look_alikes: &[
+        ("setting-error", "a second force: a setting error does not change with it"),
+        ("carriage-contact", "a third force level"),
+        ("force-feedback", "a measured blank: only feedback copies it"),
     ],
-    look_alikes: &[("setting-error", "a second force: a setting error does not change with it"), ("carriage-contact", "a third force level"), ("force-feedback", "a measured blank: only feedback copies it")],
 };
 
 impl Effect<Machine> for CarriageCompliance {

@@ -3,8 +3,8 @@
 //! y += c·Pⁿ, n < 1 [seed 002 (29)], in series with the carriage's spring. c in m/Nⁿ, n in (0, 1].
 
 use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
 use crate::input::Bounds;
+use crate::process::{Description, Effect, Parameter, Values};
 use crate::units::{CONTACT_COEFFICIENT, NUMBER};
 
 /// `carriage-contact`.
@@ -19,7 +19,10 @@ static DESCRIPTION: Description = Description {
         Parameter::amplitude("c", CONTACT_COEFFICIENT, "coefficient of the contact", (0.01, 5.0)),
         Parameter::shape("n", NUMBER, "exponent of the force", (0.3, 0.8)).within(Bounds::Within(0.0, 1.0)),
     ],
-    look_alikes: &[("carriage-compliance", "a third force level: a spring yields in proportion"), ("setting-error", "a second force")],
+    look_alikes: &[
+        ("carriage-compliance", "a third force level: a spring yields in proportion"),
+        ("setting-error", "a second force"),
+    ],
 };
 
 impl Effect<Machine> for CarriageContact {

@@ -16,9 +16,7 @@ static DESCRIPTION: Description = Description {
     about: "the chuck yields to the bending moment like a rotational spring",
     law: "M = k*phi at the chuck; on a free shaft y += P*x^2/k",
     source: "statics; cf. seed 002 (14), (15)",
-    parameters: &[
-        Parameter::stiffness(ROTATIONAL_STIFFNESS, "rotational stiffness of the chuck", (10.0, 2000.0)),
-    ],
+    parameters: &[Parameter::stiffness(ROTATIONAL_STIFFNESS, "rotational stiffness of the chuck", (10.0, 2000.0))],
     look_alikes: &[("headstock-compliance", "measure near the chuck: a tilt leaves nothing there")],
 };
 

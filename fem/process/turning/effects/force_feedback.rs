@@ -17,18 +17,16 @@ static DESCRIPTION: Description = Description {
     about: "the deflection takes depth off the cut and lowers the force; the blank's error is copied",
     law: "P = P0*(t_d/t_0)^exponent, t_d = t_set - y >= 0",
     source: "seed 002 (17)-(27)",
-    parameters: &[
-        Parameter {
-            name: "exponent",
-            kind: NUMBER,
-            about: "exponent of the depth in the force law",
-            neutral: Neutral::Value(0.0),
-            range: (0.5, 1.0),
-            bounds: Bounds::Within(0.0, 1.0),
-            default: None,
-            needed_with: None,
-        },
-    ],
+    parameters: &[Parameter {
+        name: "exponent",
+        kind: NUMBER,
+        about: "exponent of the depth in the force law",
+        neutral: Neutral::Value(0.0),
+        range: (0.5, 1.0),
+        bounds: Bounds::Within(0.0, 1.0),
+        default: None,
+        needed_with: None,
+    }],
     look_alikes: &[("carriage-compliance", "a measured blank: a spring does not copy it")],
 };
 

@@ -15,9 +15,7 @@ static DESCRIPTION: Description = Description {
     about: "the guideway rises or falls against the spindle axis; the shaft becomes a hyperboloid",
     law: "dD += sqrt(D^2 + 4*dz^2) - D, dz = slope*x",
     source: "seed 002 (2), (3), (7)",
-    parameters: &[
-        Parameter::signed("slope", STEEP_SLOPE, "rise of the guideway", (-5.0, 5.0)),
-    ],
+    parameters: &[Parameter::signed("slope", STEEP_SLOPE, "rise of the guideway", (-5.0, 5.0))],
     look_alikes: &[("tailstock-compliance", "a second force: both grow with x squared, only one with the force")],
 };
 

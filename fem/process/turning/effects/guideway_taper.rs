@@ -14,10 +14,11 @@ static DESCRIPTION: Description = Description {
     about: "the guideway leaves the spindle axis in the horizontal plane",
     law: "dD += 2*slope*x",
     source: "seed 002 (6)",
-    parameters: &[
-        Parameter::signed("slope", SLOPE, "slope of the guideway", (-200.0, 200.0)),
+    parameters: &[Parameter::signed("slope", SLOPE, "slope of the guideway", (-200.0, 200.0))],
+    look_alikes: &[
+        ("tailstock-offset", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),
+        ("tailstock-compliance", "a second force"),
     ],
-    look_alikes: &[("tailstock-offset", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"), ("tailstock-compliance", "a second force")],
 };
 
 impl Effect<Machine> for GuidewayTaper {

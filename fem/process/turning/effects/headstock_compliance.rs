@@ -16,10 +16,11 @@ static DESCRIPTION: Description = Description {
     about: "the headstock gives way under its reaction like a spring",
     law: "y = Q/k at x = 0",
     source: "seed 002 (8)-(11)",
-    parameters: &[
-        Parameter::stiffness(STIFFNESS, "stiffness of the headstock", (5.0, 1000.0)),
+    parameters: &[Parameter::stiffness(STIFFNESS, "stiffness of the headstock", (5.0, 1000.0))],
+    look_alikes: &[
+        ("headstock-contact", "a third force level: the contact yields less than in proportion"),
+        ("spindle-thermal-drift", "more parts, or a second force: drift grows with time, not with force"),
     ],
-    look_alikes: &[("headstock-contact", "a third force level: the contact yields less than in proportion"), ("spindle-thermal-drift", "more parts, or a second force: drift grows with time, not with force")],
 };
 
 impl Effect<Machine> for HeadstockCompliance {

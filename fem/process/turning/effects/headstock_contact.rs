@@ -5,8 +5,8 @@
 //! a reaction that would have to pull is reported. Left out: hysteresis.
 
 use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
 use crate::input::Bounds;
+use crate::process::{Description, Effect, Parameter, Values};
 use crate::units::{CONTACT_COEFFICIENT, NUMBER};
 
 /// `headstock-contact`.

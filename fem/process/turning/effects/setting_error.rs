@@ -14,9 +14,7 @@ static DESCRIPTION: Description = Description {
     about: "the tool is set off its size",
     law: "dD += 2*offset",
     source: "seed 002 (33), (34)",
-    parameters: &[
-        Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0)),
-    ],
+    parameters: &[Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0))],
     look_alikes: &[("carriage-compliance", "a second force: a setting error does not change with it")],
 };
 

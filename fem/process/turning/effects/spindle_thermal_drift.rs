@@ -19,7 +19,10 @@ static DESCRIPTION: Description = Description {
         Parameter::signed("drift", MICRO, "final drift of the spindle", (-50.0, 50.0)),
         Parameter::shape("time_constant", TIME, "time constant of the headstock", (5.0, 240.0)),
     ],
-    look_alikes: &[("headstock-compliance", "more parts: drift grows with time"), ("tool-wear", "x: drift fades toward the tailstock, wear does not")],
+    look_alikes: &[
+        ("headstock-compliance", "more parts: drift grows with time"),
+        ("tool-wear", "x: drift fades toward the tailstock, wear does not"),
+    ],
 };
 
 impl Effect<Machine> for SpindleThermalDrift {

@@ -16,10 +16,12 @@ static DESCRIPTION: Description = Description {
     about: "the tailstock gives way under its reaction like a spring",
     law: "y = Q/k at x = L",
     source: "seed 002 (8)-(11)",
-    parameters: &[
-        Parameter::stiffness(STIFFNESS, "stiffness of the tailstock", (5.0, 1000.0)),
+    parameters: &[Parameter::stiffness(STIFFNESS, "stiffness of the tailstock", (5.0, 1000.0))],
+    look_alikes: &[
+        ("tailstock-contact", "a third force level: the contact yields less than in proportion"),
+        ("guideway-taper", "a second force: a taper does not change with it"),
+        ("tailstock-offset", "a second force: an offset does not change with it"),
     ],
-    look_alikes: &[("tailstock-contact", "a third force level: the contact yields less than in proportion"), ("guideway-taper", "a second force: a taper does not change with it"), ("tailstock-offset", "a second force: an offset does not change with it")],
 };
 
 impl Effect<Machine> for TailstockCompliance {

@@ -15,10 +15,11 @@ static DESCRIPTION: Description = Description {
     about: "the tailstock stands off the spindle axis, and the work turns about a tilted line",
     law: "dD += 2*offset*x/L",
     source: "statics; cf. seed 002 (6)",
-    parameters: &[
-        Parameter::signed("offset", MICRO, "offset of the tailstock away from the tool", (-100.0, 100.0)),
+    parameters: &[Parameter::signed("offset", MICRO, "offset of the tailstock away from the tool", (-100.0, 100.0))],
+    look_alikes: &[
+        ("guideway-taper", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),
+        ("tailstock-compliance", "a second force"),
     ],
-    look_alikes: &[("guideway-taper", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"), ("tailstock-compliance", "a second force")],
 };
 
 impl Effect<Machine> for TailstockOffset {

@@ -20,7 +20,10 @@ static DESCRIPTION: Description = Description {
         Parameter::shape("run_in_path", PATH, "path of the running-in", (50.0, 2000.0)).needed_with("run_in"),
         Parameter::amplitude("rate", WEAR_RATE, "steady wear per cutting path", (0.5, 50.0)),
     ],
-    look_alikes: &[("tool-thermal-growth", "a pause: wear stays, growth goes back"), ("spindle-thermal-drift", "a pause with the spindle off, and x: drift fades toward the tailstock")],
+    look_alikes: &[
+        ("tool-thermal-growth", "a pause: wear stays, growth goes back"),
+        ("spindle-thermal-drift", "a pause with the spindle off, and x: drift fades toward the tailstock"),
+    ],
 };
 
 impl Effect<Machine> for ToolWear {

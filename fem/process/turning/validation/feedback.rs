@@ -1,0 +1,71 @@
+//! The force law, and the force that the deflection feeds back.
+
+use super::super::elastic::Conditions;
+use super::rig::*;
+use crate::process::{Case, Tolerance};
+
+const CARRIAGE: &str = "[carriage-compliance]\nstiffness = \"20 N/um\"";
+
+pub fn cases() -> Vec<Case> {
+    // At a rigid centre only the carriage yields: j = 20 N/um, C = P₀/t₀ = 400 N / 0.5 mm = 0.8 N/um.
+    let (j, c, t) = (20e6, 0.8e6, 0.5e-3);
+    let feedback = |e: f64| uniform("centres", &format!("{CARRIAGE}\n[force-feedback]\nexponent = {e}"));
+    let root = |j: f64, e: f64| bisect(0.0, t, |y| y - 400.0 * ((t - y) / t).max(0.0).powf(e) / j);
+    let conditions = |set_depth| Some(Conditions { force: 400.0, set_depth });
+    let linear = feedback(1.0);
+    let copied = gap_under(&linear, 0.5, conditions(0.7e-3)) - gap_under(&linear, 0.5, conditions(0.4e-3));
+    let mut cases = vec![
+        row(
+            "force fed back, exponent 1",
+            "residual depth",
+            (c * t / (j * (1.0 + c / j)), gap(&linear, 0.5), "m"),
+            ROUND_OFF,
+            "seed 002 (23)",
+        ),
+        row(
+            "blank's error of 0.3 mm copied",
+            "error",
+            (c * 0.3e-3 / (j + c), copied, "m"),
+            ROUND_OFF,
+            "seed 002 (25)-(27)",
+        ),
+        row("refinement", "q", ((j + c) / c, 0.3e-3 / copied, "-"), ROUND_OFF, "seed 002 (27), (28)"),
+        row(
+            "blank smaller than the set diameter",
+            "deflection",
+            (0.0, gap_under(&linear, 0.5, conditions(-0.1e-3)), "m"),
+            Tolerance::Absolute(0.0),
+            "the tool does not touch",
+        ),
+    ];
+    for e in [0.6, 0.75, 0.9] {
+        cases.push(row(
+            format!("force fed back, exponent {e}"),
+            "residual depth",
+            (root(j, e), gap(&feedback(e), 0.5), "m"),
+            ROUND_OFF,
+            "seed 002 (22), by bisection",
+        ));
+    }
+    // At mid-span the shaft yields too.
+    let s = shaft40();
+    let at_middle = 1.0 / (1.0 / j + s.length.powi(3) / (48.0 * s.ei));
+    cases.push(row(
+        "force fed back, exponent 0.9, mid-span",
+        "residual depth",
+        (root(at_middle, 0.9), gap(&feedback(0.9), 0.25), "m"),
+        ROUND_OFF,
+        "seed 002 (22), by bisection",
+    ));
+    cases.push(force_law());
+    cases
+}
+
+fn force_law() -> Case {
+    let text = UNIFORM
+        .replace("HELD", "centres")
+        .replace("radial_force = \"400 N\"", "force = { C = 243.0, x = 0.9, y = 0.6, n = 0.3, HB = 200.0 }");
+    // 0.2^0.6·0.5^0.9·200^0.3 = (0.2²·0.5³·200)^0.3 = 1, so that P = C.
+    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.conditions().force);
+    row("force law, s = 0.2 mm/rev, t = 0.5 mm", "radial force", (243.0, computed, "N"), ROUND_OFF, "seed 002 (16)")
+}

@@ -1,0 +1,66 @@
+//! What the machine's geometry does to the diameter.
+
+use super::rig::*;
+use crate::process::{Case, Tolerance};
+
+pub fn cases() -> Vec<Case> {
+    [shifts(), hyperboloid()].concat()
+}
+
+fn shifts() -> Vec<Case> {
+    let at = |name: &str, effect: &str, x: f64, expected: f64, source| {
+        row(name, "diameter error", (expected, shift(&uniform("centres", effect), 1, x), "m"), ROUND_OFF, source)
+    };
+    let worn = "[guideway-wear]\ndepth = \"8 um\"\ncentre = \"200 mm\"\nwidth = \"50 mm\"";
+    vec![
+        at("guideway taper 30 um/m, x = 0.4 m", "[guideway-taper]\nslope = \"30 um/m\"", 0.4, 24e-6, "seed 002 (6)"),
+        at("tailstock offset 10 um, x = 0.3 L", "[tailstock-offset]\noffset = \"10 um\"", 0.15, 6e-6, "statics"),
+        at("setting error -6 um", "[setting-error]\noffset = \"-6 um\"", 0.1, -12e-6, "seed 002 (33), (34)"),
+        at("guideway wear, worst place", worn, 0.2, 16e-6, "seed 002, wear of the guideways"),
+        at("guideway wear, one width off", worn, 0.25, 16e-6 * (-0.5f64).exp(), "seed 002, wear of the guideways"),
+    ]
+}
+
+/// The tool nose off the axis by Δz = 2 mm/m·x, and also by Δy = 0.5 mm/m·x.
+fn hyperboloid() -> Vec<Case> {
+    let height = uniform("centres", "[guideway-height]\nslope = \"2 mm/m\"");
+    let both = uniform("centres", "[guideway-height]\nslope = \"2 mm/m\"\n[guideway-taper]\nslope = \"500 um/m\"");
+    let (d, z) = (0.04f64, 0.8e-3f64);
+    let exact = 2.0 * ((0.5 * d).powi(2) + z * z).sqrt() - d;
+    let tilted = 2.0 * ((0.5 * d + 0.2e-3).powi(2) + z * z).sqrt() - d;
+    // y² over x is a parabola a·x² + 2d·x + f; a from its second difference. I₂ = −a < 0 says hyperbola.
+    let y2 = |x: f64| (0.5 * (d + shift(&height, 1, x))).powi(2);
+    let a = (y2(0.4) - 2.0 * y2(0.2) + y2(0.0)) / (2.0 * 0.2 * 0.2);
+    // Added up, the two lack the term in which the taper widens the diameter of the hyperboloid: 2Δy/D of 2Δz²/D.
+    let coupled = 2.0 * 0.2e-3 / d * (2.0 * z * z / d);
+    vec![
+        row(
+            "guideway rises 2 mm/m, x = 0.4 m",
+            "diameter error",
+            (exact, shift(&height, 1, 0.4), "m"),
+            Tolerance::Relative(1e-11),
+            "seed 002 (2)",
+        ),
+        row(
+            "the same, handbook's first term",
+            "diameter error",
+            (2.0 * z * z / d, shift(&height, 1, 0.4), "m"),
+            Tolerance::Relative(z * z / (d * d)),
+            "seed 002 (7); its own error is (dz/D)^2",
+        ),
+        row(
+            "guideway rises and tapers, x = 0.4 m",
+            "diameter error",
+            (tilted, shift(&both, 1, 0.4), "m"),
+            Tolerance::Absolute(coupled),
+            "seed 002 (3); contributions add to first order",
+        ),
+        row(
+            "hyperboloid of revolution",
+            "invariant I2",
+            (-4e-6, -a, "-"),
+            Tolerance::Relative(1e-9),
+            "seed 002 (3)-(5): I2 = -tan^2(beta)",
+        ),
+    ]
+}

@@ -1,0 +1,108 @@
+//! A lathe from a model's text, and what can be read off it.
+
+use std::sync::Arc;
+
+use toml_edit::Document;
+
+use super::super::elastic::{Conditions, Elastic};
+use super::super::{Lathe, Setup, effect};
+use crate::input::Reader;
+use crate::process::{Case, Tolerance};
+use crate::progress::Progress;
+
+/// Agreement of two exact calculations: a thousand rounding errors.
+pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
+
+/// A uniform steel shaft, Ø40 × 500 mm, under 400 N. The words in capitals are replaced.
+pub const UNIFORM: &str = r#"
+    workpiece = { material = "steel", segments = [{ length = "500 mm", diameter = "40 mm" }] }
+    workholding = { type = "HELD" }
+    cut = { depth = "0.5 mm", feed = "0.2 mm/rev", spindle_speed = "600 rpm", radial_force = "400 N" }
+    mesh = { beam = "euler-bernoulli" }
+"#;
+
+/// A row of the table.
+pub fn row(
+    name: impl Into<String>,
+    quantity: &'static str,
+    (expected, computed, unit): (f64, f64, &'static str),
+    tolerance: Tolerance,
+    source: &'static str,
+) -> Case {
+    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
+}
+
+/// The lathe of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
+pub fn lathe(text: &str, effects: &str) -> Option<Lathe> {
+    let document = Document::parse(text).ok()?;
+    let (setup, _, problems) = Reader::document(document.as_table(), Setup::read);
+    let effects = Document::parse(effects).ok()?;
+    let read = |model: &Reader| {
+        let mut active = Vec::new();
+        for (name, _) in effects.iter() {
+            let description = effect(name)?.description();
+            active.push(model.table(description.name, "", |t| description.read(t)));
+        }
+        Some(active)
+    };
+    let (active, _, more) = Reader::document(effects.as_table(), read);
+    (problems.is_empty() && more.is_empty()).then(|| Lathe::equip(Arc::new(setup), &active.unwrap_or_default()))
+}
+
+/// The uniform shaft held by `held`, with effects.
+pub fn uniform(held: &str, effects: &str) -> Option<Lathe> {
+    lathe(&UNIFORM.replace("HELD", held), effects)
+}
+
+/// The gap between tool and work at x (m) under the model's own force, m.
+pub fn gap(lathe: &Option<Lathe>, x: f64) -> f64 {
+    gap_under(lathe, x, None)
+}
+
+/// The gap under other conditions, m.
+pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) -> f64 {
+    let solve = |lathe: &Lathe| {
+        let shaft = lathe.condense(&[x]).ok()?;
+        let elastic = Elastic::new(&lathe.machine, &shaft);
+        elastic.deflect(0, conditions.unwrap_or(lathe.conditions())).ok().map(|d| d.total)
+    };
+    lathe.as_ref().and_then(solve).unwrap_or(f64::NAN)
+}
+
+/// What the force does not do to the diameter at x (m) of a part, m.
+pub fn shift(lathe: &Option<Lathe>, part: usize, x: f64) -> f64 {
+    lathe.as_ref().map_or(f64::NAN, |l| l.shift(part, x))
+}
+
+/// The whole predicted profile, part by part, m.
+pub fn profile(lathe: &Option<Lathe>) -> Vec<f64> {
+    use crate::process::Job;
+    lathe.as_ref().and_then(|l| l.predict(&Progress::default()).ok()).unwrap_or_default()
+}
+
+/// The root of a rising function between `low` and `high`, by bisection: slow, and nothing that could go wrong with Newton's
+/// method goes wrong with it.
+pub fn bisect(mut low: f64, mut high: f64, rising: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if rising(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    0.5 * (low + high)
+}
+
+/// E, EI and κGA of the uniform shaft, computed apart from the program's own sections.
+pub struct Shaft40 {
+    pub force: f64,
+    pub length: f64,
+    pub ei: f64,
+    pub shear: f64,
+}
+
+/// Ø40 × 500 mm of steel, 400 N.
+pub fn shaft40() -> Shaft40 {
+    let (e, nu, d) = (210e9, 0.3, 0.04f64);
+    let ei = e * std::f64::consts::PI * d.powi(4) / 64.0;
+    let kappa = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);
+    let shear = kappa * e / (2.0 * (1.0 + nu)) * std::f64::consts::PI * d * d / 4.0;
+    Shaft40 { force: 400.0, length: 0.5, ei, shear }
+}

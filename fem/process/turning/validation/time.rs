@@ -1,0 +1,125 @@
+//! The batch in time: schedule, wear, growth and drift, against schedules integrated by hand.
+
+use super::rig::*;
+use crate::process::{Case, Tolerance};
+
+/// Ø40 × 500 mm at 0.2 mm/rev and 500 rpm: 5 min of cutting. Every 8 min a part, 20 min of rest after the second.
+const BATCH: &str = r#"
+    workpiece = { material = "steel", segments = [{ length = "500 mm", diameter = "40 mm" }] }
+    workholding = { type = "centres" }
+    cut = { depth = "0.5 mm", feed = "0.2 mm/rev", spindle_speed = "500 rpm", radial_force = "400 N" }
+    batch = { parts = 3, cycle_time = "8 min", pauses = [{ after = 2, duration = "20 min" }] }
+"#;
+
+pub fn cases() -> Vec<Case> {
+    let pi = std::f64::consts::PI;
+    let plain = lathe(BATCH, "");
+    let schedule =
+        |of: fn(&super::super::Schedule) -> f64| plain.as_ref().map_or(f64::NAN, |l| of(&l.machine.setup.schedule));
+    let whole = pi * 0.04 * 0.5 / 0.2e-3;
+    let mut cases = vec![
+        row(
+            "third part after a pause, x = 0.3 m",
+            "time",
+            ((16.0 + 20.0 + 2.0) * 60.0, schedule(|s| s.time(3, 0.3)), "s"),
+            ROUND_OFF,
+            "by hand",
+        ),
+        row(
+            "third part, x = 0.3 m",
+            "cutting path",
+            (2.4 * whole, schedule(|s| s.path(3, 0.3)), "m"),
+            ROUND_OFF,
+            "pi D dx / feed",
+        ),
+    ];
+    cases.push(row(
+        "stepped shaft, whole pass",
+        "cutting path",
+        (stepped_path(), stepped(), "m"),
+        ROUND_OFF,
+        "pi D dx / feed",
+    ));
+    cases.extend(wear(2.4 * whole));
+    cases.extend(growth());
+    cases.extend(drift());
+    cases
+}
+
+fn stepped_path() -> f64 {
+    std::f64::consts::PI * (0.04 * 0.15 + 0.05 * 0.3) / 0.2e-3
+}
+
+fn stepped() -> f64 {
+    let text = BATCH.replace(
+        "{ length = \"500 mm\", diameter = \"40 mm\" }",
+        "{ length = \"150 mm\", diameter = \"40 mm\" }, { length = \"300 mm\", diameter = \"50 mm\" }",
+    );
+    lathe(&text, "").map_or(f64::NAN, |l| l.machine.setup.schedule.path(1, 0.0))
+}
+
+fn wear(path: f64) -> Vec<Case> {
+    let worn = lathe(BATCH, "[tool-wear]\nrun_in = \"3 um\"\nrun_in_path = \"300 m\"\nrate = \"10 um/km\"");
+    let steady = lathe(BATCH, "[tool-wear]\nrate = \"10 um/km\"");
+    let source = "seed 002 (31), (32)";
+    let expected = 2.0 * (3e-6 * (1.0 - (-path / 300.0).exp()) + 1e-8 * path);
+    vec![
+        row("tool wear, part 3, x = 0.3 m", "diameter error", (expected, shift(&worn, 3, 0.3), "m"), ROUND_OFF, source),
+        row(
+            "steady wear alone, part 3, x = 0.3 m",
+            "diameter error",
+            (2e-8 * path, shift(&steady, 3, 0.3), "m"),
+            ROUND_OFF,
+            source,
+        ),
+    ]
+}
+
+/// τ = 4 min, 10 um. Cut 5 min, rest 3; cut 5, rest 3 + 20; cut.
+fn growth() -> Vec<Case> {
+    let growing = lathe(BATCH, "[tool-thermal-growth]\nelongation = \"10 um\"\ntime_constant = \"4 min\"");
+    let (heat, cool) =
+        (|xi: f64, t: f64| 10.0 + (xi - 10.0) * (-t / 4.0f64).exp(), |xi: f64, t: f64| xi * (-t / 4.0f64).exp());
+    let second = cool(heat(0.0, 5.0), 3.0);
+    let third = cool(heat(second, 5.0), 23.0);
+    let source = "tau xi' = e[cutting] - xi, by hand";
+    let at = |name: &str, part, x, xi: f64| {
+        row(name, "diameter error", (-2e-6 * xi, shift(&growing, part, x), "m"), ROUND_OFF, source)
+    };
+    vec![
+        at("tool growth, part 1, end of the cut", 1, 0.0, heat(0.0, 5.0)),
+        at("tool growth, part 2, x = 0.3 m", 2, 0.3, heat(second, 2.0)),
+        at("tool growth, part 3 after a pause, start", 3, 0.5, third),
+        at("tool growth, part 3 after a pause, x = 0.3 m", 3, 0.3, heat(third, 2.0)),
+    ]
+}
+
+fn drift() -> Vec<Case> {
+    let effect = "[spindle-thermal-drift]\ndrift = \"7 um\"\ntime_constant = \"30 min\"";
+    let warming = 14e-6 * (1.0 - (-38.0f64 / 30.0).exp());
+    let source = "seed 002, thermal deformation of the system";
+    let chucked = lathe(&BATCH.replace("centres", "chuck"), effect);
+    vec![
+        row(
+            "spindle drift, part 3, x = 0.6 L",
+            "diameter error",
+            (0.4 * warming, shift(&lathe(BATCH, effect), 3, 0.3), "m"),
+            ROUND_OFF,
+            source,
+        ),
+        row(
+            "spindle drift in a chuck, part 3",
+            "diameter error",
+            (warming, shift(&chucked, 3, 0.3), "m"),
+            ROUND_OFF,
+            source,
+        ),
+        row(
+            "spindle drift at the start",
+            "diameter error",
+            (0.0, shift(&chucked, 1, 0.5), "m"),
+            Tolerance::Absolute(0.0),
+            source,
+        ),
+    ]
+}
