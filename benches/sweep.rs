@@ -3,6 +3,9 @@
 //! `cargo bench --bench sweep`. What a sweep must at least do: about 40 floating-point operations and 80 bytes per cut and
 //! direction, two directions, one division per position.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(missing_docs)]
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use fem::element::{BeamPiece, Round};
 use fem::joint::{Contact, Joint};

@@ -11,7 +11,9 @@ pub fn schema() -> Json {
     let one = |process: &'static dyn process::Process| {
         let mut shape = Reader::schema(process.about(), |model| read(model, process));
         shape["properties"]["process"] = json!({ "const": process.name() });
-        shape["required"].as_array_mut().map(|required| required.push(json!("process")));
+        if let Some(required) = shape["required"].as_array_mut() {
+            required.push(json!("process"));
+        }
         shape["title"] = json!(process.name());
         shape
     };

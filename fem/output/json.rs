@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::model::{Model, Run};
-use crate::process::{Case, Description, Neutral, Process, Tolerance};
+use crate::model::{Model, Run, Share};
+use crate::process::{Case, Description, Neutral, Parameter, Process, Tolerance};
 
 /// `summary.json`, and what `fem run --json` prints: `fem-run/1`.
 pub fn run(model: &Model, run: &Run) -> Json {
@@ -11,7 +11,11 @@ pub fn run(model: &Model, run: &Run) -> Json {
     for finding in &run.outcome.findings {
         findings.insert(finding.key.to_string(), finding.json.clone());
     }
-    let share = |s: &crate::model::Share| json!({ "effect": s.name, "rms": 1e6 * s.rms, "smallest": 1e6 * s.smallest, "largest": 1e6 * s.largest, "unit": "um" });
+    let kind = model.process.observable().kind;
+    let share = |s: &Share| {
+        let [rms, smallest, largest] = [s.rms, s.smallest, s.largest].map(|si| kind.from_si(si));
+        json!({ "effect": s.name, "rms": rms, "smallest": smallest, "largest": largest, "unit": kind.unit })
+    };
     json!({
         "schema": "fem-run/1",
         "model": &*model.source.name,
@@ -31,7 +35,7 @@ pub fn effect(process: &dyn Process, effect: &Description) -> Json {
         Neutral::Infinity => json!("infinity"),
         Neutral::Shape => Json::Null,
     };
-    let parameter = |p: &crate::process::Parameter| {
+    let parameter = |p: &Parameter| {
         json!({
             "name": p.name,
             "unit": p.kind.unit,

@@ -13,16 +13,17 @@ pub fn lines(plot: &Plot) -> Vec<String> {
     let (Some(first), Some(last)) = (plot.points.first(), plot.points.last()) else { return lines };
     // A constant is drawn in the middle; below a millionth of a unit there is nothing to see.
     let (low, high) = if high - low < 1e-6 { (low - 0.5, high + 0.5) } else { (low, high) };
-    let mut canvas = vec![[' '; WIDTH]; HEIGHT];
-    for column in 0..WIDTH {
+    let row_at = |column: usize| {
         let x = first.0 + (last.0 - first.0) * (column as f64 / (WIDTH - 1) as f64);
         let row = (high - value_at(&plot.points, x)) / (high - low) * (HEIGHT - 1) as f64;
-        canvas[(row.round() as usize).min(HEIGHT - 1)][column] = '•';
-    }
+        (row.round() as usize).min(HEIGHT - 1)
+    };
+    let rows: Vec<usize> = (0..WIDTH).map(row_at).collect();
     let label = |row: usize| high - (high - low) * (row as f64 / (HEIGHT - 1) as f64);
-    for (row, line) in canvas.iter().enumerate() {
+    for row in 0..HEIGHT {
         let mark = if row % 5 == 0 { format!("{:>10} ┤", short(label(row))) } else { format!("{:>10} │", "") };
-        lines.push(format!("{mark}{}", line.iter().collect::<String>().trim_end()));
+        let line: String = rows.iter().map(|r| if *r == row { '•' } else { ' ' }).collect();
+        lines.push(format!("{mark}{}", line.trim_end()));
     }
     lines.push(format!("{:>10} └{}", "", "─".repeat(WIDTH)));
     let (left, right) = (short(first.0), format!("{} {}", short(last.0), plot.x_unit));

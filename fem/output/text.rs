@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::plot;
 use crate::model::{Model, Run, Share};
-use crate::process::{Case, Description, Neutral, Parameter, Tolerance};
+use crate::process::{Case, Description, Neutral, Observable, Parameter, Tolerance};
 
 /// The terminal summary of a run.
 pub fn run(model: &Model, run: &Run) -> String {
@@ -15,18 +15,20 @@ pub fn run(model: &Model, run: &Run) -> String {
     for finding in &run.outcome.findings {
         let _ = writeln!(text, "  {:<24} {}", finding.label, finding.text);
     }
-    shares(&mut text, &run.shares);
+    shares(&mut text, model.process.observable(), &run.shares);
     for plot in &run.outcome.plots {
         let _ = writeln!(text, "\n{}", plot::lines(plot).join("\n"));
     }
     text
 }
 
-fn shares(text: &mut String, shares: &[Share]) {
-    let _ = writeln!(text, "\n  what changes the diameter   {:>10} {:>10} {:>10}   um", "rms", "from", "to");
+fn shares(text: &mut String, observable: Observable, shares: &[Share]) {
+    let title = format!("what changes {}", observable.words);
+    let unit = observable.kind.unit;
+    let _ = writeln!(text, "\n  {title:<27} {:>10} {:>10} {:>10}   {unit}", "rms", "from", "to");
     for share in shares {
         let name = if share.name == "ideal" { "the elastic work alone" } else { share.name };
-        let (rms, low, high) = (1e6 * share.rms, 1e6 * share.smallest, 1e6 * share.largest);
+        let [rms, low, high] = [share.rms, share.smallest, share.largest].map(|si| observable.kind.from_si(si));
         let _ = writeln!(text, "  {name:<27} {rms:>10.3} {low:>+10.3} {high:>+10.3}");
     }
 }

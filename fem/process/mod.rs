@@ -11,7 +11,7 @@ mod validation;
 
 pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
 pub use grid::{Cell, Field, Frame, Grid};
-pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
+pub use outcome::{Animation, Column, Finding, Observable, Outcome, Plot, Table};
 pub use validation::{Case, Tolerance};
 
 use crate::input::Reader;
@@ -27,6 +27,9 @@ pub trait Process: Sync {
 
     /// What it predicts, in half a sentence.
     fn about(&self) -> &'static str;
+
+    /// What it predicts, as a quantity.
+    fn observable(&self) -> Observable;
 
     /// A commented model to start from.
     fn starting_model(&self) -> &'static str;

@@ -2,6 +2,7 @@
 
 mod equilibrium;
 pub mod frame;
+pub mod heat;
 mod plane;
 mod shaft;
 

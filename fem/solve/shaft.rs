@@ -81,7 +81,9 @@ pub struct Condensed {
 impl Shaft {
     /// m.
     pub fn length(&self) -> f64 {
-        self.pieces.iter().map(|p| p.length).sum()
+        let mut length = RunningSum::default();
+        self.pieces.iter().for_each(|p| length.add(p.length));
+        length.value()
     }
 
     fn turning(&self) -> Turning {
@@ -151,13 +153,33 @@ impl Shaft {
     }
 }
 
+/// A sum that is rounded once and not at every step (Neumaier): the last of many short elements is short against the
+/// position at which it stands.
+#[derive(Clone, Copy, Default)]
+struct RunningSum {
+    sum: f64,
+    carry: f64,
+}
+
+impl RunningSum {
+    fn add(&mut self, term: f64) {
+        let next = self.sum + term;
+        self.carry += if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
+        self.sum = next;
+    }
+
+    fn value(self) -> f64 {
+        self.sum + self.carry
+    }
+}
+
 /// Walks along the pieces and makes links from cut to cut.
 struct Cutter<'a> {
     pieces: std::iter::Peekable<std::slice::Iter<'a, BeamPiece>>,
     links: Vec<Link>,
     /// Where the walk stands and where the current piece ends.
     here: f64,
-    piece_end: f64,
+    piece_end: RunningSum,
     /// Lengths below this are no length.
     nil: f64,
 }
@@ -165,24 +187,26 @@ struct Cutter<'a> {
 impl<'a> Cutter<'a> {
     fn new(pieces: &'a [BeamPiece], capacity: usize, length: f64) -> Self {
         let mut pieces = pieces.iter().peekable();
-        let piece_end = pieces.peek().map_or(0.0, |p| p.length);
+        let mut piece_end = RunningSum::default();
+        piece_end.add(pieces.peek().map_or(0.0, |p| p.length));
         Self { pieces, links: Vec::with_capacity(capacity), here: 0.0, piece_end, nil: 1e-13 * length }
     }
 
     /// Walks to `to`, and gives the number of the cut there.
     fn advance(&mut self, to: f64) -> u32 {
         while let Some(piece) = self.pieces.peek().copied() {
-            let end = to.min(self.piece_end);
+            let piece_end = self.piece_end.value();
+            let end = to.min(piece_end);
             if end - self.here > self.nil {
                 self.links.push(BeamPiece { length: end - self.here, ..*piece }.into());
                 self.here = end;
             }
-            if to < self.piece_end + self.nil {
+            if to < piece_end + self.nil {
                 break;
             }
             self.pieces.next();
             match self.pieces.peek() {
-                Some(next) => self.piece_end += next.length,
+                Some(next) => self.piece_end.add(next.length),
                 None => break,
             }
         }

@@ -33,7 +33,7 @@ const UNITS: &[Named] = &[
     Named("ppm", 1e-6, [0, 0, 0, 0, 0], false),
     Named("in", 0.0254, [1, 0, 0, 0, 0], false),
     Named("lbf", 4.448_221_615_260_5, [1, 1, -2, 0, 0], false),
-    Named("psi", 6894.757_293_168_361, [-1, 1, -2, 0, 0], false),
+    Named("psi", 6_894.757_293_168_361, [-1, 1, -2, 0, 0], false),
 ];
 
 const PREFIXES: &[(&str, f64)] = &[
@@ -201,13 +201,14 @@ fn named(name: &str) -> Option<Unit> {
 
 /// The known unit (with its prefix) that differs from `name` in letter case or by one slip.
 fn nearest(name: &str) -> Option<String> {
-    let mut best: Option<(usize, String)> = None;
+    let mut best: Option<((bool, usize), String)> = None;
     let prefixed = UNITS.iter().filter(|u| u.3).flat_map(|u| PREFIXES.iter().map(move |p| format!("{}{}", p.0, u.0)));
     for candidate in UNITS.iter().map(|u| u.0.to_string()).chain(prefixed) {
-        let distance =
-            if candidate.eq_ignore_ascii_case(name) { 0 } else { strsim::damerau_levenshtein(name, &candidate) };
-        if distance <= 1 && best.as_ref().is_none_or(|(d, _)| distance < *d) {
-            best = Some((distance, candidate));
+        let other_letters = !candidate.eq_ignore_ascii_case(name);
+        let distance = strsim::damerau_levenshtein(name, &candidate);
+        let likeness = (other_letters, distance);
+        if (distance <= 1 || !other_letters) && best.as_ref().is_none_or(|(l, _)| likeness < *l) {
+            best = Some((likeness, candidate));
         }
     }
     best.map(|(_, candidate)| candidate)

@@ -1,9 +1,12 @@
 //! The plain finite-element solve, which checks the fast sweep: closed forms, joints, loose shafts, and the sweep itself.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 mod beam_element;
 mod closed_forms;
 mod contact_joints;
 mod frames;
+mod residual;
 mod stepped_shaft;
 mod sweep;
 mod table;

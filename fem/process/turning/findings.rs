@@ -105,25 +105,48 @@ fn form(positions: &[f64], errors: &[f64]) -> Finding {
     let bottom = (0..bow.len()).min_by(by).unwrap_or(0);
     let height = bow[top] - bow[bottom];
     let ends = [bow[0], bow[bow.len() - 1]];
-    let inner = |i: usize| i != 0 && i != bow.len() - 1;
+    let single = extrema(&bow, 0.1 * height) == 1;
     let (word, at, text) = if taper.max(height) < STRAIGHT {
         ("cylinder", None, "cylinder: the error is the same all along".to_string())
     } else if taper >= 2.0 * height {
         ("cone", None, "cone: the error runs from one end to the other".to_string())
-    } else if inner(top) && ends.iter().all(|e| *e < 0.0) {
+    } else if single && ends.iter().all(|e| *e < 0.0) {
         let x = 1e3 * positions[top];
         ("barrel", Some(x), format!("barrel: thickest around x = {x:.1} mm, by {:.3} um", 1e6 * height))
-    } else if inner(bottom) && ends.iter().all(|e| *e > 0.0) {
+    } else if single && ends.iter().all(|e| *e > 0.0) {
         let x = 1e3 * positions[bottom];
         // A symmetric saddle is what shops call a corset.
         let symmetric = (ends[0] - ends[1]).abs() < 0.1 * height && taper < 0.1 * height;
         let word = if symmetric { "corset" } else { "saddle" };
         (word, Some(x), format!("{word}: thinnest around x = {x:.1} mm, by {:.3} um", 1e6 * height))
     } else {
-        ("wavy", None, format!("wavy: neither barrel nor saddle, {:.3} um high", 1e6 * height))
+        let text = format!("wavy: neither barrel nor saddle, {:.3} um high beside its taper", 1e6 * height);
+        ("wavy", None, text)
     };
     let json = json!({ "form": word, "height": 1e6 * height, "unit": "um", "at": at, "at_unit": "mm" });
     Finding { key: "form", label: "form, part 1", text, json }
+}
+
+/// How often a curve turns back by more than `least` between its ends.
+fn extrema(curve: &[f64], least: f64) -> usize {
+    let (mut turns, mut rising) = (0, None);
+    let (mut low, mut high) = (curve[0], curve[0]);
+    for &value in curve {
+        (low, high) = (low.min(value), high.max(value));
+        let turned = match rising {
+            Some(true) => high - value > least,
+            Some(false) => value - low > least,
+            None => false,
+        };
+        if turned {
+            turns += 1;
+        }
+        if turned || (rising.is_none() && high - low > least) {
+            rising = Some(value == high);
+            (low, high) = (value, value);
+        }
+    }
+    turns
 }
 
 fn batch(setup: &Setup, per_part: usize, errors: &[f64]) -> Option<Finding> {

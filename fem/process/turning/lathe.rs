@@ -37,8 +37,11 @@ impl Lathe {
     /// The shaft as the machine holds it, condensed to tool positions in m.
     ///
     /// # Errors
-    /// The shaft is loose or a position is off it.
+    /// An effect cannot be computed, the shaft is loose, or a position is off it.
     pub fn condense(&self, positions: &[f64]) -> Result<Condensed, Failure> {
+        if let Some(failure) = &self.machine.failure {
+            return Err(failure.clone());
+        }
         self.setup().shaft(self.machine.hold).condense(positions).map_err(Failure::from)
     }
 

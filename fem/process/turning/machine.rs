@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::model::Setup;
 use crate::joint::{Contact, Joint};
+use crate::process::Failure;
 use crate::solve::Hold;
 
 /// Where and when a point of a part is turned.
@@ -39,6 +40,8 @@ pub struct Machine {
     pub feedback: Option<f64>,
     /// Changes of diameter that add up.
     pub shifts: Vec<Shift>,
+    /// Why an effect cannot be computed; the machine then predicts nothing.
+    pub failure: Option<Failure>,
 }
 
 impl Machine {
@@ -47,7 +50,7 @@ impl Machine {
         let carriage = Joint { spring_compliance: setup.holder_compliance, contacts: Vec::new() };
         let hold = setup.hold();
         let (headstock, tailstock) = (Joint::default(), Joint::default());
-        Self { setup, headstock, tailstock, carriage, hold, feedback: None, shifts: Vec::new() }
+        Self { setup, headstock, tailstock, carriage, hold, feedback: None, shifts: Vec::new(), failure: None }
     }
 
     /// Adds a change of diameter, m.

@@ -23,8 +23,9 @@ pub use schedule::Schedule;
 
 use std::sync::Arc;
 
-use super::{Active, Case, Description, Effect, Job, Process, System};
+use super::{Active, Case, Description, Effect, Job, Observable, Process, System};
 use crate::input::Reader;
+use crate::units::MICRO;
 
 /// The process `turning`.
 pub struct Turning;
@@ -36,6 +37,10 @@ impl Process for Turning {
 
     fn about(&self) -> &'static str {
         "diameter profile of every shaft of a turned batch"
+    }
+
+    fn observable(&self) -> Observable {
+        Observable { name: "diameter_error", words: "the diameter", kind: MICRO }
     }
 
     fn starting_model(&self) -> &'static str {

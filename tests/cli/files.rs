@@ -1,0 +1,73 @@
+//! The files of a run, and what happens when they cannot be written.
+
+use std::process::Stdio;
+
+use super::fem::{Place, answer, model};
+
+#[test]
+fn a_run_writes_its_files_and_no_others() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml").replace("positions = 101", "positions = 4"));
+    assert_eq!(place.fem(&["run", "lathe.toml", "-o", "results"]).status, 0);
+    let frames: Vec<String> = (0..4).map(|i| format!("results/shaft/shaft_{i:04}.vtu")).collect();
+    let mut expected = vec!["lathe.toml".to_string(), "results/profile.csv".into(), "results/shaft.pvd".into()];
+    expected.extend(frames);
+    expected.push("results/summary.json".into());
+    expected.sort();
+    assert_eq!(place.files(), expected);
+    // A shorter run takes the frames of a longer one away.
+    place.write("lathe.toml", model("lathe.toml").replace("positions = 101", "positions = 2"));
+    assert_eq!(place.fem(&["run", "lathe.toml", "-o", "results"]).status, 0);
+    assert!(!place.files().iter().any(|f| f.contains("shaft_0002") || f.contains("partial")));
+}
+
+#[test]
+fn the_profile_reads_back_and_agrees_with_the_summary() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    assert_eq!(place.fem(&["run", "lathe.toml"]).status, 0);
+    let mut reader = csv::Reader::from_path(place.path("out/lathe/profile.csv")).unwrap();
+    let headers = reader.headers().unwrap().clone();
+    assert_eq!(headers.iter().take(2).collect::<Vec<_>>(), ["part", "x [mm]"]);
+    let error = headers.iter().position(|h| h == "diameter_error [um]").unwrap();
+    let rows: Vec<f64> = reader.records().map(|r| r.unwrap()[error].parse().unwrap()).collect();
+    assert_eq!(rows.len(), 12 * 101);
+    let summary: serde_json::Value = serde_json::from_str(&place.read("out/lathe/summary.json")).unwrap();
+    let largest = rows.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    assert_eq!(summary["findings"]["largest"]["value"].as_f64(), Some(largest));
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_told() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    place.write("file", "in the way");
+    for directory in ["file", "file/below", "/proc/none"] {
+        let run = place.fem(&["run", "lathe.toml", "-o", directory]);
+        assert_eq!(run.status, 1, "{directory}");
+        assert!(run.err.contains("cannot be written") && run.err.contains("help:"), "{}", run.err);
+    }
+    assert_eq!(place.read("file"), "in the way");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = place.command(&["effects"]).stdout(Stdio::from(full)).stderr(Stdio::piped()).output().unwrap();
+    let told = answer(output);
+    assert_eq!(told.status, 1);
+    assert!(told.err.contains("No space left"), "{}", told.err);
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    let place = Place::new();
+    let mut child =
+        place.command(&["effects", "--json"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr.len()), (Some(0), 0));
+}

@@ -1,0 +1,9 @@
+//! What a user sees: pages, errors, exit statuses, files.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod add;
+mod bad_input;
+mod fem;
+mod files;
+mod pages;

@@ -1,0 +1,84 @@
+//! The pages that people read, as snapshots.
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_summary_of_the_main_example() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    let answer = place.fem(&["run", "lathe.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+}
+
+#[test]
+fn the_readme_shows_what_the_program_prints() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    let printed = place.fem(&["run", "lathe.toml"]).out;
+    let readme = include_str!("../../README.md");
+    let shown = readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    for line in shown.lines().filter(|l| *l != "…") {
+        assert!(printed.contains(line), "README shows a line that is not printed: {line}");
+    }
+    assert!(shown.lines().count() > 10);
+    let cases: usize = fem::process::ALL.iter().map(|p| p.validation().len()).sum();
+    assert!(readme.contains(&format!("computes {cases} cases")), "there are {cases} cases");
+}
+
+#[test]
+fn help_and_catalogue() {
+    let place = Place::new();
+    insta::assert_snapshot!("help", place.fem(&["--help"]).out);
+    insta::assert_snapshot!("help_run", place.fem(&["run", "--help"]).out);
+    insta::assert_snapshot!("effects_turning", place.fem(&["effects", "turning"]).out);
+    insta::assert_snapshot!("effect_tool_wear", place.fem(&["effects", "tool-wear"]).out);
+}
+
+#[test]
+fn json_is_one_document_with_the_contracts_keys() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    let parse = |args: &[&str]| -> serde_json::Value { serde_json::from_str(&place.fem(args).out).unwrap() };
+    let run = parse(&["run", "lathe.toml", "--json"]);
+    assert_eq!(run["schema"], "fem-run/1");
+    assert_eq!(run["findings"]["form"]["form"], "barrel");
+    let written: serde_json::Value = serde_json::from_str(&place.read("out/lathe/summary.json")).unwrap();
+    assert_eq!(run, written);
+    let effects = parse(&["effects", "--json"]);
+    let wear = effects.as_array().unwrap().iter().find(|e| e["effect"] == "tool-wear").unwrap();
+    assert_eq!(wear["process"], "turning");
+    assert_eq!(
+        wear["parameters"][2],
+        serde_json::json!({ "name": "rate", "unit": "um/km", "neutral": 0.0, "range": [0.5, 50.0], "about": "steady wear per cutting path", "default": null })
+    );
+    let validation = parse(&["validate", "--json"]);
+    assert_eq!(validation["schema"], "fem-validation/1");
+    let case = &validation["cases"][0];
+    for key in ["name", "quantity", "expected", "computed", "unit", "error", "tolerance", "source", "passed"] {
+        assert!(!case[key].is_null(), "{key}");
+    }
+    assert_eq!(parse(&["schema"])["oneOf"][0]["title"], "turning");
+}
+
+#[test]
+fn completions_know_the_commands() {
+    let place = Place::new();
+    for shell in ["bash", "zsh", "fish"] {
+        let script = place.fem(&["completions", shell]).out;
+        assert!(script.contains("validate") && script.contains("effects"), "{shell}");
+    }
+}
+
+#[test]
+fn every_process_has_a_starting_model_that_runs() {
+    let place = Place::new();
+    for process in fem::process::ALL {
+        let file = format!("{}.toml", process.name());
+        assert_eq!(place.fem(&["new", process.name(), "-o", &file]).status, 0);
+        let run = place.fem(&["run", &file]);
+        assert_eq!((run.status, run.err.as_str()), (0, ""));
+        let again = place.fem(&["new", process.name(), "-o", &file]);
+        assert_eq!(again.status, 2, "a file that exists is not overwritten");
+    }
+}

@@ -1,0 +1,67 @@
+//! One direction of dependence: a layer uses only those that stand before it in `fem/lib.rs`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use std::path::{Path, PathBuf};
+
+/// From the ground up.
+const LAYERS: &[&str] =
+    &["units", "progress", "input", "element", "material", "joint", "solve", "process", "model", "output", "cli"];
+
+fn sources(directory: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+fn rank(layer: &str) -> Option<usize> {
+    LAYERS.iter().position(|l| *l == layer)
+}
+
+#[test]
+fn no_layer_uses_a_higher_one() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("fem");
+    let mut files = Vec::new();
+    sources(&root, &mut files);
+    let mut uses = 0;
+    for file in files {
+        let inside = file.strip_prefix(&root).unwrap();
+        let own = inside.iter().next().unwrap().to_str().unwrap().trim_end_matches(".rs");
+        if ["lib", "main"].contains(&own) {
+            continue;
+        }
+        let own_rank = rank(own).unwrap_or_else(|| panic!("{own} is no known layer"));
+        for line in std::fs::read_to_string(&file).unwrap().lines() {
+            for used in line.split("crate::").skip(1) {
+                let end = used.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(used.len());
+                let Some(used_rank) = rank(&used[..end]) else { continue };
+                assert!(used_rank <= own_rank, "{}: {} uses {}", inside.display(), own, &used[..end]);
+                uses += 1;
+            }
+        }
+    }
+    assert!(uses > 50, "the test found only {uses} uses");
+}
+
+#[test]
+fn files_and_processes_stay_apart() {
+    // What is above `process` knows no process by name.
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("fem");
+    for layer in ["model", "output", "cli", "input"] {
+        let mut files = Vec::new();
+        sources(&root.join(layer), &mut files);
+        for file in files {
+            let text = std::fs::read_to_string(&file).unwrap();
+            let code = text.lines().filter(|l| !l.trim_start().starts_with("//"));
+            for line in code.filter(|l| l.contains("turning")) {
+                // Examples in the help text name one.
+                assert!(file.ends_with("cli/args.rs"), "{}: {line}", file.display());
+            }
+        }
+    }
+}

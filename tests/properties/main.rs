@@ -1,0 +1,109 @@
+//! What holds for every effect of every process.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use std::collections::HashSet;
+
+use fem::input::Source;
+use fem::model::Model;
+use fem::process::{ALL, Active, Description, Neutral, Process};
+use fem::progress::Progress;
+use fem::units::Unit;
+
+/// Models on which between them every effect of a process can act.
+fn models(process: &dyn Process) -> Vec<Model> {
+    let start = process.starting_model();
+    let variants = match process.name() {
+        "turning" => vec![start.to_string(), start.replace("\"centres\"", "\"chuck-and-centre\"")],
+        _ => vec![start.to_string()],
+    };
+    variants.into_iter().map(|text| Model::parse(Source::new("model.toml", text)).unwrap()).collect()
+}
+
+/// The first model that admits an effect, without its own effects.
+fn host<'a>(models: &'a [Model], effect: &Description) -> &'a Model {
+    models.iter().find(|m| m.system.admits(effect.name).is_ok()).unwrap()
+}
+
+fn predict(model: &Model, effects: &[Active]) -> Vec<f64> {
+    model.system.equip(effects).predict(&Progress::default()).unwrap()
+}
+
+#[test]
+fn a_neutral_effect_changes_nothing_and_a_plausible_one_something() {
+    for process in ALL {
+        let models = models(*process);
+        for effect in process.effects() {
+            let model = host(&models, effect);
+            let without = predict(model, &[]);
+            let neutral = predict(model, &[effect.neutral()]);
+            let typical = predict(model, &[effect.typical()]);
+            let size = without.iter().fold(1e-9f64, |m, v| m.max(v.abs()));
+            let change = |other: &[f64]| without.iter().zip(other).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(change(&neutral) <= 1e-12 * size, "{}: neutral changes {:e}", effect.name, change(&neutral));
+            assert!(change(&typical) > 1e-8, "{}: a plausible one changes {:e} m", effect.name, change(&typical));
+        }
+    }
+}
+
+#[test]
+fn effects_act_in_any_order() {
+    for process in ALL {
+        for model in models(*process) {
+            let admitted = process.effects().into_iter().filter(|e| model.system.admits(e.name).is_ok());
+            let forward: Vec<Active> = admitted.map(|e| e.typical()).collect();
+            let backward: Vec<Active> = forward.iter().rev().cloned().collect();
+            let (a, b) = (predict(&model, &forward), predict(&model, &backward));
+            for (a, b) in a.iter().zip(&b) {
+                assert!((a - b).abs() <= 1e-12 * a.abs().max(1e-6), "{a} and {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_catalogue_is_complete_and_consistent() {
+    for process in ALL {
+        let effects = process.effects();
+        let names: HashSet<&str> = effects.iter().map(|e| e.name).collect();
+        assert_eq!(names.len(), effects.len(), "two effects share a name");
+        for effect in effects {
+            assert!(effect.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", effect.name);
+            for text in [effect.about, effect.law, effect.source] {
+                assert!(!text.is_empty(), "{} leaves something unsaid", effect.name);
+            }
+            assert!(!effect.parameters.is_empty(), "{}", effect.name);
+            for (other, difference) in effect.look_alikes {
+                assert!(names.contains(other), "{} looks like {other}, which does not exist", effect.name);
+                assert!(!difference.is_empty());
+            }
+            for p in effect.parameters {
+                assert!(Unit::parse(p.kind.unit).is_ok());
+                assert!(p.range.0 < p.range.1, "{}.{}", effect.name, p.name);
+                assert!(
+                    p.example() >= p.range.0 && p.example() <= p.range.1,
+                    "{}.{}: {}",
+                    effect.name,
+                    p.name,
+                    p.example()
+                );
+                if let Neutral::Value(value) = p.neutral {
+                    assert!(value.is_finite());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn starting_models_name_every_table_that_the_schema_requires() {
+    let schema = fem::model::schema();
+    for process in ALL {
+        let shape = schema["oneOf"].as_array().unwrap().iter().find(|s| s["title"] == process.name()).unwrap();
+        for key in shape["required"].as_array().unwrap() {
+            let key = key.as_str().unwrap();
+            let text = process.starting_model();
+            assert!(text.contains(&format!("[{key}]")) || text.contains(&format!("{key} =")), "{key}");
+        }
+    }
+}

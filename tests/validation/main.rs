@@ -1,0 +1,56 @@
+//! The validation table: every row within its tolerance, and no row within it when its expected value is shifted.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use fem::process::{ALL, Case, Tolerance};
+
+fn cases(process: &str) -> Vec<Case> {
+    let process = ALL.iter().find(|p| p.name() == process);
+    process.map(|p| p.validation()).unwrap_or_default()
+}
+
+/// The same row with an expected value that is off by three tolerances (or by the smallest difference that exists).
+fn shifted(case: &Case) -> Case {
+    let shift = match case.tolerance {
+        Tolerance::Relative(allowed) => 3.0 * allowed * case.expected.abs(),
+        Tolerance::Absolute(allowed) => 3.0 * allowed,
+    };
+    Case { expected: case.expected + shift.max(f64::MIN_POSITIVE), ..case.clone() }
+}
+
+#[test]
+fn every_row_is_within_its_tolerance() {
+    for process in ALL {
+        let failed: Vec<Case> = process.validation().into_iter().filter(|c| !c.passed()).collect();
+        assert!(failed.is_empty(), "{failed:#?}");
+    }
+}
+
+#[test]
+fn no_row_passes_with_another_expected_value() {
+    for process in ALL {
+        for case in process.validation() {
+            let twin = shifted(&case);
+            assert!(!twin.passed(), "{}: {} passes for {}", case.name, case.computed, twin.expected);
+        }
+    }
+}
+
+#[test]
+fn a_row_that_is_no_number_fails() {
+    let case = Case { computed: f64::NAN, ..cases("turning").swap_remove(0) };
+    assert!(!case.passed());
+}
+
+#[test]
+fn rows_have_names_of_their_own_and_sources() {
+    for process in ALL {
+        let cases = process.validation();
+        assert!(cases.len() >= 40, "{} has {} rows", process.name(), cases.len());
+        for (i, case) in cases.iter().enumerate() {
+            assert!(!case.source.is_empty(), "{}", case.name);
+            let same = |other: &&Case| (&other.name, other.quantity) == (&case.name, case.quantity);
+            assert!(cases[..i].iter().find(same).is_none(), "{} stands twice", case.name);
+        }
+    }
+}
