@@ -79,21 +79,19 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     fn example(&self) -> String {
-        match self.kind.unit {
-            "" => format!("{} = 0.5", self.key),
-            unit => format!("{} = \"10 {unit}\"", self.key),
-        }
+        let quote = if self.kind.unit.is_empty() { "" } else { "\"" };
+        format!("{} = {quote}{}{quote}", self.key, self.kind.example())
     }
 
     fn describe(&self, required: bool) {
         let about = match self.kind.unit {
             "" => self.about.to_string(),
-            unit => format!("{} (e.g. \"10 {unit}\")", self.about),
+            _ => format!("{} (e.g. \"{}\")", self.about, self.kind.example()),
         };
         let shape = match self.kind.unit {
             "" => json!({ "type": ["number", "string"], "description": about }),
             unit => {
-                json!({ "type": "string", "description": about, "examples": [format!("10 {unit}"), format!("10 +- 1 {unit}"), format!("? {unit}")] })
+                json!({ "type": "string", "description": about, "examples": [self.kind.example(), format!("? {unit}")] })
             }
         };
         self.reader.describe(self.key, shape, required);

@@ -73,7 +73,7 @@ fn check_settings(effect: &Description, settings: &[Setting]) -> Result<(), Prob
         }
         if let Err(e) = Quantity::parse(value, &parameter.kind) {
             let problem = Problem::new(format!("{key}={value}: {}", e.message));
-            return Err(problem.help(e.hint.unwrap_or_else(|| format!("write '{key}=10 {}'", parameter.kind.unit))));
+            return Err(problem.help(e.hint.unwrap_or_else(|| format!("write '{key}={}'", parameter.kind.example()))));
         }
     }
     Ok(())

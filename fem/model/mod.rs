@@ -69,9 +69,9 @@ impl Model {
     pub fn require_values(&self) -> Result<(), InputError> {
         let free = self.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free);
         let problem = |p: &Parameter| {
-            let example = format!("\"10 {}\"", p.kind.unit).replace(" \"", "\"");
+            let example = p.kind.example();
             Problem::new(format!("`{}` is unknown (`?`)", p.path))
-                .help(format!("give it a value such as {example}, or let `fem fit` find it from measurements"))
+                .help(format!("give it a value such as \"{example}\", or let `fem fit` find it from measurements"))
                 .at(p.span.clone())
         };
         let problems: Vec<Problem> = free.map(problem).collect();

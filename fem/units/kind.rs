@@ -7,40 +7,42 @@ use super::{Dimension, Unit, UnitError};
 pub struct Kind {
     /// With its article, as in "expected a length".
     pub name: &'static str,
-    /// Canonical unit, also the example of what is expected; empty for a pure number.
+    /// Canonical unit; empty for a pure number.
     pub unit: &'static str,
+    /// A usual value in that unit, for examples.
+    pub usual: &'static str,
 }
 
 macro_rules! kinds {
-    ($($constant:ident = $name:literal in $unit:literal;)*) => {
-        $(#[doc = concat!("Canonical unit `", $unit, "`.")] pub const $constant: Kind = Kind { name: $name, unit: $unit };)*
+    ($($constant:ident = $name:literal in $unit:literal, as $usual:literal;)*) => {
+        $(#[doc = concat!("Canonical unit `", $unit, "`.")] pub const $constant: Kind = Kind { name: $name, unit: $unit, usual: $usual };)*
         /// Every kind, for whole-table tests.
         pub const ALL: &[Kind] = &[$($constant),*];
     };
 }
 
 kinds! {
-    NUMBER = "a pure number" in "";
-    LENGTH = "a length" in "mm";
-    MICRO = "a small length" in "um";
-    PATH = "a cutting path" in "m";
-    TIME = "a time" in "min";
-    FORCE = "a force" in "N";
-    MASS_DENSITY = "a density" in "kg/m^3";
-    PRESSURE = "a modulus" in "GPa";
-    STIFFNESS = "a stiffness" in "N/um";
-    ROTATIONAL_STIFFNESS = "a rotational stiffness" in "kN*m/rad";
-    CONTACT_COEFFICIENT = "a contact coefficient" in "um/N^n";
-    SLOPE = "a slope" in "um/m";
-    STEEP_SLOPE = "a slope" in "mm/m";
-    WEAR_RATE = "a wear rate" in "um/km";
-    FEED = "a feed per revolution" in "mm/rev";
-    SPINDLE_SPEED = "a spindle speed" in "rpm";
-    POWER = "a power" in "W";
-    CONVECTION = "a heat transfer coefficient" in "W/m^2/K";
-    EXPANSION = "a thermal expansion" in "/K";
-    CONDUCTIVITY = "a conductivity" in "W/m/K";
-    SPECIFIC_HEAT = "a specific heat" in "J/kg/K";
+    NUMBER = "a pure number" in "", as "0.5";
+    LENGTH = "a length" in "mm", as "40";
+    MICRO = "a small length" in "um", as "5";
+    PATH = "a cutting path" in "m", as "400";
+    TIME = "a time" in "min", as "5";
+    FORCE = "a force" in "N", as "450";
+    MASS_DENSITY = "a density" in "kg/m^3", as "7850";
+    PRESSURE = "a modulus" in "GPa", as "210";
+    STIFFNESS = "a stiffness" in "N/um", as "60";
+    ROTATIONAL_STIFFNESS = "a rotational stiffness" in "kN*m/rad", as "400";
+    CONTACT_COEFFICIENT = "a contact coefficient" in "um/N^n", as "0.2";
+    SLOPE = "a slope" in "um/m", as "20";
+    STEEP_SLOPE = "a slope" in "mm/m", as "1";
+    WEAR_RATE = "a wear rate" in "um/km", as "8";
+    FEED = "a feed per revolution" in "mm/rev", as "0.2";
+    SPINDLE_SPEED = "a spindle speed" in "rpm", as "600";
+    POWER = "a power" in "W", as "80";
+    CONVECTION = "a heat transfer coefficient" in "W/m^2/K", as "20";
+    EXPANSION = "a thermal expansion" in "/K", as "11.5e-6";
+    CONDUCTIVITY = "a conductivity" in "W/m/K", as "50";
+    SPECIFIC_HEAT = "a specific heat" in "J/kg/K", as "470";
 }
 
 impl Kind {
@@ -86,6 +88,11 @@ impl Kind {
             "" => error.hint("write the number alone"),
             canonical => error.hint(format!("write it in {canonical} or another unit of {}", self.bare_name())),
         }
+    }
+
+    /// An example as a model file has it: `0.2 mm/rev`.
+    pub fn example(&self) -> String {
+        format!("{} {}", self.usual, self.unit).trim_end().to_string()
     }
 
     /// The name without its article.

@@ -72,8 +72,8 @@ fn number<'a>(text: &'a str, kind: &Kind) -> Result<(f64, &'a str), UnitError> {
         end += 1;
     }
     let expected = || match kind.unit {
-        "" => "a number such as `0.5`".to_string(),
-        unit => format!("a number and a unit, such as `10 {unit}`"),
+        "" => format!("a number such as `{}`", kind.example()),
+        _ => format!("a number and a unit, such as `{}`", kind.example()),
     };
     let (digits, rest) = text.split_at(end);
     if rest.starts_with(',') {
