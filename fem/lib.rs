@@ -9,16 +9,20 @@
 //! material  element  joint     what bodies, pieces and joints resist with
 //! solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat
 //! process               a process and its effects: turning, …
+//! measure               measurement files
 //! model                 a model file: process, effects, what is known; run, add, schema
+//! compare               a model against measurements
 //! output                text, CSV, JSON, VTK; files that appear whole
 //! cli                   the commands
 //! ```
 
 pub mod cli;
+pub mod compare;
 pub mod element;
 pub mod input;
 pub mod joint;
 pub mod material;
+pub mod measure;
 pub mod model;
 pub mod output;
 pub mod process;

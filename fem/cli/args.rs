@@ -15,6 +15,7 @@ use crate::model::Setting;
     after_help = "Examples:
   fem new turning -o shaft.toml      a commented model to start from
   fem run shaft.toml                 predict, summarise, write out/shaft/
+  fem compare shaft.toml --with measured.csv
   fem effects turning                what else could be happening
   fem add shaft.toml tool-wear 'rate=8 um/km' -o worn.toml
 
@@ -29,6 +30,8 @@ pub struct Args {
 pub enum Command {
     /// Solve a model, print a summary, write profile, summary and shapes
     Run(Run),
+    /// Hold models against measurements: how well, and where they fail
+    Compare(Compare),
     /// The catalogue of effects: law, parameters, units, neutral value, source
     Effects(Effects),
     /// Write a model with one more effect
@@ -59,6 +62,27 @@ pub struct Run {
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Print the summary as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Several models are shown side by side, in the order given: the error falling.
+
+Examples:
+  fem compare shaft.toml --with measured.csv
+  fem compare rigid.toml springs.toml worn.toml --with measured.csv -o residuals")]
+pub struct Compare {
+    /// The model files
+    #[arg(required = true, value_name = "MODEL")]
+    pub models: Vec<PathBuf>,
+    /// The measurements
+    #[arg(long, value_name = "DATA.csv")]
+    pub with: PathBuf,
+    /// Where to write residuals.csv; nothing is written if left out
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Print JSON
     #[arg(long)]
     pub json: bool,
 }

@@ -2,6 +2,7 @@
 
 mod add;
 mod args;
+mod compare;
 mod effects;
 mod error;
 mod new;
@@ -24,6 +25,7 @@ pub fn main() -> ExitCode {
     let args = Args::parse();
     let result = match args.command {
         Command::Run(args) => run::run(&args),
+        Command::Compare(args) => compare::run(&args),
         Command::Effects(args) => effects::effects(&args),
         Command::Add(args) => add::add(&args),
         Command::New(args) => new::new(&args),

@@ -11,7 +11,7 @@ pub fn run(model: &Model, run: &Run) -> Json {
     for finding in &run.outcome.findings {
         findings.insert(finding.key.to_string(), finding.json.clone());
     }
-    let kind = model.process.observable().kind;
+    let kind = model.process.observables()[0].kind;
     let share = |s: &Share| {
         let [rms, smallest, largest] = [s.rms, s.smallest, s.largest].map(|si| kind.from_si(si));
         json!({ "effect": s.name, "rms": rms, "smallest": smallest, "largest": largest, "unit": kind.unit })

@@ -15,14 +15,14 @@ pub fn run(model: &Model, run: &Run) -> String {
     for finding in &run.outcome.findings {
         let _ = writeln!(text, "  {:<24} {}", finding.label, finding.text);
     }
-    shares(&mut text, model.process.observable(), &run.shares);
+    shares(&mut text, &model.process.observables()[0], &run.shares);
     for plot in &run.outcome.plots {
         let _ = writeln!(text, "\n{}", plot::lines(plot).join("\n"));
     }
     text
 }
 
-fn shares(text: &mut String, observable: Observable, shares: &[Share]) {
+fn shares(text: &mut String, observable: &Observable, shares: &[Share]) {
     let title = format!("what changes {}", observable.words);
     let unit = observable.kind.unit;
     let _ = writeln!(text, "\n  {title:<27} {:>10} {:>10} {:>10}   {unit}", "rms", "from", "to");

@@ -5,13 +5,15 @@
 
 mod effect;
 mod grid;
+mod observation;
 mod outcome;
 pub mod turning;
 mod validation;
 
 pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
 pub use grid::{Cell, Field, Frame, Grid};
-pub use outcome::{Animation, Column, Finding, Observable, Outcome, Plot, Table};
+pub use observation::{Absent, Coordinate, Holds, Misplaced, Observable, Rows};
+pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
 pub use validation::{Case, Tolerance};
 
 use crate::input::Reader;
@@ -28,8 +30,11 @@ pub trait Process: Sync {
     /// What it predicts, in half a sentence.
     fn about(&self) -> &'static str;
 
-    /// What it predicts, as a quantity.
-    fn observable(&self) -> Observable;
+    /// What can be measured of it; the first is what a run predicts.
+    fn observables(&self) -> &'static [Observable];
+
+    /// Under which coordinates and conditions it is measured.
+    fn coordinates(&self) -> &'static [Coordinate];
 
     /// A commented model to start from.
     fn starting_model(&self) -> &'static str;
@@ -52,6 +57,9 @@ pub trait System: Send + Sync {
     /// The reason, as a sentence.
     fn admits(&self, effect: &str) -> Result<(), String>;
 
+    /// The rows that lie outside the system: off the body, beyond the programme.
+    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced>;
+
     /// The system with effects acting, ready to predict.
     fn equip(&self, effects: &[Active]) -> Box<dyn Job>;
 }
@@ -63,6 +71,12 @@ pub trait Job: Send + Sync {
     /// # Errors
     /// The computation failed: the body is loose, or an equilibrium was not found.
     fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure>;
+
+    /// What each row would show, in SI units of its observable.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure>;
 
     /// Everything a run reports, given the prediction and what each effect changes.
     ///

@@ -3,18 +3,6 @@
 use serde_json::Value as Json;
 
 use super::Frame;
-use crate::units::Kind;
-
-/// What a process predicts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Observable {
-    /// Column name in files.
-    pub name: &'static str,
-    /// In a sentence: what effects change.
-    pub words: &'static str,
-    /// Its kind, with the unit in which results give it.
-    pub kind: Kind,
-}
 
 /// The results of a run, in terms that every output format understands.
 pub struct Outcome {

@@ -7,8 +7,10 @@ use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
 /// What sets the force at one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conditions {
-    /// Nominal radial force P₀, N.
+    /// Force at the set depth, which acts where the deflection is not fed back, N.
     pub force: f64,
+    /// Force P₀ at the model's own depth, which the feedback starts from, N.
+    pub nominal: f64,
     /// Depth t that the tool is set to there, m; below zero where the blank is smaller than the set diameter.
     pub set_depth: f64,
 }
@@ -80,7 +82,7 @@ impl<'a> Elastic<'a> {
         if at.set_depth <= 0.0 {
             return self.under(i, 0.0, None);
         }
-        let force = |depth: f64| at.force * (depth / self.nominal_depth).powf(exponent);
+        let force = |depth: f64| at.nominal * (depth / self.nominal_depth).powf(exponent);
         let (mut low, mut high) = (0.0, at.set_depth);
         let mut deflection = self.under(i, force(at.set_depth), None)?;
         let mut depth = at.set_depth / (1.0 + deflection.total / at.set_depth);
@@ -102,7 +104,7 @@ impl<'a> Elastic<'a> {
             }
             depth = next;
         }
-        Err(JointsError { load: at.force, iterations: MAX_ITERATIONS, residual: force(high) - force(low) })
+        Err(JointsError { load: at.nominal, iterations: MAX_ITERATIONS, residual: force(high) - force(low) })
     }
 }
 

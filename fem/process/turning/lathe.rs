@@ -7,8 +7,8 @@ use rayon::prelude::*;
 use super::elastic::{Conditions, Deflection, Elastic};
 use super::machine::{Machine, Moment};
 use super::model::Setup;
-use super::{effect, findings, shapes};
-use crate::process::{Active, Failure, Job, Outcome, Values};
+use super::{effect, findings, observe, shapes};
+use crate::process::{Active, Failure, Job, Outcome, Rows, Values};
 use crate::progress::Progress;
 use crate::solve::{Condensed, JointsError, ShaftError};
 
@@ -47,7 +47,8 @@ impl Lathe {
 
     /// Force and depth at the model's own settings.
     pub fn conditions(&self) -> Conditions {
-        Conditions { force: self.setup().nominal_force(), set_depth: self.setup().cut.depth }
+        let force = self.setup().nominal_force();
+        Conditions { force, nominal: force, set_depth: self.setup().cut.depth }
     }
 
     /// The equilibrium at each of the condensed positions under the model's own force.
@@ -71,13 +72,17 @@ impl Lathe {
     /// Everything but force that changes the diameter when the tool is at `x` on `part`, m.
     pub fn shift(&self, part: usize, x: f64) -> f64 {
         let schedule = &self.setup().schedule;
-        let moment = Moment {
+        self.shift_at(&Moment {
             x,
             diameter: self.setup().diameter(x),
             time: schedule.time(part, x),
             path: schedule.path(part, x),
-        };
-        self.machine.shifts.iter().map(|shift| shift(&moment)).sum()
+        })
+    }
+
+    /// The same at any moment.
+    pub(super) fn shift_at(&self, moment: &Moment) -> f64 {
+        self.machine.shifts.iter().map(|shift| shift(moment)).sum()
     }
 }
 
@@ -97,6 +102,10 @@ impl Job for Lathe {
             progress.advance(1);
         });
         Ok(errors)
+    }
+
+    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        observe::observe(self, rows)
     }
 
     fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure> {

@@ -10,6 +10,7 @@ mod findings;
 mod lathe;
 mod machine;
 mod model;
+mod observe;
 mod schedule;
 mod shapes;
 mod validation;
@@ -23,9 +24,8 @@ pub use schedule::Schedule;
 
 use std::sync::Arc;
 
-use super::{Active, Case, Description, Effect, Job, Observable, Process, System};
+use super::{Active, Case, Coordinate, Description, Effect, Job, Misplaced, Observable, Process, Rows, System};
 use crate::input::Reader;
-use crate::units::MICRO;
 
 /// The process `turning`.
 pub struct Turning;
@@ -39,8 +39,12 @@ impl Process for Turning {
         "diameter profile of every shaft of a turned batch"
     }
 
-    fn observable(&self) -> Observable {
-        Observable { name: "diameter_error", words: "the diameter", kind: MICRO }
+    fn observables(&self) -> &'static [Observable] {
+        observe::OBSERVABLES
+    }
+
+    fn coordinates(&self) -> &'static [Coordinate] {
+        observe::COORDINATES
     }
 
     fn starting_model(&self) -> &'static str {
@@ -66,6 +70,10 @@ struct Bench(Arc<Setup>);
 impl System for Bench {
     fn admits(&self, effect: &str) -> Result<(), String> {
         self.0.workholding.admits(effect)
+    }
+
+    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
+        observe::misplaced(&self.0, rows)
     }
 
     fn equip(&self, active: &[Active]) -> Box<dyn Job> {

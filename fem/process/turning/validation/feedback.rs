@@ -11,7 +11,7 @@ pub fn cases() -> Vec<Case> {
     let (j, c, t) = (20e6, 0.8e6, 0.5e-3);
     let feedback = |e: f64| uniform("centres", &format!("{CARRIAGE}\n[force-feedback]\nexponent = {e}"));
     let root = |j: f64, e: f64| bisect(0.0, t, |y| y - 400.0 * ((t - y) / t).max(0.0).powf(e) / j);
-    let conditions = |set_depth| Some(Conditions { force: 400.0, set_depth });
+    let conditions = |set_depth| Some(Conditions { force: 400.0, nominal: 400.0, set_depth });
     let linear = feedback(1.0);
     let copied = gap_under(&linear, 0.5, conditions(0.7e-3)) - gap_under(&linear, 0.5, conditions(0.4e-3));
     let mut cases = vec![

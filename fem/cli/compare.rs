@@ -1,0 +1,78 @@
+//! `fem compare`.
+
+use std::path::Path;
+
+use super::args;
+use super::error::Error;
+use super::print;
+use crate::compare::{Comparison, compare};
+use crate::input::{InputError, Problem, Source};
+use crate::measure::Measurements;
+use crate::model::Model;
+use crate::output::{comparison, files};
+
+pub fn run(args: &args::Compare) -> Result<(), Error> {
+    let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
+    let Some(first) = models.first() else { return Ok(()) };
+    let process = first.process;
+    if let Some(other) = models.iter().find(|m| m.process.name() != process.name()) {
+        let message = format!(
+            "{} models {}, {} models {}",
+            first.source.name,
+            process.name(),
+            other.source.name,
+            other.process.name()
+        );
+        return Err(Error::Request(Problem::new(message).help("compare models of one process")));
+    }
+    for model in &models {
+        model.require_values()?;
+    }
+    let measurements = Measurements::load(&args.with, process)?;
+    let mut comparisons = Vec::new();
+    for model in &models {
+        check_places(model, &measurements, &args.with)?;
+        comparisons.push(compare(model, &measurements)?);
+    }
+    if let Some(directory) = &args.output {
+        write_residuals(directory, &measurements, &models, &comparisons)?;
+    }
+    for note in &measurements.notes {
+        eprintln!("note: {note}");
+    }
+    if args.json {
+        return print(&format!("{:#}\n", comparison::json(process, &measurements, &comparisons)));
+    }
+    print(&comparison::text(process, &measurements, &comparisons))
+}
+
+/// Refuses rows off the model's body or beyond its programme.
+pub fn check_places(model: &Model, measurements: &Measurements, path: &Path) -> Result<(), Error> {
+    let misplaced = model.system.misplaced(&measurements.rows);
+    if misplaced.is_empty() {
+        return Ok(());
+    }
+    let problem = |m: &crate::process::Misplaced| {
+        let line = measurements.lines[m.row];
+        Problem::new(format!("line {line}: {}", m.message)).help("mend the row, or let the model cover it")
+    };
+    let source = Source::new(path.display().to_string(), "");
+    Err(InputError { source, problems: misplaced.iter().take(20).map(problem).collect() }.into())
+}
+
+/// `DIR/residuals.csv`, or `DIR/<stem>/residuals.csv` where there are several models.
+fn write_residuals(
+    directory: &Path,
+    measurements: &Measurements,
+    models: &[Model],
+    comparisons: &[Comparison],
+) -> Result<(), Error> {
+    for (model, comparison) in models.iter().zip(comparisons) {
+        let kind = model.process.observables()[measurements.rows.observable[0]].kind;
+        let stem = Path::new(&*model.source.name).file_stem().unwrap_or_default();
+        let folder = if models.len() > 1 { directory.join(stem) } else { directory.to_path_buf() };
+        let text = comparison::residuals(measurements, comparison, kind);
+        files::write(&folder.join("residuals.csv"), text.as_bytes())?;
+    }
+    Ok(())
+}

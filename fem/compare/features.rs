@@ -1,0 +1,300 @@
+//! Where a model fails: structure of the residual along every coordinate and every pair of them.
+//!
+//! Rows are binned along a coordinate, and the means of the bins compared with what the noise alone would scatter them by. Many
+//! coordinates are looked at, so that the p-values are multiplied by their number (Bonferroni). Where the noise is only estimated,
+//! residuals are shuffled over the rows instead, and the largest finding of each shuffle is what a finding has to beat.
+
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::noise::{Noise, NoiseSource};
+use super::{SIGNIFICANCE, Shape};
+use crate::measure::Measurements;
+use crate::process::{Coordinate, Holds, Process};
+use crate::units::Kind;
+
+/// Bins along one coordinate, and along each of a pair.
+const BINS: usize = 12;
+const PAIR_BINS: usize = 6;
+/// Shuffles of the residuals where the noise is estimated; the smallest p-value is 1/200.
+const SHUFFLES: usize = 199;
+
+/// Along which coordinates, by their position in the process's list: none (everywhere alike), one, or a pair.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axis(pub Vec<usize>);
+
+/// Structure that the noise does not explain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feature {
+    /// Along what.
+    pub axis: Axis,
+    /// The coordinates' names.
+    pub coordinate: String,
+    /// Its shape, along a single coordinate.
+    pub shape: Option<Shape>,
+    /// Part of the mean square of the residuals that it explains.
+    pub share: f64,
+    /// How often chance alone shows so much anywhere.
+    pub p_value: f64,
+    /// One sentence.
+    pub text: String,
+    /// (coordinate, mean residual) of the bins, in canonical units.
+    pub curve: Vec<(f64, f64)>,
+}
+
+/// Rows gathered by one or two coordinates.
+struct Binned {
+    axis: Axis,
+    /// Bin of each row along each coordinate.
+    bins: Vec<Vec<usize>>,
+    counts: Vec<usize>,
+}
+
+/// The features that stand out, the largest share first.
+pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
+    let coordinates = process.coordinates();
+    let axes = axes(coordinates, measurements);
+    let z: Vec<f64> = residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
+    let scores: Vec<Score> = axes.iter().map(|axis| axis.score(&z)).collect();
+    let limit = Limit::new(noise, &axes, &z);
+    let total: f64 = z.iter().map(|z| z * z).sum();
+    let kind = process.observables()[measurements.rows.observable[0]].kind;
+    let mut features: Vec<Feature> = axes
+        .iter()
+        .zip(&scores)
+        .filter_map(|(axis, score)| {
+            let p_value = limit.p_value(score);
+            (p_value < SIGNIFICANCE).then(|| {
+                let (shape, curve) = axis.describe(coordinates, measurements, residuals, noise, kind);
+                let text = sentence(&axis.axis, coordinates, shape.as_ref(), &curve, kind);
+                let coordinate = name(&axis.axis, coordinates);
+                Feature { axis: axis.axis.clone(), coordinate, shape, share: score.sum / total, p_value, text, curve }
+            })
+        })
+        .collect();
+    features.sort_by(|a, b| b.share.total_cmp(&a.share));
+    features
+}
+
+/// Everywhere, every coordinate that varies, and every pair of those.
+fn axes(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<Binned> {
+    let bins = |i: usize, most| bins(&measurements.rows.columns[i], most);
+    let varying: Vec<usize> = (0..coordinates.len())
+        .filter(|i| !coordinates[*i].repeats && measurements.given.contains(i) && bins(*i, BINS).1 > 1)
+        .collect();
+    let mut axes = vec![Binned { axis: Axis(Vec::new()), bins: Vec::new(), counts: Vec::new() }];
+    for (k, &i) in varying.iter().enumerate() {
+        let (of_rows, count) = bins(i, BINS);
+        axes.push(Binned { axis: Axis(vec![i]), bins: vec![of_rows], counts: vec![count] });
+        for &j in &varying[k + 1..] {
+            let ((a, m), (b, n)) = (bins(i, PAIR_BINS), bins(j, PAIR_BINS));
+            axes.push(Binned { axis: Axis(vec![i, j]), bins: vec![a, b], counts: vec![m, n] });
+        }
+    }
+    axes
+}
+
+/// The bin of each value, and how many there are: one per distinct value, or `most` with about equally many rows.
+fn bins(values: &[f64], most: usize) -> (Vec<usize>, usize) {
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let mut starts = sorted.clone();
+    starts.dedup();
+    if starts.len() > most {
+        starts = (0..most).map(|k| sorted[k * sorted.len() / most]).collect();
+        starts.dedup();
+    }
+    let bin = |v: &f64| if v.is_nan() { 0 } else { starts.partition_point(|s| s <= v).saturating_sub(1) };
+    (values.iter().map(bin).collect(), starts.len().max(1))
+}
+
+/// A sum of squares of standardised means and its degrees of freedom.
+struct Score {
+    sum: f64,
+    freedom: f64,
+}
+
+impl Score {
+    /// How far the sum stands above what chance gives, in standard deviations.
+    fn height(&self) -> f64 {
+        (self.sum - self.freedom) / (2.0 * self.freedom).sqrt()
+    }
+}
+
+impl Binned {
+    fn score(&self, z: &[f64]) -> Score {
+        let n = z.len() as f64;
+        let mean = z.iter().sum::<f64>() / n;
+        match &self.bins[..] {
+            [] => Score { sum: n * mean * mean, freedom: 1.0 },
+            [bins] => {
+                let (sums, counts) = gather(bins, self.counts[0], z.iter().map(|z| z - mean));
+                let sum = sums.iter().zip(&counts).filter(|(_, c)| **c > 0.0).map(|(s, c)| s * s / c).sum();
+                Score { sum, freedom: counts.iter().filter(|c| **c > 0.0).count().saturating_sub(1).max(1) as f64 }
+            }
+            [first, second, ..] => interaction(first, second, self.counts[1], self.counts[0], z, mean),
+        }
+    }
+
+    /// Shape and curve along a single coordinate.
+    fn describe(
+        &self,
+        coordinates: &[Coordinate],
+        measurements: &Measurements,
+        residuals: &[f64],
+        noise: &Noise,
+        kind: Kind,
+    ) -> (Option<Shape>, Vec<(f64, f64)>) {
+        let ([bins], [i]) = (&self.bins[..], &self.axis.0[..]) else { return (None, Vec::new()) };
+        let canonical = |v: f64| unit(coordinates[*i].holds).map_or(v, |k| k.from_si(v));
+        let values = measurements.rows.columns[*i].iter().map(|v| canonical(*v));
+        let (places, counts) = gather(bins, self.counts[0], values);
+        let (sums, _) = gather(bins, self.counts[0], residuals.iter().map(|r| kind.from_si(*r)));
+        let points: Vec<(f64, f64, f64)> = (0..self.counts[0])
+            .filter(|b| counts[*b] > 0.0)
+            .map(|b| (places[b] / counts[b], sums[b] / counts[b], counts[b]))
+            .collect();
+        let variance = kind.from_si(noise.rms()).powi(2);
+        (Some(Shape::of(&points, variance)), points.iter().map(|p| (p.0, p.1)).collect())
+    }
+}
+
+fn gather(bins: &[usize], count: usize, values: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
+    let (mut sums, mut counts) = (vec![0.0; count], vec![0.0; count]);
+    for (&bin, value) in bins.iter().zip(values) {
+        sums[bin] += value;
+        counts[bin] += 1.0;
+    }
+    (sums, counts)
+}
+
+/// What the cells of two coordinates show beyond the sum of what each shows by itself.
+fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &[f64], mean: f64) -> Score {
+    let mut left: Vec<f64> = z.iter().map(|z| z - mean).collect();
+    // Backfitting: the two take turns to take their means out; balanced designs need one turn.
+    for _ in 0..10 {
+        for (bins, count) in [(first, high), (second, wide)] {
+            let (sums, counts) = gather(bins, count, left.iter().copied());
+            left.iter_mut().zip(bins).for_each(|(l, b)| *l -= sums[*b] / counts[*b]);
+        }
+    }
+    let cells: Vec<usize> = first.iter().zip(second).map(|(a, b)| a * wide + b).collect();
+    let (sums, counts) = gather(&cells, wide * high, left.into_iter());
+    let filled = counts.iter().filter(|c| **c > 0.0).count();
+    let sum = sums.iter().zip(&counts).filter(|(_, c)| **c > 0.0).map(|(s, c)| s * s / c).sum();
+    Score { sum, freedom: (filled + 1).saturating_sub(wide + high).max(1) as f64 }
+}
+
+/// What a finding has to beat.
+enum Limit {
+    /// Number of places looked at.
+    Places(f64),
+    /// The largest height of each shuffle, rising.
+    Shuffled(Vec<f64>),
+}
+
+impl Limit {
+    fn new(noise: &Noise, axes: &[Binned], z: &[f64]) -> Self {
+        if noise.source != NoiseSource::Estimated {
+            return Self::Places(axes.len() as f64);
+        }
+        let mut shuffled = z.to_vec();
+        let mut random = SplitMix(0x5EED);
+        let mut largest = |_| {
+            for i in (1..shuffled.len()).rev() {
+                shuffled.swap(i, random.below(i + 1));
+            }
+            // A shuffle cannot change the mean, which is no finding without a known noise.
+            axes.iter().skip(1).map(|a| a.score(&shuffled).height()).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let mut heights: Vec<f64> = (0..SHUFFLES).map(&mut largest).collect();
+        heights.sort_unstable_by(f64::total_cmp);
+        Self::Shuffled(heights)
+    }
+
+    fn p_value(&self, score: &Score) -> f64 {
+        match self {
+            Self::Places(places) => {
+                let alone = ChiSquared::new(score.freedom).map_or(1.0, |d| d.sf(score.sum));
+                (alone * places).min(1.0)
+            }
+            Self::Shuffled(heights) => {
+                let above = heights.len() - heights.partition_point(|h| *h < score.height());
+                (above + 1) as f64 / (heights.len() + 1) as f64
+            }
+        }
+    }
+}
+
+/// A small generator with a fixed seed, so that a comparison always gives the same answer (Steele, Lea, Flood 2014).
+struct SplitMix(u64);
+
+impl SplitMix {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((u128::from(z ^ (z >> 31)) * bound as u128) >> 64) as usize
+    }
+}
+
+fn unit(holds: Holds) -> Option<Kind> {
+    match holds {
+        Holds::Quantity(kind) => Some(kind),
+        Holds::Number(_) | Holds::Word(_) => None,
+    }
+}
+
+fn name(axis: &Axis, coordinates: &[Coordinate]) -> String {
+    match &axis.0[..] {
+        [] => "everywhere".into(),
+        several => several.iter().map(|i| coordinates[*i].name).collect::<Vec<_>>().join(" and "),
+    }
+}
+
+fn sentence(
+    axis: &Axis,
+    coordinates: &[Coordinate],
+    shape: Option<&Shape>,
+    curve: &[(f64, f64)],
+    kind: Kind,
+) -> String {
+    let observed = kind.unit;
+    let Some(shape) = shape else {
+        return match axis.0.len() {
+            0 => "the error is off by the same amount everywhere".into(),
+            _ => format!("the error along {} changes with the other", name(axis, coordinates)),
+        };
+    };
+    let coordinate = &coordinates[axis.0[0]];
+    let along = unit(coordinate.holds).map_or("", |k| k.unit);
+    let per = if along.is_empty() { coordinate.name.to_string() } else { along.to_string() };
+    match *shape {
+        Shape::Linear { slope } => {
+            let word = if slope > 0.0 { "grows" } else { "falls" };
+            let (from, to) = (curve.first().map_or(0.0, |p| p.0), curve.last().map_or(0.0, |p| p.0));
+            let whole = (slope * (to - from)).abs();
+            let size = slope.abs();
+            format!(
+                "the error {word} by {size:.3} {observed} per {per} along {}, {whole:.2} {observed} in all",
+                coordinate.name
+            )
+        }
+        Shape::Quadratic { height, at } => {
+            let word = if height > 0.0 { "rises" } else { "sinks" };
+            let size = height.abs();
+            format!(
+                "the error {word} in a bow of {size:.2} {observed} along {}, turning at {at:.1} {along}",
+                coordinate.name
+            )
+            .trim_end()
+            .into()
+        }
+        Shape::Step { height, at } => {
+            format!("the error steps by {height:+.2} {observed} along {} at {at:.1} {along}", coordinate.name)
+                .trim_end()
+                .into()
+        }
+        Shape::Irregular => format!("the error varies along {}, like no line, bow or step", coordinate.name),
+    }
+}

@@ -1,0 +1,97 @@
+//! A model against measurements: how large the difference is, whether the noise explains it, and where it has structure.
+
+mod features;
+mod noise;
+mod shape;
+
+pub use features::{Axis, Feature};
+pub use noise::{Noise, NoiseSource};
+pub use shape::Shape;
+
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+
+use crate::measure::{Measurements, Repeats, repeats};
+use crate::model::Model;
+use crate::process::Failure;
+
+/// A model is adequate when chance alone would give a larger misfit this often, and no structure stands out.
+pub const SIGNIFICANCE: f64 = 0.01;
+
+/// One model against one file of measurements. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// The model's file.
+    pub model: String,
+    /// Prediction of every row.
+    pub predicted: Vec<f64>,
+    /// Measured − predicted.
+    pub residuals: Vec<f64>,
+    /// The noise they are judged by.
+    pub noise: Noise,
+    /// Root mean square of the residuals.
+    pub rms: f64,
+    /// Mean of the residuals.
+    pub bias: f64,
+    /// Row of the largest |residual|, from 0.
+    pub worst: usize,
+    /// χ²/ν against a known noise, or lack of fit over pure error.
+    pub misfit: f64,
+    /// How often chance alone gives a larger misfit; `None` where the noise is only estimated.
+    pub p_value: Option<f64>,
+    /// Where it fails, the largest share first.
+    pub features: Vec<Feature>,
+}
+
+impl Comparison {
+    /// Whether the noise explains what the model leaves.
+    pub fn adequate(&self) -> bool {
+        self.p_value.is_none_or(|p| p >= SIGNIFICANCE) && self.features.is_empty()
+    }
+}
+
+/// Compares the model as it is written.
+///
+/// # Errors
+/// The model could not be computed.
+pub fn compare(model: &Model, measurements: &Measurements) -> Result<Comparison, Failure> {
+    let predicted = model.system.equip(&model.effects).observe(&measurements.rows)?;
+    let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
+    let repeats = repeats(measurements, model.process.coordinates());
+    let noise = Noise::of(measurements, &repeats, &residuals);
+    let n = residuals.len() as f64;
+    let worst = (0..residuals.len()).max_by(|a, b| residuals[*a].abs().total_cmp(&residuals[*b].abs())).unwrap_or(0);
+    let (misfit, p_value) = misfit(&residuals, &noise, &repeats);
+    Ok(Comparison {
+        model: model.source.name.to_string(),
+        rms: (residuals.iter().map(|r| r * r).sum::<f64>() / n).sqrt(),
+        bias: residuals.iter().sum::<f64>() / n,
+        worst,
+        misfit,
+        p_value,
+        features: features::find(model.process, measurements, &residuals, &noise),
+        predicted,
+        residuals,
+        noise,
+    })
+}
+
+/// χ²/ν and its p-value for a known noise; for repeats the lack of fit over the pure error, by the F distribution.
+fn misfit(residuals: &[f64], noise: &Noise, repeats: &Repeats) -> (f64, Option<f64>) {
+    let n = residuals.len() as f64;
+    let chi2: f64 = residuals.iter().zip(&noise.sigma).map(|(r, s)| (r / s).powi(2)).sum();
+    match noise.source {
+        NoiseSource::Column => (chi2 / n, ChiSquared::new(n).ok().map(|d| d.sf(chi2))),
+        NoiseSource::Repeats => {
+            let (mut sum, mut count) = (vec![0.0; repeats.groups], vec![0.0; repeats.groups]);
+            for (&g, r) in repeats.group.iter().zip(residuals) {
+                sum[g] += r;
+                count[g] += 1.0;
+            }
+            let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
+            let (groups, freedom) = (repeats.groups as f64, repeats.freedom as f64);
+            let f = lack / groups / (repeats.sum_of_squares / freedom);
+            (f, FisherSnedecor::new(groups, freedom).ok().map(|d| d.sf(f)))
+        }
+        NoiseSource::Estimated => (chi2 / n, None),
+    }
+}

@@ -1,0 +1,75 @@
+//! Measurement files: one observation per row, with its coordinates, its value and perhaps its uncertainty.
+
+mod header;
+mod read;
+mod repeats;
+
+pub use repeats::{Repeats, repeats};
+
+use std::path::Path;
+
+use crate::input::{InputError, Source};
+use crate::process::{Coordinate, Observable, Process, Rows};
+
+/// Largest measurement file, bytes: some ten million rows.
+const LARGEST: u64 = 500_000_000;
+
+/// Measurements of a process.
+#[derive(Clone, Debug)]
+pub struct Measurements {
+    /// The file's name.
+    pub name: String,
+    /// Where and how each row was observed.
+    pub rows: Rows,
+    /// What was observed, SI.
+    pub observed: Vec<f64>,
+    /// Standard uncertainty of each row, SI; `None` without a column `u`.
+    pub uncertainty: Option<Vec<f64>>,
+    /// Line of the file of each row.
+    pub lines: Vec<u64>,
+    /// The unit in which the observable is written.
+    pub unit: String,
+    /// Which coordinates the file has a column for, by their position in the process's list.
+    pub given: Vec<usize>,
+    /// The file's header and records, as written.
+    pub header: Vec<String>,
+    /// As written.
+    pub records: Vec<csv::StringRecord>,
+    /// What the reader should know: columns that were not used.
+    pub notes: Vec<String>,
+}
+
+impl Measurements {
+    /// Reads a file of measurements of `process`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, with lines.
+    pub fn load(path: &Path, process: &dyn Process) -> Result<Self, InputError> {
+        Self::parse(Source::read(path, LARGEST)?, process)
+    }
+
+    /// Reads measurements from the text of a file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, with lines.
+    pub fn parse(source: Source, process: &dyn Process) -> Result<Self, InputError> {
+        read::read(source, process)
+    }
+
+    /// Number of observations.
+    pub fn len(&self) -> usize {
+        self.observed.len()
+    }
+
+    /// Whether there are none; a file without rows is refused, so never.
+    pub fn is_empty(&self) -> bool {
+        self.observed.is_empty()
+    }
+}
+
+/// What a process can be measured by.
+#[derive(Clone, Copy)]
+struct Vocabulary {
+    observables: &'static [Observable],
+    coordinates: &'static [Coordinate],
+}

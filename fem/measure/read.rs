@@ -1,0 +1,172 @@
+//! The rows of a measurement file.
+
+use super::header::{self, Column, Header};
+use super::{Measurements, Vocabulary};
+use crate::input::{InputError, Problem, Source};
+use crate::process::{Absent, Holds, Process, Rows};
+
+/// After this many problems the rest of the file is not looked at.
+const MOST_PROBLEMS: usize = 20;
+
+pub fn read(source: Source, process: &dyn Process) -> Result<Measurements, InputError> {
+    let vocabulary = Vocabulary { observables: process.observables(), coordinates: process.coordinates() };
+    let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
+    let skipped = source.text.len() - text.len();
+    let refuse = |problems| InputError::new(source.clone(), problems);
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let cells: Vec<String> = match reader.headers() {
+        Ok(headers) => headers.iter().map(str::to_string).collect(),
+        Err(error) => return Err(refuse(vec![unreadable(&error, skipped)])),
+    };
+    let place = reader.headers().ok().and_then(|h| h.position()).map(|p| line_at(text, p.byte() as usize, skipped));
+    let header = header::read(&cells, vocabulary)
+        .map_err(|problems| refuse(problems.into_iter().map(|p| p.at(place.clone())).collect()))?;
+    let mut table = Builder::new(&header, vocabulary, cells);
+    let mut problems = Vec::new();
+    for record in reader.records() {
+        match record {
+            Ok(record) => {
+                let span = record.position().map(|p| line_at(text, p.byte() as usize, skipped));
+                table.push(record).unwrap_or_else(|problem| problems.push(problem.at(span)));
+            }
+            Err(error) => problems.push(unreadable(&error, skipped)),
+        }
+        if problems.len() >= MOST_PROBLEMS {
+            break;
+        }
+    }
+    if problems.is_empty() && table.measurements.observed.is_empty() {
+        problems.push(Problem::new("the file has a header and no rows").help("add at least one observation"));
+    }
+    if !problems.is_empty() {
+        return Err(refuse(problems));
+    }
+    table.measurements.name = source.name.to_string();
+    Ok(table.measurements)
+}
+
+/// The bytes of the line that begins at `offset`; after comments the reader's position may stand before them.
+fn line_at(text: &str, offset: usize, skipped: usize) -> std::ops::Range<usize> {
+    let mut start = offset;
+    while let Some(line) = text.get(start..).and_then(|rest| rest.lines().next()) {
+        if !(line.trim().is_empty() || line.starts_with('#')) {
+            return start + skipped..start + line.trim_end().len() + skipped;
+        }
+        start += line.len() + text[start + line.len()..].find('\n').map_or(1, |i| i + 1);
+    }
+    offset + skipped..offset + skipped
+}
+
+fn unreadable(error: &csv::Error, skipped: usize) -> Problem {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            let span = pos.as_ref().map(|p| p.byte() as usize + skipped).map(|b| b..b + 1);
+            Problem::new(format!("the row has {len} cells, the header {expected_len}"))
+                .help("give every row one cell per column")
+                .at(span)
+        }
+        _ => Problem::new(format!("the file cannot be read as CSV: {error}")).help("check quotes and separators"),
+    }
+}
+
+struct Builder<'a> {
+    header: &'a Header,
+    vocabulary: Vocabulary,
+    measurements: Measurements,
+}
+
+impl<'a> Builder<'a> {
+    fn new(header: &'a Header, vocabulary: Vocabulary, cells: Vec<String>) -> Self {
+        let has_u = header.columns.iter().any(|c| matches!(c, Column::Uncertainty(_)));
+        let given = header.columns.iter().filter_map(|c| match c {
+            Column::Coordinate(i, _) => Some(*i),
+            _ => None,
+        });
+        let measurements = Measurements {
+            name: String::new(),
+            rows: Rows { columns: vec![Vec::new(); vocabulary.coordinates.len()], observable: Vec::new() },
+            observed: Vec::new(),
+            uncertainty: has_u.then(Vec::new),
+            lines: Vec::new(),
+            unit: header.unit.clone(),
+            given: given.collect(),
+            header: cells,
+            records: Vec::new(),
+            notes: header.notes.clone(),
+        };
+        Self { header, vocabulary, measurements }
+    }
+
+    /// Takes a record, or says what is wrong with it and takes nothing.
+    fn push(&mut self, record: csv::StringRecord) -> Result<(), Problem> {
+        let mut coordinates: Vec<f64> = self.vocabulary.coordinates.iter().map(left_out).collect();
+        let (mut observed, mut uncertainty) = (f64::NAN, f64::NAN);
+        for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
+            match column {
+                Column::Coordinate(i, unit) => {
+                    let holds = self.vocabulary.coordinates[*i].holds;
+                    coordinates[*i] = match (holds, unit) {
+                        (Holds::Quantity(_), Some(unit)) => number(cell, name)? * unit.factor + unit.offset,
+                        _ => label(cell, name, holds)?,
+                    };
+                }
+                Column::Observed(_, unit) => observed = number(cell, name)? * unit.factor + unit.offset,
+                Column::Uncertainty(unit) => {
+                    uncertainty = number(cell, name)? * unit.factor;
+                    if uncertainty <= 0.0 {
+                        let problem = Problem::new(format!("`u` is {cell}"));
+                        return Err(problem
+                            .help("a standard uncertainty is above zero; leave the column out if it is not known"));
+                    }
+                }
+                Column::Unknown => {}
+            }
+        }
+        let table = &mut self.measurements;
+        table.rows.columns.iter_mut().zip(coordinates).for_each(|(column, value)| column.push(value));
+        table.rows.observable.push(self.header.observable);
+        table.observed.push(observed);
+        if let Some(all) = &mut table.uncertainty {
+            all.push(uncertainty);
+        }
+        table.lines.push(record.position().map_or(0, csv::Position::line));
+        table.records.push(record);
+        Ok(())
+    }
+}
+
+fn left_out(coordinate: &crate::process::Coordinate) -> f64 {
+    match coordinate.absent {
+        Absent::Value(value) => value,
+        Absent::Refused | Absent::Model => f64::NAN,
+    }
+}
+
+fn number(cell: &str, column: &str) -> Result<f64, Problem> {
+    if cell.is_empty() {
+        return Err(Problem::new(format!("the cell of `{column}` is empty")).help("every cell needs a number"));
+    }
+    match cell.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err(Problem::new(format!("`{cell}` in `{column}` is no finite number"))
+            .help("write a number with a decimal point")),
+    }
+}
+
+fn label(cell: &str, column: &str, holds: Holds) -> Result<f64, Problem> {
+    match holds {
+        Holds::Word(words) => words.iter().position(|w| *w == cell).map(|i| i as f64).ok_or_else(|| {
+            Problem::new(format!("`{cell}` in `{column}` is no {column}"))
+                .help(format!("it is one of {}", words.join(", ")))
+        }),
+        Holds::Number(least) => {
+            let value = number(cell, column)?;
+            if value.fract() == 0.0 && value >= f64::from(least) {
+                Ok(value)
+            } else {
+                Err(Problem::new(format!("`{column}` is {cell}")).help(format!("it is a whole number from {least}")))
+            }
+        }
+        Holds::Quantity(_) => number(cell, column),
+    }
+}

@@ -1,0 +1,95 @@
+//! A comparison with measurements, as text, JSON and CSV.
+
+mod residuals;
+mod text;
+
+pub use residuals::residuals;
+pub use text::text;
+
+use serde_json::{Value as Json, json};
+
+use crate::compare::{Comparison, Feature, NoiseSource};
+use crate::measure::Measurements;
+use crate::process::{Coordinate, Holds, Process};
+use crate::units::Kind;
+
+impl NoiseSource {
+    /// The word in JSON.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Column => "column u",
+            Self::Repeats => "repeats",
+            Self::Estimated => "estimated",
+        }
+    }
+}
+
+/// The kind of the observable that a file holds.
+fn kind(process: &dyn Process, measurements: &Measurements) -> Kind {
+    process.observables()[measurements.rows.observable[0]].kind
+}
+
+/// `fem compare --json`: `fem-comparison/1`.
+pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Json {
+    let kind = kind(process, measurements);
+    let noise = comparisons
+        .first()
+        .map(|c| json!({ "sigma": kind.from_si(c.noise.rms()), "unit": kind.unit, "source": c.noise.source.word() }));
+    let model = |c: &Comparison| {
+        json!({
+            "model": c.model,
+            "rms": kind.from_si(c.rms),
+            "bias": kind.from_si(c.bias),
+            "unit": kind.unit,
+            "worst": {
+                "error": kind.from_si(c.residuals[c.worst]),
+                "row": c.worst + 1,
+                "line": measurements.lines[c.worst],
+                "at": place(process.coordinates(), measurements, c.worst),
+            },
+            "chi2_per_dof": c.misfit,
+            "p_value": c.p_value,
+            "adequate": c.adequate(),
+            "features": c.features.iter().map(feature).collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "schema": "fem-comparison/1",
+        "data": measurements.name,
+        "observations": measurements.len(),
+        "noise": noise,
+        "models": comparisons.iter().map(model).collect::<Vec<_>>(),
+        "notes": measurements.notes,
+    })
+}
+
+fn feature(feature: &Feature) -> Json {
+    json!({
+        "coordinate": feature.coordinate,
+        "shape": feature.shape.map(|s| s.word()),
+        "share": feature.share,
+        "p_value": feature.p_value,
+        "text": feature.text,
+    })
+}
+
+/// The coordinates of a row that the file gives: labels as numbers or words, quantities with their units.
+fn place(coordinates: &[Coordinate], measurements: &Measurements, row: usize) -> Json {
+    let mut place = serde_json::Map::new();
+    for &i in &measurements.given {
+        let Some(value) = measurements.rows.get(i, row) else { continue };
+        let shown = match coordinates[i].holds {
+            Holds::Quantity(kind) => json!(format!("{} {}", rounded(kind.from_si(value)), kind.unit)),
+            Holds::Number(_) => json!(value as u64),
+            Holds::Word(words) => json!(words.get(value as usize)),
+        };
+        place.insert(coordinates[i].name.to_string(), shown);
+    }
+    Json::Object(place)
+}
+
+/// Without the digits that unit conversion leaves.
+fn rounded(value: f64) -> f64 {
+    let digits = format!("{value:.9e}");
+    digits.parse().unwrap_or(value)
+}

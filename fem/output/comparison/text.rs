@@ -1,0 +1,67 @@
+//! A comparison for people.
+
+use std::fmt::Write;
+
+use super::{kind, place};
+use crate::compare::{Comparison, NoiseSource};
+use crate::measure::Measurements;
+use crate::output::plot;
+use crate::process::{Plot, Process};
+
+/// How the models compare, side by side, and where each fails.
+pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> String {
+    let kind = kind(process, measurements);
+    let mut text = format!("{}: {} observations", measurements.name, measurements.len());
+    // Writing to a String does not fail, here and below.
+    if let Some(first) = comparisons.first() {
+        let source = match first.noise.source {
+            NoiseSource::Column => "from the column u",
+            NoiseSource::Repeats => "from repeated rows",
+            NoiseSource::Estimated => "estimated from neighbouring rows",
+        };
+        let _ = writeln!(text, ", noise {:.3} {} ({source})", kind.from_si(first.noise.rms()), kind.unit);
+    }
+    let width = comparisons.iter().map(|c| c.model.chars().count()).max().unwrap_or(0).max(5);
+    let _ = writeln!(
+        text,
+        "\n  {:<width$} {:>11} {:>11} {:>11} {:>11}   verdict",
+        "model", "rms", "bias", "worst", "chi2/dof"
+    );
+    for c in comparisons {
+        let [rms, bias, worst] = [c.rms, c.bias, c.residuals[c.worst]].map(|si| kind.from_si(si));
+        let verdict = if c.adequate() { "adequate: nothing is left but the noise" } else { "fails" };
+        let _ = writeln!(
+            text,
+            "  {:<width$} {rms:>11.3} {bias:>+11.3} {worst:>+11.3} {:>11.3}   {verdict}",
+            c.model, c.misfit
+        );
+    }
+    let _ = writeln!(text, "  rms, bias and worst in {}, measured less predicted", kind.unit);
+    for c in comparisons.iter().filter(|c| !c.adequate()) {
+        where_it_fails(&mut text, process, measurements, c);
+    }
+    text
+}
+
+fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {
+    let kind = kind(process, measurements);
+    let _ = writeln!(text, "\nwhere {} fails", c.model);
+    if c.features.is_empty() {
+        let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
+    }
+    for feature in &c.features {
+        let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
+    }
+    let at: Vec<String> = match place(process.coordinates(), measurements, c.worst) {
+        serde_json::Value::Object(map) => {
+            map.iter().map(|(k, v)| format!("{k} {}", v.to_string().replace('"', ""))).collect()
+        }
+        _ => Vec::new(),
+    };
+    let _ = writeln!(text, "  worst in line {} ({})", measurements.lines[c.worst], at.join(", "));
+    if let Some(feature) = c.features.iter().find(|f| f.curve.len() > 2) {
+        let title = format!("residual [{}] over {}, mean of the rows there", kind.unit, feature.coordinate);
+        let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
+        let _ = writeln!(text, "\n{}", plot::lines(&plot).join("\n"));
+    }
+}

@@ -1,0 +1,88 @@
+//! What can be observed of a process, and under which coordinates and conditions.
+
+use crate::units::Kind;
+
+/// A quantity that is predicted and can be measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observable {
+    /// Column name in files.
+    pub name: &'static str,
+    /// In a sentence: what effects change.
+    pub words: &'static str,
+    /// Its kind, with the unit in which results give it.
+    pub kind: Kind,
+}
+
+/// A column that says where, when or under which conditions something is observed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coordinate {
+    /// Column name in files.
+    pub name: &'static str,
+    /// What it is.
+    pub about: &'static str,
+    /// What stands in it.
+    pub holds: Holds,
+    /// What holds where the column is left out.
+    pub absent: Absent,
+    /// Whether rows that differ in it alone repeat each other.
+    pub repeats: bool,
+}
+
+/// What stands in a coordinate's column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Holds {
+    /// A quantity with a unit, kept in SI.
+    Quantity(Kind),
+    /// A whole number without a unit, from this one on.
+    Number(u32),
+    /// One of these words, kept as its position among them.
+    Word(&'static [&'static str]),
+}
+
+/// What holds where a column is left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Absent {
+    /// It must be there.
+    Refused,
+    /// This value, in SI.
+    Value(f64),
+    /// What the model says. Such a coordinate is NaN in [`Rows`].
+    Model,
+}
+
+/// Observations to be predicted: values of every coordinate, row by row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rows {
+    /// One column per coordinate, in the order of the process's list; SI.
+    pub columns: Vec<Vec<f64>>,
+    /// Which observable each row observes, by its position in the process's list.
+    pub observable: Vec<usize>,
+}
+
+impl Rows {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.observable.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.observable.is_empty()
+    }
+
+    /// Coordinate number `column` of row `row`, if the row has one.
+    pub fn get(&self, column: usize, row: usize) -> Option<f64> {
+        self.columns.get(column).and_then(|c| c.get(row)).copied().filter(|v| !v.is_nan())
+    }
+}
+
+/// A row that the system cannot be asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Misplaced {
+    /// Row number, from 0.
+    pub row: usize,
+    /// Which coordinate, by its position.
+    pub coordinate: usize,
+    /// Why.
+    pub message: String,
+}
