@@ -12,6 +12,7 @@
 //! measure               measurement files
 //! model                 a model file: process, effects, what is known; run, add, schema
 //! compare               a model against measurements
+//! fit                   what a model does not know exactly, from measurements
 //! output                text, CSV, JSON, VTK; files that appear whole
 //! cli                   the commands
 //! ```
@@ -19,6 +20,7 @@
 pub mod cli;
 pub mod compare;
 pub mod element;
+pub mod fit;
 pub mod input;
 pub mod joint;
 pub mod material;

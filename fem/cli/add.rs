@@ -32,7 +32,7 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
 }
 
 /// Whether two paths lead to the same file, which for a file that does not exist yet they do not.
-fn same_file(a: &std::path::Path, b: &std::path::Path) -> bool {
+pub fn same_file(a: &std::path::Path, b: &std::path::Path) -> bool {
     match (a.canonicalize(), b.canonicalize()) {
         (Ok(a), Ok(b)) => a == b,
         _ => false,

@@ -32,6 +32,8 @@ pub enum Command {
     Run(Run),
     /// Hold models against measurements: how well, and where they fail
     Compare(Compare),
+    /// Estimate what a model marks `+-` or `?` from measurements
+    Fit(Fit),
     /// The catalogue of effects: law, parameters, units, neutral value, source
     Effects(Effects),
     /// Write a model with one more effect
@@ -82,6 +84,23 @@ pub struct Compare {
     /// Where to write residuals.csv; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:
+  fem fit shaft.toml --with measured.csv --add-to fitted.toml")]
+pub struct Fit {
+    /// The model file; it is not changed
+    pub model: PathBuf,
+    /// The measurements
+    #[arg(long, value_name = "DATA.csv")]
+    pub with: PathBuf,
+    /// Write the model with the fitted values and their uncertainties
+    #[arg(long, value_name = "NEW.toml")]
+    pub add_to: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

@@ -5,6 +5,7 @@ mod args;
 mod compare;
 mod effects;
 mod error;
+mod fit;
 mod new;
 mod run;
 mod schema;
@@ -26,6 +27,7 @@ pub fn main() -> ExitCode {
     let result = match args.command {
         Command::Run(args) => run::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Fit(args) => fit::run(&args),
         Command::Effects(args) => effects::effects(&args),
         Command::Add(args) => add::add(&args),
         Command::New(args) => new::new(&args),

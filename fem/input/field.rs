@@ -101,7 +101,7 @@ impl<'r, 'a> Field<'r, 'a> {
     fn read(&self) -> Option<f64> {
         let item = self.reader.item(self.key)?;
         match self.parse(item).and_then(|q| self.check(q)) {
-            Ok(quantity) => Some(self.reader.note(self.key, self.kind, quantity, item.span())),
+            Ok(quantity) => Some(self.reader.note(self.key, self.kind, self.bounds, quantity, item.span())),
             Err(problem) => {
                 self.reader.refuse(problem.at(item.span()));
                 Some(f64::NAN)

@@ -5,12 +5,13 @@
 //! asked, and the record is the JSON Schema. What is read and what is documented can thus never differ.
 
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::ops::Range;
 
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{Item, TableLike, Value};
 
-use super::{Choice, Count, Field, Problem, nearest};
+use super::{Bounds, Choice, Count, Field, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// A quantity of the model that is not exactly known (`+-` or `?`).
@@ -22,6 +23,8 @@ pub struct Parameter {
     pub kind: Kind,
     /// Value in SI and knowledge.
     pub quantity: Quantity,
+    /// Where it may lie, SI.
+    pub bounds: Bounds,
     /// Bytes of its value in the model file.
     pub span: Option<Range<usize>>,
 }
@@ -31,6 +34,8 @@ pub struct Parameter {
 struct Findings {
     problems: RefCell<Vec<Problem>>,
     parameters: RefCell<Vec<Parameter>>,
+    /// Values to take in place of those of the file, by path.
+    trial: HashMap<String, f64>,
 }
 
 /// What a reader stands on.
@@ -67,12 +72,22 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the top of a document with `read`; the second part holds the problems found, in no order.
+    /// Reads the top of a document with `read`; the last part holds the problems found, in no order.
     pub fn document<T>(
         table: &'a dyn TableLike,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> (T, Vec<Parameter>, Vec<Problem>) {
-        let reader = Self::on(Ground::Given(table, None), String::new(), Default::default());
+        Self::trial(table, HashMap::new(), read)
+    }
+
+    /// The same with other values for some of the quantities that are not exactly known, by their paths; SI.
+    pub fn trial<T>(
+        table: &'a dyn TableLike,
+        trial: HashMap<String, f64>,
+        read: impl FnOnce(&Reader<'a>) -> T,
+    ) -> (T, Vec<Parameter>, Vec<Problem>) {
+        let findings = Findings { trial, ..Findings::default() };
+        let reader = Self::on(Ground::Given(table, None), String::new(), findings.into());
         let value = read(&reader);
         reader.finish();
         let findings = reader.findings;
@@ -332,12 +347,21 @@ impl<'a> Reader<'a> {
     }
 
     /// Keeps a quantity that is not exactly known, and gives its value.
-    pub(super) fn note(&self, key: &str, kind: Kind, quantity: Quantity, span: Option<Range<usize>>) -> f64 {
-        if quantity.knowledge != Knowledge::Known {
-            let path = format!("{}.{key}", self.path);
-            self.findings.parameters.borrow_mut().push(Parameter { path, kind, quantity, span });
+    pub(super) fn note(
+        &self,
+        key: &str,
+        kind: Kind,
+        bounds: Bounds,
+        quantity: Quantity,
+        span: Option<Range<usize>>,
+    ) -> f64 {
+        if quantity.knowledge == Knowledge::Known {
+            return quantity.value;
         }
-        quantity.value
+        let path = format!("{}.{key}", self.path);
+        let value = self.findings.trial.get(&path).copied().unwrap_or(quantity.value);
+        self.findings.parameters.borrow_mut().push(Parameter { path, kind, quantity, bounds, span });
+        value
     }
 
     pub(super) fn describe(&self, key: &str, schema: Json, required: bool) {

@@ -13,7 +13,7 @@ use std::path::Path;
 use toml_edit::Document;
 
 use crate::input::{InputError, Parameter, Problem, Reader, Source, nearest};
-use crate::process::{self, Active, Description, Process, System};
+use crate::process::{self, Active, Description, Failure, Job, Process, System};
 use crate::units::Knowledge;
 
 /// Largest model file, bytes. A model is written by people.
@@ -33,6 +33,7 @@ pub struct Model {
     pub effects: Vec<Active>,
     /// What it does not know exactly.
     pub parameters: Vec<Parameter>,
+    document: Document<String>,
 }
 
 impl Model {
@@ -49,7 +50,7 @@ impl Model {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn parse(source: Source) -> Result<Self, InputError> {
-        let document = Document::parse(&*source.text).map_err(|e| {
+        let document = Document::parse(source.text.to_string()).map_err(|e| {
             let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
             InputError::one(source.clone(), problem.help("a model file is TOML: [table], key = \"value\", # comment"))
         })?;
@@ -59,7 +60,30 @@ impl Model {
         if !problems.is_empty() {
             return Err(InputError::new(source, problems));
         }
-        Ok(Self { title, process, system, effects, parameters, source: source.clone() })
+        Ok(Self { title, process, system, effects, parameters, source, document })
+    }
+
+    /// The model with what it does not know exactly at these values (SI, in the order of `parameters`), ready to predict.
+    ///
+    /// # Errors
+    /// The values make no model: a trial of a search went where there is none.
+    pub fn job_at(&self, values: &[f64]) -> Result<Box<dyn Job>, Failure> {
+        let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
+        let ((_, system, effects), _, problems) =
+            Reader::trial(self.document.as_table(), trial, |model| read(model, self.process));
+        match problems.first() {
+            None => Ok(system.equip(&effects)),
+            Some(problem) => {
+                Err(Failure { message: problem.message.clone(), help: problem.help.clone().unwrap_or_default() })
+            }
+        }
+    }
+
+    /// The catalogue's entry of a parameter of an effect, by its path.
+    pub fn catalogue(&self, path: &str) -> Option<&'static crate::process::Parameter> {
+        let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
+        let active = self.effects.iter().find(|e| e.description.name == effect)?;
+        active.description.parameters.iter().find(|p| p.name == name)
     }
 
     /// Refuses a model with parameters that are still unknown (`?`).
@@ -79,7 +103,7 @@ impl Model {
     }
 }
 
-fn find_process(document: &Document<&str>) -> Result<&'static dyn Process, Problem> {
+fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Problem> {
     let names = || process::ALL.iter().map(|p| p.name());
     let listed = || names().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
     let Some(item) = document.get("process") else {

@@ -3,6 +3,7 @@
 pub mod comparison;
 pub mod csv;
 pub mod files;
+pub mod fit;
 pub mod json;
 pub mod plot;
 pub mod text;

@@ -1,0 +1,41 @@
+//! `fem fit`.
+
+use super::compare::check_places;
+use super::error::Error;
+use super::{args, print};
+use crate::fit::{fit, fitted_text};
+use crate::input::{Problem, Source};
+use crate::measure::Measurements;
+use crate::model::Model;
+use crate::output::{self, files};
+
+pub fn run(args: &args::Fit) -> Result<(), Error> {
+    let model = Model::load(&args.model)?;
+    if let Some(new) = &args.add_to
+        && super::add::same_file(&args.model, new)
+    {
+        let problem = Problem::new(format!("{} is the model itself", new.display()));
+        return Err(Error::Request(problem.help("name another file; the model is never overwritten")));
+    }
+    if model.parameters.is_empty() {
+        let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
+        return Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")));
+    }
+    let measurements = Measurements::load(&args.with, model.process)?;
+    check_places(&model, &measurements, &args.with)?;
+    let fit = fit(&model, &measurements)?;
+    if let Some(new) = &args.add_to {
+        let text = fitted_text(&model, &fit);
+        // A fitted value outside its bounds would make a file that cannot be read: better none.
+        Model::parse(Source::new(new.display().to_string(), text.clone()))?;
+        files::write(new, text.as_bytes())?;
+        eprintln!("written {}", new.display());
+    }
+    for note in &measurements.notes {
+        eprintln!("note: {note}");
+    }
+    if args.json {
+        return print(&format!("{:#}\n", output::fit::json(&model, &measurements, &fit)));
+    }
+    print(&output::fit::text(&model, &measurements, &fit))
+}

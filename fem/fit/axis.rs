@@ -1,0 +1,118 @@
+//! The axis along which a parameter is searched: where the prediction is nearly linear in it, and inside its bounds.
+
+use crate::input::{Bounds, Parameter};
+use crate::process::Neutral;
+use crate::units::Knowledge;
+
+/// A parameter as the search sees it.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    scale: Scale,
+    /// Bounds in the search variable.
+    pub low: f64,
+    /// Upper bound in the search variable.
+    pub high: f64,
+    /// Prior value and standard uncertainty, SI.
+    pub prior: Option<(f64, f64)>,
+    /// A usual size of the search variable, for steps.
+    pub unit: f64,
+    /// Values to start from, SI.
+    pub starts: Vec<f64>,
+}
+
+/// How the search variable s relates to the value v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Scale {
+    /// s = v.
+    Plain,
+    /// s = 1/v: a stiffness, in whose reciprocal deflections are linear and an infinite one is zero.
+    Reciprocal,
+    /// s = ln v: a positive quantity of unknown size.
+    Logarithm,
+}
+
+impl Axis {
+    /// The axis of a model's parameter; `entry` is its place in the catalogue, if it belongs to an effect.
+    pub fn new(parameter: &Parameter, entry: Option<&'static crate::process::Parameter>) -> Self {
+        let prior = match parameter.quantity.knowledge {
+            Knowledge::Rough(std) => Some((parameter.quantity.value, std)),
+            Knowledge::Free | Knowledge::Known => None,
+        };
+        let scale = match (entry.map(|e| e.neutral), parameter.bounds) {
+            (Some(Neutral::Infinity), _) => Scale::Reciprocal,
+            (_, Bounds::Positive) => Scale::Logarithm,
+            _ => Scale::Plain,
+        };
+        let range = entry.map(|e| (e.kind.to_si(e.range.0), e.kind.to_si(e.range.1)));
+        let usual = entry.map_or_else(
+            || parameter.kind.to_si(parameter.kind.usual.parse().unwrap_or(1.0)),
+            |e| e.kind.to_si(e.example()),
+        );
+        let shapes = entry.is_some_and(|e| e.neutral == Neutral::Shape);
+        let starts = match (prior, range) {
+            (Some((value, _)), _) => vec![value],
+            (None, Some((low, high))) if shapes => spread(low, high),
+            _ => vec![usual],
+        };
+        let (low, high) = bounds(scale, parameter.bounds);
+        let unit = match scale {
+            Scale::Logarithm => 1.0,
+            Scale::Plain => prior.map_or(usual.abs(), |p| p.1).max(f64::MIN_POSITIVE),
+            Scale::Reciprocal => 1.0 / usual,
+        };
+        Self { scale, low, high, prior, unit, starts }
+    }
+
+    /// The search variable of a value.
+    pub fn position(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Plain => value,
+            Scale::Reciprocal => 1.0 / value,
+            Scale::Logarithm => value.ln(),
+        }
+        .clamp(self.low, self.high)
+    }
+
+    /// The value at a search variable.
+    pub fn value(&self, position: f64) -> f64 {
+        match self.scale {
+            Scale::Plain => position,
+            Scale::Reciprocal => 1.0 / position,
+            Scale::Logarithm => position.exp(),
+        }
+    }
+
+    /// |dv/ds|.
+    pub fn rate(&self, position: f64) -> f64 {
+        match self.scale {
+            Scale::Plain => 1.0,
+            Scale::Reciprocal => 1.0 / (position * position),
+            Scale::Logarithm => position.exp(),
+        }
+    }
+
+    /// Whether values fall where the search variable rises.
+    pub fn is_reversed(&self) -> bool {
+        self.scale == Scale::Reciprocal
+    }
+}
+
+/// Five values over a plausible range, evenly by ratio where it is positive.
+fn spread(low: f64, high: f64) -> Vec<f64> {
+    let part = |i: i32| f64::from(2 * i + 1) / 10.0;
+    let at = |i| if low > 0.0 { low * (high / low).powf(part(i)) } else { low + (high - low) * part(i) };
+    (0..5).map(at).collect()
+}
+
+fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
+    match (scale, bounds) {
+        // An infinite stiffness is zero compliance.
+        (Scale::Reciprocal, _) => (0.0, f64::INFINITY),
+        // e^±80 spans every physical size.
+        (Scale::Logarithm, _) => (-80.0, 80.0),
+        (Scale::Plain, Bounds::Positive) => (f64::MIN_POSITIVE, f64::INFINITY),
+        (Scale::Plain, Bounds::NotNegative) => (0.0, f64::INFINITY),
+        (Scale::Plain, Bounds::Within(low, high)) => (low + 1e-3 * (high - low), high),
+        (Scale::Plain, Bounds::Any) => (f64::NEG_INFINITY, f64::INFINITY),
+    }
+}

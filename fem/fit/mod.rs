@@ -1,0 +1,135 @@
+//! Estimating what a model does not know exactly: bounded nonlinear least squares with priors, and intervals from the profile of χ².
+
+mod axis;
+mod intervals;
+mod least_squares;
+mod objective;
+mod starts;
+mod write;
+
+pub use intervals::Interval;
+pub use write::{fitted_text, uncertain};
+
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+
+use crate::compare::{Noise, NoiseSource};
+use crate::input::Parameter;
+use crate::measure::{Measurements, Repeats, repeats};
+use crate::model::Model;
+use crate::process::Failure;
+use least_squares::Solution;
+use objective::Objective;
+
+/// Two parameters this strongly correlated say nothing apart.
+const CORRELATED: f64 = 0.95;
+
+/// A model fitted to measurements. SI units.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// One per parameter that was not exactly known, in the order of the model.
+    pub estimates: Vec<Estimate>,
+    /// Prediction of every row with the fitted values.
+    pub predicted: Vec<f64>,
+    /// The noise by which rows were weighed.
+    pub noise: Noise,
+    /// Root mean square residual of the fitted model.
+    pub rms: f64,
+    /// χ² of rows and priors over ν = rows + priors − parameters; lack of fit over pure error with repeats.
+    pub misfit: f64,
+    /// How often chance alone gives a larger misfit; `None` where the noise is only estimated.
+    pub p_value: Option<f64>,
+    /// Pairs of parameters (by position) with their correlation, where it is strong.
+    pub correlated: Vec<(usize, usize, f64)>,
+    /// Trial values at which the model could not be computed.
+    pub failures: usize,
+    /// Evaluations of the model.
+    pub evaluations: usize,
+}
+
+/// A fitted parameter. SI units.
+#[derive(Clone, Debug)]
+pub struct Estimate {
+    /// What was fitted.
+    pub parameter: Parameter,
+    /// Best value.
+    pub value: f64,
+    /// Standard uncertainty from the curvature of χ².
+    pub std: f64,
+    /// 95 % interval from its profile; an end is open where the data do not close it.
+    pub interval: Interval,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Fits what the model marks `+-` (with its prior) and `?` (free).
+///
+/// # Errors
+/// Nothing is to be fitted, the data are fewer than the free parameters, or the model cannot be computed at all.
+pub fn fit(model: &Model, measurements: &Measurements) -> Result<Fit, Failure> {
+    let repeats = repeats(measurements, model.process.coordinates());
+    let mut objective = Objective::new(model, measurements)?;
+    let mut solution = starts::best(&mut objective)?;
+    let known = measurements.uncertainty.is_some();
+    if !known {
+        // The noise is judged by what the best model leaves, and priors are weighed against it: twice settles both.
+        for _ in 0..2 {
+            let noise = Noise::of(measurements, &repeats, &residuals(measurements, &solution.predicted));
+            let noise = if noise.source == NoiseSource::Estimated { objective.left_over(&solution) } else { noise };
+            objective.weigh(&noise);
+            solution = objective.solve(&solution.position)?;
+        }
+    }
+    report(&mut objective, solution, measurements, &repeats)
+}
+
+fn residuals(measurements: &Measurements, predicted: &[f64]) -> Vec<f64> {
+    measurements.observed.iter().zip(predicted).map(|(y, p)| y - p).collect()
+}
+
+fn report(
+    objective: &mut Objective,
+    solution: Solution,
+    measurements: &Measurements,
+    repeats: &Repeats,
+) -> Result<Fit, Failure> {
+    let residuals = residuals(measurements, &solution.predicted);
+    let covariance = objective.covariance(&solution)?;
+    let intervals = intervals::profile(objective, &solution, &covariance);
+    let (misfit, p_value) = judge(objective, &solution, &residuals, repeats);
+    let estimates = objective.estimates(&solution, &covariance, intervals);
+    let rms = (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt();
+    let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
+    let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+    let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
+    Ok(Fit {
+        correlated: strong.collect(),
+        estimates,
+        predicted: solution.predicted,
+        noise: objective.noise.clone(),
+        rms,
+        misfit,
+        p_value,
+        failures: objective.failures,
+        evaluations: objective.evaluations,
+    })
+}
+
+/// χ²/ν and p for a known noise, lack of fit by F with repeats.
+fn judge(objective: &Objective, solution: &Solution, residuals: &[f64], repeats: &Repeats) -> (f64, Option<f64>) {
+    let fitted = (objective.axes.len() - objective.priors()) as f64;
+    let freedom = residuals.len() as f64 - fitted;
+    match objective.noise.source {
+        NoiseSource::Column => {
+            let p = ChiSquared::new(freedom).ok().map(|d| d.sf(solution.chi2));
+            (solution.chi2 / freedom, p)
+        }
+        NoiseSource::Repeats => {
+            let pure = repeats.sum_of_squares / repeats.freedom as f64;
+            let lack = solution.chi2 - repeats.sum_of_squares / pure;
+            let freedom = repeats.groups as f64 - fitted;
+            let f = lack.max(0.0) / freedom;
+            (f, FisherSnedecor::new(freedom, repeats.freedom as f64).ok().map(|d| d.sf(f)))
+        }
+        NoiseSource::Estimated => (solution.chi2 / freedom, None),
+    }
+}

@@ -1,0 +1,119 @@
+//! A fit, as text and JSON.
+
+use std::fmt::Write;
+
+use serde_json::{Value as Json, json};
+
+use crate::compare::SIGNIFICANCE;
+use crate::fit::{Estimate, Fit};
+use crate::measure::Measurements;
+use crate::model::Model;
+use crate::units::Knowledge;
+
+/// Whether the noise explains what the fitted model leaves; unknown where the noise is only estimated.
+fn adequate(fit: &Fit) -> Option<bool> {
+    fit.p_value.map(|p| p >= SIGNIFICANCE)
+}
+
+/// `fem fit --json`: `fem-fit/1`.
+pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
+    let kind = model.process.observables()[measurements.rows.observable[0]].kind;
+    let estimate = |e: &Estimate| {
+        let k = e.parameter.kind;
+        let factor = k.canonical().factor;
+        let end = |si: Option<f64>| si.map(|v| k.from_si(v));
+        let prior = match e.parameter.quantity.knowledge {
+            Knowledge::Rough(std) => json!({ "value": k.from_si(e.parameter.quantity.value), "std": std / factor }),
+            Knowledge::Free | Knowledge::Known => Json::Null,
+        };
+        json!({
+            "parameter": e.parameter.path,
+            "value": finite(k.from_si(e.value)),
+            "unit": k.unit,
+            "std": finite(e.std / factor),
+            "interval95": [end(e.interval.low), end(e.interval.high)],
+            "prior": prior,
+            "warnings": e.warnings,
+        })
+    };
+    let name = |i: usize| &fit.estimates[i].parameter.path;
+    json!({
+        "schema": "fem-fit/1",
+        "model": &*model.source.name,
+        "data": measurements.name,
+        "observations": measurements.len(),
+        "noise": { "sigma": kind.from_si(fit.noise.rms()), "unit": kind.unit, "source": fit.noise.source.word() },
+        "rms": kind.from_si(fit.rms),
+        "unit": kind.unit,
+        "chi2_per_dof": finite(fit.misfit),
+        "p_value": fit.p_value,
+        "adequate": adequate(fit),
+        "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
+        "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
+        "failed_trials": fit.failures,
+        "evaluations": fit.evaluations,
+    })
+}
+
+fn finite(value: f64) -> Json {
+    if value.is_finite() { json!(value) } else { Json::Null }
+}
+
+/// What was fitted, how well, and what cannot be told.
+pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
+    let kind = model.process.observables()[measurements.rows.observable[0]].kind;
+    let mut text = format!(
+        "{} fitted to {}: {} observations, noise {:.3} {} ({})\n\n",
+        model.source.name,
+        measurements.name,
+        measurements.len(),
+        kind.from_si(fit.noise.rms()),
+        kind.unit,
+        fit.noise.source.word(),
+    );
+    let width = fit.estimates.iter().map(|e| e.parameter.path.chars().count()).max().unwrap_or(0);
+    // Writing to a String does not fail, here and below.
+    let _ = writeln!(text, "  {:<width$} {:>24}   95 % interval", "parameter", "value");
+    for e in &fit.estimates {
+        let k = e.parameter.kind;
+        let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.5}", Short(k.from_si(v))));
+        let value = crate::fit::uncertain(k.from_si(e.value), e.std / k.canonical().factor);
+        let _ = writeln!(
+            text,
+            "  {:<width$} {value:>24}   {} to {} {}",
+            e.parameter.path,
+            end(e.interval.low),
+            end(e.interval.high),
+            k.unit
+        );
+        for warning in &e.warnings {
+            let _ = writeln!(text, "  {:<width$} {:>24}   {warning}", "", "");
+        }
+    }
+    for (i, j, c) in &fit.correlated {
+        let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
+        let _ = writeln!(text, "\n  {a} and {b} can hardly be told apart (correlation {c:+.3})");
+    }
+    let verdict = match adequate(fit) {
+        Some(true) => "the noise explains what is left",
+        Some(false) => "more is left than the noise explains: something is missing",
+        None => "whether that is noise cannot be told without repeats or a column u",
+    };
+    let _ = writeln!(text, "\n  rms {:.3} {}, chi2/dof {:.3}: {verdict}", kind.from_si(fit.rms), kind.unit, fit.misfit);
+    if fit.failures > 0 {
+        let _ =
+            writeln!(text, "  the model could not be computed at {} of {} trial values", fit.failures, fit.evaluations);
+    }
+    text
+}
+
+/// A number with as many significant digits as its precision asks for.
+struct Short(f64);
+
+impl std::fmt::Display for Short {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let digits = f.precision().unwrap_or(5) as i32;
+        let place = if self.0 == 0.0 { 0 } else { (digits - 1 - self.0.abs().log10().floor() as i32).clamp(0, 12) };
+        write!(f, "{:.*}", place as usize, self.0)
+    }
+}
