@@ -4,6 +4,7 @@
 
 mod add;
 mod bad_input;
+mod compare;
 mod fem;
 mod files;
 mod pages;

@@ -1,0 +1,117 @@
+//! `fem compare` and `fem fit` as a user meets them.
+
+use super::fem::{Place, model};
+
+const GOOD: &str = "# three rows\npart,x [mm],diameter_error [um],u [um]\n1,100,70,1\n1,300,105,1\n2,500,80,1\n";
+
+/// (in the good file, replaced by, place, part of the message)
+const CASES: &[(&str, &str, &str, &str)] = &[
+    ("x [mm]", "x", ":2:", "the unit is missing"),
+    ("x [mm]", "x [kg]", ":2:", "not a length"),
+    ("x [mm]", "y [mm]", ":2:", "the column `x` is missing"),
+    ("diameter_error [um]", "diameter_err [um]", ":2:", "no column holds what was observed"),
+    ("u [um]", "u [N]", ":2:", "the unit of `u`"),
+    ("1,300,105,1", "1,300,nan,1", ":4:", "no finite number"),
+    ("1,300,105,1", "1,300,1e999,1", ":4:", "no finite number"),
+    ("1,300,105,1", "1,300,,1", ":4:", "is empty"),
+    ("1,300,105,1", "1,300,105", ":4:", "3 cells, the header 4"),
+    ("1,300,105,1", "1,300,105,0", ":4:", "`u` is 0"),
+    ("1,300,105,1", "1,300,105,-1", ":4:", "`u` is -1"),
+    ("1,300,105,1", "1.5,300,105,1", ":4:", "`part` is 1.5"),
+    ("1,300,105,1", "0,300,105,1", ":4:", "`part` is 0"),
+    ("1,300,105,1", "1,700,105,1", "line 4", "is not on the shaft"),
+    ("1,300,105,1", "99,300,105,1", "line 4", "beyond the batch of 12"),
+    ("part,x", "x [mm],x", ":2:", "stands twice"),
+    ("1,100,70,1\n1,300,105,1\n2,500,80,1\n", "", "", "no rows"),
+];
+
+#[test]
+fn bad_measurements_are_refused_at_their_line() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    for (given, wrong, line, message) in CASES {
+        assert!(GOOD.contains(given), "{given}");
+        place.write("measured.csv", GOOD.replacen(given, wrong, 1));
+        let answer = place.fem(&["compare", "lathe.toml", "--with", "measured.csv"]);
+        let page = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{wrong}: {}", answer.err);
+        assert!(page.contains(message) && page.contains(line), "{wrong}: {}", answer.err);
+    }
+}
+
+#[test]
+fn residuals_are_the_measured_rows_and_what_is_left() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    let noted = GOOD.replace("u [um]\n", "u [um],operator\n").replace(",1\n", ",1,me\n");
+    place.write("measured.csv", noted);
+    let answer = place.fem(&["compare", "lathe.toml", "--with", "measured.csv", "-o", "there", "--json"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(answer.err.contains("the column `operator` is not used"), "{}", answer.err);
+    let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+    assert_eq!((json["schema"].as_str(), json["observations"].as_u64()), (Some("fem-comparison/1"), Some(3)));
+    assert_eq!(json["noise"], serde_json::json!({ "sigma": 1.0, "unit": "um", "source": "column u" }));
+    let found = &json["models"][0];
+    for key in ["rms", "bias", "chi2_per_dof", "p_value"] {
+        assert!(found[key].is_number(), "{key}");
+    }
+    assert_eq!(found["worst"]["line"].as_u64(), found["worst"]["row"].as_u64().map(|row| row + 2));
+    let mut reader = csv::Reader::from_path(place.path("there/residuals.csv")).unwrap();
+    let headers: Vec<String> = reader.headers().unwrap().iter().map(str::to_string).collect();
+    assert_eq!(headers[4..], ["operator", "predicted [um]", "residual [um]"]);
+    for row in reader.records() {
+        let row = row.unwrap();
+        let number = |i: usize| row[i].parse::<f64>().unwrap();
+        assert!((number(2) - number(5) - number(6)).abs() < 1e-9);
+    }
+    // Two models: one folder each.
+    place.write("other.toml", model("lathe.toml"));
+    assert_eq!(place.fem(&["compare", "lathe.toml", "other.toml", "--with", "measured.csv", "-o", "both"]).status, 0);
+    assert!(place.path("both/other/residuals.csv").exists() && place.path("both/lathe/residuals.csv").exists());
+}
+
+#[test]
+fn the_profile_of_a_run_is_a_measurement_file() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    assert_eq!(place.fem(&["run", "lathe.toml"]).status, 0);
+    let answer = place.fem(&["compare", "lathe.toml", "--with", "out/lathe/profile.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+    assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{}", json["models"][0]);
+}
+
+#[test]
+fn a_fit_writes_a_new_model_and_never_the_old() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    assert_eq!(place.fem(&["run", "lathe.toml"]).status, 0);
+    let data = "out/lathe/profile.csv";
+    let same = place.fem(&["fit", "lathe.toml", "--with", data, "--add-to", "lathe.toml"]);
+    assert_eq!(same.status, 2);
+    assert_eq!(place.read("lathe.toml"), model("lathe.toml"));
+    let fitted = place.fem(&["fit", "lathe.toml", "--with", data, "--add-to", "fitted.toml", "--json"]);
+    assert_eq!(fitted.status, 0, "{}", fitted.err);
+    let json: serde_json::Value = serde_json::from_str(&fitted.out).unwrap();
+    // The data are the model's own prediction: the stiffnesses come back.
+    for (i, expected) in [60.0, 40.0, 50.0].into_iter().enumerate() {
+        let value = json["parameters"][i]["value"].as_f64().unwrap();
+        assert!((value - expected).abs() < 1e-3 * expected, "{}", json["parameters"][i]);
+    }
+    assert_eq!(place.fem(&["run", "fitted.toml"]).status, 0);
+    let nothing = model("lathe.toml").replace(" +- 10", "").replace(" +- 8", "");
+    place.write("known.toml", nothing);
+    let answer = place.fem(&["fit", "known.toml", "--with", data]);
+    assert_eq!(answer.status, 2);
+    assert!(answer.err.contains("nothing to fit"), "{}", answer.err);
+}
+
+#[test]
+fn fewer_rows_than_free_parameters_are_refused() {
+    let place = Place::new();
+    place.write("measured.csv", "x [mm],diameter_error [um]\n100,5\n200,6\n");
+    let free = model("lathe.toml").replace("\"60 +- 10", "\"?").replace("\"40 +- 8", "\"?").replace("\"50 +- 8", "\"?");
+    place.write("free.toml", free);
+    let answer = place.fem(&["fit", "free.toml", "--with", "measured.csv"]);
+    assert_eq!(answer.status, 1);
+    assert!(answer.err.contains("cannot fix 3 free parameters"), "{}", answer.err);
+}
