@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod heat;
+
 use fem::element::BeamPiece;
 use fem::solve::{Hold, Shaft};
 

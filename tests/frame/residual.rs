@@ -33,7 +33,8 @@ fn the_solution_balances_the_load_in_another_assembly() {
     let frame = Frame::new(&pieces).unwrap().translational_spring(0, springs[0]).unwrap();
     let solution = frame.translational_spring(20, springs[1]).unwrap().solve(&[(7, 500.0)]).unwrap();
     let motion: Vec<f64> = solution.displacement.iter().zip(&solution.rotation).flat_map(|(w, t)| [*w, *t]).collect();
-    let forces = &stiffness(&pieces, springs) * &motion;
+    let mut forces = vec![0.0; motion.len()];
+    sprs::prod::mul_acc_mat_vec_csr(stiffness(&pieces, springs).view(), &motion, &mut forces);
     // Rounding of the displacements times the largest stiffness: 12·8e4/0.02³ N/m · 5e-5 m · 2e-16.
     let rounding = 1.2e11 * 5e-5 * 2.2e-16 * 4.0;
     for (i, force) in forces.iter().enumerate() {
