@@ -1,4 +1,5 @@
-//! Predicts what a machine, fixture and workpiece do to a part, and says which effect is missing when it does not.
+//! Predicts what a machine, fixture and workpiece do to a part, compares the prediction with measurements, and fits what is not
+//! exactly known.
 //!
 //! Layers, each using only those above it:
 //!

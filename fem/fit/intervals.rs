@@ -4,8 +4,8 @@
 use nalgebra::DMatrix;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::least_squares::{Solution, minimise};
-use super::objective::Objective;
+use super::least_squares::minimise;
+use super::objective::{Objective, Solution};
 use crate::compare::NoiseSource;
 
 /// 95 % point of χ² with one degree of freedom.

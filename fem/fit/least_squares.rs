@@ -3,17 +3,21 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::objective::Objective;
+use super::objective::{Objective, Solution};
+use crate::process::Failure;
 
 /// Relative fall of χ² below which nothing is gained any more.
 const SETTLED: f64 = 1e-10;
 
-/// A minimum.
-#[derive(Clone, Debug)]
-pub struct Solution {
-    pub position: DVector<f64>,
-    pub predicted: Vec<f64>,
-    pub chi2: f64,
+/// The minimum near a position.
+///
+/// # Errors
+/// The model cannot be computed there.
+pub fn solve(objective: &mut Objective, start: &DVector<f64>) -> Result<Solution, Failure> {
+    minimise(objective, start, &[], 60).ok_or_else(|| Failure {
+        message: "the model cannot be computed where the fit begins".into(),
+        help: "give the parameters values from which `fem run` works".into(),
+    })
 }
 
 /// Minimises χ² from `start` with the variables `held` standing still; `None` where it cannot be computed at the start.

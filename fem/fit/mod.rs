@@ -1,6 +1,7 @@
 //! Estimating what a model does not know exactly: bounded nonlinear least squares with priors, and intervals from the profile of χ².
 
 mod axis;
+mod estimates;
 mod intervals;
 mod least_squares;
 mod objective;
@@ -17,8 +18,7 @@ use crate::input::Parameter;
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
 use crate::process::Failure;
-use least_squares::Solution;
-use objective::Objective;
+use objective::{Objective, Solution};
 
 /// Two parameters this strongly correlated say nothing apart.
 const CORRELATED: f64 = 0.95;
@@ -76,7 +76,7 @@ pub fn fit(model: &Model, measurements: &Measurements) -> Result<Fit, Failure> {
             let noise = Noise::of(measurements, &repeats, &residuals(measurements, &solution.predicted));
             let noise = if noise.source == NoiseSource::Estimated { objective.left_over(&solution) } else { noise };
             objective.weigh(&noise);
-            solution = objective.solve(&solution.position)?;
+            solution = least_squares::solve(&mut objective, &solution.position)?;
         }
     }
     report(&mut objective, solution, measurements, &repeats)
@@ -96,7 +96,7 @@ fn report(
     let covariance = objective.covariance(&solution)?;
     let intervals = intervals::profile(objective, &solution, &covariance);
     let (misfit, p_value) = judge(objective, &solution, &residuals, repeats);
-    let estimates = objective.estimates(&solution, &covariance, intervals);
+    let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
     let rms = (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt();
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));

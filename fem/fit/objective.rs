@@ -2,28 +2,28 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Estimate;
 use super::axis::Axis;
-use super::intervals::Interval;
-use super::least_squares::{Solution, minimise};
 use crate::compare::{Noise, NoiseSource};
 use crate::measure::Measurements;
 use crate::model::Model;
 use crate::process::Failure;
 
-/// A parameter moves the prediction so little that the data cannot see it: less than this many standard deviations, all rows
-/// together, over the whole of its usual size.
-const UNSEEN: f64 = 0.3;
-/// A prior is hardly sharpened by the data when its uncertainty stays above this part.
-const UNSHARPENED: f64 = 0.95;
-
+/// χ² as a function of the search variables.
 pub struct Objective<'a> {
-    model: &'a Model,
+    pub model: &'a Model,
     measurements: &'a Measurements,
     pub axes: Vec<Axis>,
     pub noise: Noise,
     pub evaluations: usize,
     pub failures: usize,
+}
+
+/// A minimum.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    pub position: DVector<f64>,
+    pub predicted: Vec<f64>,
+    pub chi2: f64,
 }
 
 impl<'a> Objective<'a> {
@@ -106,14 +106,6 @@ impl<'a> Objective<'a> {
         Some(jacobian)
     }
 
-    /// The minimum near a position.
-    pub fn solve(&mut self, start: &DVector<f64>) -> Result<Solution, Failure> {
-        minimise(self, start, &[], 60).ok_or_else(|| Failure {
-            message: "the model cannot be computed where the fit begins".into(),
-            help: "give the parameters values from which `fem run` works".into(),
-        })
-    }
-
     /// Covariance of the search variables, (JᵀJ)⁻¹; a direction that the data do not see at all gets a huge variance.
     pub fn covariance(&mut self, solution: &Solution) -> Result<DMatrix<f64>, Failure> {
         let jacobian = self.jacobian(&solution.position).ok_or_else(|| Failure {
@@ -128,39 +120,5 @@ impl<'a> Objective<'a> {
         let inverse = DMatrix::from_diagonal(&eigen.eigenvalues.map(|v| 1.0 / v.max(floor)));
         let inverse = &eigen.eigenvectors * inverse * eigen.eigenvectors.transpose();
         Ok(DMatrix::from_fn(n, n, |r, c| inverse[(r, c)] * scale[r] * scale[c]))
-    }
-
-    /// The parameters as the user sees them, with warnings.
-    pub fn estimates(&self, solution: &Solution, covariance: &DMatrix<f64>, intervals: Vec<Interval>) -> Vec<Estimate> {
-        let estimate = |(i, interval): (usize, Interval)| {
-            let (axis, parameter) = (&self.axes[i], &self.model.parameters[i]);
-            let position = solution.position[i];
-            let std = covariance[(i, i)].sqrt() * axis.rate(position);
-            let mut warnings = Vec::new();
-            let at_bound = position <= axis.low || position >= axis.high;
-            if at_bound {
-                warnings.push("stands at its bound".to_string());
-            }
-            match axis.prior {
-                Some((_, prior)) if std > UNSHARPENED * prior => {
-                    warnings.push("the data hardly add to what was known".into());
-                }
-                None if !at_bound && covariance[(i, i)].sqrt() * UNSEEN > axis.unit => {
-                    warnings.push("the data cannot see it".into());
-                }
-                _ => {}
-            }
-            if let Some(entry) = self.model.catalogue(&parameter.path) {
-                let shown = entry.kind.from_si(axis.value(position));
-                if !at_bound && !(entry.range.0..=entry.range.1).contains(&shown) {
-                    warnings.push(format!(
-                        "outside what is plausible, {} to {} {}",
-                        entry.range.0, entry.range.1, entry.kind.unit
-                    ));
-                }
-            }
-            Estimate { parameter: parameter.clone(), value: axis.value(position), std, interval, warnings }
-        };
-        intervals.into_iter().enumerate().map(estimate).collect()
     }
 }

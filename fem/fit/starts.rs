@@ -3,8 +3,8 @@
 
 use nalgebra::DVector;
 
-use super::least_squares::{Solution, minimise};
-use super::objective::Objective;
+use super::least_squares::minimise;
+use super::objective::{Objective, Solution};
 use crate::process::Failure;
 
 /// Combinations of starts tried at most.

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::effect;
 use super::elastic::{Conditions, Deflection, Elastic};
 use super::machine::{Machine, Moment};
 use super::model::Setup;
-use super::{effect, findings, observe, shapes};
-use crate::process::{Active, Failure, Job, Outcome, Rows, Values};
+use crate::process::{Active, Failure, Values};
 use crate::progress::Progress;
 use crate::solve::{Condensed, JointsError, ShaftError};
 
@@ -30,7 +30,8 @@ impl Lathe {
         Self { machine: Arc::new(machine) }
     }
 
-    fn setup(&self) -> &Setup {
+    /// What the model says.
+    pub fn setup(&self) -> &Setup {
         &self.machine.setup
     }
 
@@ -83,38 +84,6 @@ impl Lathe {
     /// The same at any moment.
     pub(super) fn shift_at(&self, moment: &Moment) -> f64 {
         self.machine.shifts.iter().map(|shift| shift(moment)).sum()
-    }
-}
-
-impl Job for Lathe {
-    /// ΔD in m, part by part, x rising.
-    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
-        let positions = self.setup().sweep();
-        let shaft = self.condense(&positions)?;
-        let deflections = self.deflections(&shaft, progress)?;
-        let parts = self.setup().schedule.parts;
-        let mut errors = vec![0.0; parts * positions.len()];
-        progress.expect(parts as u64);
-        errors.par_chunks_mut(positions.len()).enumerate().for_each(|(k, errors)| {
-            for ((error, &x), deflection) in errors.iter_mut().zip(&positions).zip(&deflections) {
-                *error = 2.0 * deflection.total + self.shift(k + 1, x);
-            }
-            progress.advance(1);
-        });
-        Ok(errors)
-    }
-
-    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
-        observe::observe(self, rows)
-    }
-
-    fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure> {
-        let positions = self.setup().sweep();
-        let shaft = self.condense(&positions)?;
-        let deflections = self.deflections(&shaft, &Progress::default())?;
-        let mut outcome = findings::outcome(self, &positions, &deflections, prediction)?;
-        outcome.animation = Some(shapes::animation(self)?);
-        Ok(outcome)
     }
 }
 

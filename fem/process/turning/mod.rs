@@ -7,11 +7,13 @@ mod cut;
 mod effects;
 mod elastic;
 mod findings;
+mod job;
 mod lathe;
 mod machine;
 mod model;
 mod observe;
 mod schedule;
+mod segment;
 mod shapes;
 mod validation;
 
@@ -19,8 +21,9 @@ pub use cut::{Cut, Force, ForceLaw};
 pub use elastic::{Conditions, Deflection, Elastic};
 pub use lathe::Lathe;
 pub use machine::{Machine, Moment};
-pub use model::{Segment, Setup, Workholding};
+pub use model::{Setup, Workholding};
 pub use schedule::Schedule;
+pub use segment::Segment;
 
 use std::sync::Arc;
 

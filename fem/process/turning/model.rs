@@ -2,6 +2,7 @@
 
 use super::cut::{Cut, Force};
 use super::schedule::{Pause, Schedule};
+use super::segment::Segment;
 use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
 use crate::material::Material;
@@ -12,15 +13,6 @@ use crate::units::{LENGTH, STIFFNESS, TIME};
 const MOST_POINTS: usize = 20_000_000;
 /// Largest number of beam elements.
 const MOST_ELEMENTS: f64 = 1e6;
-
-/// A uniform length of the shaft.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Segment {
-    /// m.
-    pub length: f64,
-    /// Finished diameter and bore.
-    pub section: Round,
-}
 
 /// How the shaft is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,7 +87,7 @@ impl Setup {
         let (material, segments) = model.table("workpiece", "the finished shaft", |t| {
             (
                 Material::read(t, "material"),
-                t.list("segments", "uniform lengths of the shaft, from the headstock", read_segment),
+                t.list("segments", "uniform lengths of the shaft, from the headstock", Segment::read),
             )
         });
         let length: f64 = segments.iter().map(|s| s.length).sum();
@@ -188,16 +180,6 @@ impl Setup {
         let last = (self.positions - 1) as f64;
         (0..self.positions).map(|i| low + (high - low) * (i as f64 / last)).collect()
     }
-}
-
-fn read_segment(t: &Reader, _: usize) -> Segment {
-    let length = t.quantity("length", LENGTH, "length of the segment").positive().required();
-    let diameter = t.quantity("diameter", LENGTH, "finished diameter").positive().required();
-    let bore = t.quantity("bore", LENGTH, "diameter of the bore").not_negative().or(0.0);
-    if bore >= diameter {
-        t.problem("bore", "the bore is as wide as the shaft or wider", "it must be below the diameter");
-    }
-    Segment { length, section: Round { diameter, bore } }
 }
 
 fn read_rest(t: &Reader, length: f64) -> Rest {

@@ -1,0 +1,52 @@
+//! The fitted parameters as the user sees them, with warnings.
+
+use nalgebra::DMatrix;
+
+use super::Estimate;
+use super::intervals::Interval;
+use super::objective::{Objective, Solution};
+
+/// A parameter moves the prediction so little that the data cannot see it: less than this many standard deviations, all rows
+/// together, over the whole of its usual size.
+const UNSEEN: f64 = 0.3;
+/// A prior is hardly sharpened by the data when its uncertainty stays above this part.
+const UNSHARPENED: f64 = 0.95;
+
+/// The parameters as the user sees them, with warnings.
+pub fn estimates(
+    objective: &Objective,
+    solution: &Solution,
+    covariance: &DMatrix<f64>,
+    intervals: Vec<Interval>,
+) -> Vec<Estimate> {
+    let estimate = |(i, interval): (usize, Interval)| {
+        let (axis, parameter) = (&objective.axes[i], &objective.model.parameters[i]);
+        let position = solution.position[i];
+        let std = covariance[(i, i)].sqrt() * axis.rate(position);
+        let mut warnings = Vec::new();
+        let at_bound = position <= axis.low || position >= axis.high;
+        if at_bound {
+            warnings.push("stands at its bound".to_string());
+        }
+        match axis.prior {
+            Some((_, prior)) if std > UNSHARPENED * prior => {
+                warnings.push("the data hardly add to what was known".into());
+            }
+            None if !at_bound && covariance[(i, i)].sqrt() * UNSEEN > axis.unit => {
+                warnings.push("the data cannot see it".into());
+            }
+            _ => {}
+        }
+        if let Some(entry) = objective.model.catalogue(&parameter.path) {
+            let shown = entry.kind.from_si(axis.value(position));
+            if !at_bound && !(entry.range.0..=entry.range.1).contains(&shown) {
+                warnings.push(format!(
+                    "outside what is plausible, {} to {} {}",
+                    entry.range.0, entry.range.1, entry.kind.unit
+                ));
+            }
+        }
+        Estimate { parameter: parameter.clone(), value: axis.value(position), std, interval, warnings }
+    };
+    intervals.into_iter().enumerate().map(estimate).collect()
+}

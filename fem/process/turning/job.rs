@@ -1,0 +1,40 @@
+//! What a lathe predicts: its own programme, measured rows, and the report of a run.
+
+use rayon::prelude::*;
+
+use super::lathe::Lathe;
+use super::{findings, observe, shapes};
+use crate::process::{Failure, Job, Outcome, Rows};
+use crate::progress::Progress;
+
+impl Job for Lathe {
+    /// ΔD in m, part by part, x rising.
+    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
+        let positions = self.setup().sweep();
+        let shaft = self.condense(&positions)?;
+        let deflections = self.deflections(&shaft, progress)?;
+        let parts = self.setup().schedule.parts;
+        let mut errors = vec![0.0; parts * positions.len()];
+        progress.expect(parts as u64);
+        errors.par_chunks_mut(positions.len()).enumerate().for_each(|(k, errors)| {
+            for ((error, &x), deflection) in errors.iter_mut().zip(&positions).zip(&deflections) {
+                *error = 2.0 * deflection.total + self.shift(k + 1, x);
+            }
+            progress.advance(1);
+        });
+        Ok(errors)
+    }
+
+    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        observe::observe(self, rows)
+    }
+
+    fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure> {
+        let positions = self.setup().sweep();
+        let shaft = self.condense(&positions)?;
+        let deflections = self.deflections(&shaft, &Progress::default())?;
+        let mut outcome = findings::outcome(self, &positions, &deflections, prediction)?;
+        outcome.animation = Some(shapes::animation(self)?);
+        Ok(outcome)
+    }
+}
