@@ -63,7 +63,8 @@ impl Material {
                 }
                 found.or(Some(Self::STEEL))
             });
-            Self::read_own(own, base)
+            // With a base every property may be left out, and the schema allows it.
+            Self::read_own(own, base.or(own.is_described().then_some(Self::STEEL)))
         })
     }
 

@@ -23,7 +23,7 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
         written.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free && p.path.starts_with(&prefix));
     let unknown: Vec<&str> = free.map(|p| &p.path[prefix.len()..]).collect();
     if !unknown.is_empty() {
-        eprintln!(
+        super::say!(
             "note: {} stands as unknown (`?`) in {name}; give it a value, or let `fem fit` find it",
             unknown.join(", ")
         );

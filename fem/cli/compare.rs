@@ -38,7 +38,7 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
         write_residuals(directory, &measurements, &models, &comparisons)?;
     }
     for note in &measurements.notes {
-        eprintln!("note: {note}");
+        super::say!("note: {note}");
     }
     if args.json {
         return print(&format!("{:#}\n", comparison::json(process, &measurements, &comparisons)));

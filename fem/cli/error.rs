@@ -59,7 +59,7 @@ impl Error {
     pub fn report(self) -> ExitCode {
         match self {
             Self::Input(error) => {
-                eprint!("{}", rendered(&error));
+                super::say!("{}", rendered(&error).trim_end());
                 ExitCode::from(2)
             }
             Self::Request(problem) => {
@@ -84,9 +84,9 @@ impl Error {
 }
 
 fn tell(message: &str, help: Option<&str>) {
-    eprintln!("error: {message}");
+    super::say!("error: {message}");
     if let Some(help) = help {
-        eprintln!("  help: {help}");
+        super::say!("  help: {help}");
     }
 }
 

@@ -29,10 +29,10 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         // A fitted value outside its bounds would make a file that cannot be read: better none.
         Model::parse(Source::new(new.display().to_string(), text.clone()))?;
         files::write(new, text.as_bytes())?;
-        eprintln!("written {}", new.display());
+        super::say!("written {}", new.display());
     }
     for note in &measurements.notes {
-        eprintln!("note: {note}");
+        super::say!("note: {note}");
     }
     if args.json {
         return print(&format!("{:#}\n", output::fit::json(&model, &measurements, &fit)));

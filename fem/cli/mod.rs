@@ -45,6 +45,15 @@ pub fn main() -> ExitCode {
     }
 }
 
+/// Prints a line to stderr; nobody is left to be told where that cannot be written.
+macro_rules! say {
+    ($($what:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr(), $($what)*);
+    }};
+}
+use say;
+
 /// Prints to stdout; a reader that has gone away (`fem … | head`) is no error.
 fn print(text: &str) -> Result<(), Error> {
     let mut out = std::io::stdout().lock();

@@ -20,7 +20,7 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let written = write_run(&model, &run, &directory, &progress)?;
     bar.finish();
     for warning in &run.outcome.warnings {
-        eprintln!("warning: {warning}");
+        super::say!("warning: {warning}");
     }
     if args.json {
         return print(&format!("{:#}\n", json::run(&model, &run)));

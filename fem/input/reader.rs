@@ -321,6 +321,17 @@ impl<'a> Reader<'a> {
         self.refuse(Problem::new(message).help(help).at(span));
     }
 
+    /// Whether there is no file, and what is asked is only recorded.
+    pub fn is_described(&self) -> bool {
+        matches!(self.ground, Ground::Described)
+    }
+
+    /// Whether a key of this table that was read is not exactly known.
+    pub fn is_uncertain(&self, key: &str) -> bool {
+        let path = format!("{}.{key}", self.path);
+        self.findings.parameters.borrow().iter().any(|p| p.path == path)
+    }
+
     /// Whether the file has this key.
     pub fn has(&self, key: &'static str) -> bool {
         matches!(&self.ground, Ground::Given(table, _) if table.contains_key(key))

@@ -1,5 +1,6 @@
 //! The text of a file and its name.
 
+use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -37,7 +38,13 @@ impl Source {
             let message = format!("the file has {size:.1} MB; at most {limit:.0} MB are read");
             return Err(refuse(Problem::new(message).help("is it the right file?")));
         }
-        let bytes = std::fs::read(path).map_err(io)?;
+        let mut bytes = Vec::new();
+        // A device or a pipe has no length to be judged by.
+        std::fs::File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(io)?;
+        if bytes.len() as u64 > limit {
+            let message = format!("there are more than {:.0} MB to read", limit as f64 / 1e6);
+            return Err(refuse(Problem::new(message).help("is it the right file?")));
+        }
         let text = String::from_utf8(bytes).map_err(|e| {
             let line = 1 + e.as_bytes()[..e.utf8_error().valid_up_to()].iter().filter(|b| **b == b'\n').count();
             let message = format!("the file is not UTF-8 text: line {line} holds a byte that is not");

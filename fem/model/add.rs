@@ -51,12 +51,33 @@ pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Str
         return Err(AddError::Request(Problem::new(reason).help("it cannot act on this workholding")));
     }
     check_settings(effect, settings).map_err(AddError::Request)?;
-    let unreadable = |e: toml_edit::TomlError| AddError::Request(Problem::new(e.message().to_string()));
-    let mut document: DocumentMut = model.source.text.parse().map_err(unreadable)?;
-    insert(&mut document, effect, settings);
-    let text = document.to_string();
-    Model::parse(Source::new(model.source.name.clone(), text.clone()))?;
+    let text = with_effect(&model.source.text, effect, settings)?;
+    Model::parse(Source::new(model.source.name.clone(), text.clone())).map_err(|e| {
+        // The mistake stands in what was asked for, not in the file.
+        let problem = e.problems.into_iter().next().unwrap_or_else(|| Problem::new("the model would not be right"));
+        AddError::Request(problem.at(None))
+    })?;
     Ok(text)
+}
+
+/// A table of its own goes behind everything else, which stays byte for byte; an inline `effects = { … }` is edited.
+fn with_effect(text: &str, effect: &Description, settings: &[Setting]) -> Result<String, AddError> {
+    let unreadable = |e: toml_edit::TomlError| AddError::Request(Problem::new(e.message().to_string()));
+    let mut document: DocumentMut = text.parse().map_err(unreadable)?;
+    if document.get("effects").is_some_and(Item::is_inline_table) {
+        let mut table = InlineTable::new();
+        fill(&mut table, effect, settings);
+        if let Some(effects) = document["effects"].as_table_like_mut() {
+            effects.insert(effect.name, Item::Value(Value::InlineTable(table)));
+        }
+        return Ok(document.to_string());
+    }
+    let mut table = Table::new();
+    fill(&mut table, effect, settings);
+    let gap = if text.is_empty() || text.ends_with('\n') { "\n" } else { "\n\n" };
+    let added = format!("{gap}[effects.{}]\n{table}", effect.name);
+    let crlf = text.contains("\r\n");
+    Ok(format!("{text}{}", if crlf { added.replace('\n', "\r\n") } else { added }))
 }
 
 fn check_settings(effect: &Description, settings: &[Setting]) -> Result<(), Problem> {
@@ -79,29 +100,13 @@ fn check_settings(effect: &Description, settings: &[Setting]) -> Result<(), Prob
     Ok(())
 }
 
-fn insert(document: &mut DocumentMut, effect: &Description, settings: &[Setting]) {
-    let effects = document.entry("effects").or_insert_with(|| {
-        let mut table = Table::new();
-        table.set_implicit(true);
-        Item::Table(table)
-    });
-    let inline = effects.is_inline_table();
-    let Some(effects) = effects.as_table_like_mut() else { return };
-    if inline {
-        let mut table = InlineTable::new();
-        fill(&mut table, effect, settings);
-        effects.insert(effect.name, Item::Value(Value::InlineTable(table)));
-    } else {
-        let mut table = Table::new();
-        fill(&mut table, effect, settings);
-        table.decor_mut().set_prefix("\n");
-        effects.insert(effect.name, Item::Table(table));
-    }
-}
-
 fn fill(table: &mut dyn TableLike, effect: &Description, settings: &[Setting]) {
     let set = |name: &str| settings.iter().find(|s| s.key == name);
-    let is_zero = |name: &str| set(name).is_none_or(|s| s.value.starts_with("0 ") || s.value == "0");
+    let kind = |name: &str| effect.parameters.iter().find(|p| p.name == name).map(|p| p.kind);
+    let is_zero = |name: &str| {
+        let value = set(name).zip(kind(name)).and_then(|(s, kind)| Quantity::parse(&s.value, &kind).ok());
+        value.is_none_or(|q| q == Quantity::known(0.0))
+    };
     for parameter in effect.parameters {
         let value = match set(parameter.name) {
             Some(setting) => written(&setting.value, parameter.kind.unit.is_empty()),

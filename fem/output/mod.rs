@@ -44,36 +44,38 @@ pub enum OutputError {
 /// # Errors
 /// A file cannot be written.
 pub fn write_run(model: &Model, run: &Run, directory: &Path, progress: &Progress) -> Result<Vec<PathBuf>, OutputError> {
-    let profile = directory.join("profile.csv");
-    files::write(&profile, csv::table(&run.outcome.profile).as_bytes())?;
-    let mut written = vec![profile];
+    let unwritable = |error: std::io::Error| OutputError::File { path: directory.to_path_buf(), error };
+    let stage = files::Stage::new(directory).map_err(unwritable)?;
+    stage.write(Path::new("profile.csv"), csv::table(&run.outcome.profile).as_bytes())?;
+    let mut written = vec![directory.join("profile.csv")];
     if let Some(animation) = &run.outcome.animation {
-        written.push(write_animation(animation, directory, progress)?);
+        written.push(directory.join(write_animation(animation, &stage, progress)?));
     }
-    let summary = directory.join("summary.json");
-    let json = format!("{:#}\n", json::run(model, run));
-    files::write(&summary, json.as_bytes())?;
-    written.push(summary);
+    stage.write(Path::new("summary.json"), format!("{:#}\n", json::run(model, run)).as_bytes())?;
+    written.push(directory.join("summary.json"));
+    stage.publish()?;
+    if let Some(animation) = &run.outcome.animation {
+        files::remove_frames_from(&directory.join(animation.name), animation.name, animation.frames);
+    }
     Ok(written)
 }
 
-fn write_animation(animation: &Animation, directory: &Path, progress: &Progress) -> Result<PathBuf, OutputError> {
-    let folder = directory.join(animation.name);
+fn write_animation(animation: &Animation, stage: &files::Stage, progress: &Progress) -> Result<PathBuf, OutputError> {
+    let folder = Path::new(animation.name);
     let name = |i: usize| format!("{}_{i:04}.vtu", animation.name);
     progress.expect(animation.frames as u64);
     let write = |i: usize| {
         let frame = (animation.frame)(i);
         let path = folder.join(name(i));
         let bytes = vtk::vtu(&frame.grid).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
-        files::write(&path, &bytes)?;
+        stage.write(&path, &bytes)?;
         progress.advance(1);
         Ok((frame.time, format!("{}/{}", animation.name, name(i))))
     };
     let frames: Vec<(f64, String)> =
         (0..animation.frames).into_par_iter().map(write).collect::<Result<_, OutputError>>()?;
-    let path = directory.join(format!("{}.pvd", animation.name));
+    let path = PathBuf::from(format!("{}.pvd", animation.name));
     let text = vtk::pvd(&frames).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
-    files::write(&path, text.as_bytes())?;
-    files::remove_others(&folder, |file| frames.iter().any(|f| f.1.ends_with(file)));
+    stage.write(&path, text.as_bytes())?;
     Ok(path)
 }

@@ -9,7 +9,7 @@ use crate::process::{Case, Description, Neutral, Observable, Parameter, Toleranc
 /// The terminal summary of a run.
 pub fn run(model: &Model, run: &Run) -> String {
     let mut text = String::new();
-    let title = model.title.as_deref().unwrap_or(&model.source.name);
+    let title = model.title.as_deref().unwrap_or(&model.source.name).replace(|c: char| c.is_control(), " ");
     // Writing to a String does not fail, here and below.
     let _ = writeln!(text, "{title}\n{}: {}\n", model.process.name(), model.process.about());
     for finding in &run.outcome.findings {

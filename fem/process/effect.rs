@@ -92,7 +92,10 @@ impl Description {
         let mut values: Vec<f64> = Vec::with_capacity(self.parameters.len());
         for p in self.parameters {
             let field = table.quantity(p.name, p.kind, p.about).bounds(p.bounds);
-            let is_zero = |name| self.parameters.iter().zip(&values).any(|(p, v)| p.name == name && *v == 0.0);
+            let is_zero = |name: &str| {
+                let read = || self.parameters.iter().zip(&values);
+                read().any(|(p, v)| p.name == name && *v == 0.0) && !table.is_uncertain(name)
+            };
             values.push(match (p.default, p.needed_with) {
                 (Some(default), _) => field.or(default),
                 (None, Some(other)) if is_zero(other) => field.or(p.kind.to_si(p.range.0)),

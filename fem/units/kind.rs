@@ -69,6 +69,9 @@ impl Kind {
     /// # Errors
     /// The text is no unit, or a unit of something else.
     pub fn unit_of(&self, text: &str) -> Result<Unit, UnitError> {
+        // Shops write the speed of a spindle as 1/min and mean revolutions.
+        let turns = *self == SPINDLE_SPEED && matches!(text.trim(), "1/min" | "/min" | "min^-1");
+        let text = if turns { "rpm" } else { text };
         let (unit, canonical) = (Unit::parse(text)?, self.canonical());
         if unit.dimension != canonical.dimension {
             return Err(self.wrong_dimension(text, &unit));

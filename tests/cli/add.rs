@@ -53,3 +53,20 @@ fn inline_tables_pure_numbers_and_models_without_effects() {
         assert_eq!(place.fem(&["run", "new.toml"]).status, 0);
     }
 }
+
+#[test]
+fn line_ends_and_trailing_comments_stay_byte_for_byte() {
+    let place = Place::new();
+    for (name, text) in [
+        ("crlf.toml", model("lathe.toml").replace('\n', "\r\n")),
+        ("comment.toml", format!("{}# run_in = \"2 um\" was too much\n", model("lathe.toml"))),
+        ("open.toml", model("lathe.toml").trim_end().to_string()),
+    ] {
+        place.write(name, &text);
+        let answer = place.fem(&["add", name, "guideway-taper", "slope=3 um/m", "-o", "new.toml"]);
+        assert_eq!(answer.status, 0, "{name}: {}", answer.err);
+        let new = place.read("new.toml");
+        assert!(new.starts_with(&text), "{name}");
+        assert_eq!(new.contains("\r\n[effects.guideway-taper]\r\n"), name == "crlf.toml");
+    }
+}

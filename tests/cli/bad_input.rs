@@ -62,6 +62,7 @@ const CASES: &[(&str, &str, usize, &str, &str)] = &[
         "either",
     ),
     ("radial_force = \"450 N\"", "force = { C = 1250.0, x = 1.9, y = 0.75 }", 15, "`x` is 1.9", "at most 1"),
+    ("radial_force = \"450 N\"", "force = { C = 9.0, x = 0.9, y = 0.7, n = 0.5 }", 15, "`HB` is missing", "add HB"),
     (
         "depth = \"0.5 mm\"",
         "depth = \"0.5 mm\"\nfrom = \"600 mm\"",
@@ -257,4 +258,18 @@ fn unknown_names_on_the_command_line() {
     }
     assert_eq!(place.files(), ["lathe.toml"]);
     assert_eq!(place.read("lathe.toml"), model("lathe.toml"));
+}
+
+#[test]
+fn a_prediction_that_no_diameter_can_have_is_a_failure() {
+    let place = Place::new();
+    for effect in
+        ["[effects.setting-error]\noffset = \"1.7e308 um\"", "[effects.guideway-height]\nslope = \"1e200 mm/m\""]
+    {
+        place.write("model.toml", format!("{GOOD}{effect}\n"));
+        let answer = place.fem(&["run", "model.toml"]);
+        assert_eq!(answer.status, 1, "{}", answer.out);
+        assert!(answer.err.contains("far too large"), "{}", answer.err);
+    }
+    assert_eq!(place.files(), ["model.toml"]);
 }

@@ -71,3 +71,25 @@ fn a_reader_that_goes_away_is_no_error() {
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr.len()), (Some(0), 0));
 }
+
+#[test]
+fn files_of_the_user_stay_where_frames_are_written() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml").replace("positions = 101", "positions = 2"));
+    std::fs::create_dir_all(place.path("results/shaft")).unwrap();
+    for name in ["my_scan.vtu", "shaft_scan.vtu", "shaft_0007.vtu"] {
+        place.write(&format!("results/shaft/{name}"), "mine");
+    }
+    assert_eq!(place.fem(&["run", "lathe.toml", "-o", "results"]).status, 0);
+    assert!(place.path("results/shaft/my_scan.vtu").exists() && place.path("results/shaft/shaft_scan.vtu").exists());
+    assert!(!place.path("results/shaft/shaft_0007.vtu").exists(), "a frame of an earlier, longer run");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_error_that_cannot_be_told_is_no_panic() {
+    let place = Place::new();
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = place.command(&["run", "missing.toml"]).stderr(Stdio::from(full)).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+}

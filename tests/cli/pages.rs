@@ -82,3 +82,45 @@ fn every_process_has_a_starting_model_that_runs() {
         assert_eq!(again.status, 2, "a file that exists is not overwritten");
     }
 }
+
+#[test]
+fn the_form_of_a_profile_is_told_by_how_it_turns() {
+    let model = |held: &str, segments: &str, rest: &str| {
+        format!(
+            "process = \"turning\"\nworkpiece = {{ material = \"steel\", segments = [{segments}] }}\nworkholding = {{ {held} }}\ncut = {{ depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"400 N\" }}\n{rest}"
+        )
+    };
+    let slender = "{ length = \"400 mm\", diameter = \"30 mm\" }";
+    let stiff = "{ length = \"300 mm\", diameter = \"120 mm\" }";
+    let springs = |head: &str, tail: &str| {
+        format!(
+            "effects.headstock-compliance.stiffness = \"{head} N/um\"\neffects.tailstock-compliance.stiffness = \"{tail} N/um\""
+        )
+    };
+    let cases = [
+        (model("type = \"centres\"", slender, ""), "barrel"),
+        (model("type = \"chuck-and-centre\"", slender, ""), "barrel"),
+        (model("type = \"centres\"", stiff, &springs("50", "50")), "corset"),
+        (model("type = \"centres\"", stiff, &springs("50", "35")), "saddle"),
+        (model("type = \"chuck\"", slender, ""), "cone"),
+        (
+            model(
+                "type = \"chuck\"",
+                "{ length = \"150 mm\", diameter = \"60 mm\" }, { length = \"100 mm\", diameter = \"20 mm\" }",
+                "",
+            ),
+            "cone",
+        ),
+        (
+            model("type = \"centres\", steady_rests = [{ at = \"200 mm\", stiffness = \"90 N/um\" }]", slender, ""),
+            "wavy",
+        ),
+        (model("type = \"centres\"", slender, "").replace("400 N", "0 N"), "cylinder"),
+    ];
+    let place = Place::new();
+    for (text, word) in cases {
+        place.write("model.toml", &text);
+        let json: serde_json::Value = serde_json::from_str(&place.fem(&["run", "model.toml", "--json"]).out).unwrap();
+        assert_eq!(json["findings"]["form"]["form"], word, "{text}");
+    }
+}

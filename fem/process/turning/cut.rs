@@ -80,7 +80,8 @@ fn read_force(t: &Reader) -> Force {
         let depth_exponent = number("x", "exponent of the depth").within(0.0, 1.0).required();
         let feed_exponent = number("y", "exponent of the feed").within(0.0, 1.0).required();
         let hardness_exponent = number("n", "exponent of the hardness").not_negative().or(0.0);
-        let hardness = number("HB", "Brinell hardness").positive().or(1.0);
+        let hardness = number("HB", "Brinell hardness").positive();
+        let hardness = if hardness_exponent == 0.0 { hardness.or(1.0) } else { hardness.required() };
         ForceLaw { coefficient, depth_exponent, feed_exponent, hardness_factor: hardness.powf(hardness_exponent) }
     });
     match (given, law) {

@@ -79,7 +79,7 @@ impl<'a> Elastic<'a> {
     /// t_d + y(P(t_d)) rises with t_d from 0 to beyond t_set, so the root is bracketed; Newton's step is taken where it
     /// stays inside the bracket.
     fn fed_back(&self, i: usize, at: Conditions, exponent: f64) -> Result<Deflection, JointsError> {
-        if at.set_depth <= 0.0 {
+        if at.set_depth <= 0.0 || at.nominal == 0.0 {
             return self.under(i, 0.0, None);
         }
         let force = |depth: f64| at.nominal * (depth / self.nominal_depth).powf(exponent);
@@ -97,10 +97,14 @@ impl<'a> Elastic<'a> {
             let slope = 1.0 + deflection.rate * exponent * deflection.force / depth;
             let newton = depth - excess / slope;
             let inside = newton > low && newton < high;
-            let next = if inside || excess == 0.0 { newton } else { 0.5 * (low + high) };
-            let step = (next - depth).abs() / at.set_depth;
-            if (inside && step <= NEWTON_STEP) || step <= ROUND_OFF {
-                return self.under(i, force(next), Some(&deflection));
+            // The depth may be a tiny part of what is set, so it is halved by ratio and every step is measured against it.
+            let halved = if low > 0.0 { (low * high).sqrt() } else { 1e-2 * high };
+            let next = if inside { newton } else { halved };
+            if (inside && (next - depth).abs() <= NEWTON_STEP * depth)
+                || excess == 0.0
+                || high - low <= ROUND_OFF * high
+            {
+                return self.under(i, force(if excess == 0.0 { depth } else { next }), Some(&deflection));
             }
             depth = next;
         }
@@ -108,9 +112,9 @@ impl<'a> Elastic<'a> {
     }
 }
 
-/// A step of Newton's method that is this short, relative to the set depth, has left an error of about its square.
+/// A step of Newton's method that is this short, relative to the depth, has left an error of about its square.
 const NEWTON_STEP: f64 = 1e-8;
-/// A step of any kind that changes nothing any more.
+/// A bracket that cannot be halved any more.
 const ROUND_OFF: f64 = 4e-16;
-/// Bisection alone would need 52.
-const MAX_ITERATIONS: usize = 100;
+/// Halving by ratio needs some 60 from 1e-2 to round-off, and a dozen to find the power of ten.
+const MAX_ITERATIONS: usize = 300;

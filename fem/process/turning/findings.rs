@@ -7,7 +7,7 @@ use super::lathe::Lathe;
 use super::model::{Setup, Workholding};
 use crate::process::{Column, Failure, Finding, Outcome, Plot, Table};
 
-/// A profile is round and straight enough to be called a cylinder when it varies by less than this part of the mean radius error, or by less than 1 nm.
+/// A profile that varies by less than a nanometre is a cylinder.
 const STRAIGHT: f64 = 1e-9;
 
 /// Everything but the animation. `errors` holds ΔD in m, part by part, x rising.
@@ -60,13 +60,17 @@ fn extremes(setup: &Setup, positions: &[f64], errors: &[f64]) -> Vec<Finding> {
             json: json!({ "value": 1e6 * errors[i], "unit": "um", "x": x, "x_unit": "mm", "part": part }),
         }
     };
-    let by = |a: &usize, b: &usize| errors[*a].total_cmp(&errors[*b]);
-    let largest = (0..errors.len()).max_by(by).unwrap_or(0);
-    let smallest = (0..errors.len()).min_by(by).unwrap_or(0);
+    let largest = first_extreme(errors, f64::gt);
+    let smallest = first_extreme(errors, f64::lt);
     vec![
         finding("largest", "largest diameter error", largest),
         finding("smallest", "smallest diameter error", smallest),
     ]
+}
+
+/// Position of the first value that none exceeds by `beats`.
+fn first_extreme(values: &[f64], beats: fn(&f64, &f64) -> bool) -> usize {
+    (0..values.len()).reduce(|best, i| if beats(&values[i], &values[best]) { i } else { best }).unwrap_or(0)
 }
 
 /// Difference between the ends of the least-squares line through a profile (x rising), m.
@@ -86,7 +90,11 @@ fn taper(positions: &[f64], errors: &[f64]) -> Finding {
     let (slope, _) = line(positions, errors);
     let length = positions[positions.len() - 1] - positions[0];
     let thick = if slope > 0.0 { "tailstock end" } else { "headstock end" };
-    let text = format!("{:.3} um over {:.1} mm, larger at the {thick}", 1e6 * (slope * length).abs(), 1e3 * length);
+    let size = 1e6 * (slope * length).abs();
+    let text = match size {
+        s if s < 5e-4 => format!("none over {:.1} mm", 1e3 * length),
+        s => format!("{s:.3} um over {:.1} mm by the least-squares line, larger at the {thick}", 1e3 * length),
+    };
     Finding {
         key: "taper",
         label: "taper, part 1",
@@ -95,35 +103,35 @@ fn taper(positions: &[f64], errors: &[f64]) -> Finding {
     }
 }
 
-/// The form of a profile: what is left of it beside its taper, and which of the two rules.
+/// The form of a profile (x rising), by how often and which way it turns.
 fn form(positions: &[f64], errors: &[f64]) -> Finding {
     let (slope, at_zero) = line(positions, errors);
     let taper = (slope * (positions[positions.len() - 1] - positions[0])).abs();
     let bow: Vec<f64> = positions.iter().zip(errors).map(|(x, e)| e - at_zero - slope * x).collect();
-    let by = |a: &usize, b: &usize| bow[*a].total_cmp(&bow[*b]);
-    let top = (0..bow.len()).max_by(by).unwrap_or(0);
-    let bottom = (0..bow.len()).min_by(by).unwrap_or(0);
-    let height = bow[top] - bow[bottom];
-    let ends = [bow[0], bow[bow.len() - 1]];
-    let single = extrema(&bow, 0.1 * height) == 1;
-    let (word, at, text) = if taper.max(height) < STRAIGHT {
+    let height = bow[first_extreme(&bow, f64::gt)] - bow[first_extreme(&bow, f64::lt)];
+    let (top, bottom) = (first_extreme(errors, f64::gt), first_extreme(errors, f64::lt));
+    let range = errors[top] - errors[bottom];
+    let ends = [errors[0], errors[errors.len() - 1]];
+    let turns = extrema(errors, 0.05 * range);
+    let at = |i: usize| format!("at x = {:.1} mm", 1e3 * positions[i]);
+    let (word, place, text) = if range < STRAIGHT {
         ("cylinder", None, "cylinder: the error is the same all along".to_string())
-    } else if taper >= 2.0 * height {
-        ("cone", None, "cone: the error runs from one end to the other".to_string())
-    } else if single && ends.iter().all(|e| *e < 0.0) {
-        let x = 1e3 * positions[top];
-        ("barrel", Some(x), format!("barrel: thickest around x = {x:.1} mm, by {:.3} um", 1e6 * height))
-    } else if single && ends.iter().all(|e| *e > 0.0) {
-        let x = 1e3 * positions[bottom];
+    } else if turns == 0 {
+        let curved = if height > 0.2 * taper { ", along a curve" } else { "" };
+        ("cone", None, format!("cone: the error runs from one end to the other{curved}"))
+    } else if turns == 1 && errors[top] - ends[0].max(ends[1]) > 0.05 * range {
+        let above = 1e6 * (errors[top] - 0.5 * (ends[0] + ends[1]));
+        ("barrel", Some(top), format!("barrel: thickest {}, {above:.3} um above the mean of its ends", at(top)))
+    } else if turns == 1 {
+        let below = 1e6 * (0.5 * (ends[0] + ends[1]) - errors[bottom]);
         // A symmetric saddle is what shops call a corset.
-        let symmetric = (ends[0] - ends[1]).abs() < 0.1 * height && taper < 0.1 * height;
-        let word = if symmetric { "corset" } else { "saddle" };
-        (word, Some(x), format!("{word}: thinnest around x = {x:.1} mm, by {:.3} um", 1e6 * height))
+        let word = if (ends[0] - ends[1]).abs() < 0.1 * range { "corset" } else { "saddle" };
+        (word, Some(bottom), format!("{word}: thinnest {}, {below:.3} um below the mean of its ends", at(bottom)))
     } else {
-        let text = format!("wavy: neither barrel nor saddle, {:.3} um high beside its taper", 1e6 * height);
-        ("wavy", None, text)
+        ("wavy", None, format!("wavy: it turns {turns} times within {:.3} um", 1e6 * range))
     };
-    let json = json!({ "form": word, "height": 1e6 * height, "unit": "um", "at": at, "at_unit": "mm" });
+    let x = place.map(|i| 1e3 * positions[i]);
+    let json = json!({ "form": word, "range": 1e6 * range, "unit": "um", "at": x, "at_unit": "mm" });
     Finding { key: "form", label: "form, part 1", text, json }
 }
 
@@ -141,9 +149,11 @@ fn extrema(curve: &[f64], least: f64) -> usize {
         if turned {
             turns += 1;
         }
-        if turned || (rising.is_none() && high - low > least) {
-            rising = Some(value == high);
+        if turned {
+            rising = rising.map(|r: bool| !r);
             (low, high) = (value, value);
+        } else if rising.is_none() && high - low > least {
+            rising = Some(value == high);
         }
     }
     turns
@@ -225,7 +235,7 @@ fn warnings(lathe: &Lathe, positions: &[f64], deflections: &[Deflection]) -> Res
     let mut pulls = |who: &str, forces: &mut dyn Iterator<Item = f64>| {
         let worst = positions.iter().zip(forces).min_by(|a, b| a.1.total_cmp(&b.1));
         let load = deflections.iter().map(|d| d.force).fold(0.0, f64::max);
-        if let Some((x, force)) = worst.filter(|w| w.1 < -1e-9 * load) {
+        if let Some((x, force)) = worst.filter(|w| w.1 < -1e-4 * load) {
             warnings.push(format!(
                 "{who} would have to pull with {:.1} N while the tool is at x = {:.1} mm; it can only press, and the shaft would lift off there",
                 -force,

@@ -22,7 +22,7 @@ impl Job for Lathe {
             }
             progress.advance(1);
         });
-        Ok(errors)
+        believable(errors)
     }
 
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
@@ -36,5 +36,16 @@ impl Job for Lathe {
         let mut outcome = findings::outcome(self, &positions, &deflections, prediction)?;
         outcome.animation = Some(shapes::animation(self)?);
         Ok(outcome)
+    }
+}
+
+/// No diameter is wrong by a kilometre: a number beyond it, or none, comes from values that cannot be meant.
+fn believable(errors: Vec<f64>) -> Result<Vec<f64>, Failure> {
+    match errors.iter().find(|e| !(e.abs() < 1e3)) {
+        None => Ok(errors),
+        Some(error) => Err(Failure {
+            message: format!("the prediction is {error:.3e} m somewhere: no diameter can be so wrong"),
+            help: "check the model for values that are far too large".into(),
+        }),
     }
 }

@@ -41,6 +41,8 @@ pub struct Setup {
     pub material: Material,
     /// From the headstock.
     pub segments: Vec<Segment>,
+    /// Where each ends, m.
+    ends: Vec<f64>,
     /// How it is held.
     pub workholding: Workholding,
     /// Springs under it.
@@ -114,8 +116,13 @@ impl Setup {
             model.problem("batch", message, "take fewer positions or parts");
         }
         let (element_size, beam) = read_mesh(model, length);
+        let ends = segments.iter().scan(0.0, |x, s| {
+            *x += s.length;
+            Some(*x)
+        });
         Self {
             material,
+            ends: ends.collect(),
             segments,
             workholding,
             steady_rests,
@@ -130,21 +137,14 @@ impl Setup {
 
     /// Length of the shaft, m.
     pub fn length(&self) -> f64 {
-        self.segments.iter().map(|s| s.length).sum()
+        self.ends.last().copied().unwrap_or(0.0)
     }
 
     /// The section at x; on a step that of the segment toward the tailstock.
     pub fn section(&self, x: f64) -> Round {
-        let mut end = 0.0;
-        let mut last = Round { diameter: f64::NAN, bore: 0.0 };
-        for segment in &self.segments {
-            end += segment.length;
-            last = segment.section;
-            if x < end * (1.0 - 1e-12) {
-                break;
-            }
-        }
-        last
+        let i = self.ends.partition_point(|end| x >= end * (1.0 - 1e-12));
+        let last = self.segments.len().saturating_sub(1);
+        self.segments.get(i.min(last)).map_or(Round { diameter: f64::NAN, bore: 0.0 }, |s| s.section)
     }
 
     /// Finished diameter at x, m.
@@ -218,7 +218,14 @@ fn read_batch(model: &Reader, cutting_time: f64) -> (usize, f64, Vec<Pause>) {
             t.problem("cycle_time", message, "lengthen the cycle, or feed faster");
         }
         let pauses = t.list("pauses", "breaks between parts", |t, _| {
-            let after = t.count("after", "part after which the machine rests").between(1, parts).required();
+            let after = t.count("after", "part after which the machine rests").between(1, 1_000_000).required();
+            if after > parts {
+                t.problem(
+                    "after",
+                    format!("`after` is {after}"),
+                    format!("it must be a whole number from 1 to {parts}"),
+                );
+            }
             let duration = t.quantity("duration", TIME, "how long it rests").positive().required();
             Pause { after, duration }
         });

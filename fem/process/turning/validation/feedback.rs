@@ -57,8 +57,37 @@ pub fn cases() -> Vec<Case> {
         ROUND_OFF,
         "seed 002 (22), by bisection",
     ));
+    cases.extend(hardly_cutting());
     cases.push(force_law());
     cases
+}
+
+/// So soft that hardly any of the depth is cut: a chucked Ø10 × 1000 mm shaft under 200 N per 0.1 mm.
+fn hardly_cutting() -> Vec<Case> {
+    let text = UNIFORM
+        .replace("HELD", "chuck")
+        .replace("500 mm", "1 m")
+        .replace("40 mm", "10 mm")
+        .replace("0.5 mm", "0.1 mm")
+        .replace("400 N", "200 N");
+    let ei = 210e9 * std::f64::consts::PI * 0.01f64.powi(4) / 64.0;
+    let (j, t) = (3.0 * ei, 0.1e-3f64);
+    let computed = |e: f64| gap(&lathe(&text, &format!("[force-feedback]\nexponent = {e}")), 1.0);
+    // The depth cut is a root over many powers of ten: bisected in its logarithm.
+    let expected = |e: f64| {
+        let cut = bisect(-700.0, 0.0, |log| log.exp() * t + 200.0 / j * (e * log).exp() - t);
+        t - t * cut.exp()
+    };
+    let case = |e: f64| {
+        row(
+            format!("hardly any depth cut, exponent {e}"),
+            "residual depth",
+            (expected(e), computed(e), "m"),
+            ROUND_OFF,
+            "seed 002 (22), by bisection",
+        )
+    };
+    vec![case(0.1), case(0.3), case(0.5)]
 }
 
 fn force_law() -> Case {
