@@ -23,10 +23,7 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
         written.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free && p.path.starts_with(&prefix));
     let unknown: Vec<&str> = free.map(|p| &p.path[prefix.len()..]).collect();
     if !unknown.is_empty() {
-        super::say!(
-            "note: {} stands as unknown (`?`) in {name}; give it a value, or let `fem fit` find it",
-            unknown.join(", ")
-        );
+        super::say!("note: unknown (`?`) in {name}: {}; give a value, or let `fem fit` find it", unknown.join(", "));
     }
     print(&format!("written {name}: {} with {}\n", args.model.display(), args.effect))
 }

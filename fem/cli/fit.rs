@@ -30,6 +30,9 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         Model::parse(Source::new(new.display().to_string(), text.clone()))?;
         files::write(new, text.as_bytes())?;
         super::say!("written {}", new.display());
+        for open in fit.estimates.iter().filter(|e| !e.is_closed()) {
+            super::say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
+        }
     }
     for note in &measurements.notes {
         super::say!("note: {note}");

@@ -4,7 +4,7 @@
 //! coordinates are looked at, so that the p-values are multiplied by their number (Bonferroni). Where the noise is only estimated,
 //! residuals are shuffled over the rows instead, and the largest finding of each shuffle is what a finding has to beat.
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use super::noise::{Noise, NoiseSource};
 use super::{SIGNIFICANCE, Shape};
@@ -62,7 +62,7 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
         .iter()
         .zip(&scores)
         .filter_map(|(axis, score)| {
-            let p_value = limit.p_value(score);
+            let p_value = limit.p_value(axis, score);
             (p_value < SIGNIFICANCE).then(|| {
                 let (shape, curve) = axis.describe(coordinates, measurements, residuals, noise, kind);
                 let text = sentence(&axis.axis, coordinates, shape.as_ref(), &curve, kind);
@@ -188,8 +188,8 @@ fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &
 enum Limit {
     /// Number of places looked at.
     Places(f64),
-    /// The largest height of each shuffle, rising.
-    Shuffled(Vec<f64>),
+    /// The largest height of each shuffle, rising, and the number of rows.
+    Shuffled(Vec<f64>, usize),
 }
 
 impl Limit {
@@ -208,16 +208,20 @@ impl Limit {
         };
         let mut heights: Vec<f64> = (0..SHUFFLES).map(&mut largest).collect();
         heights.sort_unstable_by(f64::total_cmp);
-        Self::Shuffled(heights)
+        Self::Shuffled(heights, z.len())
     }
 
-    fn p_value(&self, score: &Score) -> f64 {
+    fn p_value(&self, axis: &Binned, score: &Score) -> f64 {
         match self {
             Self::Places(places) => {
                 let alone = ChiSquared::new(score.freedom).map_or(1.0, |d| d.sf(score.sum));
                 (alone * places).min(1.0)
             }
-            Self::Shuffled(heights) => {
+            // A shuffle does not change the mean. The noise, from second differences, is known to a third of its rows.
+            Self::Shuffled(_, rows) if axis.axis.0.is_empty() => {
+                FisherSnedecor::new(1.0, (*rows as f64 / 3.0).max(1.0)).map_or(1.0, |d| d.sf(score.sum))
+            }
+            Self::Shuffled(heights, _) => {
                 let above = heights.len() - heights.partition_point(|h| *h < score.height());
                 (above + 1) as f64 / (heights.len() + 1) as f64
             }

@@ -34,7 +34,9 @@ impl Noise {
         let (sigma, source) = if repeats.freedom >= LEAST_FREEDOM && repeats.sum_of_squares > 0.0 {
             ((repeats.sum_of_squares / repeats.freedom as f64).sqrt(), NoiseSource::Repeats)
         } else {
-            (of_neighbours(residuals), NoiseSource::Estimated)
+            // Rounding of what was measured is never less than this.
+            let scale = measurements.observed.iter().fold(0.0f64, |m, y| m.max(y.abs()));
+            (of_neighbours(residuals).max(1e-9 * scale), NoiseSource::Estimated)
         };
         Self { sigma: vec![sigma; residuals.len()], source }
     }

@@ -28,6 +28,9 @@ pub fn estimates(
         if at_bound {
             warnings.push("stands at its bound".to_string());
         }
+        if interval.low.is_none() || interval.high.is_none() {
+            warnings.push("the data leave its interval open".into());
+        }
         match axis.prior {
             Some((_, prior)) if std > UNSHARPENED * prior => {
                 warnings.push("the data hardly add to what was known".into());

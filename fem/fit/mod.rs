@@ -61,6 +61,13 @@ pub struct Estimate {
     pub warnings: Vec<String>,
 }
 
+impl Estimate {
+    /// Whether the data close the interval on both sides.
+    pub fn is_closed(&self) -> bool {
+        self.interval.low.is_some() && self.interval.high.is_some()
+    }
+}
+
 /// Fits what the model marks `+-` (with its prior) and `?` (free).
 ///
 /// # Errors

@@ -3,12 +3,13 @@
 use crate::fit::Fit;
 use crate::model::Model;
 
-/// The text of the fitted model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the unit that stood there.
+/// The text of the fitted model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the unit that stood there. What the
+/// data leave open stays as it was: a value would look better known than it is.
 pub fn fitted_text(model: &Model, fit: &Fit) -> String {
     let text = &model.source.text;
     let mut places: Vec<(std::ops::Range<usize>, String)> = Vec::new();
     for estimate in &fit.estimates {
-        let Some(span) = estimate.parameter.span.clone() else { continue };
+        let Some(span) = estimate.parameter.span.clone().filter(|_| estimate.is_closed()) else { continue };
         let written = text.get(span.clone()).unwrap_or_default().trim_matches(['"', '\'']);
         let name = unit_of(written);
         let unit = estimate.parameter.kind.unit_of(name).unwrap_or(estimate.parameter.kind.canonical());
@@ -52,7 +53,10 @@ pub fn uncertain(value: f64, std: f64) -> String {
     if !(std.is_finite() && std > 0.0) {
         return format!("{value}");
     }
-    let place = 1 - std.abs().log10().floor() as i32;
+    // However uncertain, a value keeps three digits of its own: rounded to 0 it might leave its bounds.
+    let of_value = if value == 0.0 { 0 } else { 2 - value.abs().log10().floor() as i32 };
+    let of_std = 1 - std.abs().log10().floor() as i32;
+    let place = if of_std < of_value && std > 0.1 * value.abs() { of_value } else { of_std };
     if (0..=12).contains(&place) {
         let digits = place as usize;
         return format!("{value:.digits$} +- {std:.digits$}");
@@ -84,6 +88,7 @@ mod tests {
     fn values_are_written_to_their_uncertainty() {
         assert_eq!(uncertain(59.2437, 1.1432), "59.2 +- 1.1");
         assert_eq!(uncertain(59.2437, 0.0123), "59.244 +- 0.012");
-        assert_eq!(uncertain(-0.5, 0.25), "-0.50 +- 0.25");
+        assert_eq!(uncertain(-0.5, 0.25), "-0.500 +- 0.250");
+        assert_eq!(uncertain(0.536, 700.0), "0.536 +- 700.000");
     }
 }

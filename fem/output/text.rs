@@ -27,7 +27,7 @@ fn shares(text: &mut String, observable: &Observable, shares: &[Share]) {
     let unit = observable.kind.unit;
     let _ = writeln!(text, "\n  {title:<27} {:>10} {:>10} {:>10}   {unit}", "rms", "from", "to");
     for share in shares {
-        let name = if share.name == "ideal" { "the elastic work alone" } else { share.name };
+        let name = if share.name == "ideal" { "without any effect" } else { share.name };
         let [rms, low, high] = [share.rms, share.smallest, share.largest].map(|si| observable.kind.from_si(si));
         let _ = writeln!(text, "  {name:<27} {rms:>10.3} {low:>+10.3} {high:>+10.3}");
     }

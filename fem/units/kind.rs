@@ -73,7 +73,9 @@ impl Kind {
         let turns = *self == SPINDLE_SPEED && matches!(text.trim(), "1/min" | "/min" | "min^-1");
         let text = if turns { "rpm" } else { text };
         let (unit, canonical) = (Unit::parse(text)?, self.canonical());
-        if unit.dimension != canonical.dimension {
+        // A slope has no dimension, yet 20 without `um/m` is a million times too much.
+        let forgotten = text.trim().is_empty() && !self.unit.is_empty();
+        if forgotten || unit.dimension != canonical.dimension {
             return Err(self.wrong_dimension(text, &unit));
         }
         if unit.offset != 0.0 && canonical.offset == 0.0 {

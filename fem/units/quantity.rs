@@ -130,6 +130,9 @@ mod tests {
     fn what_is_no_quantity_is_refused() {
         for (text, kind, part) in [
             ("60", STIFFNESS, "unit is missing"),
+            ("20", SLOPE, "unit is missing"),
+            ("8", WEAR_RATE, "unit is missing"),
+            ("?", WEAR_RATE, "unit is missing"),
             ("60 N", STIFFNESS, "measures a force"),
             ("60 Nm/um", STIFFNESS, "no unit"),
             ("abc", LENGTH, "does not begin with a number"),

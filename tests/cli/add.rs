@@ -29,7 +29,7 @@ fn what_is_left_out_stands_as_unknown() {
     place.write("lathe.toml", model("lathe.toml"));
     let answer = place.fem(&["add", "lathe.toml", "workpiece-heating", "-o", "new.toml"]);
     assert_eq!(answer.status, 0);
-    assert!(answer.err.contains("power stands as unknown"), "{}", answer.err);
+    assert!(answer.err.contains("unknown (`?`) in new.toml: power"), "{}", answer.err);
     assert!(place.read("new.toml").ends_with("[effects.workpiece-heating]\npower = \"? W\"\n"));
     let run = place.fem(&["run", "new.toml"]);
     assert_eq!(run.status, 2);

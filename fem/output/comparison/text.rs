@@ -29,7 +29,11 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     );
     for c in comparisons {
         let [rms, bias, worst] = [c.rms, c.bias, c.residuals[c.worst]].map(|si| kind.from_si(si));
-        let verdict = if c.adequate() { "adequate: nothing is left but the noise" } else { "fails" };
+        let verdict = match (c.adequate(), c.p_value) {
+            (true, Some(_)) => "adequate: nothing is left but the noise",
+            (true, None) => "no structure is left; whether the rest is noise needs repeats or a column u",
+            (false, _) => "fails",
+        };
         let _ = writeln!(
             text,
             "  {:<width$} {rms:>11.3} {bias:>+11.3} {worst:>+11.3} {:>11.3}   {verdict}",

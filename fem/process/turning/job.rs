@@ -41,7 +41,7 @@ impl Job for Lathe {
 
 /// No diameter is wrong by a kilometre: a number beyond it, or none, comes from values that cannot be meant.
 fn believable(errors: Vec<f64>) -> Result<Vec<f64>, Failure> {
-    match errors.iter().find(|e| !(e.abs() < 1e3)) {
+    match errors.iter().find(|e| e.is_nan() || e.abs() >= 1e3) {
         None => Ok(errors),
         Some(error) => Err(Failure {
             message: format!("the prediction is {error:.3e} m somewhere: no diameter can be so wrong"),

@@ -17,6 +17,10 @@ static DESCRIPTION: Description = Description {
     source: "seed 002 (8), (18)",
     parameters: &[Parameter::stiffness(STIFFNESS, "stiffness of tool, slide and carriage", (5.0, 1000.0))],
     look_alikes: &[
+        (
+            "headstock-compliance",
+            "nothing in a chuck, where both add P/k everywhere; elsewhere x: the headstock's share fades",
+        ),
         ("setting-error", "a second force: a setting error does not change with it"),
         ("carriage-contact", "a third force level"),
         ("force-feedback", "a measured blank: only feedback copies it"),

@@ -18,6 +18,10 @@ static DESCRIPTION: Description = Description {
     source: "seed 002 (8)-(11)",
     parameters: &[Parameter::stiffness(STIFFNESS, "stiffness of the headstock", (5.0, 1000.0))],
     look_alikes: &[
+        (
+            "carriage-compliance",
+            "nothing in a chuck, where both add P/k everywhere; elsewhere x: the headstock's share fades",
+        ),
         ("headstock-contact", "a third force level: the contact yields less than in proportion"),
         ("spindle-thermal-drift", "more parts, or a second force: drift grows with time, not with force"),
     ],
