@@ -105,7 +105,7 @@ fn sweep(
 #[test]
 fn printed_values() {
     use Beam::{EulerBernoulli, Timoshenko};
-    // um at L/4, L/2, 3L/4, L, as printed in peers.md
+    // um at L/4, L/2, 3L/4, L, as printed to 1e-7 um
     let springs = [
         ("Euler-Bernoulli", EulerBernoulli, [37.5214415, 51.0045771, 39.6047748, 12.5]),
         ("Timoshenko", Timoshenko, [38.1166809, 51.7181975, 40.2000143, 12.5]),
