@@ -68,6 +68,8 @@ pub struct Reader<'a> {
     path: String,
     findings: std::rc::Rc<Findings>,
     asked: RefCell<Vec<&'static str>>,
+    /// Keys that should be there, until it is known whether one of them is only misspelt.
+    absent: RefCell<Vec<(String, Problem)>>,
     shape: RefCell<Shape>,
 }
 
@@ -102,7 +104,14 @@ impl<'a> Reader<'a> {
     }
 
     fn on(ground: Ground<'a>, path: String, findings: std::rc::Rc<Findings>) -> Self {
-        Self { ground, path, findings, asked: RefCell::default(), shape: RefCell::default() }
+        Self {
+            ground,
+            path,
+            findings,
+            asked: RefCell::default(),
+            absent: RefCell::default(),
+            shape: RefCell::default(),
+        }
     }
 
     fn child(&self, ground: Ground<'a>, key: &str) -> Self {
@@ -353,7 +362,8 @@ impl<'a> Reader<'a> {
         if let Ground::Given(_, span) = &self.ground {
             let place = if self.path.is_empty() { String::new() } else { format!(" in `{}`", self.path) };
             let problem = Problem::new(format!("`{key}` is missing{place}: {about}")).help(format!("add {example}"));
-            self.refuse(problem.at(span.clone().map(|s| s.start..s.start + 1)));
+            let problem = problem.at(Some(span.clone().map_or(0..0, |s| s.start..s.start + 1)));
+            self.absent.borrow_mut().push((key.to_string(), problem));
         }
     }
 
@@ -385,9 +395,10 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Refuses the keys that nobody asked for.
+    /// Refuses the keys that nobody asked for, and tells of those that are not there; a misspelt key is told of once.
     fn finish(&self) {
         let Ground::Given(table, _) = &self.ground else { return };
+        let mut absent = self.absent.take();
         let asked = self.asked.borrow();
         for (key, item) in table.iter() {
             if asked.contains(&key) {
@@ -399,8 +410,10 @@ impl<'a> Reader<'a> {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => format!("its keys are {}", asked.join(", ")),
             };
+            absent.retain(|(missing, _)| Some(missing.as_str()) != near);
             let span = table.key(key).and_then(|k| k.span()).or_else(|| item.span());
             self.refuse(Problem::new(format!("`{key}` is no key of {place}")).help(help).at(span));
         }
+        absent.into_iter().for_each(|(_, problem)| self.refuse(problem));
     }
 }

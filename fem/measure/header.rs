@@ -41,6 +41,7 @@ pub fn read(cells: &[String], vocabulary: Vocabulary) -> Result<Header, Vec<Prob
     let mut header = Header::default();
     let mut problems = Vec::new();
     let mut observed = None;
+    let (mut unknown, mut wrong): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
     for (i, cell) in cells.iter().enumerate() {
         let (name, unit) = split(cell);
         if cells[..i].iter().any(|other| split(other).0 == name) {
@@ -55,15 +56,23 @@ pub fn read(cells: &[String], vocabulary: Vocabulary) -> Result<Header, Vec<Prob
                     }
                     header.unit = unit.to_string();
                 }
+                if column == Column::Unknown {
+                    unknown.push(name);
+                    header.notes.push(note(name, vocabulary));
+                }
                 header.columns.push(column);
             }
-            Err(problem) => problems.push(problem),
-        }
-        if header.columns.last() == Some(&Column::Unknown) {
-            header.notes.push(note(name, vocabulary));
+            Err(problem) => {
+                wrong.push(name);
+                problems.push(problem);
+            }
         }
     }
-    problems.extend(missing(&header, observed, vocabulary));
+    // A column that is wrong has been told of already, and is not missing.
+    let absent = missing(&header, observed, &unknown, vocabulary);
+    let observable_told = vocabulary.observables.iter().any(|o| wrong.contains(&o.name));
+    let told = |name: &str| wrong.contains(&name) || (name.is_empty() && observable_told);
+    problems.extend(absent.into_iter().filter(|(name, _)| !told(name)).map(|(_, problem)| problem));
     header.observable = observed.unwrap_or(0);
     if let Some(kind) = vocabulary.observables.get(header.observable).map(|o| o.kind) {
         check_uncertainty(&header, kind, &mut problems);
@@ -102,13 +111,25 @@ fn note(name: &str, vocabulary: Vocabulary) -> String {
     }
 }
 
-fn missing(header: &Header, observed: Option<usize>, vocabulary: Vocabulary) -> Vec<Problem> {
+/// What must be there and is not, by name; `unknown` are the columns of which one may be it, misspelt.
+fn missing(
+    header: &Header,
+    observed: Option<usize>,
+    unknown: &[&str],
+    vocabulary: Vocabulary,
+) -> Vec<(&'static str, Problem)> {
+    let meant = |name: &str| {
+        let same = |other: &&&str| nearest(&other.to_lowercase(), [name]).is_some();
+        unknown.iter().find(same).map_or(String::new(), |other| format!("is `{other}` meant? "))
+    };
     let mut problems = Vec::new();
     if observed.is_none() {
         let names: Vec<String> =
             vocabulary.observables.iter().map(|o| format!("{} [{}]", o.name, o.kind.unit)).collect();
         let problem = Problem::new("no column holds what was observed");
-        problems.push(problem.help(format!("add a column {}", names.join(" or "))));
+        let near: String =
+            vocabulary.observables.iter().map(|o| meant(o.name)).find(|m| !m.is_empty()).unwrap_or_default();
+        problems.push(("", problem.help(format!("{near}add a column {}", names.join(" or ")))));
     }
     for (i, coordinate) in vocabulary.coordinates.iter().enumerate() {
         let given = header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
@@ -118,7 +139,8 @@ fn missing(header: &Header, observed: Option<usize>, vocabulary: Vocabulary) -> 
                 _ => String::new(),
             };
             let problem = Problem::new(format!("the column `{}` is missing: {}", coordinate.name, coordinate.about));
-            problems.push(problem.help(format!("add a column {}{unit}", coordinate.name)));
+            let help = format!("{}add a column {}{unit}", meant(coordinate.name), coordinate.name);
+            problems.push((coordinate.name, problem.help(help)));
         }
     }
     problems

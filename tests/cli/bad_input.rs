@@ -178,6 +178,15 @@ fn each_case_is_refused_at_its_line_with_a_remedy() {
 }
 
 #[test]
+fn a_misspelt_key_is_told_of_once() {
+    let place = Place::new();
+    place.write("model.toml", GOOD.replace("spindle_speed", "spindel_speed"));
+    let answer = place.fem(&["run", "model.toml"]);
+    assert!(answer.err.contains("did you mean `spindle_speed`?"), "{}", answer.err);
+    assert!(!answer.err.contains("missing"), "{}", answer.err);
+}
+
+#[test]
 fn the_model_of_the_cases_is_right() {
     let place = Place::new();
     place.write("model.toml", GOOD);

@@ -4,9 +4,11 @@
 //! and to size is too thin when cold [seed 002 (35)-(39)]. power in W is the part of the cutting power that enters the work; convection h in W/(m² K).
 //! θ at the tool depends on its position alone. Left out: the rise beyond the one-dimensional mean of the section, and elongation along x.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use super::super::Machine;
 use crate::process::{Description, Effect, Failure, Parameter, Values};
-use crate::solve::heat::{Pass, RodPiece, moving_source};
+use crate::solve::heat::{HeatError, Pass, RodPiece, ToolTemperature, moving_source};
 use crate::units::{CONVECTION, POWER};
 
 /// `workpiece-heating`.
@@ -45,7 +47,7 @@ impl Effect<Machine> for WorkpieceHeating {
         let pieces: Vec<RodPiece> = setup.segments.iter().map(piece).collect();
         let pass = setup.schedule.pass;
         let pass = Pass { from: pass.from, to: pass.to, speed: pass.speed() };
-        match moving_source(&pieces, &pass, TOLERANCE) {
+        match rise_per_watt(pieces, pass) {
             Ok(rise) => machine.shift(move |at| -material.expansion * at.diameter * power * rise.rise_at(at.x)),
             Err(error) => {
                 machine.failure = Some(Failure {
@@ -55,6 +57,33 @@ impl Effect<Machine> for WorkpieceHeating {
             }
         }
     }
+}
+
+/// The last rises that were computed, the newest last. A search tries many values of everything else for one shaft, pass and
+/// convection, and the rise is by far the dearest part of a prediction.
+static RECENT: Mutex<Vec<Recent>> = Mutex::new(Vec::new());
+const MOST_RECENT: usize = 32;
+
+struct Recent {
+    pieces: Vec<RodPiece>,
+    pass: Pass,
+    rise: Arc<ToolTemperature>,
+}
+
+/// The rise at the tool per watt, K/W, computed once for the same rod and pass.
+fn rise_per_watt(pieces: Vec<RodPiece>, pass: Pass) -> Result<Arc<ToolTemperature>, HeatError> {
+    // A panic while the list was held leaves it whole: entries are added and removed in one step each.
+    let recent = || RECENT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = recent().iter().find(|r| r.pass == pass && r.pieces == pieces) {
+        return Ok(known.rise.clone());
+    }
+    let rise = Arc::new(moving_source(&pieces, &pass, TOLERANCE)?);
+    let mut recent = recent();
+    if recent.len() == MOST_RECENT {
+        recent.remove(0);
+    }
+    recent.push(Recent { pieces, pass, rise: rise.clone() });
+    Ok(rise)
 }
 
 #[cfg(test)]
