@@ -3,28 +3,27 @@
 use super::RodPiece;
 use super::wave::Wave;
 
-/// Growth of the cells on the coarsest mesh at a tolerance of 1; the extrapolated error goes with its fourth power.
-const GROWTH: f64 = 3.4;
-/// Largest growth of the cells.
-const STEEPEST: f64 = 0.7;
-/// Smallest cell over the natural length of the problem, at a tolerance of 1. The rise begins with the root of the
-/// time, so the first step and cell leave an error in proportion to this.
-const SMALLEST: f64 = 20.0;
-/// Largest tolerance that still makes the smallest cell larger.
-const LOOSEST: f64 = 1e-3;
+/// Growth of the cells on the coarsest mesh at a tolerance of 1; the extrapolated error goes with its fourth power, so
+/// that three meshes are enough at most tolerances.
+const GROWTH: f64 = 3.8;
+/// `smallest` in `graded` over the natural length of the problem, at a tolerance of 1. The rise begins with the root of
+/// the time, so the first step and cell leave an error in proportion to this.
+const SMALLEST: f64 = 10.0;
+/// Tightest and loosest tolerance that still change the coarsest mesh.
+const TOLERANCES: [f64; 2] = [1e-6, 1e-3];
 /// Last step over the time the tool needs for the steep front ahead of it.
 const LAST: f64 = 0.25;
 /// Logarithm of how much less than the tolerance the heat may do that is left out.
 const MARGIN: f64 = 6.0;
 /// No piece and no stretch has more cells or steps than this in a half, on the coarsest mesh.
-const MOST: f64 = 1e4;
+const MOST: f64 = 1e3;
 
 /// How cells and steps are graded.
 pub(super) struct Grading {
     level: u32,
     /// Growth from cell to cell on the coarsest mesh.
     pub(super) growth: f64,
-    /// Smallest cell on the coarsest mesh, m.
+    /// For `graded`, m.
     pub(super) smallest: f64,
     /// Lengths of the front over which heat is forgotten.
     pub(super) reach: f64,
@@ -33,9 +32,9 @@ pub(super) struct Grading {
 impl Grading {
     /// `natural` (m) is the length over which the rise at the tool builds up.
     pub(super) fn new(natural: f64, tolerance: f64, level: u32) -> Self {
-        let growth = (GROWTH * tolerance.powf(0.25)).min(STEEPEST);
-        let smallest = SMALLEST * tolerance.min(LOOSEST) * natural;
-        Self { level, growth, smallest, reach: MARGIN - tolerance.min(LOOSEST).ln() }
+        let tolerance = tolerance.clamp(TOLERANCES[0], TOLERANCES[1]);
+        let (growth, smallest) = (GROWTH * tolerance.powf(0.25), SMALLEST * tolerance * natural);
+        Self { level, growth, smallest, reach: MARGIN - tolerance.ln() }
     }
 
     /// Times (s) of the steps of a stretch: the rise begins with a root of the time and ends with an exponential.
@@ -48,8 +47,8 @@ impl Grading {
     }
 }
 
-/// Points from 0 (left out) to `length`: the first cell is about `growth` times `smallest`, every further one larger
-/// by `growth` times its distance. Every level halves the cells; an even number of levels up keeps the points.
+/// Points from 0 (left out) to `length`: a cell at a distance d from 0 is about `growth` times (`smallest` + d) long.
+/// Every level keeps the points of the one before and halves its cells.
 pub(super) fn graded(length: f64, smallest: f64, growth: f64, level: u32) -> Vec<f64> {
     let stretch = (growth * length / smallest).ln_1p();
     let count = (stretch / growth).ceil().clamp(2.0, MOST) * f64::from(1_u32 << level);

@@ -3,11 +3,14 @@
 //! In every piece the rise is that in an infinite rod of this piece, in closed form (`wave`), plus a remainder: what
 //! the ends of the piece send back. The remainder has no source and no kink at the tool, so linear elements graded
 //! towards the ends of the pieces and TR-BDF2 steps graded towards both ends of the way through a piece follow it with
-//! second order (`rod`), and extrapolation of two meshes brings about the fourth. The cost depends on the number of
-//! pieces but hardly on the speed, because nothing has to resolve the front ahead of the tool in the middle of a piece.
+//! second order (`rod`), and extrapolation brings about the fourth but for the very first steps. The cost depends on
+//! the number of pieces but hardly on the speed, because nothing has to resolve the front ahead of the tool in the
+//! middle of a piece.
 
 mod mesh;
 mod rod;
+#[cfg(test)]
+mod tests;
 mod wave;
 
 use std::fmt;
@@ -15,7 +18,7 @@ use std::fmt;
 use rod::Rod;
 
 /// Cells and steps down to this many halvings of the coarsest are tried.
-const FINEST: u32 = 6;
+const FINEST: u32 = 5;
 /// Lengths below this part of the rod count as zero.
 const SLACK: f64 = 1e-9;
 /// Seen orders between these allow to extrapolate with order 2.
@@ -52,7 +55,7 @@ pub enum HeatError {
     Piece(usize),
     /// The pass has no length, leaves the rod or has no positive speed, or the tolerance is not positive.
     Pass,
-    /// The finest mesh leaves this estimated error, relative to the largest rise.
+    /// The finest mesh leaves this estimated error, relative to the largest rise; NaN after an overflow.
     Tolerance(f64),
 }
 
@@ -162,6 +165,9 @@ pub fn moving_source(pieces: &[RodPiece], pass: &Pass, tolerance: f64) -> Result
             let direction = (pass.to - pass.from).signum();
             return Ok(ToolTemperature { from: pass.from, direction, stretches, error });
         }
+        if relative.is_nan() {
+            break;
+        }
         (coarse, middle) = (middle, fine);
     }
     Err(HeatError::Tolerance(relative))
@@ -202,15 +208,16 @@ fn travelled(pieces: &[RodPiece], pass: &Pass, tolerance: f64) -> Result<(Vec<Ro
 
 /// Where three meshes lead of which each halves the cells of the one before, and the estimated error (K/W).
 ///
-/// Differences that show order 2 are extrapolated with it. The extrapolated values converge faster (order 4 but for
-/// the first knots, order 1), so half of their difference bounds the error of the last.
+/// Only differences that show order 2 are extrapolated with it. The extrapolated values gain about order 4, but only
+/// order 1 at the first knot, where one cell and one step have to do; its error halves with it, so half of the
+/// difference of two extrapolations bounds the error of the last.
 fn limit(coarse: &[Stretch], middle: &[Stretch], fine: &[Stretch]) -> (Vec<Stretch>, f64) {
     let (before, after) = (difference(coarse, middle), difference(middle, fine));
     if !ORDERS.contains(&(before / after).log2()) {
         return (fine.to_vec(), before + after);
     }
     let (older, newer) = (extrapolated(coarse, middle), extrapolated(middle, fine));
-    let error = difference(&older, &newer) / 3.0;
+    let error = 0.5 * difference(&older, &newer);
     (newer, error)
 }
 

@@ -85,7 +85,7 @@ impl<'a> Rod<'a> {
             if end - begin > NEGLIGIBLE * (to - from) {
                 let wave = Wave::new(piece, begin, self.speed);
                 let knots = self.stretch(&wave, nodes, (end - begin) / self.speed);
-                stretches.push(Stretch { start: begin - from, knots });
+                stretches.push(Stretch { start: (begin - from).max(0.0), knots });
             }
         }
         stretches
@@ -103,7 +103,7 @@ impl<'a> Rod<'a> {
         let mut knots = vec![Knot { root: 0.0, rise: self.remainder(nodes, &now, wave.tool(0.0)) }];
         for step in self.grading.times(wave, duration).windows(2) {
             let (dt, time) = (step[1] - step[0], step[1]);
-            let window = self.window(wave.tool(step[0]), wave.tool(time));
+            let window = self.window(nodes, wave.tool(step[0]), wave.tool(time));
             let end = edges(time);
             self.step(nodes, &window, dt, [&now, &edges(step[0] + STAGE * dt), &end]);
             now = end;
@@ -117,11 +117,11 @@ impl<'a> Rod<'a> {
         knots
     }
 
-    /// The elements of the pieces near enough to a tool that goes from `begin` to `end` (m).
-    fn window(&self, begin: f64, end: f64) -> Range<usize> {
+    /// The elements of the piece between `nodes` and of those near a tool that goes from `begin` to `end` (m).
+    fn window(&self, [first, last]: [usize; 2], begin: f64, end: f64) -> Range<usize> {
         let behind = self.ends.iter().rev().find(|&&node| begin - self.x[node] >= self.reach);
         let ahead = self.ends.iter().find(|&&node| self.x[node] - end >= self.reach);
-        behind.copied().unwrap_or(0)..ahead.copied().unwrap_or(self.elements.len())
+        behind.map_or(0, |&node| node.min(first))..ahead.map_or(self.elements.len(), |&node| node.max(last))
     }
 
     /// A step of TR-BDF2 over `dt` (s); the wave at its start, after its first stage and at its end.
@@ -156,12 +156,14 @@ impl<'a> Rod<'a> {
 
     /// Sets the load to mass times (`a` rise + `b` middle).
     fn weigh(&mut self, window: &Range<usize>, a: f64, b: f64) {
-        let value = |i: usize| a * self.rise[i] + b * self.middle[i];
-        let (mut left, mut carried) = (value(window.start), 0.0);
-        for i in window.clone() {
-            let (right, mass) = (value(i + 1), self.elements[i].mass);
-            self.load[i] = carried + mass * (2.0 * left + right);
-            carried = mass * (left + 2.0 * right);
+        let nodes = window.start..=window.end;
+        let mut values =
+            self.rise[nodes.clone()].iter().zip(&self.middle[nodes]).map(|(rise, middle)| a * rise + b * middle);
+        let (mut left, mut carried) = (values.next().unwrap_or(0.0), 0.0);
+        let loads = &mut self.load[window.clone()];
+        for ((load, element), right) in loads.iter_mut().zip(&self.elements[window.clone()]).zip(values) {
+            *load = carried + element.mass * (2.0 * left + right);
+            carried = element.mass * (left + 2.0 * right);
             left = right;
         }
         self.load[window.end] = carried;
@@ -188,6 +190,13 @@ impl<'a> Rod<'a> {
             };
             (nodes[i], self.rise[first + i] - wave)
         })
+    }
+
+    /// Heat in the rod after the pass, J per W.
+    #[cfg(test)]
+    pub(super) fn heat(&self) -> f64 {
+        let mean = |i: usize| self.rise[i] + self.rise[i + 1];
+        self.elements.iter().enumerate().map(|(i, element)| 3.0 * element.mass * mean(i)).sum()
     }
 }
 
