@@ -51,11 +51,6 @@ impl Joint {
         self.contacts.iter().all(|c| c.exponent == 1.0 && c.coefficient == 0.0)
     }
 
-    /// Whether the joint does not yield at all.
-    pub fn is_rigid(&self) -> bool {
-        self.spring_compliance == 0.0 && self.contacts.is_empty()
-    }
-
     /// y (m) and dy/dQ (m/N) under the force `q`; the latter is infinite at q = 0 where a contact with n < 1 closes.
     pub fn yield_under(&self, q: f64) -> (f64, f64) {
         let (mut displacement, mut compliance) = (self.spring_compliance * q, self.spring_compliance);

@@ -1,6 +1,6 @@
 //! Materials: a built-in list, or a table of one's own.
 
-use crate::input::{Bounds, Reader, nearest};
+use crate::input::{Bounds, Reader, did_you_mean};
 use crate::units::{CONDUCTIVITY, EXPANSION, Kind, MASS_DENSITY, NUMBER, PRESSURE, SPECIFIC_HEAT};
 
 /// An isotropic, linear material. SI units.
@@ -100,6 +100,6 @@ impl Material {
 }
 
 fn listed(name: &str, names: &[&'static str]) -> String {
-    let meant = nearest(name, names.iter().copied()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
+    let meant = did_you_mean(name, names.iter().copied(), '"');
     format!("{meant}known are {}; or give a table of its properties", names.join(", "))
 }

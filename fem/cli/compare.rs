@@ -68,10 +68,9 @@ fn write_residuals(
     comparisons: &[Comparison],
 ) -> Result<(), Error> {
     for (model, comparison) in models.iter().zip(comparisons) {
-        let kind = model.process.observables()[measurements.rows.observable[0]].kind;
         let stem = Path::new(&*model.source.name).file_stem().unwrap_or_default();
         let folder = if models.len() > 1 { directory.join(stem) } else { directory.to_path_buf() };
-        let text = comparison::residuals(measurements, comparison, kind);
+        let text = comparison::residuals(measurements, comparison);
         files::write(&folder.join("residuals.csv"), text.as_bytes())?;
     }
     Ok(())

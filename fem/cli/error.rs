@@ -6,7 +6,6 @@ use std::process::ExitCode;
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource};
 
 use crate::input::{InputError, Problem};
-use crate::model::AddError;
 use crate::output::OutputError;
 use crate::process::Failure;
 
@@ -45,12 +44,9 @@ impl From<OutputError> for Error {
     }
 }
 
-impl From<AddError> for Error {
-    fn from(error: AddError) -> Self {
-        match error {
-            AddError::Request(problem) => Self::Request(problem),
-            AddError::Model(error) => Self::Input(error),
-        }
+impl From<Problem> for Error {
+    fn from(problem: Problem) -> Self {
+        Self::Request(problem)
     }
 }
 

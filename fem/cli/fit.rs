@@ -11,11 +11,8 @@ use crate::output::{self, files};
 
 pub fn run(args: &args::Fit) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
-    if let Some(new) = &args.add_to
-        && super::add::same_file(&args.model, new)
-    {
-        let problem = Problem::new(format!("{} is the model itself", new.display()));
-        return Err(Error::Request(problem.help("name another file; the model is never overwritten")));
+    if let Some(new) = &args.add_to {
+        super::add::refuse_itself(&args.model, new)?;
     }
     if model.parameters.is_empty() {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));

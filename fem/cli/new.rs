@@ -3,15 +3,14 @@
 use super::args;
 use super::error::Error;
 use super::print;
-use crate::input::{Problem, nearest};
+use crate::input::{Problem, did_you_mean};
 use crate::output::files;
 use crate::process;
 
 pub fn new(args: &args::New) -> Result<(), Error> {
     let Some(process) = process::ALL.iter().find(|p| p.name() == args.process) else {
         let names: Vec<&str> = process::ALL.iter().map(|p| p.name()).collect();
-        let meant =
-            nearest(&args.process, names.iter().copied()).map_or(String::new(), |n| format!("did you mean `{n}`? "));
+        let meant = did_you_mean(&args.process, names.iter().copied(), '`');
         let problem = Problem::new(format!("`{}` is no process known here", args.process));
         return Err(Error::Request(problem.help(format!("{meant}known are {}", names.join(", ")))));
     };

@@ -57,7 +57,7 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
     let scores: Vec<Score> = axes.iter().map(|axis| axis.score(&z)).collect();
     let limit = Limit::new(noise, &axes, &z);
     let total: f64 = z.iter().map(|z| z * z).sum();
-    let kind = process.observables()[measurements.rows.observable[0]].kind;
+    let kind = measurements.kind;
     let mut features: Vec<Feature> = axes
         .iter()
         .zip(&scores)
@@ -114,6 +114,13 @@ struct Score {
 }
 
 impl Score {
+    /// Of the cells that hold rows, from which `fitted` means were taken out.
+    fn between(sums: &[f64], counts: &[f64], fitted: usize) -> Self {
+        let filled = || sums.iter().zip(counts).filter(|(_, count)| **count > 0.0);
+        let sum = filled().map(|(sum, count)| sum * sum / count).sum();
+        Self { sum, freedom: filled().count().saturating_sub(fitted).max(1) as f64 }
+    }
+
     /// How far the sum stands above what chance gives, in standard deviations.
     fn height(&self) -> f64 {
         (self.sum - self.freedom) / (2.0 * self.freedom).sqrt()
@@ -128,8 +135,7 @@ impl Binned {
             [] => Score { sum: n * mean * mean, freedom: 1.0 },
             [bins] => {
                 let (sums, counts) = gather(bins, self.counts[0], z.iter().map(|z| z - mean));
-                let sum = sums.iter().zip(&counts).filter(|(_, c)| **c > 0.0).map(|(s, c)| s * s / c).sum();
-                Score { sum, freedom: counts.iter().filter(|c| **c > 0.0).count().saturating_sub(1).max(1) as f64 }
+                Score::between(&sums, &counts, 1)
             }
             [first, second, ..] => interaction(first, second, self.counts[1], self.counts[0], z, mean),
         }
@@ -179,9 +185,7 @@ fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &
     }
     let cells: Vec<usize> = first.iter().zip(second).map(|(a, b)| a * wide + b).collect();
     let (sums, counts) = gather(&cells, wide * high, left.into_iter());
-    let filled = counts.iter().filter(|c| **c > 0.0).count();
-    let sum = sums.iter().zip(&counts).filter(|(_, c)| **c > 0.0).map(|(s, c)| s * s / c).sum();
-    Score { sum, freedom: (filled + 1).saturating_sub(wide + high).max(1) as f64 }
+    Score::between(&sums, &counts, wide + high - 1)
 }
 
 /// What a finding has to beat.

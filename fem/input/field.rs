@@ -3,7 +3,7 @@
 use serde_json::json;
 use toml_edit::{Item, Value};
 
-use super::{Problem, Reader, nearest};
+use super::{Problem, Reader, did_you_mean};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// Where a value must lie, in SI units.
@@ -262,8 +262,7 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
             return Some(*meaning);
         }
         let words: Vec<String> = self.words.iter().map(|w| format!("\"{}\"", w.0)).collect();
-        let near = nearest(given, self.words.iter().map(|w| w.0));
-        let meant = near.map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
+        let meant = did_you_mean(given, self.words.iter().map(|w| w.0), '"');
         let problem = Problem::new(format!("`{}` is {}", self.key, item.to_string().trim()))
             .help(format!("{meant}it must be one of {}", words.join(", ")));
         self.reader.refuse(problem.at(item.span()));

@@ -7,6 +7,6 @@ mod reader;
 mod source;
 
 pub use field::{Bounds, Choice, Count, Field};
-pub use problem::{InputError, Problem, nearest};
+pub use problem::{InputError, Problem, did_you_mean, nearest};
 pub use reader::{Parameter, Reader, Shape};
 pub use source::Source;

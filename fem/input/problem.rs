@@ -81,6 +81,11 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
+/// "did you mean …? ", to stand before a list of what is known; empty where nothing is near.
+pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, quote: char) -> String {
+    nearest(word, candidates).map_or(String::new(), |near| format!("did you mean {quote}{near}{quote}? "))
+}
+
 /// The candidate that `word` most likely means, if one is near enough.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let near = |c: &str| strsim::normalized_damerau_levenshtein(&word.to_lowercase(), c);

@@ -10,6 +10,7 @@ use std::path::Path;
 
 use crate::input::{InputError, Source};
 use crate::process::{Coordinate, Observable, Process, Rows};
+use crate::units::Kind;
 
 /// Largest measurement file, bytes: some ten million rows.
 const LARGEST: u64 = 500_000_000;
@@ -27,6 +28,8 @@ pub struct Measurements {
     pub uncertainty: Option<Vec<f64>>,
     /// Line of the file of each row.
     pub lines: Vec<u64>,
+    /// The kind of the observable, with its canonical unit.
+    pub kind: Kind,
     /// The unit in which the observable is written.
     pub unit: String,
     /// Which coordinates the file has a column for, by their position in the process's list.

@@ -88,6 +88,7 @@ impl<'a> Builder<'a> {
             observed: Vec::new(),
             uncertainty: has_u.then(Vec::new),
             lines: Vec::new(),
+            kind: vocabulary.observables[header.observable].kind,
             unit: header.unit.clone(),
             given: given.collect(),
             header: cells,

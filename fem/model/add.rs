@@ -3,7 +3,7 @@
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::{Model, effect_of};
-use crate::input::{InputError, Problem, Source, nearest};
+use crate::input::{Problem, Source, did_you_mean};
 use crate::process::Description;
 use crate::units::Quantity;
 
@@ -25,44 +25,32 @@ impl std::str::FromStr for Setting {
     }
 }
 
-/// Why an effect cannot be added.
-#[derive(Debug, thiserror::Error)]
-pub enum AddError {
-    /// The command line asks for something that does not fit the model.
-    #[error("{}", .0.message)]
-    Request(Problem),
-    /// The model that would be written has something wrong with it.
-    #[error("{0}")]
-    Model(#[from] InputError),
-}
-
-/// The text of `model` with the effect `name` added. Parameters without a setting are written as unknown (`?`), but for those that may be
+/// The `model` with the effect `name` added; its source is the text to write. Parameters without a setting are written as unknown (`?`), but for those that may be
 /// left out.
 ///
 /// # Errors
 /// The effect is unknown, present already, or does not fit; a setting is unknown or wrong.
-pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<String, AddError> {
-    let effect = effect_of(model.process, name).map_err(AddError::Request)?;
+pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Model, Problem> {
+    let effect = effect_of(model.process, name)?;
     if model.effects.iter().any(|e| e.description == effect) {
         let problem = Problem::new(format!("the model has the effect `{name}` already"));
-        return Err(AddError::Request(problem.help("edit its values in the file")));
+        return Err(problem.help("edit its values in the file"));
     }
     if let Err(reason) = model.system.admits(name) {
-        return Err(AddError::Request(Problem::new(reason).help("it cannot act on this workholding")));
+        return Err(Problem::new(reason).help("choose an effect that can act in this model"));
     }
-    check_settings(effect, settings).map_err(AddError::Request)?;
+    check_settings(effect, settings)?;
     let text = with_effect(&model.source.text, effect, settings)?;
-    Model::parse(Source::new(model.source.name.clone(), text.clone())).map_err(|e| {
+    Model::parse(Source::new(model.source.name.clone(), text)).map_err(|e| {
         // The mistake stands in what was asked for, not in the file.
         let problem = e.problems.into_iter().next().unwrap_or_else(|| Problem::new("the model would not be right"));
-        AddError::Request(problem.at(None))
-    })?;
-    Ok(text)
+        problem.at(None)
+    })
 }
 
 /// A table of its own goes behind everything else, which stays byte for byte; an inline `effects = { … }` is edited.
-fn with_effect(text: &str, effect: &Description, settings: &[Setting]) -> Result<String, AddError> {
-    let unreadable = |e: toml_edit::TomlError| AddError::Request(Problem::new(e.message().to_string()));
+fn with_effect(text: &str, effect: &Description, settings: &[Setting]) -> Result<String, Problem> {
+    let unreadable = |e: toml_edit::TomlError| Problem::new(e.message().to_string());
     let mut document: DocumentMut = text.parse().map_err(unreadable)?;
     if document.get("effects").is_some_and(Item::is_inline_table) {
         let mut table = InlineTable::new();
@@ -84,7 +72,7 @@ fn check_settings(effect: &Description, settings: &[Setting]) -> Result<(), Prob
     for (i, Setting { key, value }) in settings.iter().enumerate() {
         let names = || effect.parameters.iter().map(|p| p.name);
         let Some(parameter) = effect.parameters.iter().find(|p| p.name == key) else {
-            let meant = nearest(key, names()).map_or(String::new(), |n| format!("did you mean `{n}`? "));
+            let meant = did_you_mean(key, names(), '`');
             let listed = names().collect::<Vec<_>>().join(", ");
             let problem = Problem::new(format!("`{key}` is no parameter of `{}`", effect.name));
             return Err(problem.help(format!("{meant}its parameters are {listed}")));

@@ -4,7 +4,7 @@ mod add;
 mod run;
 mod schema;
 
-pub use add::{AddError, Setting, add_effect};
+pub use add::{Setting, add_effect};
 pub use run::{Run, Share};
 pub use schema::schema;
 
@@ -12,7 +12,7 @@ use std::path::Path;
 
 use toml_edit::Document;
 
-use crate::input::{InputError, Parameter, Problem, Reader, Source, nearest};
+use crate::input::{InputError, Parameter, Problem, Reader, Source, did_you_mean, nearest};
 use crate::process::{self, Active, Description, Failure, Job, Process, System};
 use crate::units::Knowledge;
 
@@ -115,7 +115,7 @@ fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Pro
     };
     let given = item.as_str().unwrap_or_default();
     process::ALL.iter().copied().find(|p| p.name() == given).ok_or_else(|| {
-        let meant = nearest(given, names()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
+        let meant = did_you_mean(given, names(), '"');
         let problem = Problem::new(format!("{} is no process known here", item.to_string().trim()));
         problem.help(format!("{meant}known are {}", listed())).at(item.span())
     })

@@ -17,7 +17,7 @@ fn adequate(fit: &Fit) -> Option<bool> {
 
 /// `fem fit --json`: `fem-fit/1`.
 pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
-    let kind = model.process.observables()[measurements.rows.observable[0]].kind;
+    let kind = measurements.kind;
     let estimate = |e: &Estimate| {
         let k = e.parameter.kind;
         let factor = k.canonical().factor;
@@ -61,7 +61,7 @@ fn finite(value: f64) -> Json {
 
 /// What was fitted, how well, and what cannot be told.
 pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
-    let kind = model.process.observables()[measurements.rows.observable[0]].kind;
+    let kind = measurements.kind;
     let mut text = format!(
         "{} fitted to {}: {} observations, noise {:.3} {} ({})\n\n",
         model.source.name,

@@ -11,7 +11,6 @@ use serde_json::{Value as Json, json};
 use crate::compare::{Comparison, Feature, NoiseSource};
 use crate::measure::Measurements;
 use crate::process::{Coordinate, Holds, Process};
-use crate::units::Kind;
 
 impl NoiseSource {
     /// The word in JSON.
@@ -24,14 +23,9 @@ impl NoiseSource {
     }
 }
 
-/// The kind of the observable that a file holds.
-fn kind(process: &dyn Process, measurements: &Measurements) -> Kind {
-    process.observables()[measurements.rows.observable[0]].kind
-}
-
 /// `fem compare --json`: `fem-comparison/1`.
 pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Json {
-    let kind = kind(process, measurements);
+    let kind = measurements.kind;
     let noise = comparisons
         .first()
         .map(|c| json!({ "sigma": kind.from_si(c.noise.rms()), "unit": kind.unit, "source": c.noise.source.word() }));

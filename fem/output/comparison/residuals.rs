@@ -2,11 +2,11 @@
 
 use crate::compare::Comparison;
 use crate::measure::Measurements;
-use crate::units::{Kind, Unit};
+use crate::units::Unit;
 
 /// The rows in their order, as written, with `predicted [unit]` and `residual [unit]` in the file's own unit.
-pub fn residuals(measurements: &Measurements, comparison: &Comparison, kind: Kind) -> String {
-    let unit = Unit::parse(&measurements.unit).unwrap_or(kind.canonical());
+pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String {
+    let unit = Unit::parse(&measurements.unit).unwrap_or(measurements.kind.canonical());
     let name = &measurements.unit;
     let mut writer = csv::Writer::from_writer(Vec::new());
     let header = measurements.header.iter().cloned();

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{kind, place};
+use super::place;
 use crate::compare::{Comparison, NoiseSource};
 use crate::measure::Measurements;
 use crate::output::plot;
@@ -10,7 +10,7 @@ use crate::process::{Plot, Process};
 
 /// How the models compare, side by side, and where each fails.
 pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> String {
-    let kind = kind(process, measurements);
+    let kind = measurements.kind;
     let mut text = format!("{}: {} observations", measurements.name, measurements.len());
     // Writing to a String does not fail, here and below.
     if let Some(first) = comparisons.first() {
@@ -48,7 +48,7 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
 }
 
 fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {
-    let kind = kind(process, measurements);
+    let kind = measurements.kind;
     let _ = writeln!(text, "\nwhere {} fails", c.model);
     if c.features.is_empty() {
         let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
