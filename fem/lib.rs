@@ -14,12 +14,14 @@
 //! model                 a model file: process, effects, what is known; run, add, schema
 //! compare               a model against measurements
 //! fit                   what a model does not know exactly, from measurements
+//! diagnose              which effect is missing
 //! output                text, CSV, JSON, VTK; files that appear whole
 //! cli                   the commands
 //! ```
 
 pub mod cli;
 pub mod compare;
+pub mod diagnose;
 pub mod element;
 pub mod fit;
 pub mod input;

@@ -34,6 +34,8 @@ pub enum Command {
     Compare(Compare),
     /// Estimate what a model marks `+-` or `?` from measurements
     Fit(Fit),
+    /// Which effect is missing, and what cannot be told apart
+    Diagnose(Diagnose),
     /// The catalogue of effects: law, parameters, units, neutral value, source
     Effects(Effects),
     /// Write a model with one more effect
@@ -101,6 +103,32 @@ pub struct Fit {
     /// Write the model with the fitted values and their uncertainties
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "What the model marks `+-` or `?` is re-fitted together with every effect on trial.
+
+Examples:
+  fem diagnose shaft.toml --with measured.csv
+  fem diagnose shaft.toml --with measured.csv --add-to better.toml")]
+pub struct Diagnose {
+    /// The model file; it is not changed
+    pub model: PathBuf,
+    /// The measurements
+    #[arg(long, value_name = "DATA.csv")]
+    pub with: PathBuf,
+    /// Where to write residuals.csv and diagnosis.json; nothing is written if left out
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Write the model with the missing effects and all fitted values
+    #[arg(long, value_name = "NEW.toml")]
+    pub add_to: Option<PathBuf>,
+    /// How many effects to look for together, at most
+    #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS)]
+    pub max_effects: usize,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

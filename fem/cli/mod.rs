@@ -3,6 +3,7 @@
 mod add;
 mod args;
 mod compare;
+mod diagnose;
 mod effects;
 mod error;
 mod fit;
@@ -28,6 +29,7 @@ pub fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Fit(args) => fit::run(&args),
+        Command::Diagnose(args) => diagnose::run(&args),
         Command::Effects(args) => effects::effects(&args),
         Command::Add(args) => add::add(&args),
         Command::New(args) => new::new(&args),

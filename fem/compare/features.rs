@@ -6,6 +6,7 @@
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
+use super::chance::Chance;
 use super::noise::{Noise, NoiseSource};
 use super::{SIGNIFICANCE, Shape};
 use crate::measure::Measurements;
@@ -202,7 +203,7 @@ impl Limit {
             return Self::Places(axes.len() as f64);
         }
         let mut shuffled = z.to_vec();
-        let mut random = SplitMix(0x5EED);
+        let mut random = Chance::new(0x5EED);
         let mut largest = |_| {
             for i in (1..shuffled.len()).rev() {
                 shuffled.swap(i, random.below(i + 1));
@@ -230,19 +231,6 @@ impl Limit {
                 (above + 1) as f64 / (heights.len() + 1) as f64
             }
         }
-    }
-}
-
-/// A small generator with a fixed seed, so that a comparison always gives the same answer (Steele, Lea, Flood 2014).
-struct SplitMix(u64);
-
-impl SplitMix {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((u128::from(z ^ (z >> 31)) * bound as u128) >> 64) as usize
     }
 }
 

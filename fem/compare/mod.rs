@@ -1,10 +1,12 @@
 //! A model against measurements: how large the difference is, whether the noise explains it, and where it has structure.
 
+mod chance;
 mod features;
 mod noise;
 mod shape;
 
-pub use features::{Axis, Feature};
+pub use chance::Chance;
+pub use features::{Axis, Feature, find as features};
 pub use noise::{Noise, NoiseSource};
 pub use shape::Shape;
 

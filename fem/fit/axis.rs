@@ -2,7 +2,7 @@
 
 use crate::input::{Bounds, Parameter};
 use crate::process::Neutral;
-use crate::units::Knowledge;
+use crate::units::{Knowledge, Quantity};
 
 /// A parameter as the search sees it.
 #[derive(Clone, Debug)]
@@ -19,6 +19,9 @@ pub struct Axis {
     /// Values to start from, SI.
     pub starts: Vec<f64>,
 }
+
+/// How far beyond the plausible range a shape is tried, as a ratio.
+const BEYOND: f64 = 2.0;
 
 /// How the search variable s relates to the value v.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +66,33 @@ impl Axis {
         Self { scale, low, high, prior, unit, starts }
     }
 
+    /// The axis of a parameter of an effect that is tried. What shapes the effect stays near what is plausible (a place within `extent`,
+    /// where it was measured): far from it one effect imitates another, and no cause is learnt.
+    pub fn on_trial(entry: &'static crate::process::Parameter, extent: Option<(f64, f64)>) -> Self {
+        let parameter = Parameter {
+            path: String::new(),
+            kind: entry.kind,
+            quantity: Quantity { value: 0.0, knowledge: Knowledge::Free },
+            bounds: entry.bounds,
+            span: None,
+        };
+        let mut axis = Self::new(&parameter, Some(entry));
+        if entry.neutral != Neutral::Shape {
+            return axis;
+        }
+        let plausible = (entry.kind.to_si(entry.range.0), entry.kind.to_si(entry.range.1));
+        let (low, high) = match extent {
+            Some(extent) => extent,
+            None if axis.scale == Scale::Logarithm => (plausible.0 / BEYOND, plausible.1 * BEYOND),
+            None => plausible,
+        };
+        let allowed = (axis.low, axis.high);
+        (axis.low, axis.high) = (axis.position(low).max(allowed.0), axis.position(high).min(allowed.1));
+        axis.unit = if axis.scale == Scale::Logarithm { 1.0 } else { 0.5 * (axis.high - axis.low) };
+        axis.starts = extent.map_or_else(|| spread(plausible.0, plausible.1), |(low, high)| spread(low, high));
+        axis
+    }
+
     /// The search variable of a value.
     pub fn position(&self, value: f64) -> f64 {
         match self.scale {
@@ -89,6 +119,17 @@ impl Axis {
             Scale::Reciprocal => 1.0 / (position * position),
             Scale::Logarithm => position.exp(),
         }
+    }
+
+    /// Evenly spaced search variables over the bounds, both of which are finite.
+    pub fn grid(&self, count: usize) -> Vec<f64> {
+        let part = |i: usize| (i as f64 + 0.5) / count as f64;
+        (0..count).map(|i| self.low + (self.high - self.low) * part(i)).collect()
+    }
+
+    /// The search variable at which the effect is switched off, for a parameter that switches it.
+    pub fn neutral(&self) -> f64 {
+        0f64.clamp(self.low, self.high)
     }
 
     /// Whether values fall where the search variable rises.

@@ -20,7 +20,7 @@ pub fn estimates(
     intervals: Vec<Interval>,
 ) -> Vec<Estimate> {
     let estimate = |(i, interval): (usize, Interval)| {
-        let (axis, parameter) = (&objective.axes[i], &objective.model.parameters[i]);
+        let (axis, parameter) = (&objective.axes[i], &objective.parameters[i]);
         let position = solution.position[i];
         let std = covariance[(i, i)].sqrt() * axis.rate(position);
         let mut warnings = Vec::new();
@@ -40,7 +40,7 @@ pub fn estimates(
             }
             _ => {}
         }
-        if let Some(entry) = objective.model.catalogue(&parameter.path) {
+        if let Some(entry) = objective.catalogue(i) {
             let shown = entry.kind.from_si(axis.value(position));
             if !at_bound && !(entry.range.0..=entry.range.1).contains(&shown) {
                 warnings.push(format!(

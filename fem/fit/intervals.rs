@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::least_squares::minimise;
+use super::least_squares::{Patience, minimise};
 use super::objective::{Objective, Solution};
 use crate::compare::NoiseSource;
 
@@ -12,6 +12,9 @@ use crate::compare::NoiseSource;
 const QUANTILE: f64 = 3.841_458_820_694_124;
 /// Distance from the quantile, in √χ², at which an end is found.
 const PRECISION: f64 = 0.02;
+
+/// How the other parameters follow one that is held.
+const FOLLOW: Patience = Patience { steps: 8, fall: 1e-10 };
 
 /// A 95 % interval, SI; an open end is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +65,7 @@ fn end(objective: &mut Objective, best: &Solution, i: usize, std: f64, quantile:
     let mut rise = |s: f64| {
         let mut start = follow.clone();
         start[i] = s;
-        let moved = minimise(objective, &start, &[i], 8)?;
+        let moved = minimise(objective, &start, &[i], FOLLOW)?;
         follow = moved.position.clone();
         Some((moved.chi2 - best.chi2).max(0.0).sqrt())
     };

@@ -6,25 +6,36 @@ use nalgebra::{DMatrix, DVector};
 use super::objective::{Objective, Solution};
 use crate::process::Failure;
 
-/// Relative fall of χ² below which nothing is gained any more.
-const SETTLED: f64 = 1e-10;
+/// When a search for a minimum ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Patience {
+    /// Steps at most.
+    pub steps: usize,
+    /// A step that lowers χ² by less than this part of 1 + χ² is the last.
+    pub fall: f64,
+}
+
+impl Patience {
+    /// To the bottom.
+    pub const FULL: Self = Self { steps: 60, fall: 1e-10 };
+}
 
 /// The minimum near a position.
 ///
 /// # Errors
 /// The model cannot be computed there.
 pub fn solve(objective: &mut Objective, start: &DVector<f64>) -> Result<Solution, Failure> {
-    minimise(objective, start, &[], 60).ok_or_else(|| Failure {
+    minimise(objective, start, &[], Patience::FULL).ok_or_else(|| Failure {
         message: "the model cannot be computed where the fit begins".into(),
         help: "give the parameters values from which `fem run` works".into(),
     })
 }
 
 /// Minimises χ² from `start` with the variables `held` standing still; `None` where it cannot be computed at the start.
-pub fn minimise(objective: &mut Objective, start: &DVector<f64>, held: &[usize], most: usize) -> Option<Solution> {
+pub fn minimise(objective: &mut Objective, start: &DVector<f64>, held: &[usize], patience: Patience) -> Option<Solution> {
     let mut here = evaluate(objective, start.clone())?;
     let mut damping = 1e-3;
-    for _ in 0..most {
+    for _ in 0..patience.steps {
         let Some(jacobian) = objective.jacobian(&here.position) else { break };
         let residuals = objective.residuals(&here.position, &here.predicted);
         let gradient = jacobian.transpose() * &residuals;
@@ -37,7 +48,7 @@ pub fn minimise(objective: &mut Objective, start: &DVector<f64>, held: &[usize],
             break;
         }
         let Some((next, fall)) = descend(objective, &here, &jacobian, &gradient, &moving, &mut damping) else { break };
-        let settled = fall <= SETTLED * (1.0 + here.chi2);
+        let settled = fall <= patience.fall * (1.0 + here.chi2);
         here = next;
         if settled {
             break;

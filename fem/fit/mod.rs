@@ -8,7 +8,11 @@ mod objective;
 mod starts;
 mod write;
 
+pub use axis::Axis;
 pub use intervals::Interval;
+pub use least_squares::{Patience, minimise};
+pub use objective::{Objective, Solution};
+pub use starts::best;
 pub use write::{fitted_text, uncertain};
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
@@ -18,7 +22,6 @@ use crate::input::Parameter;
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
 use crate::process::Failure;
-use objective::{Objective, Solution};
 
 /// Two parameters this strongly correlated say nothing apart.
 const CORRELATED: f64 = 0.95;
@@ -73,6 +76,12 @@ impl Estimate {
 /// # Errors
 /// Nothing is to be fitted, the data are fewer than the free parameters, or the model cannot be computed at all.
 pub fn fit(model: &Model, measurements: &Measurements) -> Result<Fit, Failure> {
+    if model.parameters.is_empty() {
+        return Err(Failure {
+            message: "the model has nothing to fit".into(),
+            help: "mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"".into(),
+        });
+    }
     let repeats = repeats(measurements, model.process.coordinates());
     let mut objective = Objective::new(model, measurements)?;
     let mut solution = starts::best(&mut objective)?;
@@ -82,27 +91,26 @@ pub fn fit(model: &Model, measurements: &Measurements) -> Result<Fit, Failure> {
         for _ in 0..2 {
             let noise = Noise::of(measurements, &repeats, &residuals(measurements, &solution.predicted));
             let noise = if noise.source == NoiseSource::Estimated { objective.left_over(&solution) } else { noise };
-            objective.weigh(&noise);
+            objective.noise = noise;
             solution = least_squares::solve(&mut objective, &solution.position)?;
         }
     }
-    report(&mut objective, solution, measurements, &repeats)
+    report(&mut objective, solution, &repeats)
 }
 
 fn residuals(measurements: &Measurements, predicted: &[f64]) -> Vec<f64> {
     measurements.observed.iter().zip(predicted).map(|(y, p)| y - p).collect()
 }
 
-fn report(
-    objective: &mut Objective,
-    solution: Solution,
-    measurements: &Measurements,
-    repeats: &Repeats,
-) -> Result<Fit, Failure> {
-    let residuals = residuals(measurements, &solution.predicted);
+/// Everything that is said of a minimum.
+///
+/// # Errors
+/// The model cannot be computed beside it.
+pub fn report(objective: &mut Objective, solution: Solution, repeats: &Repeats) -> Result<Fit, Failure> {
+    let residuals = residuals(objective.measurements, &solution.predicted);
     let covariance = objective.covariance(&solution)?;
     let intervals = intervals::profile(objective, &solution, &covariance);
-    let (misfit, p_value) = judge(objective, &solution, &residuals, repeats);
+    let (misfit, p_value) = judge(objective, &solution, repeats);
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
     let rms = (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt();
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
@@ -121,10 +129,10 @@ fn report(
     })
 }
 
-/// χ²/ν and p for a known noise, lack of fit by F with repeats.
-fn judge(objective: &Objective, solution: &Solution, residuals: &[f64], repeats: &Repeats) -> (f64, Option<f64>) {
-    let fitted = (objective.axes.len() - objective.priors()) as f64;
-    let freedom = residuals.len() as f64 - fitted;
+/// χ²/ν and how often chance alone gives more: for a known noise; lack of fit over pure error by F with repeats; without a p-value where the
+/// noise is only estimated.
+pub fn judge(objective: &Objective, solution: &Solution, repeats: &Repeats) -> (f64, Option<f64>) {
+    let freedom = objective.freedom();
     match objective.noise.source {
         NoiseSource::Column => {
             let p = ChiSquared::new(freedom).ok().map(|d| d.sf(solution.chi2));
@@ -133,7 +141,7 @@ fn judge(objective: &Objective, solution: &Solution, residuals: &[f64], repeats:
         NoiseSource::Repeats => {
             let pure = repeats.sum_of_squares / repeats.freedom as f64;
             let lack = solution.chi2 - repeats.sum_of_squares / pure;
-            let freedom = repeats.groups as f64 - fitted;
+            let freedom = freedom - repeats.freedom as f64;
             let f = lack.max(0.0) / freedom;
             (f, FisherSnedecor::new(freedom, repeats.freedom as f64).ok().map(|d| d.sf(f)))
         }

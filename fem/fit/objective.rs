@@ -4,76 +4,155 @@ use nalgebra::{DMatrix, DVector};
 
 use super::axis::Axis;
 use crate::compare::{Noise, NoiseSource};
+use crate::input::Parameter;
 use crate::measure::Measurements;
 use crate::model::Model;
-use crate::process::Failure;
+use crate::process::{self, Active, Description, Failure, Rows};
+use crate::units::{Knowledge, Quantity};
 
-/// χ² as a function of the search variables.
+/// χ² as a function of the search variables: what the model does not know exactly, and every parameter of effects that are added to it
+/// for a trial.
+#[derive(Clone)]
 pub struct Objective<'a> {
+    /// The model as it is written.
     pub model: &'a Model,
-    measurements: &'a Measurements,
+    /// What it is fitted to.
+    pub measurements: &'a Measurements,
+    /// Effects that the model does not have, on trial.
+    pub added: Vec<&'static Description>,
+    /// The model's own parameters, then those of the added effects.
+    pub parameters: Vec<Parameter>,
+    /// One per parameter.
     pub axes: Vec<Axis>,
+    /// By which rows are weighed.
     pub noise: Noise,
+    /// Evaluations of the model so far.
     pub evaluations: usize,
+    /// Those of them that gave no prediction.
     pub failures: usize,
 }
 
-/// A minimum.
+/// A point of the search, as a rule a minimum.
 #[derive(Clone, Debug)]
 pub struct Solution {
+    /// Search variables.
     pub position: DVector<f64>,
+    /// Of every row, SI.
     pub predicted: Vec<f64>,
+    /// Of rows and priors.
     pub chi2: f64,
 }
 
 impl<'a> Objective<'a> {
-    /// Weighs rows by their uncertainty; without one, by 1 until [`Self::weigh`].
+    /// Weighs rows by their uncertainty; without one, by a hundredth of their scatter until another [`Noise`] is set, so that priors
+    /// count, but little.
+    ///
+    /// # Errors
+    /// The data are fewer than the free parameters.
     pub fn new(model: &'a Model, measurements: &'a Measurements) -> Result<Self, Failure> {
-        let fail = |message: String, help: &str| Err(Failure { message, help: help.into() });
-        if model.parameters.is_empty() {
-            return fail(
-                "the model has nothing to fit".into(),
-                "mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"",
-            );
-        }
         let axes: Vec<Axis> = model.parameters.iter().map(|p| Axis::new(p, model.catalogue(&p.path))).collect();
         let free = axes.iter().filter(|a| a.prior.is_none()).count();
         if measurements.len() < free + 1 {
             let message = format!("{} rows cannot fix {free} free parameters", measurements.len());
-            return fail(message, "measure more, or give some of them a value with `+-`");
+            let help = "measure more, or give some of them a value with `+-`".into();
+            return Err(Failure { message, help });
         }
         let sigma = measurements.uncertainty.clone().unwrap_or_else(|| {
             let mean = measurements.observed.iter().sum::<f64>() / measurements.len() as f64;
             let square = measurements.observed.iter().map(|y| (y - mean).powi(2)).sum::<f64>();
-            // Without a noise yet, rows weigh as if a hundredth of their scatter were noise: priors count, but little.
             vec![(0.01 * (square / measurements.len() as f64).sqrt()).max(1e-12); measurements.len()]
         });
         let source = if measurements.uncertainty.is_some() { NoiseSource::Column } else { NoiseSource::Estimated };
-        Ok(Self { model, measurements, axes, noise: Noise { sigma, source }, evaluations: 0, failures: 0 })
+        Ok(Self {
+            model,
+            measurements,
+            added: Vec::new(),
+            parameters: model.parameters.clone(),
+            axes,
+            noise: Noise { sigma, source },
+            evaluations: 0,
+            failures: 0,
+        })
     }
 
-    pub fn weigh(&mut self, noise: &Noise) {
-        self.noise = noise.clone();
+    /// The same with one more effect on trial, each of its parameters free.
+    #[must_use]
+    pub fn with(&self, effect: &'static Description) -> Self {
+        let mut more = self.clone();
+        for entry in effect.parameters {
+            more.parameters.push(Parameter {
+                path: format!("effects.{}.{}", effect.name, entry.name),
+                kind: entry.kind,
+                quantity: Quantity { value: entry.kind.to_si(entry.example()), knowledge: Knowledge::Free },
+                bounds: entry.bounds,
+                span: None,
+            });
+            more.axes.push(Axis::on_trial(entry, self.extent(entry)));
+        }
+        more.added.push(effect);
+        more
     }
 
+    /// Where along its coordinate a place has been measured, SI.
+    fn extent(&self, entry: &process::Parameter) -> Option<(f64, f64)> {
+        let coordinates = self.model.process.coordinates();
+        let column = coordinates.iter().position(|c| Some(c.name) == entry.along)?;
+        let values = || self.measurements.rows.columns[column].iter().copied().filter(|v| v.is_finite());
+        let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+        (low < high).then_some((low, high))
+    }
+
+    /// The catalogue's entry of a parameter, if it belongs to an effect.
+    pub fn catalogue(&self, parameter: usize) -> Option<&'static process::Parameter> {
+        let path = &self.parameters[parameter].path;
+        let of_added = || {
+            let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
+            let description = self.added.iter().find(|d| d.name == effect)?;
+            description.parameters.iter().find(|p| p.name == name)
+        };
+        self.model.catalogue(path).or_else(of_added)
+    }
+
+    /// How many parameters have a prior.
     pub fn priors(&self) -> usize {
         self.axes.iter().filter(|a| a.prior.is_some()).count()
+    }
+
+    /// Rows and priors less parameters.
+    pub fn freedom(&self) -> f64 {
+        self.measurements.len() as f64 - (self.axes.len() - self.priors()) as f64
     }
 
     /// σ from what a solution leaves, all rows alike.
     pub fn left_over(&self, solution: &Solution) -> Noise {
         let square: f64 =
             self.measurements.observed.iter().zip(&solution.predicted).map(|(y, p)| (y - p).powi(2)).sum();
-        let freedom = (self.measurements.len() as f64 - (self.axes.len() - self.priors()) as f64).max(1.0);
-        let sigma = (square / freedom).sqrt().max(1e-15);
+        let sigma = (square / self.freedom().max(1.0)).sqrt().max(1e-15);
         Noise { sigma: vec![sigma; self.measurements.len()], source: NoiseSource::Estimated }
     }
 
-    /// The prediction of every row, if the model can be computed there.
+    /// The values of all parameters, SI.
+    pub fn values(&self, position: &DVector<f64>) -> Vec<f64> {
+        self.axes.iter().zip(position.iter()).map(|(a, s)| a.value(*s)).collect()
+    }
+
+    /// The prediction of every measured row, if the model can be computed there.
     pub fn predict(&mut self, position: &DVector<f64>) -> Option<Vec<f64>> {
+        self.predict_rows(position, &self.measurements.rows)
+    }
+
+    /// The same of any rows.
+    pub fn predict_rows(&mut self, position: &DVector<f64>, rows: &Rows) -> Option<Vec<f64>> {
         self.evaluations += 1;
-        let values: Vec<f64> = self.axes.iter().zip(position.iter()).map(|(a, s)| a.value(*s)).collect();
-        let observed = self.model.job_at(&values).and_then(|job| job.observe(&self.measurements.rows));
+        let values = self.values(position);
+        let (own, mut rest) = values.split_at(self.model.parameters.len());
+        let active = |description: &&'static Description| {
+            let (values, others) = rest.split_at(description.parameters.len());
+            rest = others;
+            Active { description, values: values.to_vec() }
+        };
+        let added: Vec<Active> = self.added.iter().map(active).collect();
+        let observed = self.model.job_with(own, &added).and_then(|job| job.observe(rows));
         let predicted = observed.ok().filter(|p| p.iter().all(|v| v.is_finite()));
         self.failures += usize::from(predicted.is_none());
         predicted
@@ -113,6 +192,9 @@ impl<'a> Objective<'a> {
             help: "check bounds and values".into(),
         })?;
         let n = self.axes.len();
+        if n == 0 {
+            return Ok(DMatrix::zeros(0, 0));
+        }
         let scale = DVector::from_iterator(n, self.axes.iter().map(|a| a.unit));
         let scaled = DMatrix::from_fn(jacobian.nrows(), n, |r, c| jacobian[(r, c)] * scale[c]);
         let eigen = (scaled.transpose() * scaled).symmetric_eigen();

@@ -3,14 +3,14 @@
 
 use nalgebra::DVector;
 
-use super::least_squares::minimise;
+use super::least_squares::{Patience, minimise};
 use super::objective::{Objective, Solution};
 use crate::process::Failure;
 
 /// Combinations of starts tried at most.
 const MOST: usize = 60;
-/// Steps of the first, short search from each.
-const SHORT: usize = 6;
+/// The first, short search from each.
+const SHORT: Patience = Patience { steps: 6, fall: 1e-10 };
 
 /// The best minimum over all starts.
 pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
@@ -22,7 +22,7 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     }
     tried.sort_by(|a, b| a.chi2.total_cmp(&b.chi2));
     let finals: Vec<Solution> =
-        tried.iter().take(3).filter_map(|s| minimise(objective, &s.position, &[], 60)).collect();
+        tried.iter().take(3).filter_map(|s| minimise(objective, &s.position, &[], Patience::FULL)).collect();
     finals.into_iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2)).ok_or_else(|| Failure {
         message: "the model cannot be computed anywhere that the fit begins".into(),
         help: "give the parameters values from which `fem run` works".into(),

@@ -68,11 +68,22 @@ impl Model {
     /// # Errors
     /// The values make no model: a trial of a search went where there is none.
     pub fn job_at(&self, values: &[f64]) -> Result<Box<dyn Job>, Failure> {
+        self.job_with(values, &[])
+    }
+
+    /// The same with further effects acting that the file does not have.
+    ///
+    /// # Errors
+    /// The values make no model.
+    pub fn job_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn Job>, Failure> {
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
-        let ((_, system, effects), _, problems) =
+        let ((_, system, mut effects), _, problems) =
             Reader::trial(self.document.as_table(), trial, |model| read(model, self.process));
         match problems.first() {
-            None => Ok(system.equip(&effects)),
+            None => {
+                effects.extend_from_slice(added);
+                Ok(system.equip(&effects))
+            }
             Some(problem) => {
                 Err(Failure { message: problem.message.clone(), help: problem.help.clone().unwrap_or_default() })
             }

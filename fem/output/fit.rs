@@ -55,7 +55,8 @@ pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
     })
 }
 
-fn finite(value: f64) -> Json {
+/// A number, or null where there is none.
+pub(super) fn finite(value: f64) -> Json {
     if value.is_finite() { json!(value) } else { Json::Null }
 }
 

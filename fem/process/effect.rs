@@ -50,6 +50,8 @@ pub struct Parameter {
     pub default: Option<f64>,
     /// A parameter without which this one may be left out: while that one is zero it has nothing to shape.
     pub needed_with: Option<&'static str>,
+    /// The coordinate along which it is a place, if it is one.
+    pub along: Option<&'static str>,
 }
 
 /// The value of a parameter at which its effect vanishes.
@@ -131,7 +133,7 @@ impl Parameter {
         bounds: Bounds,
         range: (f64, f64),
     ) -> Self {
-        Self { name, kind, about, neutral, range, bounds, default: None, needed_with: None }
+        Self { name, kind, about, neutral, range, bounds, default: None, needed_with: None, along: None }
     }
 
     /// A stiffness: infinite is neutral.
@@ -167,6 +169,12 @@ impl Parameter {
     pub const fn within(mut self, bounds: Bounds) -> Self {
         self.bounds = bounds;
         self
+    }
+
+    /// A place along a coordinate, which shapes the effect without switching it.
+    pub const fn place(name: &'static str, kind: Kind, about: &'static str, along: &'static str, range: (f64, f64)) -> Self {
+        let place = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
+        Self { along: Some(along), ..place }
     }
 
     /// May be left out, and is then `si`.

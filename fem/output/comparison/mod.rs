@@ -57,7 +57,8 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     })
 }
 
-fn feature(feature: &Feature) -> Json {
+/// A place where a model fails.
+pub(super) fn feature(feature: &Feature) -> Json {
     json!({
         "coordinate": feature.coordinate,
         "shape": feature.shape.map(|s| s.word()),

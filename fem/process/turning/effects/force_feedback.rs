@@ -26,6 +26,7 @@ static DESCRIPTION: Description = Description {
         bounds: Bounds::Within(0.0, 1.0),
         default: None,
         needed_with: None,
+        along: None,
     }],
     look_alikes: &[("carriage-compliance", "a measured blank: a spring does not copy it")],
 };

@@ -4,8 +4,7 @@
 //! displacement of the nose, m; centre and width in m along the shaft.
 
 use super::super::Machine;
-use crate::input::Bounds;
-use crate::process::{Description, Effect, Neutral, Parameter, Values};
+use crate::process::{Description, Effect, Parameter, Values};
 use crate::units::{LENGTH, MICRO};
 
 /// `guideway-wear`.
@@ -18,16 +17,7 @@ static DESCRIPTION: Description = Description {
     source: "seed 002, wear of the guideways",
     parameters: &[
         Parameter::amplitude("depth", MICRO, "displacement of the tool nose at the worst place", (1.0, 100.0)),
-        Parameter {
-            name: "centre",
-            kind: LENGTH,
-            about: "the worst place, from the headstock",
-            neutral: Neutral::Shape,
-            range: (0.0, 1000.0),
-            bounds: Bounds::Any,
-            default: None,
-            needed_with: None,
-        },
+        Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),
         Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
     ],
     look_alikes: &[],

@@ -1,0 +1,146 @@
+//! Effects that cannot be told apart by these data: naming one of them alone would be a wrong answer.
+
+use nalgebra::DVector;
+use rayon::prelude::*;
+
+use super::ground::Ground;
+use super::search::{Found, Trial, fit_with, starts};
+use crate::fit::{Patience, minimise};
+
+/// Sets of one size are equally good when χ² differs by no more than this.
+const EQUAL: f64 = 6.0;
+/// Squared separation, in standard uncertainties, below which the noise mixes two sets up in more than one case of twenty:
+/// (1.645 + 1.645)².
+const SEPARATE: f64 = 11.0;
+/// To first order an alternative may look worse than it is: beyond this much plus a part of the gain it is not fitted.
+const HOPELESS: (f64, f64) = (40.0, 0.25);
+/// The fits that decide.
+const THOROUGH: Patience = Patience { steps: 60, fall: 1e-7 };
+
+/// Another effect in the place of one of a set.
+#[derive(Clone)]
+pub struct Rival<'a> {
+    /// The set with the other effect in place.
+    pub trial: Trial<'a>,
+    /// The candidate that stands in.
+    pub candidate: usize,
+    /// χ² of the rival set less that of the set.
+    pub worse_by: f64,
+    /// Squared distance between the two predictions that no parameter of the rival can bridge, in standard uncertainties.
+    pub separation: f64,
+}
+
+impl Rival<'_> {
+    fn is_equal(&self) -> bool {
+        self.worse_by <= EQUAL || self.separation < SEPARATE
+    }
+}
+
+/// For each member of the best set those that could stand in its place, the best first; and χ² without the member.
+pub struct Place<'a> {
+    /// The member.
+    pub candidate: usize,
+    /// χ² of the set without it.
+    pub without: f64,
+    /// Who fits as well.
+    pub rivals: Vec<Rival<'a>>,
+}
+
+/// The places of the best set.
+pub fn places<'a>(found: &Found<'a>) -> Vec<Place<'a>> {
+    let best = found.best();
+    let mut places: Vec<Place<'a>> =
+        best.members.par_iter().filter_map(|member| place(found, best, *member)).collect();
+    // Sets that differ in more than one effect: each of their effects stands for the one that it resembles most.
+    for other in found.tried.iter().filter(|t| t.members.len() == best.members.len()) {
+        let new: Vec<usize> = other.members.iter().copied().filter(|m| !best.members.contains(m)).collect();
+        if new.len() < 2 {
+            continue;
+        }
+        let Some(rival) = rival(best, other.clone(), new[0]) else { continue };
+        if !rival.is_equal() {
+            continue;
+        }
+        let mut open: Vec<usize> = best.members.iter().copied().filter(|m| !other.members.contains(m)).collect();
+        for candidate in new {
+            let likest = |m: &usize| likeness(found, candidate, *m);
+            let Some(i) = (0..open.len()).max_by(|a, b| likest(&open[*a]).total_cmp(&likest(&open[*b]))) else { break };
+            let member = open.remove(i);
+            if let Some(place) = places.iter_mut().find(|p| p.candidate == member) {
+                if place.rivals.iter().all(|r| r.candidate != candidate) {
+                    place.rivals.push(Rival { candidate, ..rival.clone() });
+                }
+            }
+        }
+    }
+    places
+}
+
+fn place<'a>(found: &Found<'a>, best: &Trial<'a>, member: usize) -> Option<Place<'a>> {
+    let without = without(found, best, member)?;
+    let ground = Ground::new(&mut without.objective.clone(), &without.solution)?;
+    let gained = without.solution.chi2 - best.solution.chi2;
+    let stand_in = |candidate: usize| {
+        let starts = starts(&ground, &found.candidates[candidate]);
+        let fall = starts.first().map_or(0.0, |s| s.1.fall);
+        if gained - fall > HOPELESS.0 + HOPELESS.1 * gained {
+            return None;
+        }
+        let trial = fit_with(&without, candidate, &found.candidates[candidate], &starts)?;
+        rival(best, trial, candidate).filter(Rival::is_equal)
+    };
+    let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i));
+    let mut rivals: Vec<Rival<'a>> = others.filter_map(stand_in).collect();
+    rivals.sort_by(|a, b| a.trial.score().total_cmp(&b.trial.score()));
+    Some(Place { candidate: member, without: without.solution.chi2, rivals })
+}
+
+/// The best set less one of its effects, fitted.
+pub fn without<'a>(found: &Found<'a>, best: &Trial<'a>, member: usize) -> Option<Trial<'a>> {
+    let mut trial = found.base.clone();
+    let mut position: Vec<f64> = best.solution.position.iter().copied().collect();
+    let own = found.base.objective.axes.len();
+    let mut kept: Vec<f64> = position.drain(..own).collect();
+    for &m in &best.members {
+        let values: Vec<f64> = position.drain(..found.candidates[m].parameters).collect();
+        if m != member {
+            trial.objective = trial.objective.with(found.candidates[m].effect);
+            trial.members.push(m);
+            kept.extend(values);
+        }
+    }
+    trial.solution = minimise(&mut trial.objective, &DVector::from_vec(kept), &[], THOROUGH)?;
+    Some(trial)
+}
+
+/// Compares a set with the best: by its fit, and by what would be left if the best were the truth and nothing noisy.
+fn rival<'a>(best: &Trial<'a>, mut trial: Trial<'a>, candidate: usize) -> Option<Rival<'a>> {
+    let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).zip(&trial.objective.noise.sigma);
+    let shared = best.objective.model.parameters.len();
+    let moved = |i: usize| {
+        let axis = &trial.objective.axes[i];
+        let [a, b] = [best, &trial].map(|t| axis.value(t.solution.position[i]));
+        axis.prior.map(|(_, std)| (a - b) / std)
+    };
+    let apart = rows.map(|((p, q), s)| (p - q) / s).chain((0..shared).filter_map(moved));
+    let apart = DVector::from_vec(apart.collect());
+    let ground = Ground::new(&mut trial.objective, &trial.solution)?;
+    let separation = ground.project(apart).norm_squared();
+    let worse_by = trial.solution.chi2 - best.solution.chi2;
+    Some(Rival { trial, candidate, worse_by, separation })
+}
+
+/// How much of the signature of one candidate the other can make, at best, 0 to 1.
+fn likeness(found: &Found, a: usize, b: usize) -> f64 {
+    let Some(ground) = Ground::new(&mut found.base.objective.clone(), &found.base.solution) else { return 0.0 };
+    let columns = |i: usize| {
+        let variants = found.candidates[i].variants.iter();
+        variants.map(|v| ground.project_columns(&v.columns)).collect::<Vec<_>>()
+    };
+    let (of_a, of_b) = (columns(a), columns(b));
+    let cosine = |x: &nalgebra::DMatrix<f64>, y: &nalgebra::DMatrix<f64>| {
+        let (x, y) = (x.column(0), y.column(0));
+        (x.dot(&y) / (x.norm() * y.norm()).max(f64::MIN_POSITIVE)).abs()
+    };
+    of_a.iter().flat_map(|x| of_b.iter().map(move |y| cosine(x, y))).fold(0.0, f64::max)
+}

@@ -1,0 +1,72 @@
+//! What the model's own freedom can imitate is taken out of residual and signatures before anything is judged.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::gain::{Gain, gain};
+use super::signature::Variant;
+use crate::fit::{Objective, Solution};
+
+/// A direction that is this much shorter after the others are taken out is one of theirs.
+const DEPENDENT: f64 = 1e-7;
+
+/// The space about a fitted model, with everything that its free parameters can imitate projected out. Priors are rows like any others.
+pub struct Ground {
+    /// Orthonormal directions that the free parameters span.
+    tangent: DMatrix<f64>,
+    /// The standardised residual, measured less predicted.
+    pub residual: DVector<f64>,
+    /// Rows and priors less directions.
+    pub freedom: f64,
+}
+
+impl Ground {
+    /// About a solution; `None` where the model cannot be computed beside it.
+    pub fn new(objective: &mut Objective, solution: &Solution) -> Option<Self> {
+        let jacobian = objective.jacobian(&solution.position)?;
+        let tangent = orthonormal(&jacobian);
+        let residual = objective.residuals(&solution.position, &solution.predicted);
+        let freedom = (residual.len() - tangent.ncols()) as f64;
+        let residual = project(&tangent, residual);
+        Some(Self { tangent, residual, freedom })
+    }
+
+    /// What is left of a vector when all that the free parameters can imitate is taken out.
+    pub fn project(&self, v: DVector<f64>) -> DVector<f64> {
+        project(&self.tangent, v)
+    }
+
+    /// The same of every column.
+    pub fn project_columns(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        columns - &self.tangent * (self.tangent.transpose() * columns)
+    }
+
+    /// How much χ² falls, to first order, when an effect is added with these shapes.
+    pub fn gain(&self, variant: &Variant) -> Gain {
+        let columns = self.project_columns(&variant.columns);
+        gain(&(columns.transpose() * &columns), &(columns.transpose() * &self.residual), &variant.signed)
+    }
+}
+
+fn project(tangent: &DMatrix<f64>, v: DVector<f64>) -> DVector<f64> {
+    let along = tangent.transpose() * &v;
+    v - tangent * along
+}
+
+/// Gram and Schmidt, twice, without the directions that depend on earlier ones.
+fn orthonormal(columns: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    for column in columns.column_iter() {
+        let size = column.norm();
+        let mut v = column.into_owned();
+        for _ in 0..2 {
+            for b in &basis {
+                let along = b.dot(&v);
+                v.axpy(-along, b, 1.0);
+            }
+        }
+        if v.norm() > DEPENDENT * size {
+            basis.push(v.normalize());
+        }
+    }
+    if basis.is_empty() { DMatrix::zeros(columns.nrows(), 0) } else { DMatrix::from_columns(&basis) }
+}

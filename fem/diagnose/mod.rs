@@ -1,0 +1,240 @@
+//! Which effect is missing: the search over everything that the process knows and the model does not have.
+//!
+//! The model's own freedom is re-fitted together with every effect on trial, sets of effects grow while the gain is more than chance gives to a
+//! search as wide, and what fits as well is named beside what is found. What no effect explains is described, not explained.
+
+mod classes;
+mod gain;
+mod ground;
+mod held_out;
+mod price;
+mod search;
+mod signature;
+mod verdict;
+mod visibility;
+
+pub use search::SIGNIFICANCE;
+pub use verdict::{State, Verdict};
+pub use visibility::Visibility;
+
+use crate::compare::{Feature, Noise, NoiseSource};
+use crate::fit::{self, Estimate, Fit, Objective, Patience, Solution, minimise};
+use crate::measure::{Measurements, Repeats, repeats};
+use crate::model::Model;
+use crate::process::{Description, Failure};
+use held_out::Folds;
+use price::Yardstick;
+use search::{Found, Trial};
+
+/// Effects that are looked for together, unless told otherwise.
+pub const MOST_EFFECTS: usize = 3;
+/// The noise is estimated anew when what the best set leaves differs by more than this ratio.
+const SETTLED: f64 = 1.1;
+
+/// What is missing in a model. SI units.
+pub struct Diagnosis {
+    /// The noise that everything was judged by.
+    pub noise: Noise,
+    /// The model with its own freedom re-fitted.
+    pub before: State,
+    /// Where that fails.
+    pub features: Vec<Feature>,
+    /// In a word.
+    pub verdict: Verdict,
+    /// The effects, in the order in which they should be added.
+    pub missing: Vec<Missing>,
+    /// The model with all of them.
+    pub after: State,
+    /// All parameters of that, the model's own and those of the effects.
+    pub fit: Fit,
+    /// Structure that remains.
+    pub remaining: Vec<Feature>,
+    /// Every effect that the model does not have.
+    pub candidates: Vec<Outlook>,
+    /// By which coordinate rows were held out.
+    pub held_out_by: Option<&'static str>,
+    /// Trial values at which the model could not be computed, and all of them.
+    pub trials: (usize, usize),
+}
+
+/// An effect that is missing.
+pub struct Missing {
+    /// Which.
+    pub effect: &'static Description,
+    /// The model with this and the effects before it.
+    pub state: State,
+    /// How often chance alone gains as much by any effect, all others being there.
+    pub p_value: f64,
+    /// Its parameters, fitted with all others.
+    pub estimates: Vec<Estimate>,
+    /// Effects that fit as well in its place.
+    pub indistinguishable_from: Vec<&'static Description>,
+}
+
+/// What the data say of one effect that the model does not have.
+pub struct Outlook {
+    /// Which.
+    pub effect: &'static Description,
+    /// With this effect alone added; `None` where it gains nothing or cannot be computed.
+    pub rms: Option<f64>,
+    /// Change of Schwarz's criterion by it alone; below zero speaks for it.
+    pub delta_bic: f64,
+    /// How often chance alone gains as much by any effect.
+    pub p_value: f64,
+    /// What could have been seen of it.
+    pub visibility: Option<Visibility>,
+}
+
+/// Looks for up to `most` effects that the model lacks.
+///
+/// # Errors
+/// The data are too few, or the model cannot be computed.
+pub fn diagnose(model: &Model, measurements: &Measurements, most: usize) -> Result<Diagnosis, Failure> {
+    let repeats = repeats(measurements, model.process.coordinates());
+    let absent: Vec<&'static Description> = model
+        .process
+        .effects()
+        .into_iter()
+        .filter(|d| model.effects.iter().all(|e| e.description != *d) && model.system.admits(d.name).is_ok())
+        .collect();
+    let mut objective = Objective::new(model, measurements)?;
+    let mut solution = fit::best(&mut objective)?;
+    let residuals: Vec<f64> = measurements.observed.iter().zip(&solution.predicted).map(|(y, p)| y - p).collect();
+    objective.noise = Noise::of(measurements, &repeats, &residuals);
+    let mut found = look(&mut objective, &mut solution, &absent, &repeats, most)?;
+    if objective.noise.source == NoiseSource::Estimated {
+        for _ in 0..4 {
+            // What the best set leaves is the noise, until a better set is found with it.
+            let left = found.best().objective.left_over(&found.best().solution);
+            let ratio = left.sigma[0] / objective.noise.sigma[0];
+            objective.noise = left;
+            found = look(&mut objective, &mut solution, &absent, &repeats, most)?;
+            if (1.0 / SETTLED..SETTLED).contains(&ratio) {
+                break;
+            }
+        }
+    }
+    conclude(found, &repeats)
+}
+
+/// One search with a given noise.
+fn look<'a>(
+    objective: &mut Objective<'a>,
+    solution: &mut Solution,
+    absent: &[&'static Description],
+    repeats: &Repeats,
+    most: usize,
+) -> Result<Found<'a>, Failure> {
+    *solution = minimise(objective, &solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
+    let candidates = signature::candidates(objective, solution, absent);
+    let base = Trial { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
+    let yardstick = yardstick(&objective.noise, repeats);
+    search::search(base, candidates, yardstick, most).ok_or_else(unsolvable)
+}
+
+fn yardstick(noise: &Noise, repeats: &Repeats) -> Yardstick {
+    match noise.source {
+        NoiseSource::Column => Yardstick::Known,
+        NoiseSource::Repeats => Yardstick::Repeats(repeats.freedom as f64),
+        NoiseSource::Estimated => Yardstick::LeftOver,
+    }
+}
+
+fn unsolvable() -> Failure {
+    Failure {
+        message: "the model cannot be computed about its best values".into(),
+        help: "give the parameters values from which `fem run` works".into(),
+    }
+}
+
+fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
+    let yardstick = yardstick(&found.base.objective.noise, repeats);
+    let folds = Folds::of(&found.base);
+    let mut best = found.best().clone();
+    best.solution = minimise(&mut best.objective, &best.solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
+    let state = |trial: &Trial| State::of(trial, repeats, folds.as_ref());
+    let (before, mut after) = (state(&found.base), state(&best));
+    let features = verdict::features(&found.base);
+    let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
+    let verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
+    if verdict == Verdict::Unexplained {
+        best = found.base.clone();
+        after = before.clone();
+        remaining = features.clone();
+    }
+    let mut fitting = best.objective.clone();
+    let fit = fit::report(&mut fitting, best.solution.clone(), repeats)?;
+    let missing = if best.members.is_empty() { Vec::new() } else { missing(&found, &best, &fit, yardstick, &state) };
+    let all = found.tried.iter().chain([&found.base, &best]);
+    let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
+    let candidates = outlooks(&found, &best, yardstick);
+    Ok(Diagnosis {
+        noise: found.base.objective.noise.clone(),
+        before,
+        features,
+        verdict,
+        missing,
+        after,
+        fit,
+        remaining,
+        candidates,
+        held_out_by: folds.map(|f| f.coordinate),
+        trials,
+    })
+}
+
+/// The effects of the best set, the most needed first, each with those that could stand in its place.
+fn missing(
+    found: &Found,
+    best: &Trial,
+    fit: &Fit,
+    yardstick: Yardstick,
+    state: &dyn Fn(&Trial) -> State,
+) -> Vec<Missing> {
+    let places = classes::places(found);
+    let mut list = Vec::new();
+    let mut rest = best.clone();
+    while !rest.members.is_empty() {
+        let smaller = rest.members.iter().filter_map(|m| classes::without(found, &rest, *m).map(|t| (*m, t)));
+        let Some((last, next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else { break };
+        let place = places.iter().find(|p| p.candidate == last);
+        let gained = place.map_or(0.0, |p| p.without - best.solution.chi2);
+        let measured = yardstick.measure(gained, best.solution.chi2, best.objective.freedom());
+        let effect = found.candidates[last].effect;
+        let prefix = format!("effects.{}.", effect.name);
+        list.push(Missing {
+            effect,
+            state: state(&rest),
+            p_value: found.price.p_value(measured),
+            estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(&prefix)).cloned().collect(),
+            indistinguishable_from: place
+                .map_or(Vec::new(), |p| p.rivals.iter().map(|r| found.candidates[r.candidate].effect).collect()),
+        });
+        rest = next;
+    }
+    list.reverse();
+    list
+}
+
+/// What the data say of every effect that is not there.
+fn outlooks(found: &Found, best: &Trial, yardstick: Yardstick) -> Vec<Outlook> {
+    let ground = ground::Ground::new(&mut best.objective.clone(), &best.solution);
+    let threshold = found.price.quantile(SIGNIFICANCE);
+    let outlook = |(candidate, single): (&signature::Candidate, &Option<Trial>)| {
+        let visibility = ground.as_ref().and_then(|g| visibility::visibility(g, candidate, threshold));
+        let gained = single.as_ref().map_or(0.0, |t| found.base.solution.chi2 - t.solution.chi2);
+        let measured = single
+            .as_ref()
+            .map_or(0.0, |t| yardstick.measure(gained, t.solution.chi2, t.objective.freedom()));
+        Outlook {
+            effect: candidate.effect,
+            rms: single.as_ref().map(verdict::rms),
+            delta_bic: single.as_ref().map_or(0.0, |t| t.score() - found.base.score()),
+            p_value: found.first_price.p_value(measured),
+            visibility,
+        }
+    };
+    let mut all: Vec<Outlook> = found.candidates.iter().zip(&found.singles).map(outlook).collect();
+    all.sort_by(|a, b| a.delta_bic.total_cmp(&b.delta_bic));
+    all
+}

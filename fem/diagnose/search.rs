@@ -1,0 +1,250 @@
+//! The search for what is missing: sets of effects, growing while the gain is more than chance gives.
+//!
+//! Adding the best effect, then the next best, picks wrong pairs where signatures are alike. So every size has several sets on trial, each
+//! re-fitted with all parameters free; pairs are all looked at, and larger sets grow from the best of the smaller ones.
+
+use std::collections::HashMap;
+
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+
+use super::gain::{Gain, gain};
+use super::ground::Ground;
+use super::price::{Price, Yardstick};
+use super::signature::Candidate;
+use crate::fit::{Objective, Patience, Solution, minimise};
+
+/// A set grows when chance alone gives so much in fewer searches than this.
+pub const SIGNIFICANCE: f64 = 0.01;
+/// Sets from which larger ones grow.
+const BEAM: usize = 6;
+/// Sets of one size that are re-fitted.
+const REFITTED: usize = 12;
+/// Starts of a re-fit: the best shapes of an effect, each of another neighbourhood.
+const STARTS: usize = 2;
+/// Far enough to tell sets apart; the last one is fitted to the bottom.
+const SEARCHING: Patience = Patience { steps: 25, fall: 1e-5 };
+
+/// The model with some effects more, fitted.
+#[derive(Clone)]
+pub struct Trial<'a> {
+    /// Candidates that were added, by number, in the order of adding.
+    pub members: Vec<usize>,
+    /// What was minimised.
+    pub objective: Objective<'a>,
+    /// Where the minimum is.
+    pub solution: Solution,
+}
+
+impl Trial<'_> {
+    /// χ² with a price on every parameter (Schwarz 1978): by it sets are ranked.
+    pub fn score(&self) -> f64 {
+        let parameters = self.objective.axes.len() - self.objective.priors();
+        self.solution.chi2 + parameters as f64 * (self.objective.measurements.len() as f64).ln()
+    }
+
+    fn key(&self) -> Vec<usize> {
+        key(&self.members)
+    }
+}
+
+fn key(members: &[usize]) -> Vec<usize> {
+    let mut sorted = members.to_vec();
+    sorted.sort_unstable();
+    sorted
+}
+
+/// What the search found.
+pub struct Found<'a> {
+    /// The model without any of them.
+    pub base: Trial<'a>,
+    /// What was looked for.
+    pub candidates: Vec<Candidate>,
+    /// The best set of each size, as long as the gain was significant.
+    pub steps: Vec<Trial<'a>>,
+    /// Each candidate alone, where it can be computed.
+    pub singles: Vec<Option<Trial<'a>>>,
+    /// Everything that was fitted.
+    pub tried: Vec<Trial<'a>>,
+    /// What the first effect gains by chance.
+    pub first_price: Price,
+    /// What one effect more gains by chance, on the last set.
+    pub price: Price,
+}
+
+impl<'a> Found<'a> {
+    /// The best set: the model itself where nothing was found.
+    pub fn best(&self) -> &Trial<'a> {
+        self.steps.last().unwrap_or(&self.base)
+    }
+}
+
+/// A set that is worth fitting.
+struct Lead<'t, 'a> {
+    parent: &'t Trial<'a>,
+    added: usize,
+    /// Variants of the added effect, with the gain that each promises.
+    starts: Vec<(usize, Gain)>,
+    /// χ² that the best of them promises.
+    promised: f64,
+}
+
+/// Searches sets of up to `most` effects. `None` where the model cannot be computed beside its own best values.
+pub fn search<'a>(
+    base: Trial<'a>,
+    candidates: Vec<Candidate>,
+    yardstick: Yardstick,
+    most: usize,
+) -> Option<Found<'a>> {
+    let everyone: Vec<&Candidate> = candidates.iter().collect();
+    let ground = Ground::new(&mut base.objective.clone(), &base.solution)?;
+    let first_price = Price::simulate(&ground, &everyone, yardstick);
+    let mut price = first_price.clone();
+    let mut tried: HashMap<Vec<usize>, Trial<'a>> = HashMap::new();
+    let mut beam = vec![base.clone()];
+    let mut steps: Vec<Trial<'a>> = Vec::new();
+    let mut singles = Vec::new();
+    for size in 1..=most.max(1) {
+        let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
+        if size == 2 {
+            let (first, second) = promise_pairs(&ground, &candidates);
+            for lead in &mut leads {
+                let (i, j) = (lead.parent.members.first().copied().unwrap_or(0), lead.added);
+                let together = first.norm_squared() - second[(i.min(j), i.max(j))];
+                lead.promised = lead.promised.min(together);
+            }
+        }
+        leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
+        let mut seen = std::collections::HashSet::new();
+        leads.retain(|lead| {
+            let mut members = lead.parent.members.clone();
+            members.push(lead.added);
+            seen.insert(key(&members))
+        });
+        leads.truncate(if size == 1 { usize::MAX } else { REFITTED });
+        let fitted: Vec<Trial<'a>> = leads.par_iter().filter_map(|lead| refit(lead, &candidates)).collect();
+        drop(leads);
+        if size == 1 {
+            let of = |i: usize| fitted.iter().find(|t| t.members == [i]).cloned();
+            singles = (0..candidates.len()).map(of).collect();
+        }
+        beam = fitted;
+        beam.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        tried.extend(beam.iter().map(|t| (t.key(), t.clone())));
+        let Some(best) = beam.first().cloned() else { break };
+        if size > 1 {
+            beam.truncate(BEAM);
+        }
+        let before = steps.last().unwrap_or(&base);
+        let gained = before.solution.chi2 - best.solution.chi2;
+        let p_value = price.p_value(yardstick.measure(gained, best.solution.chi2, best.objective.freedom()));
+        if p_value >= SIGNIFICANCE {
+            break;
+        }
+        steps.push(best.clone());
+        let Some(ground) = Ground::new(&mut best.objective.clone(), &best.solution) else { break };
+        let others = candidates.iter().enumerate().filter(|(i, _)| !best.members.contains(i)).map(|(_, c)| c);
+        price = Price::simulate(&ground, &others.collect::<Vec<_>>(), yardstick);
+    }
+    Some(Found { base, candidates, steps, singles, tried: tried.into_values().collect(), first_price, price })
+}
+
+/// Every effect that could be added to a set, with its most promising shapes.
+fn leads<'t, 'a>(parent: &'t Trial<'a>, candidates: &[Candidate]) -> Vec<Lead<'t, 'a>> {
+    let Some(ground) = Ground::new(&mut parent.objective.clone(), &parent.solution) else { return Vec::new() };
+    let lead = |added: usize| {
+        let starts = starts(&ground, &candidates[added]);
+        let fall = starts.first().map_or(0.0, |s| s.1.fall);
+        Lead { parent, added, starts, promised: parent.solution.chi2 - fall }
+    };
+    (0..candidates.len()).filter(|i| !parent.members.contains(i)).map(lead).filter(|l| !l.starts.is_empty()).collect()
+}
+
+/// The most promising shapes of an effect on a ground.
+pub fn starts(ground: &Ground, candidate: &Candidate) -> Vec<(usize, Gain)> {
+    let mut all: Vec<(usize, Gain)> =
+        candidate.variants.iter().enumerate().map(|(i, v)| (i, ground.gain(v))).collect();
+    all.sort_by(|a, b| b.1.fall.total_cmp(&a.1.fall));
+    let mut chosen: Vec<(usize, Gain)> = Vec::new();
+    for (i, gain) in all {
+        // Neighbours on the grid run into the same minimum.
+        if chosen.iter().all(|(j, _)| i.abs_diff(*j) > 1) && chosen.len() < STARTS {
+            chosen.push((i, gain));
+        }
+    }
+    chosen
+}
+
+/// Fits a set from its starts.
+fn refit<'a>(lead: &Lead<'_, 'a>, candidates: &[Candidate]) -> Option<Trial<'a>> {
+    fit_with(lead.parent, lead.added, &candidates[lead.added], &lead.starts)
+}
+
+/// A set with one candidate more, fitted from the given starts.
+pub fn fit_with<'a>(
+    parent: &Trial<'a>,
+    added: usize,
+    candidate: &Candidate,
+    starts: &[(usize, Gain)],
+) -> Option<Trial<'a>> {
+    let mut objective = parent.objective.with(candidate.effect);
+    let first = parent.objective.axes.len();
+    let mut best: Option<Solution> = None;
+    for (variant, gain) in starts {
+        let variant = &candidate.variants[*variant];
+        let mut own = variant.position.clone();
+        for (i, amplitude) in variant.switches.iter().zip(&gain.amplitudes) {
+            own[*i] = (own[*i] + amplitude).clamp(objective.axes[first + i].low, objective.axes[first + i].high);
+        }
+        let all = parent.solution.position.iter().copied().chain(own);
+        let start = DVector::from_iterator(first + variant.position.len(), all);
+        let found = minimise(&mut objective, &start, &[], SEARCHING);
+        best = best.into_iter().chain(found).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
+    }
+    let solution = best?;
+    let mut members = parent.members.clone();
+    members.push(added);
+    Some(Trial { members, objective, solution })
+}
+
+/// The residual on the ground, and how much χ² each pair of candidates promises to take away with its best shapes.
+fn promise_pairs(ground: &Ground, candidates: &[Candidate]) -> (DVector<f64>, DMatrix<f64>) {
+    let projected: Vec<Vec<(DMatrix<f64>, DVector<f64>, &[bool])>> = candidates
+        .iter()
+        .map(|c| {
+            let of = |v: &'_ super::signature::Variant| ground.project_columns(&v.columns);
+            c.variants
+                .iter()
+                .map(|v| {
+                    let columns = of(v);
+                    let along = columns.transpose() * &ground.residual;
+                    (columns, along, &v.signed[..])
+                })
+                .collect()
+        })
+        .collect();
+    let n = candidates.len();
+    let pairs: Vec<(usize, usize)> = (0..n).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
+    let best = |(i, j): &(usize, usize)| {
+        let mut most = 0.0f64;
+        for (a, along_a, signed_a) in &projected[*i] {
+            for (b, along_b, signed_b) in &projected[*j] {
+                let (m, n) = (a.ncols(), b.ncols());
+                let mut gram = DMatrix::zeros(m + n, m + n);
+                gram.view_mut((0, 0), (m, m)).copy_from(&(a.transpose() * a));
+                gram.view_mut((m, m), (n, n)).copy_from(&(b.transpose() * b));
+                let cross = a.transpose() * b;
+                gram.view_mut((0, m), (m, n)).copy_from(&cross);
+                gram.view_mut((m, 0), (n, m)).copy_from(&cross.transpose());
+                let along = DVector::from_iterator(m + n, along_a.iter().chain(along_b.iter()).copied());
+                let signed: Vec<bool> = signed_a.iter().chain(signed_b.iter()).copied().collect();
+                most = most.max(gain(&gram, &along, &signed).fall);
+            }
+        }
+        most
+    };
+    let falls: Vec<f64> = pairs.par_iter().map(best).collect();
+    let mut matrix = DMatrix::zeros(n, n);
+    pairs.iter().zip(falls).for_each(|((i, j), fall)| matrix[(*i, *j)] = fall);
+    (ground.residual.clone(), matrix)
+}

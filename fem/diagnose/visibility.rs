@@ -1,0 +1,45 @@
+//! What these data could have shown: the smallest size of each effect that would stand out.
+
+use super::ground::Ground;
+use super::signature::Candidate;
+use crate::process::Neutral;
+
+/// An effect is seen in nine cases of ten when its signature exceeds the threshold by this many standard uncertainties.
+const NINE_OF_TEN: f64 = 1.2816;
+/// Less than this part of a signature is left when what the model's own freedom can imitate is taken out: it cannot be seen.
+const HIDDEN: f64 = 0.05;
+
+/// How visible an effect is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Visibility {
+    /// The parameter that tells its size.
+    pub parameter: &'static str,
+    /// Smallest value that would have been seen, canonical unit; for a stiffness the largest. The most visible shape counts.
+    pub smallest: Option<f64>,
+    /// Part of the signature that the model's own free parameters cannot imitate.
+    pub own: f64,
+    /// Whether the data could show it at all at a plausible size.
+    pub visible: bool,
+}
+
+/// How visible an effect is on a ground, where a gain must exceed `threshold` to be believed.
+pub fn visibility(ground: &Ground, candidate: &Candidate, threshold: f64) -> Option<Visibility> {
+    let column = |v: &super::signature::Variant| {
+        let whole = v.columns.column(0).norm();
+        let own = ground.project(v.columns.column(0).into_owned()).norm();
+        (v.switches[0], whole, own)
+    };
+    let seen = candidate.variants.iter().map(column).max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let (switch, whole, left) = seen;
+    let entry = &candidate.effect.parameters[switch];
+    let own = if whole > 0.0 { left / whole } else { 0.0 };
+    let least = (threshold.sqrt() + NINE_OF_TEN) / left;
+    let value = if entry.neutral == Neutral::Infinity { 1.0 / least } else { least };
+    let shown = entry.kind.from_si(value);
+    let reachable = match entry.neutral {
+        Neutral::Infinity => shown > entry.range.0,
+        Neutral::Value(_) | Neutral::Shape => shown < entry.range.1,
+    };
+    let visible = own >= HIDDEN && reachable && shown.is_finite();
+    Some(Visibility { parameter: entry.name, smallest: shown.is_finite().then_some(shown), own, visible })
+}

@@ -1,0 +1,106 @@
+//! A diagnosis, as text and JSON.
+
+mod text;
+
+pub use text::text;
+
+use serde_json::{Map, Value as Json, json};
+
+use super::fit::finite;
+use crate::diagnose::{Diagnosis, Missing, Outlook, State, Verdict};
+use crate::fit::Estimate;
+use crate::measure::Measurements;
+use crate::model::Model;
+use crate::units::Kind;
+
+impl Verdict {
+    /// The word in JSON.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Adequate => "adequate",
+            Self::MissingEffect => "missing-effect",
+            Self::PartlyExplained => "partly-explained",
+            Self::Unexplained => "unexplained",
+        }
+    }
+}
+
+/// `fem diagnose --json`: `fem-diagnosis/1`.
+pub fn json(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> Json {
+    let kind = measurements.kind;
+    let d = diagnosis;
+    json!({
+        "schema": "fem-diagnosis/1",
+        "model": &*model.source.name,
+        "data": measurements.name,
+        "observations": measurements.len(),
+        "noise": { "sigma": kind.from_si(d.noise.rms()), "unit": kind.unit, "source": d.noise.source.word() },
+        "before": state(&d.before, kind),
+        "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
+        "verdict": d.verdict.word(),
+        "missing": d.missing.iter().map(|m| missing(m, kind)).collect::<Vec<_>>(),
+        "after": state(&d.after, kind),
+        "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
+        "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
+        "unexplained": unexplained(d),
+        "next_measurement": Json::Null,
+        "held_out_by": d.held_out_by,
+        "failed_trials": d.trials.0,
+        "evaluations": d.trials.1,
+        "notes": measurements.notes,
+    })
+}
+
+fn state(state: &State, kind: Kind) -> Json {
+    json!({
+        "rms": kind.from_si(state.rms),
+        "chi2_per_dof": finite(state.misfit),
+        "p_value": state.p_value,
+        "held_out": state.held_out.filter(|h| h.is_finite()),
+    })
+}
+
+fn missing(missing: &Missing, kind: Kind) -> Json {
+    let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
+    json!({
+        "effect": missing.effect.name,
+        "rms_after": kind.from_si(missing.state.rms),
+        "chi2_per_dof_after": finite(missing.state.misfit),
+        "held_out_after": missing.state.held_out.filter(|h| h.is_finite()),
+        "p_value": missing.p_value,
+        "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
+        "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| e.name).collect::<Vec<_>>(),
+    })
+}
+
+fn estimate(e: &Estimate) -> Json {
+    let kind = e.parameter.kind;
+    let end = |si: Option<f64>| si.map(|v| kind.from_si(v));
+    json!({
+        "value": finite(kind.from_si(e.value)),
+        "unit": kind.unit,
+        "std": finite(e.std / kind.canonical().factor),
+        "interval95": [end(e.interval.low), end(e.interval.high)],
+        "warnings": e.warnings,
+    })
+}
+
+fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
+    json!({
+        "effect": outlook.effect.name,
+        "rms_after": outlook.rms.map(|r| kind.from_si(r)),
+        "delta_bic": outlook.delta_bic,
+        "p_value": outlook.p_value,
+        "note": text::note(outlook, diagnosis),
+    })
+}
+
+fn unexplained(diagnosis: &Diagnosis) -> Json {
+    match diagnosis.verdict {
+        Verdict::Adequate | Verdict::MissingEffect => Json::Null,
+        Verdict::PartlyExplained | Verdict::Unexplained => {
+            let features: Vec<Json> = diagnosis.remaining.iter().map(super::comparison::feature).collect();
+            json!({ "text": text::unexplained(diagnosis), "features": features })
+        }
+    }
+}
