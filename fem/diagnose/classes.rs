@@ -49,8 +49,7 @@ pub struct Place<'a> {
 /// The places of the best set.
 pub fn places<'a>(found: &Found<'a>) -> Vec<Place<'a>> {
     let best = found.best();
-    let mut places: Vec<Place<'a>> =
-        best.members.par_iter().filter_map(|member| place(found, best, *member)).collect();
+    let mut places: Vec<Place<'a>> = best.members.par_iter().filter_map(|member| place(found, best, *member)).collect();
     // Sets that differ in more than one effect: each of their effects stands for the one that it resembles most.
     for other in found.tried.iter().filter(|t| t.members.len() == best.members.len()) {
         let new: Vec<usize> = other.members.iter().copied().filter(|m| !best.members.contains(m)).collect();

@@ -151,7 +151,8 @@ fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
     let yardstick = yardstick(&found.base.objective.noise, repeats);
     let folds = Folds::of(&found.base);
     let mut best = found.best().clone();
-    best.solution = minimise(&mut best.objective, &best.solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
+    best.solution =
+        minimise(&mut best.objective, &best.solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
     let state = |trial: &Trial| State::of(trial, repeats, folds.as_ref());
     let (before, mut after) = (state(&found.base), state(&best));
     let features = verdict::features(&found.base);
@@ -223,9 +224,8 @@ fn outlooks(found: &Found, best: &Trial, yardstick: Yardstick) -> Vec<Outlook> {
     let outlook = |(candidate, single): (&signature::Candidate, &Option<Trial>)| {
         let visibility = ground.as_ref().and_then(|g| visibility::visibility(g, candidate, threshold));
         let gained = single.as_ref().map_or(0.0, |t| found.base.solution.chi2 - t.solution.chi2);
-        let measured = single
-            .as_ref()
-            .map_or(0.0, |t| yardstick.measure(gained, t.solution.chi2, t.objective.freedom()));
+        let measured =
+            single.as_ref().map_or(0.0, |t| yardstick.measure(gained, t.solution.chi2, t.objective.freedom()));
         Outlook {
             effect: candidate.effect,
             rms: single.as_ref().map(verdict::rms),

@@ -90,12 +90,7 @@ struct Lead<'t, 'a> {
 }
 
 /// Searches sets of up to `most` effects. `None` where the model cannot be computed beside its own best values.
-pub fn search<'a>(
-    base: Trial<'a>,
-    candidates: Vec<Candidate>,
-    yardstick: Yardstick,
-    most: usize,
-) -> Option<Found<'a>> {
+pub fn search<'a>(base: Trial<'a>, candidates: Vec<Candidate>, yardstick: Yardstick, most: usize) -> Option<Found<'a>> {
     let everyone: Vec<&Candidate> = candidates.iter().collect();
     let ground = Ground::new(&mut base.objective.clone(), &base.solution)?;
     let first_price = Price::simulate(&ground, &everyone, yardstick);
@@ -128,7 +123,7 @@ pub fn search<'a>(
             let of = |i: usize| fitted.iter().find(|t| t.members == [i]).cloned();
             singles = (0..candidates.len()).map(of).collect();
         }
-        beam = fitted;
+        beam = fitted.clone();
         beam.sort_by(|a, b| a.score().total_cmp(&b.score()));
         tried.extend(beam.iter().map(|t| (t.key(), t.clone())));
         let Some(best) = beam.first().cloned() else { break };
@@ -136,9 +131,7 @@ pub fn search<'a>(
             beam.truncate(BEAM);
         }
         let before = steps.last().unwrap_or(&base);
-        let gained = before.solution.chi2 - best.solution.chi2;
-        let p_value = price.p_value(yardstick.measure(gained, best.solution.chi2, best.objective.freedom()));
-        if p_value >= SIGNIFICANCE {
+        if !grows(before, &fitted, &best, &price, yardstick, candidates.len()) {
             break;
         }
         steps.push(best.clone());
@@ -147,6 +140,27 @@ pub fn search<'a>(
         price = Price::simulate(&ground, &others.collect::<Vec<_>>(), yardstick);
     }
     Some(Found { base, candidates, steps, singles, tried: tried.into_values().collect(), first_price, price })
+}
+
+/// Whether a larger set is needed: adding one effect to the set gains more than chance gives to a search as wide, or another set gains so much that
+/// chance would not give it to any of as many; and the gain is worth the parameters.
+fn grows(
+    before: &Trial,
+    fitted: &[Trial],
+    best: &Trial,
+    price: &Price,
+    yardstick: Yardstick,
+    candidates: usize,
+) -> bool {
+    let p_value = |larger: &Trial| {
+        let gained = before.solution.chi2 - larger.solution.chi2;
+        price.p_value(yardstick.measure(gained, larger.solution.chi2, larger.objective.freedom()))
+    };
+    let nested = fitted.iter().filter(|t| before.members.iter().all(|m| t.members.contains(m)));
+    let p_nested = nested.map(p_value).fold(1.0, f64::min);
+    let sets = (0..best.members.len()).map(|i| (candidates - i) as f64 / (i + 1) as f64).product::<f64>();
+    let p_other = p_value(best) * sets / (candidates - before.members.len()).max(1) as f64;
+    p_nested.min(p_other) < SIGNIFICANCE && best.score() < before.score()
 }
 
 /// Every effect that could be added to a set, with its most promising shapes.
@@ -162,8 +176,7 @@ fn leads<'t, 'a>(parent: &'t Trial<'a>, candidates: &[Candidate]) -> Vec<Lead<'t
 
 /// The most promising shapes of an effect on a ground.
 pub fn starts(ground: &Ground, candidate: &Candidate) -> Vec<(usize, Gain)> {
-    let mut all: Vec<(usize, Gain)> =
-        candidate.variants.iter().enumerate().map(|(i, v)| (i, ground.gain(v))).collect();
+    let mut all: Vec<(usize, Gain)> = candidate.variants.iter().enumerate().map(|(i, v)| (i, ground.gain(v))).collect();
     all.sort_by(|a, b| b.1.fall.total_cmp(&a.1.fall));
     let mut chosen: Vec<(usize, Gain)> = Vec::new();
     for (i, gain) in all {

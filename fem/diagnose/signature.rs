@@ -68,7 +68,8 @@ impl Probe<'_, '_> {
         let mut at = neutral.clone();
         shapes.iter().for_each(|i| at[*i] = middle(*i));
         let others: Vec<usize> = (0..neutral.len()).filter(|i| !shapes.contains(i)).collect();
-        let sizes: Vec<f64> = others.iter().map(|i| self.column(&at, *i).map_or(0.0, |c| c.norm() * self.step(*i))).collect();
+        let sizes: Vec<f64> =
+            others.iter().map(|i| self.column(&at, *i).map_or(0.0, |c| c.norm() * self.step(*i))).collect();
         let largest = sizes.iter().fold(0.0f64, |m, s| m.max(*s));
         // A parameter that does nothing by itself shapes the others: convection without heat.
         let (switches, idle): (Vec<_>, Vec<_>) =
@@ -95,11 +96,10 @@ impl Probe<'_, '_> {
     }
 
     fn variant(&mut self, effect: &'static Description, position: Vec<f64>, switches: &[usize]) -> Option<Variant> {
-        let columns: Vec<DVector<f64>> =
-            switches.iter().map(|i| self.column(&position, *i)).collect::<Option<_>>()?;
-        let signed = switches.iter().map(|i| {
-            effect.parameters[*i].neutral != Neutral::Infinity && effect.parameters[*i].bounds == Bounds::Any
-        });
+        let columns: Vec<DVector<f64>> = switches.iter().map(|i| self.column(&position, *i)).collect::<Option<_>>()?;
+        let signed = switches
+            .iter()
+            .map(|i| effect.parameters[*i].neutral != Neutral::Infinity && effect.parameters[*i].bounds == Bounds::Any);
         (!columns.is_empty()).then(|| Variant {
             signed: signed.collect(),
             switches: switches.to_vec(),

@@ -23,6 +23,9 @@ pub struct Axis {
 /// How far beyond the plausible range a shape is tried, as a ratio.
 const BEYOND: f64 = 2.0;
 
+/// Effects this many times larger than what is plausible are not tried.
+const IMPOSSIBLE: f64 = 10.0;
+
 /// How the search variable s relates to the value v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Scale {
@@ -77,10 +80,12 @@ impl Axis {
             span: None,
         };
         let mut axis = Self::new(&parameter, Some(entry));
+        let plausible = (entry.kind.to_si(entry.range.0), entry.kind.to_si(entry.range.1));
         if entry.neutral != Neutral::Shape {
+            let largest = IMPOSSIBLE * if axis.is_reversed() { 1.0 / plausible.0 } else { plausible.1 };
+            (axis.low, axis.high) = (axis.low.max(-largest), axis.high.min(largest));
             return axis;
         }
-        let plausible = (entry.kind.to_si(entry.range.0), entry.kind.to_si(entry.range.1));
         let (low, high) = match extent {
             Some(extent) => extent,
             None if axis.scale == Scale::Logarithm => (plausible.0 / BEYOND, plausible.1 * BEYOND),

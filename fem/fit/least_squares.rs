@@ -32,7 +32,12 @@ pub fn solve(objective: &mut Objective, start: &DVector<f64>) -> Result<Solution
 }
 
 /// Minimises χ² from `start` with the variables `held` standing still; `None` where it cannot be computed at the start.
-pub fn minimise(objective: &mut Objective, start: &DVector<f64>, held: &[usize], patience: Patience) -> Option<Solution> {
+pub fn minimise(
+    objective: &mut Objective,
+    start: &DVector<f64>,
+    held: &[usize],
+    patience: Patience,
+) -> Option<Solution> {
     let mut here = evaluate(objective, start.clone())?;
     let mut damping = 1e-3;
     for _ in 0..patience.steps {

@@ -1,8 +1,8 @@
 //! Writing results: for people, for programs, for ParaView. Files appear whole or not at all.
 
 pub mod comparison;
-pub mod diagnosis;
 pub mod csv;
+pub mod diagnosis;
 pub mod files;
 pub mod fit;
 pub mod json;

@@ -172,7 +172,13 @@ impl Parameter {
     }
 
     /// A place along a coordinate, which shapes the effect without switching it.
-    pub const fn place(name: &'static str, kind: Kind, about: &'static str, along: &'static str, range: (f64, f64)) -> Self {
+    pub const fn place(
+        name: &'static str,
+        kind: Kind,
+        about: &'static str,
+        along: &'static str,
+        range: (f64, f64),
+    ) -> Self {
         let place = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
         Self { along: Some(along), ..place }
     }

@@ -7,11 +7,14 @@
 //! the number of pieces but hardly on the speed, because nothing has to resolve the front ahead of the tool in the
 //! middle of a piece.
 
+mod any_loss;
 mod mesh;
 mod rod;
 #[cfg(test)]
 mod tests;
 mod wave;
+
+pub use any_loss::{AnyLoss, cooled};
 
 use std::fmt;
 

@@ -1,7 +1,7 @@
 use std::f64::consts::PI;
 
 use super::rod::Rod;
-use super::{HeatError, Pass, RodPiece, ToolTemperature, difference, moving_source, wave};
+use super::{AnyLoss, HeatError, Pass, RodPiece, ToolTemperature, cooled, difference, moving_source, wave};
 
 /// A length of a steel shaft with a film coefficient `h` (W/(m^2 K)).
 fn steel(length: f64, diameter: f64, h: f64) -> RodPiece {
@@ -302,5 +302,30 @@ fn absurd_values_do_not_panic() {
         let _ = moving_source(&[RodPiece { length: size, ..rod }, rod], &pass(2e-3), 1e-2);
         let all = RodPiece { length: 1.0, heat_capacity: size, conductance: 1.0 / size, loss: 0.0 };
         let _ = moving_source(&[all], &pass(size), 1e-2);
+    }
+}
+
+#[test]
+fn any_loss_agrees_with_the_solution_of_each() {
+    // Two pieces, a pass of 250 s. What the interpolation may add is a tenth of what a solution is allowed.
+    let piece = |length, diameter: f64| {
+        let area = std::f64::consts::PI * diameter * diameter / 4.0;
+        RodPiece {
+            length,
+            heat_capacity: 7850.0 * 470.0 * area,
+            conductance: 50.0 * area,
+            loss: std::f64::consts::PI * diameter,
+        }
+    };
+    let pieces = [piece(0.2, 0.05), piece(0.3, 0.03)];
+    let pass = Pass { from: 0.5, to: 0.0, speed: 2e-3 };
+    let any = AnyLoss::solve(&pieces, &pass, 1e-6).unwrap();
+    for coefficient in [0.0, 0.3, 7.0, 25.0, 110.0, 800.0, 0.99 * any.largest()] {
+        let exact = moving_source(&cooled(&pieces, coefficient), &pass, 1e-6).unwrap();
+        let weights = any.at(coefficient);
+        let places = || (0..=50).map(|i| 0.01 * f64::from(i));
+        let largest = places().map(|x| exact.rise_at(x).abs()).fold(0.0, f64::max);
+        let error = places().map(|x| (any.rise_at(x, &weights) - exact.rise_at(x)).abs()).fold(0.0, f64::max);
+        assert!(error <= 1e-5 * largest, "{coefficient}: {:.1e}", error / largest);
     }
 }

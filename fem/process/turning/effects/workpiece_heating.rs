@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::super::Machine;
 use crate::process::{Description, Effect, Failure, Parameter, Values};
-use crate::solve::heat::{HeatError, Pass, RodPiece, ToolTemperature, moving_source};
+use crate::solve::heat::{AnyLoss, HeatError, Pass, RodPiece, ToolTemperature, cooled, moving_source};
 use crate::units::{CONVECTION, POWER};
 
 /// `workpiece-heating`.
@@ -42,13 +42,15 @@ impl Effect<Machine> for WorkpieceHeating {
             length: s.length,
             heat_capacity: material.density * material.specific_heat * s.section.area(),
             conductance: material.conductivity * s.section.area(),
-            loss: convection * std::f64::consts::PI * s.section.diameter,
+            loss: std::f64::consts::PI * s.section.diameter,
         };
-        let pieces: Vec<RodPiece> = setup.segments.iter().map(piece).collect();
         let pass = setup.schedule.pass;
-        let pass = Pass { from: pass.from, to: pass.to, speed: pass.speed() };
-        match rise_per_watt(pieces, pass) {
-            Ok(rise) => machine.shift(move |at| -material.expansion * at.diameter * power * rise.rise_at(at.x)),
+        let rod = Rod {
+            pieces: setup.segments.iter().map(piece).collect(),
+            pass: Pass { from: pass.from, to: pass.to, speed: pass.speed() },
+        };
+        match rise_per_watt(rod, convection) {
+            Ok(rise) => machine.shift(move |at| -material.expansion * at.diameter * power * rise.at(at.x)),
             Err(error) => {
                 machine.failure = Some(Failure {
                     message: format!("the heating of the work cannot be computed: {error}"),
@@ -59,31 +61,85 @@ impl Effect<Machine> for WorkpieceHeating {
     }
 }
 
-/// The last rises that were computed, the newest last. A search tries many values of everything else for one shaft, pass and
-/// convection, and the rise is by far the dearest part of a prediction.
-static RECENT: Mutex<Vec<Recent>> = Mutex::new(Vec::new());
-const MOST_RECENT: usize = 32;
-
-struct Recent {
+/// A rod under the tool; its pieces carry the loss of a convection of one.
+#[derive(Clone, PartialEq)]
+struct Rod {
     pieces: Vec<RodPiece>,
     pass: Pass,
-    rise: Arc<ToolTemperature>,
 }
 
-/// The rise at the tool per watt, K/W, computed once for the same rod and pass.
-fn rise_per_watt(pieces: Vec<RodPiece>, pass: Pass) -> Result<Arc<ToolTemperature>, HeatError> {
+/// The rise at the tool per watt, K/W.
+#[derive(Clone)]
+enum Rise {
+    Solved(Arc<ToolTemperature>),
+    /// With the weights of a convection.
+    Between(Arc<AnyLoss>, Vec<f64>),
+}
+
+impl Rise {
+    fn at(&self, x: f64) -> f64 {
+        match self {
+            Self::Solved(rise) => rise.rise_at(x),
+            Self::Between(rises, weights) => rises.rise_at(x, weights),
+        }
+    }
+}
+
+/// What is known of the rods that were heated last, the newest last. A search tries many values of everything else for one rod, and the
+/// rise is by far the dearest part of a prediction; so each convection is solved once, and when a rod is asked for yet another the rises
+/// between are taken from a few.
+static RECENT: Mutex<Vec<Recent>> = Mutex::new(Vec::new());
+const MOST_RODS: usize = 8;
+/// A run needs one convection, and a table beside it perhaps a second; who asks for a third is searching.
+const SEARCHED: usize = 2;
+const MOST_SOLVED: usize = 32;
+
+struct Recent {
+    rod: Rod,
+    solved: Vec<(f64, Arc<ToolTemperature>)>,
+    any: Option<Arc<AnyLoss>>,
+}
+
+impl Recent {
+    fn rise(&self, convection: f64) -> Option<Rise> {
+        if let Some(any) = self.any.as_ref().filter(|any| convection <= any.largest()) {
+            return Some(Rise::Between(any.clone(), any.at(convection)));
+        }
+        let solved = self.solved.iter().find(|(known, _)| *known == convection);
+        solved.map(|(_, rise)| Rise::Solved(rise.clone()))
+    }
+}
+
+fn rise_per_watt(rod: Rod, convection: f64) -> Result<Rise, HeatError> {
     // A panic while the list was held leaves it whole: entries are added and removed in one step each.
     let recent = || RECENT.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = recent().iter().find(|r| r.pass == pass && r.pieces == pieces) {
-        return Ok(known.rise.clone());
+    let (known, solved) = match recent().iter().find(|r| r.rod == rod) {
+        Some(known) => (known.rise(convection), known.solved.len()),
+        None => (None, 0),
+    };
+    if let Some(rise) = known {
+        return Ok(rise);
     }
-    let rise = Arc::new(moving_source(&pieces, &pass, TOLERANCE)?);
+    // Solved without the list, which others need meanwhile; two that solve the same do no harm.
+    let rise = Arc::new(moving_source(&cooled(&rod.pieces, convection), &rod.pass, TOLERANCE)?);
+    let any = (solved == SEARCHED).then(|| AnyLoss::solve(&rod.pieces, &rod.pass, TOLERANCE));
+    let any = any.and_then(Result::ok).map(Arc::new);
     let mut recent = recent();
-    if recent.len() == MOST_RECENT {
-        recent.remove(0);
+    let position = recent.iter().position(|r| r.rod == rod).unwrap_or_else(|| {
+        if recent.len() == MOST_RODS {
+            recent.remove(0);
+        }
+        recent.push(Recent { rod, solved: Vec::new(), any: None });
+        recent.len() - 1
+    });
+    let entry = &mut recent[position];
+    entry.any = entry.any.take().or(any);
+    if entry.solved.len() == MOST_SOLVED {
+        // Not below the number at which the others were solved: that is done once.
+        entry.solved.remove(SEARCHED + 1);
     }
-    recent.push(Recent { pieces, pass, rise: rise.clone() });
-    Ok(rise)
+    entry.solved.push((convection, rise.clone()));
+    Ok(entry.rise(convection).unwrap_or(Rise::Solved(rise)))
 }
 
 #[cfg(test)]
