@@ -1,0 +1,56 @@
+//! Hidden effects, found or not: the error rates of `fem diagnose` on data that the program did not make.
+//!
+//! `cargo test --test diagnosis` runs a sample, `cargo test --release --test diagnosis -- --ignored --nocapture` the whole and prints the table of
+//! `README.md`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod score;
+mod table;
+
+use generator::{Case, EFFECTS, nothing, outside, several, single};
+use score::{Score, score};
+use table::Table;
+
+/// Sizes of the hidden effects, in standard uncertainties.
+const SIZES: &[f64] = &[5.0, 8.0, 15.0, 40.0, 100.0];
+
+fn run(table: &mut Table, group: &str, cases: impl Iterator<Item = (String, Case)>) {
+    for (name, case) in cases {
+        let score: Score = score(&case);
+        if !score.right && std::env::var_os("FEM_SHOW_MISSES").is_some() {
+            println!("{group} {name}: {}", score.said);
+        }
+        table.add(group, score);
+    }
+}
+
+fn singles(lambda: f64, seeds: std::ops::Range<u64>) -> impl Iterator<Item = (String, Case)> {
+    let of = move |effect: &'static str| {
+        seeds.clone().filter_map(move |s| Some((format!("{effect} {s}"), single(effect, lambda, s)?)))
+    };
+    EFFECTS.iter().copied().flat_map(of)
+}
+
+fn numbered(seeds: std::ops::Range<u64>, make: impl Fn(u64) -> Case) -> impl Iterator<Item = (String, Case)> {
+    seeds.map(move |s| (s.to_string(), make(s)))
+}
+
+/// The whole of it; some minutes in a release build.
+#[test]
+#[ignore = "minutes long; prints the table of README.md"]
+fn the_whole() {
+    let mut table = Table::default();
+    run(&mut table, "nothing hidden", numbered(1000..1200, nothing));
+    for &lambda in SIZES {
+        run(&mut table, &format!("one, λ = {lambda}"), singles(lambda, 1000..1004));
+    }
+    for lambda in [8.0, 15.0, 40.0] {
+        run(&mut table, &format!("two, λ ≥ {lambda}"), numbered(1000..1060, |s| several(2, lambda, s)));
+        run(&mut table, &format!("three, λ ≥ {lambda}"), numbered(1000..1030, |s| several(3, lambda, s)));
+    }
+    for lambda in [8.0, 15.0, 40.0] {
+        run(&mut table, &format!("outside, λ = {lambda}"), numbered(1000..1060, |s| outside(lambda, s)));
+    }
+    println!("{table}");
+}

@@ -1,0 +1,104 @@
+//! One case: what was said, held against the truth.
+
+use std::time::Instant;
+
+use fem::compare::NoiseSource;
+use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
+use fem::input::Source;
+use fem::measure::Measurements;
+use fem::model::Model;
+use generator::{Case, Kind};
+
+/// What a diagnosis got right.
+#[derive(Clone, Debug, Default)]
+pub struct Score {
+    /// The verdict is right, and all hidden effects are named, each in its class, and none besides.
+    pub right: bool,
+    /// The first effect that is named, or one of its class, is hidden.
+    pub first: bool,
+    /// Every hidden effect is named or stands in a class.
+    pub all_named: bool,
+    /// Sizes of the classes, the named effect included.
+    pub classes: Vec<usize>,
+    /// Intervals that hold the true value, and intervals.
+    pub covered: (usize, usize),
+    /// χ²/n of the final prediction against new measurements of the same job, by the true noise.
+    pub fresh: f64,
+    /// Wall time, s.
+    pub seconds: f64,
+    /// For people.
+    pub said: String,
+}
+
+/// Diagnoses a case.
+pub fn score(case: &Case) -> Score {
+    let model = Model::parse(Source::new("case.toml", case.model.clone())).expect("the model is right");
+    let read = |text: &str| {
+        Measurements::parse(Source::new("case.csv", text.to_string()), model.process).expect("so are the data")
+    };
+    let (data, fresh) = (read(&case.data), read(&case.fresh));
+    let start = Instant::now();
+    let diagnosis = diagnose(&model, &data, MOST_EFFECTS).expect("the model can be computed");
+    let seconds = start.elapsed().as_secs_f64();
+    let hidden: Vec<&str> = case.truth.hidden.iter().map(|h| h.effect).collect();
+    let classes: Vec<Vec<&str>> = diagnosis.missing.iter().map(class).collect();
+    let all_named = hidden.iter().all(|h| classes.iter().any(|c| c.contains(h)));
+    let right = match case.truth.kind {
+        Kind::Nothing => diagnosis.verdict == Verdict::Adequate,
+        Kind::Outside => matches!(diagnosis.verdict, Verdict::Unexplained | Verdict::PartlyExplained),
+        Kind::Effects => all_named && classes.len() == hidden.len() && diagnosis.verdict == Verdict::MissingEffect,
+    };
+    let squares =
+        fresh.observed.iter().zip(&diagnosis.after.predicted).map(|(y, p)| (1e6 * (y - p) / case.truth.sigma).powi(2));
+    Score {
+        right,
+        first: classes.first().is_some_and(|c| hidden.iter().any(|h| c.contains(h))),
+        all_named,
+        covered: coverage(case, &diagnosis),
+        classes: classes.iter().map(Vec::len).collect(),
+        fresh: squares.sum::<f64>() / fresh.len() as f64,
+        seconds,
+        said: said(case, &diagnosis, &hidden, &classes),
+    }
+}
+
+fn class<'a>(missing: &'a fem::diagnose::Missing) -> Vec<&'a str> {
+    std::iter::once(missing.effect.name).chain(missing.indistinguishable_from.iter().map(|e| e.name)).collect()
+}
+
+/// Over the parameters of hidden effects that were named themselves.
+fn coverage(case: &Case, diagnosis: &Diagnosis) -> (usize, usize) {
+    let mut covered = (0, 0);
+    for hidden in &case.truth.hidden {
+        let Some(missing) = diagnosis.missing.iter().find(|m| m.effect.name == hidden.effect) else { continue };
+        for (name, value) in &hidden.parameters {
+            let Some(e) = missing.estimates.iter().find(|e| e.parameter.path.ends_with(&format!(".{name}"))) else {
+                continue;
+            };
+            let shown = |si: f64| e.parameter.kind.from_si(si);
+            let (low, high) = (e.interval.low.map(shown), e.interval.high.map(shown));
+            covered.0 += usize::from(low.is_none_or(|l| l <= *value) && high.is_none_or(|h| *value <= h));
+            covered.1 += 1;
+        }
+    }
+    covered
+}
+
+fn said(case: &Case, diagnosis: &Diagnosis, hidden: &[&str], classes: &[Vec<&str>]) -> String {
+    let source = match diagnosis.noise.source {
+        NoiseSource::Column => "u",
+        NoiseSource::Repeats => "repeats",
+        NoiseSource::Estimated => "neither",
+    };
+    let lambda: Vec<String> = case.truth.lambda.iter().map(|l| format!("{l:.0}")).collect();
+    let apart: Vec<String> = case.truth.apart.iter().map(|l| format!("{l:.0}")).collect();
+    format!(
+        "{hidden:?}{} at {} (apart {}), noise {source}: {:?} {classes:?}, chi2/dof {:.2} -> {:.2}",
+        case.truth.shape,
+        lambda.join(" "),
+        apart.join(" "),
+        diagnosis.verdict,
+        diagnosis.before.misfit,
+        diagnosis.after.misfit,
+    )
+}

@@ -1,0 +1,122 @@
+//! The job: what is turned, how it is held, in what order, and where it is measured.
+
+use crate::catalogue::Cause;
+use crate::shaft::Shaft;
+
+/// How the workpiece is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Holding {
+    /// Pinned, pinned.
+    Centres,
+    /// Clamped, free.
+    Chuck,
+    /// Clamped, pinned.
+    ChuckAndCentre,
+}
+
+/// Where the standard uncertainty of a row is to be learnt from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoiseKind {
+    /// Column `u`.
+    Column,
+    /// Two rows per point.
+    Repeats,
+    /// Nowhere.
+    Neither,
+}
+
+/// One measured row's coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Part number from 1.
+    pub part: usize,
+    /// Place from the headstock, mm.
+    pub x: f64,
+    /// Nominal radial force of the row, N.
+    pub force: f64,
+    /// Diameter before the cut, mm, when the design measures it.
+    pub blank: Option<f64>,
+}
+
+/// A parameter written with `+-`: what the user believes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown {
+    /// Effect whose table is in the model.
+    pub effect: &'static str,
+    /// Its only parameter.
+    pub parameter: &'static str,
+    /// Value as written.
+    pub written: f64,
+    /// Standard uncertainty as written.
+    pub std: f64,
+}
+
+/// A turning job with its measuring design.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    /// The finished shaft.
+    pub shaft: Shaft,
+    /// Workholding.
+    pub holding: Holding,
+    /// Nominal depth t_0, mm.
+    pub depth: f64,
+    /// Feed, mm/rev.
+    pub feed: f64,
+    /// Spindle speed, rpm.
+    pub speed: f64,
+    /// Nominal radial force, N.
+    pub force: f64,
+    /// Whether the tool runs from 0 to L and not, as by default, from L to 0.
+    pub forward: bool,
+    /// Parts in the batch.
+    pub parts: usize,
+    /// Start to start, min.
+    pub cycle: f64,
+    /// (after part, minutes).
+    pub pauses: Vec<(usize, f64)>,
+    /// Measured rows.
+    pub rows: Vec<Row>,
+    /// Whether the file has a force column.
+    pub force_column: bool,
+    /// Where the noise is to be learnt from.
+    pub noise: NoiseKind,
+    /// What the model shows with `+-`.
+    pub shown: Vec<Shown>,
+}
+
+impl Job {
+    /// Feed speed of the tool, mm/min.
+    pub fn tool_speed(&self) -> f64 {
+        self.feed * self.speed
+    }
+
+    /// Cutting time of one part, min.
+    pub fn cutting_time(&self) -> f64 {
+        self.shaft.length() / self.tool_speed()
+    }
+
+    /// When part `k` starts: (k-1) cycle_time + all pauses after earlier parts, min.
+    pub fn start(&self, part: usize) -> f64 {
+        let paused: f64 = self.pauses.iter().filter(|(after, _)| *after < part).map(|(_, minutes)| minutes).sum();
+        (part - 1) as f64 * self.cycle + paused
+    }
+
+    /// Minutes since the part's start when the tool is at x.
+    pub fn into_cut(&self, x: f64) -> f64 {
+        let travelled = if self.forward { x } else { self.shaft.length() - x };
+        travelled / self.tool_speed()
+    }
+
+    /// Cutting path of the tool since the batch began, m: pi times the integral of D dx/feed.
+    pub fn path(&self, part: usize, x: f64) -> f64 {
+        let length = self.shaft.length();
+        let this = if self.forward { self.shaft.unrolled(0.0, x) } else { self.shaft.unrolled(x, length) };
+        1e-3 * ((part - 1) as f64 * self.shaft.unrolled(0.0, length) + this) / self.feed
+    }
+
+    /// The effects the written model has, at the given values.
+    pub fn causes(&self, values: &[f64]) -> Vec<Cause> {
+        let cause = |(s, &v): (&Shown, &f64)| Cause { effect: s.effect, parameters: vec![(s.parameter, v)] };
+        self.shown.iter().zip(values).map(cause).collect()
+    }
+}
