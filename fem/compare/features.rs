@@ -16,8 +16,8 @@ use crate::units::Kind;
 /// Bins along one coordinate, and along each of a pair.
 const BINS: usize = 12;
 const PAIR_BINS: usize = 6;
-/// Shuffles of the residuals where the noise is estimated; the smallest p-value is 1/200.
-const SHUFFLES: usize = 199;
+/// Shuffles of the residuals where the noise is estimated; the smallest p-value is 1/400.
+const SHUFFLES: usize = 399;
 
 /// Along which coordinates, by their position in the process's list: none (everywhere alike), one, or a pair.
 #[derive(Clone, Debug, PartialEq, Eq)]

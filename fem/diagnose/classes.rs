@@ -3,9 +3,10 @@
 use nalgebra::DVector;
 use rayon::prelude::*;
 
+use super::gain::{Gain, gain};
 use super::ground::Ground;
-use super::search::{Found, Trial, fit_with, starts};
-use crate::fit::{Patience, minimise};
+use super::search::{Found, Trial, bare, fit_with, promising, starts, without};
+use super::signature::{Candidate, Variant};
 
 /// Sets of one size are equally good when χ² differs by no more than this.
 const EQUAL: f64 = 6.0;
@@ -14,8 +15,6 @@ const EQUAL: f64 = 6.0;
 const SEPARATE: f64 = 11.0;
 /// To first order an alternative may look worse than it is: beyond this much plus a part of the gain it is not fitted.
 const HOPELESS: (f64, f64) = (40.0, 0.25);
-/// The fits that decide.
-const THOROUGH: Patience = Patience { steps: 60, fall: 1e-7 };
 
 /// Another effect in the place of one of a set.
 #[derive(Clone)]
@@ -76,16 +75,22 @@ pub fn places<'a>(found: &Found<'a>) -> Vec<Place<'a>> {
 }
 
 fn place<'a>(found: &Found<'a>, best: &Trial<'a>, member: usize) -> Option<Place<'a>> {
-    let without = without(found, best, member)?;
+    let without = without(&found.base, &found.candidates, best, member)?;
+    let bare = bare(&found.base, &found.candidates, best, member)?;
     let ground = Ground::new(&mut without.objective.clone(), &without.solution)?;
     let gained = without.solution.chi2 - best.solution.chi2;
     let stand_in = |candidate: usize| {
-        let starts = starts(&ground, &found.candidates[candidate]);
+        let stranger = &found.candidates[candidate];
+        let starts = starts(&ground, stranger);
         let fall = starts.first().map_or(0.0, |s| s.1.fall);
         if gained - fall > HOPELESS.0 + HOPELESS.1 * gained {
             return None;
         }
-        let trial = fit_with(&without, candidate, &found.candidates[candidate], &starts)?;
+        let refitted = fit_with(&without, candidate, stranger, &starts);
+        // From where the member has left, all else as it was, to what resembles it most.
+        let imitated = fit_with(&bare, candidate, stranger, &imitations(best, &bare, stranger));
+        let trials = refitted.into_iter().chain(imitated);
+        let trial = trials.min_by(|a, b| a.solution.chi2.total_cmp(&b.solution.chi2))?;
         rival(best, trial, candidate).filter(Rival::is_equal)
     };
     let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i));
@@ -94,22 +99,14 @@ fn place<'a>(found: &Found<'a>, best: &Trial<'a>, member: usize) -> Option<Place
     Some(Place { candidate: member, without: without.solution.chi2, rivals })
 }
 
-/// The best set less one of its effects, fitted.
-pub fn without<'a>(found: &Found<'a>, best: &Trial<'a>, member: usize) -> Option<Trial<'a>> {
-    let mut trial = found.base.clone();
-    let mut position: Vec<f64> = best.solution.position.iter().copied().collect();
-    let own = found.base.objective.axes.len();
-    let mut kept: Vec<f64> = position.drain(..own).collect();
-    for &m in &best.members {
-        let values: Vec<f64> = position.drain(..found.candidates[m].parameters).collect();
-        if m != member {
-            trial.objective = trial.objective.with(found.candidates[m].effect);
-            trial.members.push(m);
-            kept.extend(values);
-        }
-    }
-    trial.solution = minimise(&mut trial.objective, &DVector::from_vec(kept), &[], THOROUGH)?;
-    Some(trial)
+/// The shapes of a stranger that come closest to what the member made of the rows.
+fn imitations(best: &Trial, bare: &Trial, stranger: &Candidate) -> Vec<(usize, Gain)> {
+    let rows = best.solution.predicted.iter().zip(&bare.solution.predicted).zip(&best.objective.noise.sigma);
+    let priors = std::iter::repeat_n(0.0, best.objective.priors());
+    let made = DVector::from_vec(rows.map(|((p, q), s)| (p - q) / s).chain(priors).collect());
+    let imitation =
+        |v: &Variant| gain(&(v.columns.transpose() * &v.columns), &(v.columns.transpose() * &made), &v.signed);
+    promising(stranger.variants.iter().map(imitation).collect())
 }
 
 /// Compares a set with the best: by its fit, and by what would be left if the best were the truth and nothing noisy.

@@ -196,7 +196,10 @@ fn missing(
     let mut list = Vec::new();
     let mut rest = best.clone();
     while !rest.members.is_empty() {
-        let smaller = rest.members.iter().filter_map(|m| classes::without(found, &rest, *m).map(|t| (*m, t)));
+        let smaller = rest
+            .members
+            .iter()
+            .filter_map(|m| search::without(&found.base, &found.candidates, &rest, *m).map(|t| (*m, t)));
         let Some((last, next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else { break };
         let place = places.iter().find(|p| p.candidate == last);
         let gained = place.map_or(0.0, |p| p.without - best.solution.chi2);

@@ -22,6 +22,10 @@ const BEAM: usize = 6;
 const REFITTED: usize = 12;
 /// Starts of a re-fit: the best shapes of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
+/// Rounds in which an effect of a set is exchanged, at most.
+const EXCHANGES: usize = 4;
+/// χ² of the priors above which a re-fit also starts from what is written.
+const BENT: f64 = 9.0;
 /// Far enough to tell sets apart; the last one is fitted to the bottom.
 const SEARCHING: Patience = Patience { steps: 25, fall: 1e-5 };
 
@@ -126,9 +130,13 @@ pub fn search<'a>(base: Trial<'a>, candidates: Vec<Candidate>, yardstick: Yardst
         beam = fitted.clone();
         beam.sort_by(|a, b| a.score().total_cmp(&b.score()));
         tried.extend(beam.iter().map(|t| (t.key(), t.clone())));
-        let Some(best) = beam.first().cloned() else { break };
+        let Some(mut best) = beam.first().cloned() else { break };
         if size > 1 {
             beam.truncate(BEAM);
+            best = exchange(&base, &candidates, best);
+            tried.insert(best.key(), best.clone());
+            beam.insert(0, best.clone());
+            beam.dedup_by_key(|t| t.key());
         }
         let before = steps.last().unwrap_or(&base);
         if !grows(before, &fitted, &best, &price, yardstick, candidates.len()) {
@@ -176,16 +184,66 @@ fn leads<'t, 'a>(parent: &'t Trial<'a>, candidates: &[Candidate]) -> Vec<Lead<'t
 
 /// The most promising shapes of an effect on a ground.
 pub fn starts(ground: &Ground, candidate: &Candidate) -> Vec<(usize, Gain)> {
-    let mut all: Vec<(usize, Gain)> = candidate.variants.iter().enumerate().map(|(i, v)| (i, ground.gain(v))).collect();
+    promising(candidate.variants.iter().map(|v| ground.gain(v)).collect())
+}
+
+/// The best of the gains of all variants, each in another neighbourhood: neighbours on the grid run into the same minimum.
+pub fn promising(gains: Vec<Gain>) -> Vec<(usize, Gain)> {
+    let mut all: Vec<(usize, Gain)> = gains.into_iter().enumerate().collect();
     all.sort_by(|a, b| b.1.fall.total_cmp(&a.1.fall));
     let mut chosen: Vec<(usize, Gain)> = Vec::new();
     for (i, gain) in all {
-        // Neighbours on the grid run into the same minimum.
         if chosen.iter().all(|(j, _)| i.abs_diff(*j) > 1) && chosen.len() < STARTS {
             chosen.push((i, gain));
         }
     }
     chosen
+}
+
+/// A set less one of its effects, everything else standing as it did.
+pub fn bare<'a>(base: &Trial<'a>, candidates: &[Candidate], set: &Trial<'a>, member: usize) -> Option<Trial<'a>> {
+    let mut trial = base.clone();
+    let mut position = set.solution.position.iter().copied();
+    let mut kept: Vec<f64> = position.by_ref().take(base.objective.axes.len()).collect();
+    for &m in &set.members {
+        let values: Vec<f64> = position.by_ref().take(candidates[m].parameters).collect();
+        if m != member {
+            trial.objective = trial.objective.with(candidates[m].effect);
+            trial.members.push(m);
+            kept.extend(values);
+        }
+    }
+    let position = DVector::from_vec(kept);
+    let predicted = trial.objective.predict(&position)?;
+    let chi2 = trial.objective.residuals(&position, &predicted).norm_squared();
+    trial.solution = Solution { position, predicted, chi2 };
+    Some(trial)
+}
+
+/// A set less one of its effects, fitted.
+pub fn without<'a>(base: &Trial<'a>, candidates: &[Candidate], set: &Trial<'a>, member: usize) -> Option<Trial<'a>> {
+    let mut trial = bare(base, candidates, set, member)?;
+    let start = trial.solution.position.clone();
+    trial.solution = minimise(&mut trial.objective, &start, &[], SEARCHING)?;
+    Some(trial)
+}
+
+/// Exchanges one effect of a set for another as long as the set becomes better by it.
+fn exchange<'a>(base: &Trial<'a>, candidates: &[Candidate], mut best: Trial<'a>) -> Trial<'a> {
+    for _ in 0..EXCHANGES {
+        let smaller: Vec<Trial> = best.members.iter().filter_map(|m| without(base, candidates, &best, *m)).collect();
+        let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
+        leads.retain(|lead| !best.members.contains(&lead.added));
+        leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
+        leads.truncate(REFITTED);
+        let fitted: Vec<Trial> = leads.par_iter().filter_map(|lead| refit(lead, candidates)).collect();
+        let Some(better) = fitted.into_iter().min_by(|a, b| a.score().total_cmp(&b.score())) else { break };
+        if better.score() >= best.score() {
+            break;
+        }
+        best = better;
+    }
+    best
 }
 
 /// Fits a set from its starts.
@@ -211,8 +269,13 @@ pub fn fit_with<'a>(
         }
         let all = parent.solution.position.iter().copied().chain(own);
         let start = DVector::from_iterator(first + variant.position.len(), all);
-        let found = minimise(&mut objective, &start, &[], SEARCHING);
-        best = best.into_iter().chain(found).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
+        // A model that lacks an effect has bent what it knows; from there the way back may be barred.
+        let bent = objective.pull(&start) > BENT;
+        let written = bent.then(|| objective.as_written(&start));
+        for start in std::iter::once(start).chain(written) {
+            let found = minimise(&mut objective, &start, &[], SEARCHING);
+            best = best.into_iter().chain(found).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
+        }
     }
     let solution = best?;
     let mut members = parent.members.clone();

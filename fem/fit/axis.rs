@@ -23,6 +23,9 @@ pub struct Axis {
 /// How far beyond the plausible range a shape is tried, as a ratio.
 const BEYOND: f64 = 2.0;
 
+/// A stiffness that is roughly known is not this many times smaller.
+const SOFTEST: f64 = 20.0;
+
 /// Effects this many times larger than what is plausible are not tried.
 const IMPOSSIBLE: f64 = 10.0;
 
@@ -60,7 +63,11 @@ impl Axis {
             (None, Some((low, high))) if shapes => spread(low, high),
             _ => vec![usual],
         };
-        let (low, high) = bounds(scale, parameter.bounds);
+        let (low, mut high) = bounds(scale, parameter.bounds);
+        if let (Scale::Reciprocal, Some((value, _))) = (scale, prior) {
+            // In 1/v a prior on v levels out, and a search that passes the crest would run away to no stiffness at all.
+            high = SOFTEST / value;
+        }
         let unit = match scale {
             Scale::Logarithm => 1.0,
             Scale::Plain => prior.map_or(usual.abs(), |p| p.1).max(f64::MIN_POSITIVE),

@@ -123,6 +123,18 @@ impl<'a> Objective<'a> {
         self.measurements.len() as f64 - (self.axes.len() - self.priors()) as f64
     }
 
+    /// χ² of the priors alone.
+    pub fn pull(&self, position: &DVector<f64>) -> f64 {
+        let pull = |(axis, s): (&Axis, &f64)| axis.prior.map(|(value, std)| ((value - axis.value(*s)) / std).powi(2));
+        self.axes.iter().zip(position.iter()).filter_map(pull).sum()
+    }
+
+    /// A position with every roughly known parameter at the value that is written.
+    pub fn as_written(&self, position: &DVector<f64>) -> DVector<f64> {
+        let written = |(axis, s): (&Axis, &f64)| axis.prior.map_or(*s, |(value, _)| axis.position(value));
+        DVector::from_iterator(position.len(), self.axes.iter().zip(position.iter()).map(written))
+    }
+
     /// σ from what a solution leaves, all rows alike.
     pub fn left_over(&self, solution: &Solution) -> Noise {
         let square: f64 =

@@ -1,12 +1,14 @@
 //! Hidden effects, found or not: the error rates of `fem diagnose` on data that the program did not make.
 //!
 //! `cargo test --test diagnosis` runs a sample, `cargo test --release --test diagnosis -- --ignored --nocapture` the whole and prints the table of
-//! `README.md`.
+//! `README.md`. With `FEM_MISSES=DIR` each case that went wrong is written to DIR.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod score;
 mod table;
+
+use std::path::Path;
 
 use generator::{Case, EFFECTS, nothing, outside, several, single};
 use score::{Score, score};
@@ -18,10 +20,19 @@ const SIZES: &[f64] = &[5.0, 8.0, 15.0, 40.0, 100.0];
 fn run(table: &mut Table, group: &str, cases: impl Iterator<Item = (String, Case)>) {
     for (name, case) in cases {
         let score: Score = score(&case);
-        if !score.right && std::env::var_os("FEM_SHOW_MISSES").is_some() {
+        if let Some(directory) = std::env::var_os("FEM_MISSES").filter(|_| !score.right) {
             println!("{group} {name}: {}", score.said);
+            keep(&Path::new(&directory).join(format!("{group} {name}")), &case);
         }
         table.add(group, score);
+    }
+}
+
+/// Writes the files of a case that went wrong, to look into.
+fn keep(directory: &Path, case: &Case) {
+    std::fs::create_dir_all(directory).unwrap();
+    for (name, text) in [("model.toml", &case.model), ("data.csv", &case.data), ("revealed.toml", &case.revealed)] {
+        std::fs::write(directory.join(name), text).unwrap();
     }
 }
 
