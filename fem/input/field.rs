@@ -84,17 +84,17 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     fn describe(&self, required: bool) {
-        let about = match self.kind.unit {
-            "" => self.about.to_string(),
-            _ => format!("{} (e.g. \"{}\")", self.about, self.kind.example()),
-        };
-        let shape = match self.kind.unit {
-            "" => json!({ "type": ["number", "string"], "description": about }),
+        self.reader.describe(self.key, || self.schema(), required);
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        match self.kind.unit {
+            "" => json!({ "type": ["number", "string"], "description": self.about }),
             unit => {
+                let about = format!("{} (e.g. \"{}\")", self.about, self.kind.example());
                 json!({ "type": "string", "description": about, "examples": [self.kind.example(), format!("? {unit}")] })
             }
-        };
-        self.reader.describe(self.key, shape, required);
+        }
     }
 
     /// `None` where the key is absent; NaN, with a problem noted, where it is wrong.
@@ -187,12 +187,14 @@ impl<'r, 'a> Count<'r, 'a> {
     }
 
     fn describe(&self, default: serde_json::Value, required: bool) {
-        let mut shape =
-            json!({ "type": "integer", "description": self.about, "minimum": self.range.0, "maximum": self.range.1 });
-        if !default.is_null() {
-            shape["default"] = default;
-        }
-        self.reader.describe(self.key, shape, required);
+        let schema = || {
+            let mut shape = json!({ "type": "integer", "description": self.about, "minimum": self.range.0, "maximum": self.range.1 });
+            if !default.is_null() {
+                shape["default"] = default;
+            }
+            shape
+        };
+        self.reader.describe(self.key, schema, required);
     }
 
     fn read(&self) -> Option<usize> {
@@ -247,12 +249,15 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
     }
 
     fn describe(&self, default: Option<&str>) {
-        let words: Vec<&str> = self.words.iter().map(|w| w.0).collect();
-        let mut shape = json!({ "enum": words, "description": self.about });
-        if let Some(default) = default {
-            shape["default"] = json!(default);
-        }
-        self.reader.describe(self.key, shape, default.is_none());
+        let schema = || {
+            let words: Vec<&str> = self.words.iter().map(|w| w.0).collect();
+            let mut shape = json!({ "enum": words, "description": self.about });
+            if let Some(default) = default {
+                shape["default"] = json!(default);
+            }
+            shape
+        };
+        self.reader.describe(self.key, schema, default.is_none());
     }
 
     fn read(&self, fallback: T) -> Option<T> {

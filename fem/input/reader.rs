@@ -141,7 +141,7 @@ impl<'a> Reader<'a> {
 
     /// A key with any text.
     pub fn text(&self, key: &'static str, about: &'static str) -> Option<String> {
-        self.describe(key, json!({ "type": "string", "description": about }), false);
+        self.describe(key, || json!({ "type": "string", "description": about }), false);
         let item = self.item(key)?;
         if item.as_str().is_none() {
             self.refuse(
@@ -191,7 +191,7 @@ impl<'a> Reader<'a> {
         let value = read(&reader);
         reader.finish();
         if described {
-            self.describe(key, reader.shape.take().into_schema(about), required);
+            self.describe(key, || reader.shape.take().into_schema(about), required);
         }
         value
     }
@@ -202,7 +202,7 @@ impl<'a> Reader<'a> {
             let reader = self.child(Ground::Described, key);
             let example = read(&reader, 0);
             let items = reader.shape.take().into_schema(about);
-            self.describe(key, json!({ "type": "array", "description": about, "items": items }), false);
+            self.describe(key, || json!({ "type": "array", "description": about, "items": items }), false);
             return vec![example];
         }
         let Some(item) = self.item(key) else { return Vec::new() };
@@ -259,7 +259,7 @@ impl<'a> Reader<'a> {
             parent.read_child(name, about, ground, false, |reader| values.push(read(name, reader)));
         }
         if matches!(self.ground, Ground::Described) {
-            self.describe(key, parent.shape.take().into_schema(about), false);
+            self.describe(key, || parent.shape.take().into_schema(about), false);
         }
         values
     }
@@ -304,7 +304,7 @@ impl<'a> Reader<'a> {
         reader.finish();
         if described {
             let table = reader.shape.take().into_schema(about);
-            self.describe(key, json!({ "description": about, "anyOf": [{ "enum": names }, table] }), true);
+            self.describe(key, || json!({ "description": about, "anyOf": [{ "enum": names }, table] }), true);
         }
         value
     }
@@ -385,8 +385,9 @@ impl<'a> Reader<'a> {
         value
     }
 
-    pub(super) fn describe(&self, key: &str, schema: Json, required: bool) {
+    pub(super) fn describe(&self, key: &str, schema: impl FnOnce() -> Json, required: bool) {
         if matches!(self.ground, Ground::Described) {
+            let schema = schema();
             let mut shape = self.shape.borrow_mut();
             shape.properties.insert(key.to_string(), schema);
             if required {

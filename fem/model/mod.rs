@@ -76,6 +76,10 @@ impl Model {
     /// # Errors
     /// The values make no model.
     pub fn job_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn Job>, Failure> {
+        if let Some(mut effects) = self.effects_at(values) {
+            effects.extend_from_slice(added);
+            return Ok(self.system.equip(&effects));
+        }
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
         let ((_, system, mut effects), _, problems) =
             Reader::trial(self.document.as_table(), trial, |model| read(model, self.process));
@@ -88,6 +92,18 @@ impl Model {
                 Err(Failure { message: problem.message.clone(), help: problem.help.clone().unwrap_or_default() })
             }
         }
+    }
+
+    /// The effects with other values, if nothing else is unknown; the system then need not be read again.
+    fn effects_at(&self, values: &[f64]) -> Option<Vec<Active>> {
+        let mut effects = self.effects.clone();
+        for (parameter, value) in self.parameters.iter().zip(values) {
+            let (effect, name) = parameter.path.strip_prefix("effects.")?.split_once('.')?;
+            let active = effects.iter_mut().find(|e| e.description.name == effect)?;
+            let position = active.description.parameters.iter().position(|p| p.name == name)?;
+            active.values[position] = *value;
+        }
+        Some(effects)
     }
 
     /// The catalogue's entry of a parameter of an effect, by its path.

@@ -18,13 +18,17 @@ const LARGEST: f64 = 10.0;
 pub struct AnyLoss {
     half: f64,
     points: Vec<Point>,
+    /// Whose knots all rises are given at.
+    reference: ToolTemperature,
+    /// The rise of every point at every knot of the reference, knot after knot.
+    rises: Vec<[f64; POINTS]>,
 }
 
-#[derive(Clone, Debug)]
+/// A Chebyshev point with its barycentric weight.
+#[derive(Clone, Copy, Debug)]
 struct Point {
     u: f64,
     weight: f64,
-    rise: ToolTemperature,
 }
 
 impl AnyLoss {
@@ -39,13 +43,23 @@ impl AnyLoss {
         let end = LARGEST / (LARGEST + 1.0);
         let point = |k: usize| {
             let u = 0.5 * end * (1.0 - (std::f64::consts::PI * k as f64 / (POINTS - 1) as f64).cos());
-            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-            let weight = if k == 0 || k == POINTS - 1 { 0.5 * sign } else { sign };
-            let rise = moving_source(&cooled(pieces, half * u / (1.0 - u)), pass, tolerance)?;
-            Ok(Point { u, weight, rise })
+            let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+            Point { u, weight: if k == 0 || k == POINTS - 1 { 0.5 * sign } else { sign } }
         };
-        let points: Result<Vec<Point>, HeatError> = (0..POINTS).into_par_iter().map(point).collect();
-        Ok(Self { half, points: points? })
+        let points: Vec<Point> = (0..POINTS).map(point).collect();
+        let solve = |p: &Point| moving_source(&cooled(pieces, half * p.u / (1.0 - p.u)), pass, tolerance);
+        let solved: Vec<ToolTemperature> = points.par_iter().map(solve).collect::<Result<_, _>>()?;
+        let knots = |rise: &ToolTemperature| rise.stretches.iter().map(|s| s.knots.len()).sum::<usize>();
+        let Some(reference) = solved.iter().max_by_key(|rise| knots(rise)).cloned() else {
+            return Err(HeatError::Pass);
+        };
+        let mut rises = Vec::with_capacity(knots(&reference));
+        for (i, stretch) in reference.stretches.iter().enumerate() {
+            let at =
+                |root: f64| std::array::from_fn(|k| solved[k].stretches.get(i).map_or(0.0, |s| s.rise_at(root, 1)));
+            rises.extend(stretch.knots.iter().map(|knot| at(knot.root)));
+        }
+        Ok(Self { half, points, reference, rises })
     }
 
     /// The largest film coefficient that is covered.
@@ -53,20 +67,24 @@ impl AnyLoss {
         LARGEST * self.half
     }
 
-    /// The weight of each solved rise at a film coefficient (barycentric: Berrut and Trefethen 2004).
-    pub fn at(&self, coefficient: f64) -> Vec<f64> {
-        let u = coefficient / (coefficient + self.half);
+    /// The rise at the tool for a film coefficient (barycentric interpolation: Berrut and Trefethen 2004).
+    pub fn at(&self, coefficient: f64) -> ToolTemperature {
+        let weights = self.weights(coefficient / (coefficient + self.half));
+        let mut rise = self.reference.clone();
+        let knots = rise.stretches.iter_mut().flat_map(|s| &mut s.knots);
+        for (knot, rises) in knots.zip(&self.rises) {
+            knot.rise = rises.iter().zip(&weights).map(|(r, w)| r * w).sum();
+        }
+        rise
+    }
+
+    fn weights(&self, u: f64) -> Vec<f64> {
         if let Some(exact) = self.points.iter().position(|p| p.u == u) {
             return (0..POINTS).map(|i| f64::from(u8::from(i == exact))).collect();
         }
         let parts: Vec<f64> = self.points.iter().map(|p| p.weight / (u - p.u)).collect();
         let whole: f64 = parts.iter().sum();
         parts.iter().map(|p| p / whole).collect()
-    }
-
-    /// The rise at `x` (K per W) with the weights of a film coefficient.
-    pub fn rise_at(&self, x: f64, weights: &[f64]) -> f64 {
-        self.points.iter().zip(weights).map(|(p, w)| w * p.rise.rise_at(x)).sum()
     }
 }
 

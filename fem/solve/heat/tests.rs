@@ -322,10 +322,10 @@ fn any_loss_agrees_with_the_solution_of_each() {
     let any = AnyLoss::solve(&pieces, &pass, 1e-6).unwrap();
     for coefficient in [0.0, 0.3, 7.0, 25.0, 110.0, 800.0, 0.99 * any.largest()] {
         let exact = moving_source(&cooled(&pieces, coefficient), &pass, 1e-6).unwrap();
-        let weights = any.at(coefficient);
+        let between = any.at(coefficient);
         let places = || (0..=50).map(|i| 0.01 * f64::from(i));
         let largest = places().map(|x| exact.rise_at(x).abs()).fold(0.0, f64::max);
-        let error = places().map(|x| (any.rise_at(x, &weights) - exact.rise_at(x)).abs()).fold(0.0, f64::max);
+        let error = places().map(|x| (between.rise_at(x) - exact.rise_at(x)).abs()).fold(0.0, f64::max);
         assert!(error <= 1e-5 * largest, "{coefficient}: {:.1e}", error / largest);
     }
 }

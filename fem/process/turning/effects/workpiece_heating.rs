@@ -50,7 +50,7 @@ impl Effect<Machine> for WorkpieceHeating {
             pass: Pass { from: pass.from, to: pass.to, speed: pass.speed() },
         };
         match rise_per_watt(rod, convection) {
-            Ok(rise) => machine.shift(move |at| -material.expansion * at.diameter * power * rise.at(at.x)),
+            Ok(rise) => machine.shift(move |at| -material.expansion * at.diameter * power * rise.rise_at(at.x)),
             Err(error) => {
                 machine.failure = Some(Failure {
                     message: format!("the heating of the work cannot be computed: {error}"),
@@ -66,23 +66,6 @@ impl Effect<Machine> for WorkpieceHeating {
 struct Rod {
     pieces: Vec<RodPiece>,
     pass: Pass,
-}
-
-/// The rise at the tool per watt, K/W.
-#[derive(Clone)]
-enum Rise {
-    Solved(Arc<ToolTemperature>),
-    /// With the weights of a convection.
-    Between(Arc<AnyLoss>, Vec<f64>),
-}
-
-impl Rise {
-    fn at(&self, x: f64) -> f64 {
-        match self {
-            Self::Solved(rise) => rise.rise_at(x),
-            Self::Between(rises, weights) => rises.rise_at(x, weights),
-        }
-    }
 }
 
 /// What is known of the rods that were heated last, the newest last. A search tries many values of everything else for one rod, and the
@@ -101,16 +84,16 @@ struct Recent {
 }
 
 impl Recent {
-    fn rise(&self, convection: f64) -> Option<Rise> {
+    fn rise(&self, convection: f64) -> Option<Arc<ToolTemperature>> {
         if let Some(any) = self.any.as_ref().filter(|any| convection <= any.largest()) {
-            return Some(Rise::Between(any.clone(), any.at(convection)));
+            return Some(Arc::new(any.at(convection)));
         }
-        let solved = self.solved.iter().find(|(known, _)| *known == convection);
-        solved.map(|(_, rise)| Rise::Solved(rise.clone()))
+        self.solved.iter().find(|(known, _)| *known == convection).map(|(_, rise)| rise.clone())
     }
 }
 
-fn rise_per_watt(rod: Rod, convection: f64) -> Result<Rise, HeatError> {
+/// The rise at the tool per watt, K/W.
+fn rise_per_watt(rod: Rod, convection: f64) -> Result<Arc<ToolTemperature>, HeatError> {
     // A panic while the list was held leaves it whole: entries are added and removed in one step each.
     let recent = || RECENT.lock().unwrap_or_else(PoisonError::into_inner);
     let (known, solved) = match recent().iter().find(|r| r.rod == rod) {
@@ -139,7 +122,7 @@ fn rise_per_watt(rod: Rod, convection: f64) -> Result<Rise, HeatError> {
         entry.solved.remove(SEARCHED + 1);
     }
     entry.solved.push((convection, rise.clone()));
-    Ok(entry.rise(convection).unwrap_or(Rise::Solved(rise)))
+    Ok(entry.rise(convection).unwrap_or(rise))
 }
 
 #[cfg(test)]
