@@ -77,20 +77,18 @@ pub fn places<'a>(found: &Found<'a>) -> Vec<Place<'a>> {
 fn place<'a>(found: &Found<'a>, best: &Trial<'a>, member: usize) -> Option<Place<'a>> {
     let without = without(&found.base, &found.candidates, best, member)?;
     let bare = bare(&found.base, &found.candidates, best, member)?;
-    let ground = Ground::new(&mut without.objective.clone(), &without.solution)?;
-    let gained = without.solution.chi2 - best.solution.chi2;
+    let ground = Ground::new(&mut bare.objective.clone(), &bare.solution)?;
+    let gained = ground.residual.norm_squared() - best.solution.chi2;
     let stand_in = |candidate: usize| {
         let stranger = &found.candidates[candidate];
-        let starts = starts(&ground, stranger);
+        let mut starts = starts(&ground, stranger);
         let fall = starts.first().map_or(0.0, |s| s.1.fall);
         if gained - fall > HOPELESS.0 + HOPELESS.1 * gained {
             return None;
         }
-        let refitted = fit_with(&without, candidate, stranger, &starts);
-        // From where the member has left, all else as it was, to what resembles it most.
-        let imitated = fit_with(&bare, candidate, stranger, &imitations(best, &bare, stranger));
-        let trials = refitted.into_iter().chain(imitated);
-        let trial = trials.min_by(|a, b| a.solution.chi2.total_cmp(&b.solution.chi2))?;
+        // From where the member has left, all else as it was: to what the data ask for, and to what resembles the member most.
+        starts.extend(imitations(best, &bare, stranger));
+        let trial = fit_with(&bare, candidate, stranger, &starts)?;
         rival(best, trial, candidate).filter(Rival::is_equal)
     };
     let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i));

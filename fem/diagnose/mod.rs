@@ -24,7 +24,7 @@ use crate::model::Model;
 use crate::process::{Description, Failure};
 use held_out::Folds;
 use price::Yardstick;
-use search::{Found, Trial};
+use search::{Breadth, Found, Trial};
 
 /// Effects that are looked for together, unless told otherwise.
 pub const MOST_EFFECTS: usize = 3;
@@ -129,7 +129,14 @@ fn look<'a>(
     let candidates = signature::candidates(objective, solution, absent);
     let base = Trial { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let yardstick = yardstick(&objective.noise, repeats);
-    search::search(base, candidates, yardstick, most).ok_or_else(unsolvable)
+    let found =
+        search::search(base.clone(), candidates.clone(), yardstick, most, Breadth::USUAL).ok_or_else(unsolvable)?;
+    let best = found.best();
+    let state = State::of(best, repeats, None);
+    if best.members.is_empty() || verdict::is_noise(&state, &verdict::features(best)) {
+        return Ok(found);
+    }
+    search::search(base, candidates, yardstick, most, Breadth::WIDE).ok_or_else(unsolvable)
 }
 
 fn yardstick(noise: &Noise, repeats: &Repeats) -> Yardstick {

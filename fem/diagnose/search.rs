@@ -16,10 +16,22 @@ use crate::fit::{Objective, Patience, Solution, minimise};
 
 /// A set grows when chance alone gives so much in fewer searches than this.
 pub const SIGNIFICANCE: f64 = 0.01;
-/// Sets from which larger ones grow.
-const BEAM: usize = 6;
-/// Sets of one size that are re-fitted.
-const REFITTED: usize = 12;
+/// How many sets of one size are kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Breadth {
+    /// Sets from which larger ones grow.
+    beam: usize,
+    /// Sets that are re-fitted.
+    refitted: usize,
+}
+
+impl Breadth {
+    /// Enough, as a rule.
+    pub const USUAL: Self = Self { beam: 6, refitted: 12 };
+    /// Where that left structure: strong effects that are far from linear hide behind others.
+    pub const WIDE: Self = Self { beam: 20, refitted: 60 };
+}
+
 /// Starts of a re-fit: the best shapes of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
 /// Rounds in which an effect of a set is exchanged, at most.
@@ -94,7 +106,13 @@ struct Lead<'t, 'a> {
 }
 
 /// Searches sets of up to `most` effects. `None` where the model cannot be computed beside its own best values.
-pub fn search<'a>(base: Trial<'a>, candidates: Vec<Candidate>, yardstick: Yardstick, most: usize) -> Option<Found<'a>> {
+pub fn search<'a>(
+    base: Trial<'a>,
+    candidates: Vec<Candidate>,
+    yardstick: Yardstick,
+    most: usize,
+    breadth: Breadth,
+) -> Option<Found<'a>> {
     let everyone: Vec<&Candidate> = candidates.iter().collect();
     let ground = Ground::new(&mut base.objective.clone(), &base.solution)?;
     let first_price = Price::simulate(&ground, &everyone, yardstick);
@@ -120,7 +138,7 @@ pub fn search<'a>(base: Trial<'a>, candidates: Vec<Candidate>, yardstick: Yardst
             members.push(lead.added);
             seen.insert(key(&members))
         });
-        leads.truncate(if size == 1 { usize::MAX } else { REFITTED });
+        leads.truncate(if size == 1 { usize::MAX } else { breadth.refitted });
         let fitted: Vec<Trial<'a>> = leads.par_iter().filter_map(|lead| refit(lead, &candidates)).collect();
         drop(leads);
         if size == 1 {
@@ -132,8 +150,8 @@ pub fn search<'a>(base: Trial<'a>, candidates: Vec<Candidate>, yardstick: Yardst
         tried.extend(beam.iter().map(|t| (t.key(), t.clone())));
         let Some(mut best) = beam.first().cloned() else { break };
         if size > 1 {
-            beam.truncate(BEAM);
-            best = exchange(&base, &candidates, best);
+            beam.truncate(breadth.beam);
+            best = exchange(&base, &candidates, best, breadth);
             tried.insert(best.key(), best.clone());
             beam.insert(0, best.clone());
             beam.dedup_by_key(|t| t.key());
@@ -229,13 +247,13 @@ pub fn without<'a>(base: &Trial<'a>, candidates: &[Candidate], set: &Trial<'a>, 
 }
 
 /// Exchanges one effect of a set for another as long as the set becomes better by it.
-fn exchange<'a>(base: &Trial<'a>, candidates: &[Candidate], mut best: Trial<'a>) -> Trial<'a> {
+fn exchange<'a>(base: &Trial<'a>, candidates: &[Candidate], mut best: Trial<'a>, breadth: Breadth) -> Trial<'a> {
     for _ in 0..EXCHANGES {
         let smaller: Vec<Trial> = best.members.iter().filter_map(|m| without(base, candidates, &best, *m)).collect();
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
         leads.retain(|lead| !best.members.contains(&lead.added));
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
-        leads.truncate(REFITTED);
+        leads.truncate(breadth.refitted);
         let fitted: Vec<Trial> = leads.par_iter().filter_map(|lead| refit(lead, candidates)).collect();
         let Some(better) = fitted.into_iter().min_by(|a, b| a.score().total_cmp(&b.score())) else { break };
         if better.score() >= best.score() {
@@ -263,10 +281,7 @@ pub fn fit_with<'a>(
     let mut best: Option<Solution> = None;
     for (variant, gain) in starts {
         let variant = &candidate.variants[*variant];
-        let mut own = variant.position.clone();
-        for (i, amplitude) in variant.switches.iter().zip(&gain.amplitudes) {
-            own[*i] = (own[*i] + amplitude).clamp(objective.axes[first + i].low, objective.axes[first + i].high);
-        }
+        let own = variant.position(&gain.amplitudes, &objective.axes[first..]);
         let all = parent.solution.position.iter().copied().chain(own);
         let start = DVector::from_iterator(first + variant.position.len(), all);
         // A model that lacks an effect has bent what it knows; from there the way back may be barred.

@@ -15,10 +15,9 @@ use crate::process::{Description, Neutral};
 const ALONE: usize = 10;
 const PLACE: usize = 16;
 const TOGETHER: usize = 6;
-/// A column this much smaller than the largest is no column: the parameter does nothing by itself.
-const NOTHING: f64 = 1e-9;
 
 /// An effect that the model does not have, with its signatures.
+#[derive(Clone)]
 pub struct Candidate {
     /// Which effect.
     pub effect: &'static Description,
@@ -29,15 +28,47 @@ pub struct Candidate {
 }
 
 /// The signature of an effect at one choice of its shapes.
+#[derive(Clone)]
 pub struct Variant {
     /// Search variables of all parameters of the effect, those that switch it at neutral.
     pub position: Vec<f64>,
     /// Which of its parameters switch it.
-    pub switches: Vec<usize>,
-    /// Whether each of them may be negative.
+    pub switches: Vec<Switch>,
+    /// Whether the amplitude of each column may be negative.
     pub signed: Vec<bool>,
     /// Change of every row in standard uncertainties per unit of the search variable, zeros for the priors; one column per switch.
     pub columns: DMatrix<f64>,
+}
+
+/// A parameter that switches an effect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch {
+    /// Which of the effect's.
+    pub parameter: usize,
+    /// The size at which its column was computed, in the search variable.
+    size: f64,
+    /// Whether the effect is the same for either sign of it, and grows with its square.
+    is_even: bool,
+}
+
+impl Switch {
+    /// The search variable, from neutral, that gives this amplitude of the column.
+    pub fn value(&self, amplitude: f64) -> f64 {
+        if self.is_even { (amplitude.max(0.0) * self.size).sqrt() } else { amplitude }
+    }
+}
+
+impl Variant {
+    /// The position with these amplitudes.
+    pub fn position(&self, amplitudes: &[f64], axes: &[Axis]) -> Vec<f64> {
+        let mut position = self.position.clone();
+        for (switch, amplitude) in self.switches.iter().zip(amplitudes) {
+            let axis = &axes[switch.parameter];
+            let place = &mut position[switch.parameter];
+            *place = (*place + switch.value(*amplitude)).clamp(axis.low, axis.high);
+        }
+        position
+    }
 }
 
 /// The signatures of all `effects` about a solution of the model without them.
@@ -62,44 +93,45 @@ struct Probe<'a, 'm> {
 impl Probe<'_, '_> {
     fn variants(&mut self, effect: &'static Description) -> Vec<Variant> {
         let neutral: Vec<f64> = self.axes.iter().map(Axis::neutral).collect();
-        let middle = |i: usize| self.axes[i].grid(1)[0];
         let shapes: Vec<usize> =
             (0..neutral.len()).filter(|i| effect.parameters[*i].neutral == Neutral::Shape).collect();
-        let mut at = neutral.clone();
-        shapes.iter().for_each(|i| at[*i] = middle(*i));
-        let others: Vec<usize> = (0..neutral.len()).filter(|i| !shapes.contains(i)).collect();
-        let sizes: Vec<f64> =
-            others.iter().map(|i| self.column(&at, *i).map_or(0.0, |c| c.norm() * self.step(*i))).collect();
-        let largest = sizes.iter().fold(0.0f64, |m, s| m.max(*s));
-        // A parameter that does nothing by itself shapes the others: convection without heat.
-        let (switches, idle): (Vec<_>, Vec<_>) =
-            others.iter().zip(&sizes).partition(|(_, size)| **size > NOTHING * largest);
-        let switches: Vec<usize> = switches.into_iter().map(|(i, _)| *i).collect();
-        let mut grids: Vec<(usize, Vec<f64>)> = Vec::new();
         let alone = shapes.len() == 1;
-        for &i in &shapes {
-            let count = match effect.parameters[i].along {
+        let grid = |i: &usize| {
+            let count = match effect.parameters[*i].along {
                 Some(_) => PLACE,
                 None if alone => ALONE,
                 None => TOGETHER,
             };
-            grids.push((i, self.axes[i].grid(count)));
-        }
-        for (&i, _) in idle {
-            let entry = &effect.parameters[i];
-            let plausible = |v: f64| self.axes[i].position(entry.kind.to_si(v));
-            let (low, high) = entry.range;
-            grids.push((i, vec![neutral[i], plausible(low), plausible((low * high).abs().sqrt()), plausible(high)]));
-        }
-        let points = combinations(&grids, &at);
+            (*i, self.axes[*i].grid(count))
+        };
+        let grids: Vec<(usize, Vec<f64>)> = shapes.iter().map(grid).collect();
+        let points = combinations(&grids, &neutral);
+        let Some(first) = points.first() else { return Vec::new() };
+        let own = (0..neutral.len()).filter(|i| !shapes.contains(i));
+        let switches: Vec<Switch> = own.map(|i| self.switch(first, i)).collect();
         points.into_iter().filter_map(|position| self.variant(effect, position, &switches)).collect()
     }
 
-    fn variant(&mut self, effect: &'static Description, position: Vec<f64>, switches: &[usize]) -> Option<Variant> {
-        let columns: Vec<DVector<f64>> = switches.iter().map(|i| self.column(&position, *i)).collect::<Option<_>>()?;
-        let signed = switches
-            .iter()
-            .map(|i| effect.parameters[*i].neutral != Neutral::Infinity && effect.parameters[*i].bounds == Bounds::Any);
+    /// The switch that a parameter is, tried with the shapes of `at`.
+    fn switch(&mut self, at: &[f64], parameter: usize) -> Switch {
+        let axis = &self.axes[parameter];
+        let (neutral, size) = (axis.neutral(), axis.unit.min(axis.high - axis.neutral()));
+        let both = axis.low <= neutral - size;
+        let is_even = both
+            && match (self.column(at, parameter, size), self.column(at, parameter, -size)) {
+                (Some(forth), Some(back)) => (&forth + &back).norm() < 0.1 * forth.norm(),
+                _ => false,
+            };
+        Switch { parameter, size, is_even }
+    }
+
+    fn variant(&mut self, effect: &'static Description, position: Vec<f64>, switches: &[Switch]) -> Option<Variant> {
+        let columns: Vec<DVector<f64>> =
+            switches.iter().map(|s| self.column(&position, s.parameter, s.size)).collect::<Option<_>>()?;
+        let signed = switches.iter().map(|s| {
+            let entry = &effect.parameters[s.parameter];
+            entry.neutral != Neutral::Infinity && entry.bounds == Bounds::Any && !s.is_even
+        });
         (!columns.is_empty()).then(|| Variant {
             signed: signed.collect(),
             switches: switches.to_vec(),
@@ -108,15 +140,8 @@ impl Probe<'_, '_> {
         })
     }
 
-    /// A usual size of a switch, to divide by.
-    fn step(&self, parameter: usize) -> f64 {
-        let axis = &self.axes[parameter];
-        axis.unit.min(axis.high - axis.neutral())
-    }
-
-    /// Change of the standardised prediction per unit of one switch, from neutral to a usual size of it.
-    fn column(&mut self, position: &[f64], parameter: usize) -> Option<DVector<f64>> {
-        let step = self.step(parameter);
+    /// Change of the standardised prediction per unit of one switch, from neutral to `step` beside it.
+    fn column(&mut self, position: &[f64], parameter: usize, step: f64) -> Option<DVector<f64>> {
         let mut moved = position.to_vec();
         moved[parameter] += step;
         let own = self.base.position.iter().copied();

@@ -72,10 +72,7 @@ pub fn features(trial: &Trial) -> Vec<Feature> {
 
 /// The verdict on the model before and with the best set.
 pub fn verdict(base: &Trial, best: &Trial, before: (&State, &[Feature]), after: (&State, &[Feature])) -> Verdict {
-    let is_noise = |(state, features): (&State, &[Feature])| {
-        state.p_value.is_none_or(|p| p >= UNEXPLAINED) && features.iter().all(|f| f.p_value >= UNEXPLAINED)
-    };
-    match (best.members.is_empty(), is_noise(after)) {
+    match (best.members.is_empty(), is_noise(after.0, after.1)) {
         (true, true) => Verdict::Adequate,
         (true, false) => Verdict::Unexplained,
         (false, true) => Verdict::MissingEffect,
@@ -84,6 +81,11 @@ pub fn verdict(base: &Trial, best: &Trial, before: (&State, &[Feature]), after: 
             if 1.0 - is / was < HALF { Verdict::Unexplained } else { Verdict::PartlyExplained }
         }
     }
+}
+
+/// Whether the noise explains what is left.
+pub fn is_noise(state: &State, features: &[Feature]) -> bool {
+    state.p_value.is_none_or(|p| p >= UNEXPLAINED) && features.iter().all(|f| f.p_value >= UNEXPLAINED)
 }
 
 /// What of χ² the noise does not explain. Where the noise is only estimated, the share of what has structure.

@@ -31,9 +31,10 @@ pub fn visibility(ground: &Ground, candidate: &Candidate, threshold: f64) -> Opt
     };
     let seen = candidate.variants.iter().map(column).max_by(|a, b| a.2.total_cmp(&b.2))?;
     let (switch, whole, left) = seen;
-    let entry = &candidate.effect.parameters[switch];
+    let entry = &candidate.effect.parameters[switch.parameter];
     let own = if whole > 0.0 { left / whole } else { 0.0 };
     let least = (threshold.sqrt() + NINE_OF_TEN) / left;
+    let least = switch.value(least);
     let value = if entry.neutral == Neutral::Infinity { 1.0 / least } else { least };
     let shown = entry.kind.from_si(value);
     let reachable = match entry.neutral {

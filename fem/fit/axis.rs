@@ -96,7 +96,8 @@ impl Axis {
         let (low, high) = match extent {
             Some(extent) => extent,
             None if axis.scale == Scale::Logarithm => (plausible.0 / BEYOND, plausible.1 * BEYOND),
-            None => plausible,
+            // What is left out has a value that is as plausible as any.
+            None => (entry.default.map_or(plausible.0, |d| d.min(plausible.0)), plausible.1),
         };
         let allowed = (axis.low, axis.high);
         (axis.low, axis.high) = (axis.position(low).max(allowed.0), axis.position(high).min(allowed.1));

@@ -7,6 +7,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::super::Machine;
+use crate::input::Bounds;
 use crate::process::{Description, Effect, Failure, Parameter, Values};
 use crate::solve::heat::{AnyLoss, HeatError, Pass, RodPiece, ToolTemperature, cooled, moving_source};
 use crate::units::{CONVECTION, POWER};
@@ -21,7 +22,9 @@ static DESCRIPTION: Description = Description {
     source: "seed 002 (35)-(39)",
     parameters: &[
         Parameter::amplitude("power", POWER, "heat that enters the work", (5.0, 500.0)),
-        Parameter::amplitude("convection", CONVECTION, "heat transfer to the air", (5.0, 100.0)).or(0.0),
+        Parameter::shape("convection", CONVECTION, "heat transfer to the air", (5.0, 100.0))
+            .within(Bounds::NotNegative)
+            .or(0.0),
     ],
     look_alikes: &[("guideway-taper", "the pass reversed: heating follows the tool, a taper stays")],
 };
