@@ -3,21 +3,41 @@
 use super::compare::check_places;
 use super::error::Error;
 use super::{args, print};
-use crate::diagnose::diagnose;
+use crate::diagnose::{Diagnosis, diagnose};
+use crate::fit::fitted_text;
+use crate::input::Source;
 use crate::measure::Measurements;
-use crate::model::Model;
-use crate::output;
+use crate::model::{Model, add_effect};
+use crate::output::{self, files};
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
+    if let Some(new) = &args.add_to {
+        super::add::refuse_itself(&args.model, new)?;
+    }
     let measurements = Measurements::load(&args.with, model.process)?;
     check_places(&model, &measurements, &args.with)?;
     let diagnosis = diagnose(&model, &measurements, args.max_effects)?;
+    if let Some(new) = &args.add_to {
+        let text = completed(&model, &diagnosis)?;
+        files::write(new, text.as_bytes())?;
+        super::say!("written {}", new.display());
+    }
     for note in &measurements.notes {
         super::say!("note: {note}");
     }
     if args.json {
         return print(&format!("{:#}\n", output::diagnosis::json(&model, &measurements, &diagnosis)));
     }
-    print(&output::diagnosis::text())
+    print(&output::diagnosis::text(&model, &measurements, &diagnosis))
+}
+
+/// The model with the missing effects and every fitted value.
+fn completed(model: &Model, diagnosis: &Diagnosis) -> Result<String, Error> {
+    let text = fitted_text(model, &diagnosis.fit);
+    let mut better = Model::parse(Source::new(model.source.name.to_string(), text))?;
+    for missing in &diagnosis.missing {
+        better = add_effect(&better, missing.effect.name, &output::diagnosis::settings(missing))?;
+    }
+    Ok(better.source.text.to_string())
 }

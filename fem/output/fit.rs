@@ -109,7 +109,7 @@ pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
 }
 
 /// A number with as many significant digits as its precision asks for.
-struct Short(f64);
+pub(super) struct Short(pub f64);
 
 impl std::fmt::Display for Short {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

@@ -4,6 +4,7 @@ mod residuals;
 mod text;
 
 pub use residuals::residuals;
+pub(super) use text::noise;
 pub use text::text;
 
 use serde_json::{Value as Json, json};

@@ -3,10 +3,11 @@
 use std::fmt::Write;
 
 use super::place;
-use crate::compare::{Comparison, NoiseSource};
+use crate::compare::{Comparison, Noise, NoiseSource};
 use crate::measure::Measurements;
 use crate::output::plot;
 use crate::process::{Plot, Process};
+use crate::units::Kind;
 
 /// How the models compare, side by side, and where each fails.
 pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> String {
@@ -14,12 +15,7 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     let mut text = format!("{}: {} observations", measurements.name, measurements.len());
     // Writing to a String does not fail, here and below.
     if let Some(first) = comparisons.first() {
-        let source = match first.noise.source {
-            NoiseSource::Column => "from the column u",
-            NoiseSource::Repeats => "from repeated rows",
-            NoiseSource::Estimated => "estimated from neighbouring rows",
-        };
-        let _ = writeln!(text, ", noise {:.3} {} ({source})", kind.from_si(first.noise.rms()), kind.unit);
+        let _ = writeln!(text, ", noise {}", noise(&first.noise, kind));
     }
     let width = comparisons.iter().map(|c| c.model.chars().count()).max().unwrap_or(0).max(5);
     let _ = writeln!(
@@ -45,6 +41,16 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         where_it_fails(&mut text, process, measurements, c);
     }
     text
+}
+
+/// How large the noise is, and how that is known.
+pub(in crate::output) fn noise(noise: &Noise, kind: Kind) -> String {
+    let source = match noise.source {
+        NoiseSource::Column => "from the column u",
+        NoiseSource::Repeats => "from repeated rows",
+        NoiseSource::Estimated => "estimated from what is left",
+    };
+    format!("{:.3} {} ({source})", kind.from_si(noise.rms()), kind.unit)
 }
 
 fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {

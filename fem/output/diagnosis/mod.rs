@@ -2,7 +2,7 @@
 
 mod text;
 
-pub use text::text;
+pub use text::{settings, text};
 
 use serde_json::{Map, Value as Json, json};
 

@@ -1,21 +1,213 @@
 //! A diagnosis for people: the story from the failing model to the noise.
 
-use crate::diagnose::{Diagnosis, Outlook};
+use std::fmt::Write;
 
-/// What else the data say of an effect.
-pub fn note(outlook: &Outlook, diagnosis: &Diagnosis) -> String {
-    let _ = diagnosis;
-    let Some(visibility) = &outlook.visibility else { return "it cannot be computed here".into() };
-    let _ = visibility;
-    String::new()
+use crate::diagnose::{Diagnosis, Missing, Outlook, State, Verdict};
+use crate::fit::Estimate;
+use crate::measure::Measurements;
+use crate::model::{Model, Setting};
+use crate::output::comparison;
+use crate::output::fit::Short;
+use crate::output::plot;
+use crate::process::{Description, Neutral, Plot};
+use crate::units::Kind;
+
+/// The story. Writing to a String does not fail, here and below.
+pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> String {
+    let (d, kind) = (diagnosis, measurements.kind);
+    let noise = comparison::noise(&d.noise, kind);
+    let mut text = format!(
+        "{} against {}: {} observations, noise {noise}\n",
+        model.source.name,
+        measurements.name,
+        measurements.len()
+    );
+    let _ = writeln!(text, "\n{}", verdict(d));
+    where_it_fails(&mut text, d, kind);
+    for (i, missing) in d.missing.iter().enumerate() {
+        cause(&mut text, i + 1, missing);
+    }
+    errors(&mut text, model, d, kind);
+    if matches!(d.verdict, Verdict::PartlyExplained | Verdict::Unexplained) {
+        let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(d));
+    }
+    not_seen(&mut text, d);
+    commands(&mut text, model, measurements, d);
+    if d.trials.0 > 0 {
+        let _ = writeln!(text, "\nthe model could not be computed at {} of {} trial values", d.trials.0, d.trials.1);
+    }
+    text
+}
+
+fn verdict(d: &Diagnosis) -> String {
+    let names = d.missing.iter().map(|m| m.effect.name).collect::<Vec<_>>().join(", ");
+    match d.verdict {
+        Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
+        Verdict::MissingEffect => format!("missing: {names}; with it the model comes down to the noise"),
+        Verdict::PartlyExplained => format!("partly explained: {names}; structure remains that nothing here explains"),
+        Verdict::Unexplained => "unexplained: the model fails, and no effect known here is the cause".into(),
+    }
+}
+
+fn where_it_fails(text: &mut String, d: &Diagnosis, kind: Kind) {
+    if d.verdict == Verdict::Adequate {
+        return;
+    }
+    let _ = writeln!(text, "\nwhere it fails, with what the model leaves open re-fitted");
+    if d.features.is_empty() {
+        let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
+    }
+    for feature in &d.features {
+        let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
+    }
+    if let Some(feature) = d.features.iter().find(|f| f.curve.len() > 2) {
+        let title = format!("residual [{}] over {}, mean of the rows there", kind.unit, feature.coordinate);
+        let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
+        let _ = writeln!(text, "\n{}", plot::lines(&plot).join("\n"));
+    }
+}
+
+fn cause(text: &mut String, number: usize, missing: &Missing) {
+    let effect = missing.effect;
+    let _ = writeln!(text, "\ncause {number}: {}, {}", effect.name, effect.about);
+    let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
+    for e in &missing.estimates {
+        let k = e.parameter.kind;
+        let value = format!("{:.4} {}", Short(k.from_si(e.value)), k.unit);
+        let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.4}", Short(k.from_si(v))));
+        let (low, high) = (end(e.interval.low), end(e.interval.high));
+        let warnings = if e.warnings.is_empty() { String::new() } else { format!("   ({})", e.warnings.join("; ")) };
+        let line = format!("  {:<width$}  {:<20} 95 %: {low} to {high}{warnings}", name(e), value.trim_end());
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    let _ = writeln!(text, "  chance alone gives as much {}", chance(missing.p_value));
+    for rival in &missing.indistinguishable_from {
+        let _ = writeln!(text, "  or {}: these data cannot tell{}", rival.name, separated(effect, rival));
+    }
+}
+
+/// What the catalogue says would separate two effects.
+fn separated(one: &Description, other: &Description) -> String {
+    let said = |a: &Description, b: &str| a.look_alikes.iter().find(|l| l.0 == b).map(|l| l.1);
+    let by = said(one, other.name).or_else(|| said(other, one.name));
+    by.map_or(String::new(), |by| format!("; what would: {by}"))
+}
+
+/// `once in 1000 searches`.
+fn chance(p: f64) -> String {
+    match p {
+        p if p < 1e-6 => "never".into(),
+        p => format!("once in {:.0} searches", (1.0 / p).max(1.0)),
+    }
+}
+
+fn name(e: &Estimate) -> &str {
+    e.parameter.path.rsplit('.').next().unwrap_or_default()
+}
+
+/// The error falling.
+fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
+    let first = format!("{} re-fitted", model.source.name);
+    let labels = d.missing.iter().map(|m| format!("+ {}", m.effect.name));
+    let lines: Vec<(String, &State)> = std::iter::once(first)
+        .chain(labels)
+        .zip(std::iter::once(&d.before).chain(d.missing.iter().map(|m| &m.state)))
+        .collect();
+    let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0).max(5);
+    let held = d.held_out_by.map_or(String::new(), |by| format!("held out by {by}"));
+    let _ = writeln!(text, "\n  {:<width$} {:>11} {:>11}   {held}", "model", "rms", "chi2/dof");
+    let sigma = kind.from_si(d.noise.rms());
+    for (label, state) in lines {
+        let out = state.held_out.filter(|h| h.is_finite()).map_or("-".into(), |h| format!("{:.3}", h * sigma));
+        let _ =
+            writeln!(text, "  {label:<width$} {:>11.3} {:>11.3}   {out:>11}", kind.from_si(state.rms), state.misfit);
+    }
+    let _ = writeln!(text, "  {:<width$} {sigma:>11.3}", "noise");
+    let _ = writeln!(text, "  in {}", kind.unit);
 }
 
 /// What remains, described.
-pub fn unexplained(diagnosis: &Diagnosis) -> String {
-    diagnosis.remaining.iter().map(|f| f.text.clone()).collect::<Vec<_>>().join("; ")
+pub fn unexplained(d: &Diagnosis) -> String {
+    match &d.remaining[..] {
+        [] => "more is left than the noise explains, but along no coordinate".into(),
+        features => features.iter().map(|f| f.text.clone()).collect::<Vec<_>>().join("; "),
+    }
 }
 
-/// The story.
-pub fn text() -> String {
-    String::new()
+/// What else the data say of an effect.
+pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
+    if d.missing.iter().any(|m| m.effect == outlook.effect) {
+        return "missing".into();
+    }
+    let rival = d.missing.iter().find(|m| m.indistinguishable_from.contains(&outlook.effect));
+    if let Some(missing) = rival {
+        return format!("cannot be told from {} here", missing.effect.name);
+    }
+    let Some(v) = &outlook.visibility else { return "it cannot be computed here".into() };
+    match v.smallest.filter(|_| v.visible) {
+        Some(smallest) => format!("would have been seen from {} on", bound(outlook.effect, v.parameter, smallest)),
+        None => "cannot be seen in these data".into(),
+    }
+}
+
+/// `rate = 0.4 um/km`, for a stiffness from above.
+fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
+    let entry = effect.parameters.iter().find(|p| p.name == parameter);
+    let unit = entry.map_or("", |p| p.kind.unit);
+    let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };
+    format!("{parameter} {sign} {:.2} {unit}", Short(smallest)).trim_end().to_string()
+}
+
+fn not_seen(text: &mut String, d: &Diagnosis) {
+    let absent = |c: &&Outlook| {
+        let named = d.missing.iter().any(|m| m.effect == c.effect || m.indistinguishable_from.contains(&c.effect));
+        !named && c.visibility.is_some()
+    };
+    let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
+    let seen = |c: &&&Outlook| c.visibility.as_ref().is_some_and(|v| v.visible);
+    if rest.iter().any(|c| seen(&c)) {
+        let _ = writeln!(text, "\nnot found, though {:.0} % of chances it would have been, from", 90.0);
+        let width = rest.iter().map(|c| c.effect.name.len()).max().unwrap_or(0);
+        for c in rest.iter().filter(seen) {
+            let v = c.visibility.as_ref().and_then(|v| v.smallest.map(|s| bound(c.effect, v.parameter, s)));
+            let _ = writeln!(text, "  {:<width$}  {}", c.effect.name, v.unwrap_or_default());
+        }
+    }
+    let hidden: Vec<&str> = rest.iter().filter(|c| !seen(c)).map(|c| c.effect.name).collect();
+    if !hidden.is_empty() {
+        let _ = writeln!(text, "\nthese data could not show: {}", hidden.join(", "));
+    }
+}
+
+/// The settings with which an effect is added, as `fem add` takes them.
+pub fn settings(missing: &Missing) -> Vec<Setting> {
+    let setting = |e: &Estimate| {
+        let k = e.parameter.kind;
+        let entry = missing.effect.parameters.iter().find(|p| p.name == name(e));
+        // What the data leave open is known no better than what is plausible.
+        let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
+        let value = crate::fit::uncertain(k.from_si(e.value), (e.std / k.canonical().factor).min(widest));
+        Setting { key: name(e).into(), value: format!("{value} {}", k.unit).trim_end().into() }
+    };
+    missing.estimates.iter().map(setting).collect()
+}
+
+fn commands(text: &mut String, model: &Model, measurements: &Measurements, d: &Diagnosis) {
+    if d.missing.is_empty() {
+        return;
+    }
+    let (file, data) = (&model.source.name, &measurements.name);
+    let _ = writeln!(text, "\nto go on");
+    let mut from = file.to_string();
+    for (i, missing) in d.missing.iter().enumerate() {
+        let quoted: Vec<String> = settings(missing).iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
+        let to = format!("with-{}.toml", d.missing[..=i].iter().map(|m| m.effect.name).collect::<Vec<_>>().join("-"));
+        let _ = writeln!(text, "  fem add {from} {} {} -o {to}", missing.effect.name, quoted.join(" "));
+        from = to;
+    }
+    let _ = writeln!(text, "  fem compare {file} {from} --with {data}");
+    let _ = writeln!(
+        text,
+        "  or all at once, every value re-fitted: fem diagnose {file} --with {data} --add-to better.toml"
+    );
 }
