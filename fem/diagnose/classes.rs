@@ -4,7 +4,7 @@ use nalgebra::DVector;
 use rayon::prelude::*;
 
 use super::gain::{Gain, gain};
-use super::ground::Ground;
+use super::ground::{Ground, length_outside};
 use super::search::{Found, Trial, bare, fit_with, promising, starts, without};
 use super::signature::{Candidate, Variant};
 
@@ -12,7 +12,7 @@ use super::signature::{Candidate, Variant};
 const EQUAL: f64 = 6.0;
 /// Squared separation, in standard uncertainties, below which the noise mixes two sets up in more than one case of twenty:
 /// (1.645 + 1.645)².
-const SEPARATE: f64 = 11.0;
+pub const SEPARATE: f64 = 11.0;
 /// To first order an alternative may look worse than it is: beyond this much plus a part of the gain it is not fitted.
 const HOPELESS: (f64, f64) = (40.0, 0.25);
 
@@ -109,19 +109,22 @@ fn imitations(best: &Trial, bare: &Trial, stranger: &Candidate) -> Vec<(usize, G
 
 /// Compares a set with the best: by its fit, and by what would be left if the best were the truth and nothing noisy.
 fn rival<'a>(best: &Trial<'a>, mut trial: Trial<'a>, candidate: usize) -> Option<Rival<'a>> {
+    let jacobian = trial.objective.jacobian(&trial.solution.position)?;
     let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).zip(&trial.objective.noise.sigma);
-    let shared = best.objective.model.parameters.len();
-    let moved = |i: usize| {
-        let axis = &trial.objective.axes[i];
-        let [a, b] = [best, &trial].map(|t| axis.value(t.solution.position[i]));
-        axis.prior.map(|(_, std)| (a - b) / std)
-    };
-    let apart = rows.map(|((p, q), s)| (p - q) / s).chain((0..shared).filter_map(moved));
-    let apart = DVector::from_vec(apart.collect());
-    let ground = Ground::new(&mut trial.objective, &trial.solution)?;
-    let separation = ground.project(apart).norm_squared();
+    let apart = rows.map(|((p, q), s)| (p - q) / s).chain(priors_apart(best, &trial));
+    let separation = length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2);
     let worse_by = trial.solution.chi2 - best.solution.chi2;
     Some(Rival { trial, candidate, worse_by, separation })
+}
+
+/// How far two sets are apart in what the model knows roughly, in its standard uncertainties.
+pub fn priors_apart(best: &Trial, rival: &Trial) -> Vec<f64> {
+    let moved = |i: usize| {
+        let axis = &rival.objective.axes[i];
+        let [a, b] = [best, rival].map(|t| axis.value(t.solution.position[i]));
+        axis.prior.map(|(_, std)| (a - b) / std)
+    };
+    (0..best.objective.model.parameters.len()).filter_map(moved).collect()
 }
 
 /// How much of the signature of one candidate the other can make, at best, 0 to 1.

@@ -52,6 +52,11 @@ fn project(tangent: &DMatrix<f64>, v: DVector<f64>) -> DVector<f64> {
     v - tangent * along
 }
 
+/// The length of a vector when the span of `columns` is taken out of it.
+pub fn length_outside(columns: &DMatrix<f64>, v: DVector<f64>) -> f64 {
+    project(&orthonormal(columns), v).norm()
+}
+
 /// Gram and Schmidt, twice, without the directions that depend on earlier ones.
 fn orthonormal(columns: &DMatrix<f64>) -> DMatrix<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();

@@ -7,12 +7,14 @@ mod classes;
 mod gain;
 mod ground;
 mod held_out;
+mod next;
 mod price;
 mod search;
 mod signature;
 mod verdict;
 mod visibility;
 
+pub use next::Next;
 pub use search::SIGNIFICANCE;
 pub use verdict::{State, Verdict};
 pub use visibility::Visibility;
@@ -22,6 +24,7 @@ use crate::fit::{self, Estimate, Fit, Objective, Patience, Solution, minimise};
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
 use crate::process::{Description, Failure};
+use classes::Place;
 use held_out::Folds;
 use price::Yardstick;
 use search::{Breadth, Found, Trial};
@@ -51,6 +54,8 @@ pub struct Diagnosis {
     pub remaining: Vec<Feature>,
     /// Every effect that the model does not have.
     pub candidates: Vec<Outlook>,
+    /// What to measure next, where effects cannot be told apart.
+    pub next: Option<Next>,
     /// By which coordinate rows were held out.
     pub held_out_by: Option<&'static str>,
     /// Trial values at which the model could not be computed, and all of them.
@@ -172,7 +177,9 @@ fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
     }
     let mut fitting = best.objective.clone();
     let fit = fit::report(&mut fitting, best.solution.clone(), repeats)?;
-    let missing = if best.members.is_empty() { Vec::new() } else { missing(&found, &best, &fit, yardstick, &state) };
+    let places = if best.members.is_empty() { Vec::new() } else { classes::places(&found) };
+    let missing = missing(&found, &best, &fit, yardstick, (&places, &state));
+    let next = next::next(&found, &best, &places);
     let all = found.tried.iter().chain([&found.base, &best]);
     let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
     let candidates = outlooks(&found, &best, yardstick);
@@ -186,6 +193,7 @@ fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
         fit,
         remaining,
         candidates,
+        next,
         held_out_by: folds.map(|f| f.coordinate),
         trials,
     })
@@ -197,9 +205,8 @@ fn missing(
     best: &Trial,
     fit: &Fit,
     yardstick: Yardstick,
-    state: &dyn Fn(&Trial) -> State,
+    (places, state): (&[Place], &dyn Fn(&Trial) -> State),
 ) -> Vec<Missing> {
-    let places = classes::places(found);
     let mut list = Vec::new();
     let mut rest = best.clone();
     while !rest.members.is_empty() {

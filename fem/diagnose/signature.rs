@@ -46,7 +46,7 @@ pub struct Switch {
     /// Which of the effect's.
     pub parameter: usize,
     /// The size at which its column was computed, in the search variable.
-    size: f64,
+    pub size: f64,
     /// Whether the effect is the same for either sign of it, and grows with its square.
     is_even: bool,
 }

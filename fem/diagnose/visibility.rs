@@ -24,13 +24,13 @@ pub struct Visibility {
 
 /// How visible an effect is on a ground, where a gain must exceed `threshold` to be believed.
 pub fn visibility(ground: &Ground, candidate: &Candidate, threshold: f64) -> Option<Visibility> {
-    let column = |v: &super::signature::Variant| {
-        let whole = v.columns.column(0).norm();
-        let own = ground.project(v.columns.column(0).into_owned()).norm();
-        (v.switches[0], whole, own)
-    };
-    let seen = candidate.variants.iter().map(column).max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let (switch, whole, left) = seen;
+    // Of several switches and shapes the one that shows most at a usual size.
+    let columns = candidate.variants.iter().flat_map(|v| v.switches.iter().zip(v.columns.column_iter()));
+    let sizes = columns.map(|(switch, column)| {
+        let own = ground.project(column.into_owned()).norm();
+        (*switch, column.norm(), own)
+    });
+    let (switch, whole, left) = sizes.max_by(|a, b| (a.2 * a.0.size).total_cmp(&(b.2 * b.0.size)))?;
     let entry = &candidate.effect.parameters[switch.parameter];
     let own = if whole > 0.0 { left / whole } else { 0.0 };
     let least = (threshold.sqrt() + NINE_OF_TEN) / left;

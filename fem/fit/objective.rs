@@ -183,18 +183,38 @@ impl<'a> Objective<'a> {
         let count = self.measurements.len() + self.priors();
         let mut jacobian = DMatrix::zeros(count, self.axes.len());
         for i in 0..self.axes.len() {
-            let axis = &self.axes[i];
-            let step = 1e-4 * axis.unit.max(1e-3 * position[i].abs());
-            let ends = [(position[i] - step).max(axis.low), (position[i] + step).min(axis.high)];
+            let (low, high) = self.around(position, i);
             let mut at = |s: f64| {
                 let mut moved = position.clone();
                 moved[i] = s;
                 self.predict(&moved).map(|p| self.residuals(&moved, &p))
             };
-            let column = (at(ends[1])? - at(ends[0])?) / (ends[1] - ends[0]);
+            let column = (at(high)? - at(low)?) / (high - low);
             jacobian.set_column(i, &column);
         }
         Some(jacobian)
+    }
+
+    /// Derivatives of the prediction of any rows, SI per unit of the search variables.
+    pub fn sensitivities(&mut self, position: &DVector<f64>, rows: &Rows) -> Option<DMatrix<f64>> {
+        let mut all = DMatrix::zeros(rows.len(), self.axes.len());
+        for i in 0..self.axes.len() {
+            let (low, high) = self.around(position, i);
+            let mut at = |s: f64| {
+                let mut moved = position.clone();
+                moved[i] = s;
+                self.predict_rows(&moved, rows).map(DVector::from_vec)
+            };
+            all.set_column(i, &((at(high)? - at(low)?) / (high - low)));
+        }
+        Some(all)
+    }
+
+    /// Two search variables close by, for a central difference; one-sided at a bound.
+    fn around(&self, position: &DVector<f64>, i: usize) -> (f64, f64) {
+        let axis = &self.axes[i];
+        let step = 1e-4 * axis.unit.max(1e-3 * position[i].abs());
+        ((position[i] - step).max(axis.low), (position[i] + step).min(axis.high))
     }
 
     /// Covariance of the search variables, (JᵀJ)⁻¹; a direction that the data do not see at all gets a huge variance.

@@ -12,7 +12,7 @@ mod validation;
 
 pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
 pub use grid::{Cell, Field, Frame, Grid};
-pub use observation::{Absent, Coordinate, Holds, Misplaced, Observable, Rows};
+pub use observation::{Absent, Coordinate, Further, Holds, Misplaced, Observable, Rows};
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
 pub use validation::{Case, Tolerance};
 
@@ -59,6 +59,9 @@ pub trait System: Send + Sync {
 
     /// The rows that lie outside the system: off the body, beyond the programme.
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced>;
+
+    /// What else could be measured beside these rows, for causes that they cannot tell apart.
+    fn menu(&self, rows: &Rows) -> Vec<Further>;
 
     /// The system with effects acting, ready to predict.
     fn equip(&self, effects: &[Active]) -> Box<dyn Job>;

@@ -70,10 +70,33 @@ impl Rows {
         self.observable.is_empty()
     }
 
+    /// These rows and more.
+    #[must_use]
+    pub fn and(&self, more: &Self) -> Self {
+        let columns = self.columns.iter().zip(&more.columns).map(|(a, b)| a.iter().chain(b).copied().collect());
+        Self {
+            columns: columns.collect(),
+            observable: self.observable.iter().chain(&more.observable).copied().collect(),
+        }
+    }
+
     /// Coordinate number `column` of row `row`, if the row has one.
     pub fn get(&self, column: usize, row: usize) -> Option<f64> {
         self.columns.get(column).and_then(|c| c.get(row)).copied().filter(|v| !v.is_nan())
     }
+}
+
+/// Something more that could be measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Further {
+    /// What to do, as a sentence for the shop.
+    pub words: String,
+    /// The coordinate that is new.
+    pub coordinate: &'static str,
+    /// Its new values, SI.
+    pub values: Vec<f64>,
+    /// The rows to measure.
+    pub rows: Rows,
 }
 
 /// A row that the system cannot be asked for.

@@ -7,10 +7,11 @@ pub use text::{settings, text};
 use serde_json::{Map, Value as Json, json};
 
 use super::fit::finite;
-use crate::diagnose::{Diagnosis, Missing, Outlook, State, Verdict};
+use crate::diagnose::{Diagnosis, Missing, Next, Outlook, State, Verdict};
 use crate::fit::Estimate;
 use crate::measure::Measurements;
 use crate::model::Model;
+use crate::process::Holds;
 use crate::units::Kind;
 
 impl Verdict {
@@ -43,7 +44,7 @@ pub fn json(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
         "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
         "unexplained": unexplained(d),
-        "next_measurement": Json::Null,
+        "next_measurement": d.next.as_ref().map(|n| next(n, model)),
         "held_out_by": d.held_out_by,
         "failed_trials": d.trials.0,
         "evaluations": d.trials.1,
@@ -92,6 +93,26 @@ fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
         "delta_bic": outlook.delta_bic,
         "p_value": outlook.p_value,
         "note": text::note(outlook, diagnosis),
+    })
+}
+
+/// What to measure next, with its values in the coordinate's canonical unit.
+pub(super) fn next(next: &Next, model: &Model) -> Json {
+    let coordinates = model.process.coordinates();
+    let kind = coordinates.iter().find(|c| c.name == next.further.coordinate).and_then(|c| match c.holds {
+        Holds::Quantity(kind) => Some(kind),
+        Holds::Number(_) | Holds::Word(_) => None,
+    });
+    json!({
+        "text": next.further.words,
+        "coordinate": next.further.coordinate,
+        "values": next.further.values.iter().map(|v| kind.map_or(*v, |k| k.from_si(*v))).collect::<Vec<_>>(),
+        "unit": kind.map_or("", |k| k.unit),
+        "observations": next.observations(),
+        "repeats": next.repeats,
+        "separation": next.separation,
+        "enough": next.enough,
+        "separates": next.pairs.iter().map(|(a, b)| json!([a.name, b.name])).collect::<Vec<_>>(),
     })
 }
 

@@ -12,6 +12,9 @@ use crate::output::plot;
 use crate::process::{Description, Neutral, Plot};
 use crate::units::Kind;
 
+/// A smaller share of what is wrong is not told where there are larger ones.
+const SMALLEST_SHARE: f64 = 0.03;
+
 /// The story. Writing to a String does not fail, here and below.
 pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> String {
     let (d, kind) = (diagnosis, measurements.kind);
@@ -32,6 +35,7 @@ pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(d));
     }
     not_seen(&mut text, d);
+    measure_next(&mut text, d);
     commands(&mut text, model, measurements, d);
     if d.trials.0 > 0 {
         let _ = writeln!(text, "\nthe model could not be computed at {} of {} trial values", d.trials.0, d.trials.1);
@@ -43,7 +47,10 @@ fn verdict(d: &Diagnosis) -> String {
     let names = d.missing.iter().map(|m| m.effect.name).collect::<Vec<_>>().join(", ");
     match d.verdict {
         Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
-        Verdict::MissingEffect => format!("missing: {names}; with it the model comes down to the noise"),
+        Verdict::MissingEffect => {
+            let them = if d.missing.len() == 1 { "it" } else { "them" };
+            format!("missing: {names}; with {them} the model comes down to the noise")
+        }
         Verdict::PartlyExplained => format!("partly explained: {names}; structure remains that nothing here explains"),
         Verdict::Unexplained => "unexplained: the model fails, and no effect known here is the cause".into(),
     }
@@ -57,7 +64,7 @@ fn where_it_fails(text: &mut String, d: &Diagnosis, kind: Kind) {
     if d.features.is_empty() {
         let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
     }
-    for feature in &d.features {
+    for feature in d.features.iter().filter(|f| f.share >= SMALLEST_SHARE || d.features.len() < 3) {
         let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
     }
     if let Some(feature) = d.features.iter().find(|f| f.curve.len() > 2) {
@@ -80,7 +87,7 @@ fn cause(text: &mut String, number: usize, missing: &Missing) {
         let line = format!("  {:<width$}  {:<20} 95 %: {low} to {high}{warnings}", name(e), value.trim_end());
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    let _ = writeln!(text, "  chance alone gives as much {}", chance(missing.p_value));
+    let _ = writeln!(text, "  {}", chance(missing.p_value));
     for rival in &missing.indistinguishable_from {
         let _ = writeln!(text, "  or {}: these data cannot tell{}", rival.name, separated(effect, rival));
     }
@@ -93,11 +100,11 @@ fn separated(one: &Description, other: &Description) -> String {
     by.map_or(String::new(), |by| format!("; what would: {by}"))
 }
 
-/// `once in 1000 searches`.
+/// How sure it is that something is there.
 fn chance(p: f64) -> String {
     match p {
-        p if p < 1e-6 => "never".into(),
-        p => format!("once in {:.0} searches", (1.0 / p).max(1.0)),
+        p if p < 1e-6 => "chance alone gives as much in less than one search in a million".into(),
+        p => format!("chance alone gives as much in one search of {:.0}", (1.0 / p).max(1.0)),
     }
 }
 
@@ -166,7 +173,7 @@ fn not_seen(text: &mut String, d: &Diagnosis) {
     let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
     let seen = |c: &&&Outlook| c.visibility.as_ref().is_some_and(|v| v.visible);
     if rest.iter().any(|c| seen(&c)) {
-        let _ = writeln!(text, "\nnot found, though {:.0} % of chances it would have been, from", 90.0);
+        let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, from");
         let width = rest.iter().map(|c| c.effect.name.len()).max().unwrap_or(0);
         for c in rest.iter().filter(seen) {
             let v = c.visibility.as_ref().and_then(|v| v.smallest.map(|s| bound(c.effect, v.parameter, s)));
@@ -177,6 +184,21 @@ fn not_seen(text: &mut String, d: &Diagnosis) {
     if !hidden.is_empty() {
         let _ = writeln!(text, "\nthese data could not show: {}", hidden.join(", "));
     }
+}
+
+fn measure_next(text: &mut String, d: &Diagnosis) {
+    let Some(next) = &d.next else { return };
+    let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();
+    let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
+    let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
+    let _ = writeln!(
+        text,
+        "\nmeasure next\n  {}{often}: {} rows\n  it {tells} {}, by {:.1} sigma",
+        next.further.words,
+        next.observations(),
+        pairs.join(", "),
+        next.separation
+    );
 }
 
 /// The settings with which an effect is added, as `fem add` takes them.

@@ -10,6 +10,7 @@ mod findings;
 mod job;
 mod lathe;
 mod machine;
+mod menu;
 mod model;
 mod observe;
 mod schedule;
@@ -27,7 +28,9 @@ pub use segment::Segment;
 
 use std::sync::Arc;
 
-use super::{Active, Case, Coordinate, Description, Effect, Job, Misplaced, Observable, Process, Rows, System};
+use super::{
+    Active, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Process, Rows, System,
+};
 use crate::input::Reader;
 
 /// The process `turning`.
@@ -77,6 +80,10 @@ impl System for Bench {
 
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
         observe::misplaced(&self.0, rows)
+    }
+
+    fn menu(&self, rows: &Rows) -> Vec<Further> {
+        menu::menu(&self.0, rows)
     }
 
     fn equip(&self, active: &[Active]) -> Box<dyn Job> {

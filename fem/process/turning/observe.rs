@@ -18,14 +18,14 @@ pub const OBSERVABLES: &[Observable] = &[
 const DIAMETER: usize = 1;
 
 /// Positions in [`COORDINATES`].
-const X: usize = 0;
-const PART: usize = 1;
-const FORCE_OF_ROW: usize = 2;
+pub const X: usize = 0;
+pub const PART: usize = 1;
+pub const FORCE_OF_ROW: usize = 2;
 const DEPTH: usize = 3;
 const FEED_OF_ROW: usize = 4;
-const BLANK: usize = 6;
-const TIME_OF_ROW: usize = 7;
-const PATH_OF_ROW: usize = 8;
+pub const BLANK: usize = 6;
+pub const TIME_OF_ROW: usize = 7;
+pub const PATH_OF_ROW: usize = 8;
 
 /// A row's force, depth, feed and speed act on its own force only; the schedule stays the model's, but for a row's own time and path.
 pub const COORDINATES: &[Coordinate] = &[
