@@ -6,6 +6,7 @@
 //! ```text
 //! units                 quantities with units; SI inside
 //! progress              how far a computation has come
+//! formula               what users write: parsed, checked for units, evaluated
 //! input                 reading a user's file: places, problems, one function per table
 //! material  element  joint     what bodies, pieces and joints resist with
 //! solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat
@@ -24,6 +25,7 @@ pub mod compare;
 pub mod diagnose;
 pub mod element;
 pub mod fit;
+pub mod formula;
 pub mod input;
 pub mod joint;
 pub mod material;

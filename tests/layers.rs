@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 /// From the ground up.
 const LAYERS: &[&str] = &[
-    "units", "progress", "input", "element", "material", "joint", "solve", "process", "measure", "model", "compare",
-    "fit", "diagnose", "output", "cli",
+    "units", "progress", "formula", "input", "element", "material", "joint", "solve", "process", "measure", "model",
+    "compare", "fit", "diagnose", "output", "cli",
 ];
 
 fn sources(directory: &Path, found: &mut Vec<PathBuf>) {

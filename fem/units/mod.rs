@@ -35,6 +35,33 @@ impl Dimension {
         Self { fixed: exponents, times_n: [0; 5] }
     }
 
+    /// The product of two; `None` beyond any physical power.
+    pub fn times(self, other: Self) -> Option<Self> {
+        self.combine(other, 1)
+    }
+
+    /// The quotient of two.
+    pub fn over(self, other: Self) -> Option<Self> {
+        self.combine(other, -1)
+    }
+
+    /// A whole power.
+    pub fn to_the(self, exponent: i8) -> Option<Self> {
+        self.power(exponent)
+    }
+
+    /// The square root, where every exponent is even.
+    pub fn root(self) -> Option<Self> {
+        let mut root = self;
+        for e in root.fixed.iter_mut().chain(&mut root.times_n) {
+            if *e % 2 != 0 {
+                return None;
+            }
+            *e /= 2;
+        }
+        Some(root)
+    }
+
     fn combine(self, other: Self, sign: i8) -> Option<Self> {
         let mut sum = self;
         for i in 0..BASE.len() {
