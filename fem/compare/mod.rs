@@ -56,7 +56,7 @@ impl Comparison {
 /// # Errors
 /// The model could not be computed.
 pub fn compare(model: &Model, measurements: &Measurements) -> Result<Comparison, Failure> {
-    let predicted = model.system.equip(&model.effects).observe(&measurements.rows)?;
+    let predicted = model.job().observe(&measurements.rows)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
     let repeats = repeats(measurements, model.process.coordinates());
     let noise = Noise::of(measurements, &repeats, &residuals);

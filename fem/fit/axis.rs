@@ -61,6 +61,8 @@ impl Axis {
         let starts = match (prior, range) {
             (Some((value, _)), _) => vec![value],
             (None, Some((low, high))) if shapes => spread(low, high),
+            // Of what belongs to no effect only the kind is known.
+            (None, None) => vec![usual, 0.1 * usual, 10.0 * usual],
             _ => vec![usual],
         };
         let (low, mut high) = bounds(scale, parameter.bounds);

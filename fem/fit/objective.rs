@@ -7,7 +7,7 @@ use crate::compare::{Noise, NoiseSource};
 use crate::input::Parameter;
 use crate::measure::Measurements;
 use crate::model::Model;
-use crate::process::{self, Active, Description, Failure, Rows};
+use crate::process::{self, Active, Description, Failure, Holds, Rows};
 use crate::units::{Knowledge, Quantity};
 
 /// χ² as a function of the search variables: what the model does not know exactly, and every parameter of effects that are added to it
@@ -50,7 +50,13 @@ impl<'a> Objective<'a> {
     /// # Errors
     /// The data are fewer than the free parameters.
     pub fn new(model: &'a Model, measurements: &'a Measurements) -> Result<Self, Failure> {
-        let axes: Vec<Axis> = model.parameters.iter().map(|p| Axis::new(p, model.catalogue(&p.path))).collect();
+        let mut axes: Vec<Axis> = model.parameters.iter().map(|p| Axis::new(p, model.catalogue(&p.path))).collect();
+        for (axis, parameter) in axes.iter_mut().zip(&model.parameters) {
+            if axis.prior.is_none() && model.is_written(&parameter.path) {
+                let starts = starts_beside(model, measurements, parameter);
+                axis.starts = if starts.is_empty() { std::mem::take(&mut axis.starts) } else { starts };
+            }
+        }
         let free = axes.iter().filter(|a| a.prior.is_none()).count();
         if measurements.len() < free + 1 {
             let message = format!("{} rows cannot fix {free} free parameters", measurements.len());
@@ -161,7 +167,7 @@ impl<'a> Objective<'a> {
         let active = |description: &&'static Description| {
             let (values, others) = rest.split_at(description.parameters.len());
             rest = others;
-            Active { description, values: values.to_vec() }
+            Active { description, values: values.to_vec(), written: None }
         };
         let added: Vec<Active> = self.added.iter().map(active).collect();
         let observed = self.model.job_with(own, &added).and_then(|job| job.observe(rows));
@@ -235,4 +241,22 @@ impl<'a> Objective<'a> {
         let inverse = &eigen.eigenvectors * inverse * eigen.eigenvectors.transpose();
         Ok(DMatrix::from_fn(n, n, |r, c| inverse[(r, c)] * scale[r] * scale[c]))
     }
+}
+
+/// Parts of a coordinate's extent at which a length, a time or a force of a user's formula may lie.
+const PARTS: [f64; 6] = [0.03, 0.07, 0.15, 0.3, 0.7, 1.5];
+
+/// Where to look for a parameter of a written effect: at parts of the extent of the first coordinate that is measured in the same dimension.
+fn starts_beside(model: &Model, measurements: &Measurements, parameter: &Parameter) -> Vec<f64> {
+    let dimension = parameter.kind.canonical().dimension;
+    let rows = model.system.resolved(&measurements.rows);
+    let coordinates = model.process.coordinates().iter().zip(&rows.columns);
+    let mut extents = coordinates
+        .filter(|(c, _)| process::written::dimension(c.holds) == dimension && matches!(c.holds, Holds::Quantity(_)))
+        .map(|(_, values)| {
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low
+        });
+    let extent = extents.find(|e| *e > 0.0);
+    extent.map_or(Vec::new(), |extent| PARTS.iter().map(|part| part * extent).collect())
 }

@@ -8,5 +8,5 @@ mod source;
 
 pub use field::{Bounds, Choice, Count, Field};
 pub use problem::{InputError, Problem, did_you_mean, nearest};
-pub use reader::{Parameter, Reader, Shape};
+pub use reader::{Names, Parameter, Reader, Shape};
 pub use source::Source;

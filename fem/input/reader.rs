@@ -29,6 +29,16 @@ pub struct Parameter {
     pub span: Option<Range<usize>>,
 }
 
+/// The names that tables of the user's choice may have.
+pub struct Names<'n> {
+    /// Those that are known, for the schema.
+    pub known: &'n [&'static str],
+    /// The key that marks a table as the user's own.
+    pub mark: &'static str,
+    /// The name to keep, given one and whether its table is marked.
+    pub find: &'n dyn Fn(&str, bool) -> Result<&'static str, Problem>,
+}
+
 /// What one reading finds beside the values.
 #[derive(Default)]
 struct Findings {
@@ -234,14 +244,12 @@ impl<'a> Reader<'a> {
         values
     }
 
-    /// Tables with names of the user's choice among `known`: `[effects.NAME]`. `refuse` words the problem of a name
-    /// that is not known. Each comes with its name.
+    /// Tables with names of the user's choice: `[effects.NAME]`. Each is read with its name.
     pub fn named_tables<T>(
         &self,
         key: &'static str,
         about: &'static str,
-        known: &[&'static str],
-        unknown: impl Fn(&str) -> Problem,
+        names: Names,
         read: impl Fn(&'static str, &Reader<'a>) -> T,
     ) -> Vec<T> {
         let item = self.item(key);
@@ -251,7 +259,7 @@ impl<'a> Reader<'a> {
             (_, None) => return Vec::new(),
         };
         let mut values = Vec::new();
-        for name in parent.names(known, unknown) {
+        for name in parent.names(&names) {
             let ground = match parent.item(name) {
                 Some(item) => parent.ground_of(name, item, "a table"),
                 None => Ground::Described,
@@ -259,22 +267,61 @@ impl<'a> Reader<'a> {
             parent.read_child(name, about, ground, false, |reader| values.push(read(name, reader)));
         }
         if matches!(self.ground, Ground::Described) {
-            self.describe(key, || parent.shape.take().into_schema(about), false);
+            let schema = || {
+                let mut schema = parent.shape.take().into_schema(about);
+                schema["additionalProperties"] = json!({
+                    "type": "object",
+                    "required": [names.mark],
+                    "properties": { names.mark: { "type": "string" } },
+                    "additionalProperties": { "type": ["string", "number"] },
+                });
+                schema
+            };
+            self.describe(key, schema, false);
         }
         values
     }
 
-    /// The known names in the order in which the file has them (all, where there is no file).
-    fn names(&self, known: &[&'static str], unknown: impl Fn(&str) -> Problem) -> Vec<&'static str> {
-        let Ground::Given(table, _) = &self.ground else { return known.to_vec() };
-        let mut names = Vec::new();
-        for (name, _) in table.iter() {
-            match known.iter().find(|k| **k == name) {
-                Some(name) => names.push(*name),
-                None => self.refuse(unknown(name).at(table.key(name).and_then(|k| k.span()))),
+    /// The names in the order in which the file has them (all that are known, where there is no file).
+    fn names(&self, names: &Names) -> Vec<&'static str> {
+        let Ground::Given(table, _) = &self.ground else { return names.known.to_vec() };
+        let mut found = Vec::new();
+        for (name, item) in table.iter() {
+            let is_marked = item.as_table_like().is_some_and(|t| t.contains_key(names.mark));
+            match (names.find)(name, is_marked) {
+                Ok(name) => found.push(name),
+                Err(problem) => self.refuse(problem.at(table.key(name).and_then(|k| k.span()))),
             }
         }
-        names
+        found
+    }
+
+    /// The keys of this table, in the order of the file.
+    pub fn keys(&self) -> Vec<String> {
+        match &self.ground {
+            Ground::Given(table, _) => table.iter().map(|(key, _)| key.to_string()).collect(),
+            Ground::Absent | Ground::Described => Vec::new(),
+        }
+    }
+
+    /// The text that stands behind a key, if it is one.
+    pub fn written(&self, key: &str) -> Option<&'a str> {
+        match &self.ground {
+            Ground::Given(table, _) => table.get(key).and_then(Item::as_str),
+            Ground::Absent | Ground::Described => None,
+        }
+    }
+
+    /// Notes a problem with a part of the text behind a key, by its bytes in the text.
+    pub fn problem_within(&self, key: &str, part: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
+        let Ground::Given(table, _) = &self.ground else { return };
+        let whole = table.get(key).and_then(Item::span);
+        // Behind the opening quote; a text with escapes has other places, which stay inside it.
+        let span = whole.map(|w| {
+            let start = (w.start + 1 + part.start).min(w.end - 1);
+            start..(w.start + 1 + part.end).clamp(start + 1, w.end)
+        });
+        self.refuse(Problem::new(message).help(help).at(span));
     }
 
     /// A key that holds either a name or a table: a material. `read` gets the name, if there is one, and a reader of

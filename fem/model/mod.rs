@@ -3,16 +3,18 @@
 mod add;
 mod run;
 mod schema;
+mod written;
 
 pub use add::{Setting, add_effect};
 pub use run::{Run, Share};
 pub use schema::schema;
 
 use std::path::Path;
+use std::sync::Arc;
 
 use toml_edit::Document;
 
-use crate::input::{InputError, Parameter, Problem, Reader, Source, did_you_mean, nearest};
+use crate::input::{InputError, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest};
 use crate::process::{self, Active, Description, Failure, Job, Process, System};
 use crate::units::Knowledge;
 
@@ -28,7 +30,7 @@ pub struct Model {
     /// Which process it models.
     pub process: &'static dyn Process,
     /// The ideal system that its tables describe.
-    pub system: Box<dyn System>,
+    pub system: Arc<dyn System>,
     /// Its effects, in the order of the file.
     pub effects: Vec<Active>,
     /// What it does not know exactly.
@@ -78,7 +80,7 @@ impl Model {
     pub fn job_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn Job>, Failure> {
         if let Some(mut effects) = self.effects_at(values) {
             effects.extend_from_slice(added);
-            return Ok(self.system.equip(&effects));
+            return Ok(process::equip(&self.system, &effects));
         }
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
         let ((_, system, mut effects), _, problems) =
@@ -86,12 +88,17 @@ impl Model {
         match problems.first() {
             None => {
                 effects.extend_from_slice(added);
-                Ok(system.equip(&effects))
+                Ok(process::equip(&system, &effects))
             }
             Some(problem) => {
                 Err(Failure { message: problem.message.clone(), help: problem.help.clone().unwrap_or_default() })
             }
         }
+    }
+
+    /// The model as it is written, ready to predict.
+    pub fn job(&self) -> Box<dyn Job> {
+        process::equip(&self.system, &self.effects)
     }
 
     /// The effects with other values, if nothing else is unknown; the system then need not be read again.
@@ -106,10 +113,16 @@ impl Model {
         Some(effects)
     }
 
+    /// Whether a parameter, by its path, belongs to an effect that the user has written.
+    pub fn is_written(&self, path: &str) -> bool {
+        let effect = path.strip_prefix("effects.").and_then(|p| p.split_once('.')).map(|p| p.0);
+        self.effects.iter().any(|e| e.written.is_some() && Some(e.description.name) == effect)
+    }
+
     /// The catalogue's entry of a parameter of an effect, by its path.
     pub fn catalogue(&self, path: &str) -> Option<&'static crate::process::Parameter> {
         let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
-        let active = self.effects.iter().find(|e| e.description.name == effect)?;
+        let active = self.effects.iter().find(|e| e.description.name == effect && e.written.is_none())?;
         active.description.parameters.iter().find(|p| p.name == name)
     }
 
@@ -149,10 +162,10 @@ fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Pro
 }
 
 /// Reads everything a model file may hold; also the ground of its schema.
-fn read(model: &Reader, process: &'static dyn Process) -> (Option<String>, Box<dyn System>, Vec<Active>) {
+fn read(model: &Reader, process: &'static dyn Process) -> (Option<String>, Arc<dyn System>, Vec<Active>) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
-    let system = process.read(model);
+    let system: Arc<dyn System> = process.read(model).into();
     let effects = read_effects(model, process, &*system);
     (title, system, effects)
 }
@@ -160,18 +173,23 @@ fn read(model: &Reader, process: &'static dyn Process) -> (Option<String>, Box<d
 fn read_effects(model: &Reader, process: &'static dyn Process, system: &dyn System) -> Vec<Active> {
     let known = process.effects();
     let names: Vec<&'static str> = known.iter().map(|d| d.name).collect();
-    let unknown = |name: &str| unknown_effect(name, process, &names);
+    let find = |name: &str, is_written: bool| match names.iter().find(|n| **n == name) {
+        Some(known) => Ok(*known),
+        None if is_written => Ok(process::written::word(name)),
+        None => Err(unknown_effect(name, process, &names)),
+    };
     let read = |name: &'static str, table: &Reader| {
+        let Some(description) = known.iter().find(|d| d.name == name) else {
+            return written::read(name, table, process);
+        };
         if let Err(reason) = system.admits(name) {
             table.problem("", reason, "remove the effect, or change what it acts on");
         }
-        known.iter().find(|d| d.name == name).map(|d| d.read(table))
+        Some(description.read(table))
     };
-    model
-        .named_tables("effects", "physical effects beyond the ideal system", &names, unknown, read)
-        .into_iter()
-        .flatten()
-        .collect()
+    let about = "physical effects beyond the ideal system; one of your own has a formula";
+    let names = Names { known: &names, mark: "formula", find: &find };
+    model.named_tables("effects", about, names, read).into_iter().flatten().collect()
 }
 
 fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> Problem {
@@ -183,7 +201,10 @@ fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> 
     let problem = Problem::new(format!("`{name}` is no effect known here"));
     match nearest(name, names.iter().copied()) {
         Some(near) => problem.help(format!("did you mean `{near}`? `fem effects {}` lists all", process.name())),
-        None => problem.help(format!("`fem effects {}` lists those that are", process.name())),
+        None => problem.help(format!(
+            "`fem effects {}` lists those that are; an effect of your own has a `formula`",
+            process.name()
+        )),
     }
 }
 

@@ -1,7 +1,7 @@
 //! A run: the prediction, and what each effect changes in it.
 
 use super::Model;
-use crate::process::{Active, Failure, Outcome};
+use crate::process::{Active, Failure, Outcome, equip};
 use crate::progress::Progress;
 
 /// What a run gives.
@@ -32,13 +32,13 @@ impl Model {
     /// # Errors
     /// The computation failed.
     pub fn run(&self, progress: &Progress) -> Result<Run, Failure> {
-        let job = self.system.equip(&self.effects);
+        let job = self.job();
         let prediction = job.predict(progress)?;
-        let ideal = self.system.equip(&[]).predict(progress)?;
+        let ideal = equip(&self.system, &[]).predict(progress)?;
         let mut shares = vec![share("ideal", ideal.iter().copied())];
         for effect in &self.effects {
             let others: Vec<Active> = self.effects.iter().filter(|e| *e != effect).cloned().collect();
-            let without = self.system.equip(&others).predict(progress)?;
+            let without = equip(&self.system, &others).predict(progress)?;
             shares.push(share(effect.description.name, prediction.iter().zip(&without).map(|(a, b)| a - b)));
         }
         Ok(Run { outcome: job.outcome(prediction)?, shares })

@@ -2,6 +2,7 @@
 
 use std::ops::Index;
 
+use super::WrittenLaw;
 use crate::input::{Bounds, Reader};
 use crate::units::Kind;
 
@@ -32,7 +33,7 @@ pub struct Description {
 }
 
 /// A parameter of an effect.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     /// The key.
     pub name: &'static str,
@@ -72,6 +73,8 @@ pub struct Active {
     pub description: &'static Description,
     /// SI values in the order of its parameters.
     pub values: Vec<f64>,
+    /// Its law, where a user has written it; effects of the catalogue act by themselves.
+    pub written: Option<&'static WrittenLaw>,
 }
 
 /// Parameter values by name, as an effect's law uses them.
@@ -104,7 +107,7 @@ impl Description {
                 _ => field.required(),
             });
         }
-        Active { description: self, values }
+        Active { description: self, values, written: None }
     }
 
     /// The effect with every parameter at its neutral value, and a plausible one where it has none.
@@ -114,13 +117,13 @@ impl Description {
             Neutral::Infinity => f64::INFINITY,
             Neutral::Shape => p.kind.to_si(p.example()),
         };
-        Active { description: self, values: self.parameters.iter().map(value).collect() }
+        Active { description: self, values: self.parameters.iter().map(value).collect(), written: None }
     }
 
     /// The effect with every parameter at a plausible value.
     pub fn typical(&'static self) -> Active {
         let values = self.parameters.iter().map(|p| p.kind.to_si(p.example())).collect();
-        Active { description: self, values }
+        Active { description: self, values, written: None }
     }
 }
 

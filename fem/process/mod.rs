@@ -9,12 +9,14 @@ mod observation;
 mod outcome;
 pub mod turning;
 mod validation;
+pub mod written;
 
 pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
 pub use grid::{Cell, Field, Frame, Grid};
 pub use observation::{Absent, Coordinate, Further, Holds, Misplaced, Observable, Rows};
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
 pub use validation::{Case, Tolerance};
+pub use written::{Meaning, WrittenLaw, equip};
 
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -59,6 +61,12 @@ pub trait System: Send + Sync {
 
     /// The rows that lie outside the system: off the body, beyond the programme.
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced>;
+
+    /// The rows of its own programme, in the order in which a job predicts them, every coordinate resolved.
+    fn programme(&self) -> Rows;
+
+    /// The rows with every coordinate that they leave to the model filled in.
+    fn resolved(&self, rows: &Rows) -> Rows;
 
     /// What else could be measured beside these rows, for causes that they cannot tell apart.
     fn menu(&self, rows: &Rows) -> Vec<Further>;

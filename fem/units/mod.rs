@@ -10,7 +10,7 @@ mod quantity;
 
 pub use kind::Kind;
 pub use kind::*;
-pub use quantity::{Knowledge, Quantity};
+pub use quantity::{Knowledge, Quantity, unit_text};
 
 use std::fmt;
 

@@ -55,6 +55,23 @@ impl Quantity {
     }
 }
 
+/// What stands after the numbers of a written quantity: its unit.
+pub fn unit_text(written: &str) -> &str {
+    let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '±' | '?' | ' ' | '/');
+    let mut rest = written.trim();
+    loop {
+        rest = rest.trim_start_matches(number);
+        // An exponent, not a unit: `1.5e3 N/um`.
+        match rest.strip_prefix(['e', 'E']) {
+            Some(after) if after.starts_with(|c: char| c.is_ascii_digit() || c == '+' || c == '-') => rest = after,
+            _ => break,
+        }
+    }
+    // A unit may begin with a slash: `/K`.
+    let start = written.len() - rest.len();
+    if written[..start].ends_with('/') && !rest.is_empty() { &written[start - 1..] } else { rest }
+}
+
 /// Splits a leading number off `text`.
 fn number<'a>(text: &'a str, kind: &Kind) -> Result<(f64, &'a str), UnitError> {
     let bytes = text.as_bytes();
@@ -97,6 +114,20 @@ fn finite(value: f64) -> Result<f64, UnitError> {
 mod tests {
     use super::super::*;
     use super::*;
+
+    #[test]
+    fn units_are_found_behind_every_kind_of_number() {
+        for (written, unit) in [
+            ("60 +- 15 N/um", "N/um"),
+            ("? min", "min"),
+            ("1.5e3 +- 2e1 kN/mm", "kN/mm"),
+            ("?", ""),
+            ("11e-6 +- 1e-6 /K", "/K"),
+            ("0.5 ± 0.1", ""),
+        ] {
+            assert_eq!(unit_text(written), unit, "{written}");
+        }
+    }
 
     #[test]
     fn quantities_are_read_in_any_unit_and_spelling() {

@@ -82,6 +82,14 @@ impl System for Bench {
         observe::misplaced(&self.0, rows)
     }
 
+    fn programme(&self) -> Rows {
+        observe::programme(&self.0)
+    }
+
+    fn resolved(&self, rows: &Rows) -> Rows {
+        observe::resolved(&self.0, rows)
+    }
+
     fn menu(&self, rows: &Rows) -> Vec<Further> {
         menu::menu(&self.0, rows)
     }

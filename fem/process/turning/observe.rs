@@ -23,6 +23,7 @@ pub const PART: usize = 1;
 pub const FORCE_OF_ROW: usize = 2;
 const DEPTH: usize = 3;
 const FEED_OF_ROW: usize = 4;
+const SPEED_OF_ROW: usize = 5;
 pub const BLANK: usize = 6;
 pub const TIME_OF_ROW: usize = 7;
 pub const PATH_OF_ROW: usize = 8;
@@ -100,6 +101,41 @@ pub fn observe(lathe: &Lathe, rows: &Rows) -> Result<Vec<f64>, Failure> {
         Ok(set + 2.0 * deflection.total + lathe.shift_at(&moment))
     };
     (0..rows.len()).into_par_iter().with_min_len(256).map(one).collect()
+}
+
+/// The model's own programme: part by part, x rising.
+pub fn programme(setup: &Setup) -> Rows {
+    let sweep = setup.sweep();
+    let parts = setup.schedule.parts;
+    let count = parts * sweep.len();
+    let mut columns = vec![vec![f64::NAN; count]; COORDINATES.len()];
+    columns[X] = (0..parts).flat_map(|_| sweep.iter().copied()).collect();
+    columns[PART] = (1..=parts).flat_map(|k| std::iter::repeat_n(k as f64, sweep.len())).collect();
+    resolved(setup, &Rows { columns, observable: vec![0; count] })
+}
+
+/// Every coordinate of every row, those left to the model filled in.
+pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+    let mut all = rows.clone();
+    for row in 0..rows.len() {
+        let x = rows.get(X, row).unwrap_or(0.0);
+        let part = rows.get(PART, row).unwrap_or(1.0);
+        let conditions = conditions(setup, rows, row, setup.diameter(x));
+        let pass = setup.schedule.pass;
+        let filled = [
+            (X, x),
+            (PART, part),
+            (FORCE_OF_ROW, conditions.force),
+            (DEPTH, rows.get(DEPTH, row).unwrap_or(setup.cut.depth)),
+            (FEED_OF_ROW, rows.get(FEED_OF_ROW, row).unwrap_or(pass.feed)),
+            (SPEED_OF_ROW, rows.get(SPEED_OF_ROW, row).unwrap_or(pass.spindle_speed)),
+            (BLANK, rows.get(BLANK, row).unwrap_or(setup.diameter(x) + 2.0 * conditions.set_depth)),
+            (TIME_OF_ROW, rows.get(TIME_OF_ROW, row).unwrap_or_else(|| setup.schedule.time(part as usize, x))),
+            (PATH_OF_ROW, rows.get(PATH_OF_ROW, row).unwrap_or_else(|| setup.schedule.path(part as usize, x))),
+        ];
+        filled.iter().for_each(|(column, value)| all.columns[*column][row] = *value);
+    }
+    all
 }
 
 /// P₀ is the row's force, or by the force law at its depth and feed, or the model's. The set depth follows from the blank, or is

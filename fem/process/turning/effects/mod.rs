@@ -68,7 +68,7 @@ mod bench {
         assert_eq!(problems, []);
         let description = effect(name).unwrap().description();
         let values = description.parameters.iter().zip(canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
-        Lathe::equip(Arc::new(setup), &[Active { description, values }])
+        Lathe::equip(Arc::new(setup), &[Active { description, values, written: None }])
     }
 
     /// What the effect adds to the diameter, in um, whatever the force.
