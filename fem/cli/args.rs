@@ -36,6 +36,8 @@ pub enum Command {
     Fit(Fit),
     /// Which effect is missing, and what cannot be told apart
     Diagnose(Diagnose),
+    /// Before measuring: what could be seen, what would look alike
+    Plan(Plan),
     /// The catalogue of effects: law, parameters, units, neutral value, source
     Effects(Effects),
     /// Write a model with one more effect
@@ -129,6 +131,28 @@ pub struct Diagnose {
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS)]
     pub max_effects: usize,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "A design is a measurement file without what is observed: coordinates, and `u` if the noise is known row by row.
+
+Examples:
+  fem plan shaft.toml --noise '1.5 um'
+  fem plan shaft.toml --with design.csv"
+)]
+pub struct Plan {
+    /// The model file
+    pub model: PathBuf,
+    /// The planned rows; some of the model's own programme if left out
+    #[arg(long, value_name = "DESIGN.csv")]
+    pub with: Option<PathBuf>,
+    /// Standard uncertainty of a row, where the design has no column u
+    #[arg(long, value_name = "SIZE")]
+    pub noise: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

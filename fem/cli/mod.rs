@@ -8,6 +8,7 @@ mod effects;
 mod error;
 mod fit;
 mod new;
+mod plan;
 mod run;
 mod schema;
 mod validate;
@@ -30,6 +31,7 @@ pub fn main() -> ExitCode {
         Command::Compare(args) => compare::run(&args),
         Command::Fit(args) => fit::run(&args),
         Command::Diagnose(args) => diagnose::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Effects(args) => effects::effects(&args),
         Command::Add(args) => add::add(&args),
         Command::New(args) => new::new(&args),

@@ -8,6 +8,7 @@ mod gain;
 mod ground;
 mod held_out;
 mod next;
+mod plan;
 mod price;
 mod search;
 mod signature;
@@ -15,6 +16,7 @@ mod verdict;
 mod visibility;
 
 pub use next::Next;
+pub use plan::{Alike, Plan, plan, programme};
 pub use search::SIGNIFICANCE;
 pub use verdict::{State, Verdict};
 pub use visibility::Visibility;
@@ -96,12 +98,7 @@ pub struct Outlook {
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(model: &Model, measurements: &Measurements, most: usize) -> Result<Diagnosis, Failure> {
     let repeats = repeats(measurements, model.process.coordinates());
-    let absent: Vec<&'static Description> = model
-        .process
-        .effects()
-        .into_iter()
-        .filter(|d| model.effects.iter().all(|e| e.description != *d) && model.system.admits(d.name).is_ok())
-        .collect();
+    let absent = absent(model);
     let mut objective = Objective::new(model, measurements)?;
     let mut solution = fit::best(&mut objective)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&solution.predicted).map(|(y, p)| y - p).collect();
@@ -120,6 +117,12 @@ pub fn diagnose(model: &Model, measurements: &Measurements, most: usize) -> Resu
         }
     }
     conclude(found, &repeats)
+}
+
+/// The effects of the process that the model does not have and that could act in it.
+fn absent(model: &Model) -> Vec<&'static Description> {
+    let is_absent = |d: &&'static Description| model.effects.iter().all(|e| e.description != *d);
+    model.process.effects().into_iter().filter(is_absent).filter(|d| model.system.admits(d.name).is_ok()).collect()
 }
 
 /// One search with a given noise.

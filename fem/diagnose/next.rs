@@ -9,7 +9,7 @@ use super::search::{Found, Trial};
 use crate::process::{Description, Further, Rows};
 
 /// How often the further rows are measured.
-const REPEATS: &[usize] = &[1, 2, 4, 8];
+pub const REPEATS: &[usize] = &[1, 2, 4, 8];
 
 /// The measurement to make next.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The header row: which column is what, in which unit.
 
-use super::Vocabulary;
+use super::{Purpose, Vocabulary};
 use crate::input::{Problem, nearest};
 use crate::process::{Absent, Holds};
 use crate::units::{Kind, Unit, UnitError};
@@ -37,7 +37,7 @@ fn split(cell: &str) -> (&str, &str) {
 }
 
 /// Reads the header cells; problems carry no place, for they all stand in the same line.
-pub fn read(cells: &[String], vocabulary: Vocabulary) -> Result<Header, Vec<Problem>> {
+pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Result<Header, Vec<Problem>> {
     let mut header = Header::default();
     let mut problems = Vec::new();
     let mut observed = None;
@@ -71,7 +71,8 @@ pub fn read(cells: &[String], vocabulary: Vocabulary) -> Result<Header, Vec<Prob
     // A column that is wrong has been told of already, and is not missing.
     let absent = missing(&header, observed, &unknown, vocabulary);
     let observable_told = vocabulary.observables.iter().any(|o| wrong.contains(&o.name));
-    let told = |name: &str| wrong.contains(&name) || (name.is_empty() && observable_told);
+    let not_asked = observable_told || purpose == Purpose::Design;
+    let told = |name: &str| wrong.contains(&name) || (name.is_empty() && not_asked);
     problems.extend(absent.into_iter().filter(|(name, _)| !told(name)).map(|(_, problem)| problem));
     header.observable = observed.unwrap_or(0);
     if let Some(kind) = vocabulary.observables.get(header.observable).map(|o| o.kind) {

@@ -51,12 +51,39 @@ impl Measurements {
         Self::parse(Source::read(path, LARGEST)?, process)
     }
 
+    /// Reads a file of rows that are planned: the same, but nothing need have been observed yet.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, with lines.
+    pub fn load_design(path: &Path, process: &dyn Process) -> Result<Self, InputError> {
+        read::read(Source::read(path, LARGEST)?, process, Purpose::Design)
+    }
+
+    /// Rows of a process, with nothing observed yet.
+    pub fn planned(process: &dyn Process, name: &str, rows: Rows) -> Self {
+        let observable = rows.observable.first().copied().unwrap_or(0);
+        let kind = process.observables()[observable].kind;
+        Self {
+            name: name.into(),
+            observed: vec![0.0; rows.len()],
+            uncertainty: None,
+            lines: (0..rows.len() as u64).collect(),
+            kind,
+            unit: kind.unit.into(),
+            given: (0..process.coordinates().len()).collect(),
+            header: Vec::new(),
+            records: Vec::new(),
+            notes: Vec::new(),
+            rows,
+        }
+    }
+
     /// Reads measurements from the text of a file.
     ///
     /// # Errors
     /// Everything that is wrong with it, with lines.
     pub fn parse(source: Source, process: &dyn Process) -> Result<Self, InputError> {
-        read::read(source, process)
+        read::read(source, process, Purpose::Measured)
     }
 
     /// Number of observations.
@@ -68,6 +95,15 @@ impl Measurements {
     pub fn is_empty(&self) -> bool {
         self.observed.is_empty()
     }
+}
+
+/// What a file is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Purpose {
+    /// What was measured.
+    Measured,
+    /// What will be.
+    Design,
 }
 
 /// What a process can be measured by.

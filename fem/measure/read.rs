@@ -1,14 +1,14 @@
 //! The rows of a measurement file.
 
 use super::header::{self, Column, Header};
-use super::{Measurements, Vocabulary};
+use super::{Measurements, Purpose, Vocabulary};
 use crate::input::{InputError, Problem, Source};
 use crate::process::{Absent, Holds, Process, Rows};
 
 /// After this many problems the rest of the file is not looked at.
 const MOST_PROBLEMS: usize = 20;
 
-pub fn read(source: Source, process: &dyn Process) -> Result<Measurements, InputError> {
+pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<Measurements, InputError> {
     let vocabulary = Vocabulary { observables: process.observables(), coordinates: process.coordinates() };
     let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
     let skipped = source.text.len() - text.len();
@@ -19,7 +19,7 @@ pub fn read(source: Source, process: &dyn Process) -> Result<Measurements, Input
         Err(error) => return Err(refuse(vec![unreadable(&error, skipped)])),
     };
     let place = reader.headers().ok().and_then(|h| h.position()).map(|p| line_at(text, p.byte() as usize, skipped));
-    let header = header::read(&cells, vocabulary)
+    let header = header::read(&cells, vocabulary, purpose)
         .map_err(|problems| refuse(problems.into_iter().map(|p| p.at(place.clone())).collect()))?;
     let mut table = Builder::new(&header, vocabulary, cells);
     let mut problems = Vec::new();
@@ -101,7 +101,8 @@ impl<'a> Builder<'a> {
     /// Takes a record, or says what is wrong with it and takes nothing.
     fn push(&mut self, record: csv::StringRecord) -> Result<(), Problem> {
         let mut coordinates: Vec<f64> = self.vocabulary.coordinates.iter().map(left_out).collect();
-        let (mut observed, mut uncertainty) = (f64::NAN, f64::NAN);
+        // A design has nothing observed, and a file of measurements has a column for it.
+        let (mut observed, mut uncertainty) = (0.0, f64::NAN);
         for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
             match column {
                 Column::Coordinate(i, unit) => {

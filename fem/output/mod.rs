@@ -6,6 +6,7 @@ pub mod diagnosis;
 pub mod files;
 pub mod fit;
 pub mod json;
+pub mod plan;
 pub mod plot;
 pub mod text;
 pub mod vtk;

@@ -2,6 +2,7 @@
 
 mod text;
 
+pub(super) use text::bound;
 pub use text::{settings, text};
 
 use serde_json::{Map, Value as Json, json};

@@ -158,7 +158,7 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
 }
 
 /// `rate = 0.4 um/km`, for a stiffness from above.
-fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
+pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     let entry = effect.parameters.iter().find(|p| p.name == parameter);
     let unit = entry.map_or("", |p| p.kind.unit);
     let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };

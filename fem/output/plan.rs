@@ -1,0 +1,80 @@
+//! A plan, as text and JSON.
+
+use std::fmt::Write;
+
+use serde_json::{Value as Json, json};
+
+use super::diagnosis::{bound, next as next_json};
+use crate::diagnose::Plan;
+use crate::model::Model;
+use crate::units::Kind;
+
+/// `fem plan --json`: `fem-plan/1`.
+pub fn json(model: &Model, design: &str, plan: &Plan, kind: Kind) -> Json {
+    let effect = |(d, v): &(&crate::process::Description, Option<crate::diagnose::Visibility>)| {
+        let unit = v.as_ref().and_then(|v| d.parameters.iter().find(|p| p.name == v.parameter)).map(|p| p.kind.unit);
+        json!({
+            "effect": d.name,
+            "visible": v.as_ref().is_some_and(|v| v.visible),
+            "parameter": v.as_ref().map(|v| v.parameter),
+            "smallest": v.as_ref().and_then(|v| v.smallest),
+            "unit": unit,
+            "own_share": v.as_ref().map(|v| v.own),
+        })
+    };
+    json!({
+        "schema": "fem-plan/1",
+        "model": &*model.source.name,
+        "design": design,
+        "observations": plan.rows,
+        "noise": { "sigma": kind.from_si(plan.sigma), "unit": kind.unit },
+        "effects": plan.effects.iter().map(effect).collect::<Vec<_>>(),
+        "alike": plan.alike.iter().map(|a| json!({ "effects": [a.one.name, a.other.name], "separation": a.separation })).collect::<Vec<_>>(),
+        "next_measurement": plan.next.as_ref().map(|n| next_json(n, model)),
+    })
+}
+
+/// The plan for people. Writing to a String does not fail.
+pub fn text(model: &Model, design: &str, plan: &Plan, kind: Kind) -> String {
+    let mut text = format!(
+        "{}: {} rows of {design}, noise {:.3} {}\n",
+        model.source.name,
+        plan.rows,
+        kind.from_si(plan.sigma),
+        kind.unit
+    );
+    let visible = || plan.effects.iter().filter_map(|(d, v)| v.as_ref().filter(|v| v.visible).map(|v| (*d, v)));
+    let width = plan.effects.iter().map(|e| e.0.name.len()).max().unwrap_or(0);
+    let _ = writeln!(text, "\nwould be seen, nine times in ten, from");
+    for (d, v) in visible() {
+        let size = v.smallest.map_or(String::new(), |s| bound(d, v.parameter, s));
+        let _ = writeln!(text, "  {:<width$}  {size:<28} {:>3.0} % of it is its own", d.name, 100.0 * v.own);
+    }
+    let hidden: Vec<&str> =
+        plan.effects.iter().filter(|(_, v)| !v.as_ref().is_some_and(|v| v.visible)).map(|e| e.0.name).collect();
+    if !hidden.is_empty() {
+        let _ = writeln!(text, "\nwould not be seen: {}", hidden.join(", "));
+    }
+    if !plan.alike.is_empty() {
+        let _ = writeln!(text, "\nwould look alike");
+        for a in &plan.alike {
+            let _ = writeln!(
+                text,
+                "  {} and {}, {:.1} sigma apart where either shows by 15",
+                a.one.name, a.other.name, a.separation
+            );
+        }
+    }
+    if let Some(next) = &plan.next {
+        let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();
+        let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
+        let _ = writeln!(
+            text,
+            "\nto tell most of them apart\n  {}{often}: {} rows more\n  tells {}",
+            next.further.words,
+            next.observations(),
+            pairs.join(", ")
+        );
+    }
+    text
+}
