@@ -37,7 +37,7 @@ fn completed(model: &Model, diagnosis: &Diagnosis) -> Result<String, Error> {
     let text = fitted_text(model, &diagnosis.fit);
     let mut better = Model::parse(Source::new(model.source.name.to_string(), text))?;
     for missing in &diagnosis.missing {
-        better = add_effect(&better, missing.effect.name, &output::diagnosis::settings(missing))?;
+        better = add_effect(&better, missing.effect.name, &output::diagnosis::settings(missing, &diagnosis.fit))?;
     }
     Ok(better.source.text.to_string())
 }

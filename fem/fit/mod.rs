@@ -17,7 +17,7 @@ pub use write::{fitted_text, uncertain};
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-use crate::compare::{Noise, NoiseSource};
+use crate::compare::{Noise, NoiseSource, SIGNIFICANCE};
 use crate::input::Parameter;
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
@@ -62,6 +62,14 @@ pub struct Estimate {
     pub interval: Interval,
     /// What the user should know.
     pub warnings: Vec<String>,
+}
+
+impl Fit {
+    /// By what standard uncertainties are enlarged when values are handed on, √(χ²/ν) where the noise does not explain what is left
+    /// (Birge 1932): what is missing has bent them, and as priors they must not hold on to that.
+    pub fn doubt(&self) -> f64 {
+        if self.p_value.is_some_and(|p| p < SIGNIFICANCE) { self.misfit.max(1.0).sqrt() } else { 1.0 }
+    }
 }
 
 impl Estimate {

@@ -17,7 +17,10 @@ pub fn fitted_text(model: &Model, fit: &Fit) -> String {
         let value = (estimate.value - unit.offset) / unit.factor;
         places.push((
             span,
-            format!("\"{}\"", format!("{} {name}", uncertain(value, estimate.std / unit.factor)).trim_end()),
+            format!(
+                "\"{}\"",
+                format!("{} {name}", uncertain(value, fit.doubt() * estimate.std / unit.factor)).trim_end()
+            ),
         ));
     }
     places.sort_by_key(|p| p.0.start);

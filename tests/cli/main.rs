@@ -8,3 +8,5 @@ mod compare;
 mod fem;
 mod files;
 mod pages;
+mod story;
+mod written;

@@ -65,3 +65,20 @@ fn the_whole() {
     }
     println!("{table}");
 }
+
+/// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than one seed of a hundred.
+#[test]
+fn a_sample() {
+    let mut table = Table::default();
+    run(&mut table, "nothing", numbered(0..24, nothing));
+    run(&mut table, "one", singles(15.0, 0..1));
+    run(&mut table, "two", numbered(0..8, |s| several(2, 40.0, s)));
+    run(&mut table, "outside", numbered(0..10, |s| outside(15.0, s)));
+    let count = |group: &str, is: fn(&Score) -> bool| table.scores(group).iter().filter(|s| is(s)).count();
+    assert!(count("nothing", |s| s.right) >= 22, "{table}");
+    assert!(count("one", |s| s.first) >= 16, "{table}");
+    assert!(count("two", |s| s.all_named) >= 7, "{table}");
+    assert!(count("outside", |s| s.right) >= 8, "{table}");
+    let covered = table.scores("one").iter().fold((0, 0), |(a, b), s| (a + s.covered.0, b + s.covered.1));
+    assert!(covered.0 as f64 >= 0.8 * covered.1 as f64, "{table}");
+}

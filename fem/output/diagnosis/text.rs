@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::diagnose::{Diagnosis, Missing, Outlook, State, Verdict};
-use crate::fit::Estimate;
+use crate::fit::{Estimate, Fit};
 use crate::measure::Measurements;
 use crate::model::{Model, Setting};
 use crate::output::comparison;
@@ -202,13 +202,13 @@ fn measure_next(text: &mut String, d: &Diagnosis) {
 }
 
 /// The settings with which an effect is added, as `fem add` takes them.
-pub fn settings(missing: &Missing) -> Vec<Setting> {
+pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     let setting = |e: &Estimate| {
         let k = e.parameter.kind;
         let entry = missing.effect.parameters.iter().find(|p| p.name == name(e));
         // What the data leave open is known no better than what is plausible.
         let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
-        let value = crate::fit::uncertain(k.from_si(e.value), (e.std / k.canonical().factor).min(widest));
+        let value = crate::fit::uncertain(k.from_si(e.value), (fit.doubt() * e.std / k.canonical().factor).min(widest));
         Setting { key: name(e).into(), value: format!("{value} {}", k.unit).trim_end().into() }
     };
     missing.estimates.iter().map(setting).collect()
@@ -222,7 +222,8 @@ fn commands(text: &mut String, model: &Model, measurements: &Measurements, d: &D
     let _ = writeln!(text, "\nto go on");
     let mut from = file.to_string();
     for (i, missing) in d.missing.iter().enumerate() {
-        let quoted: Vec<String> = settings(missing).iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
+        let quoted: Vec<String> =
+            settings(missing, &d.fit).iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
         let to = format!("with-{}.toml", d.missing[..=i].iter().map(|m| m.effect.name).collect::<Vec<_>>().join("-"));
         let _ = writeln!(text, "  fem add {from} {} {} -o {to}", missing.effect.name, quoted.join(" "));
         from = to;

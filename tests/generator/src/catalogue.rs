@@ -1,4 +1,4 @@
-//! The 17 effects of the physics page, section 1: their parameters, plausible sizes, and which workholding admits them.
+//! The 17 effects of turning: their parameters, plausible sizes, and which workholding admits them.
 
 use crate::job::Holding;
 use crate::random::{Random, figures};

@@ -15,6 +15,7 @@ pub mod heat;
 pub mod job;
 pub mod random;
 pub mod shaft;
+pub mod story;
 pub mod tuning;
 pub mod visibility;
 pub mod writing;

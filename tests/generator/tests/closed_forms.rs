@@ -1,4 +1,4 @@
-//! The closed forms of physics.md section 1, and the heated rod against its Green's function.
+//! Closed forms of statics and of the laws, and the heated rod against its Green's function.
 
 use generator::catalogue::Cause;
 use generator::equilibrium::force_error;

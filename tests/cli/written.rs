@@ -1,0 +1,61 @@
+//! Effects that users write.
+
+use super::fem::{Place, model};
+
+const RIPPLE: &str = "\n[effects.ripple]\nabout = \"the leadscrew is drunken\"\nformula = \"a*sin(2*pi*x/pitch)\"\na = \"3 um\"\npitch = \"120 mm\"\n";
+
+/// (in the effect, replaced by, part of the message)
+const MISTAKES: &[(&str, &str, &str)] = &[
+    ("2*pi*x/pitch", "2*pi*x/pich", "`pich` is neither a coordinate of turning nor a parameter"),
+    ("2*pi*x/pitch", "2*pi*x", "`sin` of a quantity in m"),
+    ("sin(2*pi*x/pitch)", "sin(2*pi*x/pitch", "a parenthesis is not closed"),
+    ("a*sin(2*pi*x/pitch)", "sin(2*pi*x/pitch)", "the formula gives a quantity in 1"),
+    ("a*sin(2*pi*x/pitch)", "a*x/pitch + pitch/x", "a quantity in m meets one in 1"),
+    ("a*sin(2*pi*x/pitch)", "a*x/pitch part", "`part` stands where an operator should"),
+    ("a*sin(2*pi*x/pitch)", "a*2", "`pitch` does not occur in the formula"),
+    ("pitch = ", "part = ", "`part` is a coordinate of turning"),
+    ("a = \"3 um\"", "a = \"3 umm\"", "`umm`"),
+    ("formula = \"a*sin(2*pi*x/pitch)\"\n", "", "`ripple` is no effect known here"),
+];
+
+#[test]
+fn mistakes_in_a_formula_are_shown_at_their_place() {
+    let place = Place::new();
+    for (given, wrong, message) in MISTAKES {
+        assert!(RIPPLE.contains(given), "{given}");
+        place.write("lathe.toml", model("lathe.toml") + &RIPPLE.replacen(given, wrong, 1));
+        let answer = place.fem(&["run", "lathe.toml"]);
+        let page = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{wrong}: {}", answer.err);
+        assert!(page.contains(message), "{wrong}: {}", answer.err);
+    }
+}
+
+#[test]
+fn a_written_effect_is_run_fitted_compared_and_diagnosed_like_any() {
+    let place = Place::new();
+    place.write("rippled.toml", model("slender-shaft.toml") + RIPPLE);
+    let run = place.fem(&["run", "rippled.toml", "-o", "out", "--json"]);
+    assert_eq!(run.status, 0, "{}", run.err);
+    let run: serde_json::Value = serde_json::from_str(&run.out).unwrap();
+    let share = run["shares"].as_array().unwrap().iter().find(|s| s["effect"] == "ripple").unwrap();
+    // 3 um over whole periods and a little: its mean square is half of its height's.
+    assert!((share["largest"].as_f64().unwrap() - 3.0).abs() < 0.01, "{share}");
+    place.write(
+        "free.toml",
+        place.read("rippled.toml").replace("\"3 um\"", "\"? um\"").replace("\"120 mm\"", "\"? mm\""),
+    );
+    let fit = place.fem(&["fit", "free.toml", "--with", "out/profile.csv", "--json"]);
+    let fit: serde_json::Value = serde_json::from_str(&fit.out).unwrap();
+    let value = |name: &str| {
+        let all = fit["parameters"].as_array().unwrap();
+        all.iter().find(|p| p["parameter"] == name).unwrap()["value"].as_f64().unwrap()
+    };
+    assert!((value("effects.ripple.a") - 3.0).abs() < 1e-6 && (value("effects.ripple.pitch") - 120.0).abs() < 1e-6);
+    let compared = place.fem(&["compare", "rippled.toml", "--with", "out/profile.csv", "--json"]);
+    let compared: serde_json::Value = serde_json::from_str(&compared.out).unwrap();
+    assert!(compared["models"][0]["rms"].as_f64().unwrap() < 1e-6);
+    let diagnosed = place.fem(&["diagnose", "free.toml", "--with", "out/profile.csv", "--json"]);
+    let diagnosed: serde_json::Value = serde_json::from_str(&diagnosed.out).unwrap();
+    assert_eq!(diagnosed["verdict"], "adequate");
+}

@@ -1,0 +1,5 @@
+//! Prints the measurements of the story.
+
+fn main() {
+    print!("{}", generator::story::measured());
+}
