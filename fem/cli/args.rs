@@ -85,7 +85,7 @@ pub struct Compare {
     /// The measurements
     #[arg(long, value_name = "DATA.csv")]
     pub with: PathBuf,
-    /// Where to write residuals.csv; nothing is written if left out
+    /// Where to write residuals.csv and compared.pvd; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Print JSON
@@ -122,7 +122,7 @@ pub struct Diagnose {
     /// The measurements
     #[arg(long, value_name = "DATA.csv")]
     pub with: PathBuf,
-    /// Where to write residuals.csv and diagnosis.json; nothing is written if left out
+    /// Where to write diagnosis.json; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Write the model with the missing effects and all fitted values

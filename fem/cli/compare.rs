@@ -9,7 +9,7 @@ use crate::compare::{Comparison, compare};
 use crate::input::{InputError, Problem, Source};
 use crate::measure::Measurements;
 use crate::model::Model;
-use crate::output::{comparison, files};
+use crate::output::{self, comparison};
 
 pub fn run(args: &args::Compare) -> Result<(), Error> {
     let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
@@ -35,7 +35,7 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
         comparisons.push(compare(model, &measurements)?);
     }
     if let Some(directory) = &args.output {
-        write_residuals(directory, &measurements, &models, &comparisons)?;
+        write(directory, &measurements, &models, &comparisons)?;
     }
     for note in &measurements.notes {
         super::say!("note: {note}");
@@ -60,8 +60,8 @@ pub fn check_places(model: &Model, measurements: &Measurements, path: &Path) -> 
     Err(InputError { source, problems: misplaced.iter().take(20).map(problem).collect() }.into())
 }
 
-/// `DIR/residuals.csv`, or `DIR/<stem>/residuals.csv` where there are several models.
-fn write_residuals(
+/// Into `DIR`, or `DIR/<stem>` where there are several models.
+fn write(
     directory: &Path,
     measurements: &Measurements,
     models: &[Model],
@@ -70,8 +70,7 @@ fn write_residuals(
     for (model, comparison) in models.iter().zip(comparisons) {
         let stem = Path::new(&*model.source.name).file_stem().unwrap_or_default();
         let folder = if models.len() > 1 { directory.join(stem) } else { directory.to_path_buf() };
-        let text = comparison::residuals(measurements, comparison);
-        files::write(&folder.join("residuals.csv"), text.as_bytes())?;
+        output::write_comparison(model, measurements, comparison, &folder)?;
     }
     Ok(())
 }

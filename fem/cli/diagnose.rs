@@ -1,14 +1,17 @@
 //! `fem diagnose`.
 
+use std::sync::Arc;
+
 use super::compare::check_places;
 use super::error::Error;
-use super::{args, print};
+use super::{args, print, watch};
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::fit::fitted_text;
 use crate::input::Source;
 use crate::measure::Measurements;
 use crate::model::{Model, add_effect};
 use crate::output::{self, files};
+use crate::progress::Progress;
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
@@ -17,7 +20,18 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     }
     let measurements = Measurements::load(&args.with, model.process)?;
     check_places(&model, &measurements, &args.with)?;
-    let diagnosis = diagnose(&model, &measurements, args.max_effects)?;
+    let progress = Arc::new(Progress::default());
+    let bar = watch::show(&progress);
+    let diagnosis = diagnose(&model, &measurements, args.max_effects, &progress);
+    bar.finish();
+    let diagnosis = diagnosis?;
+    if diagnosis.rows < measurements.len() {
+        super::say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, measurements.len());
+    }
+    if let Some(directory) = &args.output {
+        let json = output::diagnosis::json(&model, &measurements, &diagnosis);
+        files::write(&directory.join("diagnosis.json"), format!("{json:#}\n").as_bytes())?;
+    }
     if let Some(new) = &args.add_to {
         let text = completed(&model, &diagnosis)?;
         files::write(new, text.as_bytes())?;

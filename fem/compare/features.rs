@@ -1,13 +1,15 @@
 //! Where a model fails: structure of the residual along every coordinate and every pair of them.
 //!
-//! Rows are binned along a coordinate, and the means of the bins compared with what the noise alone would scatter them by. Many
+//! Rows are binned along a coordinate, and the means of the bins compared with what the noise alone would scatter them by; and they are
+//! held against waves along the coordinate, or along both of a pair, which show what bins average out. Many
 //! coordinates are looked at, so that the p-values are multiplied by their number (Bonferroni). Where the noise is only estimated,
-//! residuals are shuffled over the rows instead, and the largest finding of each shuffle is what a finding has to beat.
+//! residuals are shuffled over the rows instead, and the most surprising finding of each shuffle is what a finding has to beat.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use super::chance::Chance;
 use super::noise::{Noise, NoiseSource};
+use super::waves::Waves;
 use super::{SIGNIFICANCE, Shape};
 use crate::measure::Measurements;
 use crate::process::{Coordinate, Holds, Process};
@@ -16,6 +18,10 @@ use crate::units::Kind;
 /// Bins along one coordinate, and along each of a pair.
 const BINS: usize = 12;
 const PAIR_BINS: usize = 6;
+/// Levels along a coordinate that waves run over.
+const LEVELS: usize = 16;
+/// Beyond this many rows the estimated noise is as good as known, and shuffles would take long.
+const MANY: usize = 20_000;
 /// Shuffles of the residuals where the noise is estimated; the smallest p-value is 1/400.
 const SHUFFLES: usize = 399;
 
@@ -48,6 +54,8 @@ struct Binned {
     /// Bin of each row along each coordinate.
     bins: Vec<Vec<usize>>,
     counts: Vec<usize>,
+    /// Along the coordinate or both; `None` everywhere.
+    waves: Option<Waves>,
 }
 
 /// The features that stand out, the largest share first.
@@ -66,6 +74,10 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
             let p_value = limit.p_value(axis, score);
             (p_value < SIGNIFICANCE).then(|| {
                 let (shape, curve) = axis.describe(coordinates, measurements, residuals, noise, kind);
+                let shape = match (&score.wave, shape) {
+                    (Some(halves), Some(Shape::Irregular)) => Some(Shape::Periodic { periods: 0.5 * halves[0] as f64 }),
+                    (_, shape) => shape,
+                };
                 let text = sentence(&axis.axis, coordinates, shape.as_ref(), &curve, kind);
                 let coordinate = name(&axis.axis, coordinates);
                 Feature { axis: axis.axis.clone(), coordinate, shape, share: score.sum / total, p_value, text, curve }
@@ -79,16 +91,27 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
 /// Everywhere, every coordinate that varies, and every pair of those.
 fn axes(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<Binned> {
     let bins = |i: usize, most| bins(&measurements.rows.columns[i], most);
+    let levels = |i: usize| bins(i, LEVELS);
     let varying: Vec<usize> = (0..coordinates.len())
         .filter(|i| !coordinates[*i].repeats && measurements.given.contains(i) && bins(*i, BINS).1 > 1)
         .collect();
-    let mut axes = vec![Binned { axis: Axis(Vec::new()), bins: Vec::new(), counts: Vec::new() }];
+    let mut axes = vec![Binned { axis: Axis(Vec::new()), bins: Vec::new(), counts: Vec::new(), waves: None }];
     for (k, &i) in varying.iter().enumerate() {
         let (of_rows, count) = bins(i, BINS);
-        axes.push(Binned { axis: Axis(vec![i]), bins: vec![of_rows], counts: vec![count] });
+        axes.push(Binned {
+            axis: Axis(vec![i]),
+            bins: vec![of_rows],
+            counts: vec![count],
+            waves: Some(Waves::new(&[levels(i)])),
+        });
         for &j in &varying[k + 1..] {
             let ((a, m), (b, n)) = (bins(i, PAIR_BINS), bins(j, PAIR_BINS));
-            axes.push(Binned { axis: Axis(vec![i, j]), bins: vec![a, b], counts: vec![m, n] });
+            axes.push(Binned {
+                axis: Axis(vec![i, j]),
+                bins: vec![a, b],
+                counts: vec![m, n],
+                waves: Some(Waves::new(&[levels(i), levels(j)])),
+            });
         }
     }
     axes
@@ -108,10 +131,14 @@ fn bins(values: &[f64], most: usize) -> (Vec<usize>, usize) {
     (values.iter().map(bin).collect(), starts.len().max(1))
 }
 
-/// A sum of squares of standardised means and its degrees of freedom.
+/// How surprising what an axis shows would be by chance.
 struct Score {
+    /// Sum of squares of standardised means, or of the largest wave.
     sum: f64,
-    freedom: f64,
+    /// How often chance gives as much on this axis.
+    p_value: f64,
+    /// Half periods along each coordinate, where a wave is what shows most.
+    wave: Option<Vec<usize>>,
 }
 
 impl Score {
@@ -119,21 +146,35 @@ impl Score {
     fn between(sums: &[f64], counts: &[f64], fitted: usize) -> Self {
         let filled = || sums.iter().zip(counts).filter(|(_, count)| **count > 0.0);
         let sum = filled().map(|(sum, count)| sum * sum / count).sum();
-        Self { sum, freedom: filled().count().saturating_sub(fitted).max(1) as f64 }
+        Self::of(sum, filled().count().saturating_sub(fitted).max(1) as f64)
     }
 
-    /// How far the sum stands above what chance gives, in standard deviations.
-    fn height(&self) -> f64 {
-        (self.sum - self.freedom) / (2.0 * self.freedom).sqrt()
+    fn of(sum: f64, freedom: f64) -> Self {
+        Self { sum, p_value: ChiSquared::new(freedom).map_or(1.0, |d| d.sf(sum)), wave: None }
+    }
+
+    /// The more surprising of bins and waves, at the price of having looked at both.
+    fn or(self, other: Option<Self>) -> Self {
+        let Some(other) = other else { return self };
+        let best = if other.p_value < self.p_value { other } else { self };
+        Self { p_value: (2.0 * best.p_value).min(1.0), ..best }
     }
 }
 
 impl Binned {
     fn score(&self, z: &[f64]) -> Score {
-        let n = z.len() as f64;
-        let mean = z.iter().sum::<f64>() / n;
+        let mean = z.iter().sum::<f64>() / z.len() as f64;
+        let waves = self.waves.as_ref().and_then(|waves| {
+            let (sum, among, wave) = waves.largest(z, mean)?;
+            let alone = Score::of(sum, 1.0);
+            Some(Score { p_value: (alone.p_value * among as f64).min(1.0), wave: Some(wave), ..alone })
+        });
+        self.bins_score(z, mean).or(waves)
+    }
+
+    fn bins_score(&self, z: &[f64], mean: f64) -> Score {
         match &self.bins[..] {
-            [] => Score { sum: n * mean * mean, freedom: 1.0 },
+            [] => Score::of(z.len() as f64 * mean * mean, 1.0),
             [bins] => {
                 let (sums, counts) = gather(bins, self.counts[0], z.iter().map(|z| z - mean));
                 Score::between(&sums, &counts, 1)
@@ -193,42 +234,39 @@ fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &
 enum Limit {
     /// Number of places looked at.
     Places(f64),
-    /// The largest height of each shuffle, rising, and the number of rows.
+    /// The smallest p-value of each shuffle, rising, and the number of rows.
     Shuffled(Vec<f64>, usize),
 }
 
 impl Limit {
     fn new(noise: &Noise, axes: &[Binned], z: &[f64]) -> Self {
-        if noise.source != NoiseSource::Estimated {
+        if noise.source != NoiseSource::Estimated || z.len() > MANY {
             return Self::Places(axes.len() as f64);
         }
         let mut shuffled = z.to_vec();
         let mut random = Chance::new(0x5EED);
-        let mut largest = |_| {
+        let mut smallest = |_| {
             for i in (1..shuffled.len()).rev() {
                 shuffled.swap(i, random.below(i + 1));
             }
             // A shuffle cannot change the mean, which is no finding without a known noise.
-            axes.iter().skip(1).map(|a| a.score(&shuffled).height()).fold(f64::NEG_INFINITY, f64::max)
+            axes.iter().skip(1).map(|a| a.score(&shuffled).p_value).fold(1.0, f64::min)
         };
-        let mut heights: Vec<f64> = (0..SHUFFLES).map(&mut largest).collect();
-        heights.sort_unstable_by(f64::total_cmp);
-        Self::Shuffled(heights, z.len())
+        let mut smallest: Vec<f64> = (0..SHUFFLES).map(&mut smallest).collect();
+        smallest.sort_unstable_by(f64::total_cmp);
+        Self::Shuffled(smallest, z.len())
     }
 
     fn p_value(&self, axis: &Binned, score: &Score) -> f64 {
         match self {
-            Self::Places(places) => {
-                let alone = ChiSquared::new(score.freedom).map_or(1.0, |d| d.sf(score.sum));
-                (alone * places).min(1.0)
-            }
+            Self::Places(places) => (score.p_value * places).min(1.0),
             // A shuffle does not change the mean. The noise, from second differences, is known to a third of its rows.
             Self::Shuffled(_, rows) if axis.axis.0.is_empty() => {
                 FisherSnedecor::new(1.0, (*rows as f64 / 3.0).max(1.0)).map_or(1.0, |d| d.sf(score.sum))
             }
-            Self::Shuffled(heights, _) => {
-                let above = heights.len() - heights.partition_point(|h| *h < score.height());
-                (above + 1) as f64 / (heights.len() + 1) as f64
+            Self::Shuffled(smallest, _) => {
+                let below = smallest.partition_point(|p| *p <= score.p_value);
+                (below + 1) as f64 / (smallest.len() + 1) as f64
             }
         }
     }
@@ -290,6 +328,9 @@ fn sentence(
             format!("the error steps by {height:+.2} {observed} along {} at {at:.1} {along}", coordinate.name)
                 .trim_end()
                 .into()
+        }
+        Shape::Periodic { periods } => {
+            format!("the error goes up and down along {}, {periods:.1} periods in all", coordinate.name)
         }
         Shape::Irregular => format!("the error varies along {}, like no line, bow or step", coordinate.name),
     }

@@ -4,6 +4,7 @@ mod chance;
 mod features;
 mod noise;
 mod shape;
+mod waves;
 
 pub use chance::Chance;
 pub use features::{Axis, Feature, find as features};

@@ -22,6 +22,11 @@ pub enum Shape {
         /// Between which values it steps.
         at: f64,
     },
+    /// Up and down.
+    Periodic {
+        /// Periods over all that was measured.
+        periods: f64,
+    },
     /// None of these.
     Irregular,
 }
@@ -33,6 +38,7 @@ impl Shape {
             Self::Linear { .. } => "linear",
             Self::Quadratic { .. } => "quadratic",
             Self::Step { .. } => "step",
+            Self::Periodic { .. } => "periodic",
             Self::Irregular => "irregular",
         }
     }

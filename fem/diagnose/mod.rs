@@ -26,6 +26,7 @@ use crate::fit::{self, Estimate, Fit, Objective, Patience, Solution, minimise};
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
 use crate::process::{Description, Failure};
+use crate::progress::Progress;
 use classes::Place;
 use held_out::Folds;
 use price::Yardstick;
@@ -38,6 +39,10 @@ const SETTLED: f64 = 1.1;
 
 /// What is missing in a model. SI units.
 pub struct Diagnosis {
+    /// Rows that were used; all of them unless there are very many.
+    pub rows: usize,
+    /// What should be known of the data before the rest is believed.
+    pub cautions: Vec<String>,
     /// The noise that everything was judged by.
     pub noise: Noise,
     /// The model with its own freedom re-fitted.
@@ -92,31 +97,58 @@ pub struct Outlook {
     pub visibility: Option<Visibility>,
 }
 
+/// More rows than this are thinned, whole groups of repeats together: they tell causes apart no better than needed, and the search takes its time from them.
+const MOST_ROWS: usize = 5000;
+
 /// Looks for up to `most` effects that the model lacks.
 ///
 /// # Errors
 /// The data are too few, or the model cannot be computed.
-pub fn diagnose(model: &Model, measurements: &Measurements, most: usize) -> Result<Diagnosis, Failure> {
-    let repeats = repeats(measurements, model.process.coordinates());
+pub fn diagnose(
+    model: &Model,
+    measurements: &Measurements,
+    most: usize,
+    progress: &Progress,
+) -> Result<Diagnosis, Failure> {
+    let all = repeats(measurements, model.process.coordinates());
+    let every = measurements.len().div_ceil(MOST_ROWS);
+    if every > 1 {
+        let some = measurements.some(|row| all.group[row].is_multiple_of(every));
+        let repeats = repeats(&some, model.process.coordinates());
+        return diagnose_all(model, &some, &repeats, most, progress);
+    }
+    diagnose_all(model, measurements, &all, most, progress)
+}
+
+fn diagnose_all(
+    model: &Model,
+    measurements: &Measurements,
+    repeats: &Repeats,
+    most: usize,
+    progress: &Progress,
+) -> Result<Diagnosis, Failure> {
+    progress.expect(1);
     let absent = absent(model);
     let mut objective = Objective::new(model, measurements)?;
     let mut solution = fit::best(&mut objective)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&solution.predicted).map(|(y, p)| y - p).collect();
-    objective.noise = Noise::of(measurements, &repeats, &residuals);
-    let mut found = look(&mut objective, &mut solution, &absent, &repeats, most)?;
+    objective.noise = Noise::of(measurements, repeats, &residuals);
+    let mut found = look(&mut objective, &mut solution, &absent, repeats, (most, progress))?;
     if objective.noise.source == NoiseSource::Estimated {
         for _ in 0..4 {
             // What the best set leaves is the noise, until a better set is found with it.
             let left = found.best().objective.left_over(&found.best().solution);
             let ratio = left.sigma[0] / objective.noise.sigma[0];
             objective.noise = left;
-            found = look(&mut objective, &mut solution, &absent, &repeats, most)?;
+            found = look(&mut objective, &mut solution, &absent, repeats, (most, progress))?;
             if (1.0 / SETTLED..SETTLED).contains(&ratio) {
                 break;
             }
         }
     }
-    conclude(found, &repeats)
+    let diagnosis = conclude(found, repeats);
+    progress.advance(1);
+    diagnosis
 }
 
 /// The effects of the process that the model does not have and that could act in it.
@@ -131,20 +163,20 @@ fn look<'a>(
     solution: &mut Solution,
     absent: &[&'static Description],
     repeats: &Repeats,
-    most: usize,
+    (most, progress): (usize, &Progress),
 ) -> Result<Found<'a>, Failure> {
     *solution = minimise(objective, &solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
     let candidates = signature::candidates(objective, solution, absent);
     let base = Trial { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let yardstick = yardstick(&objective.noise, repeats);
-    let found =
-        search::search(base.clone(), candidates.clone(), yardstick, most, Breadth::USUAL).ok_or_else(unsolvable)?;
+    let found = search::search(base.clone(), candidates.clone(), yardstick, (most, Breadth::USUAL), progress)
+        .ok_or_else(unsolvable)?;
     let best = found.best();
     let state = State::of(best, repeats, None);
     if best.members.is_empty() || verdict::is_noise(&state, &verdict::features(best)) {
         return Ok(found);
     }
-    search::search(base, candidates, yardstick, most, Breadth::WIDE).ok_or_else(unsolvable)
+    search::search(base, candidates, yardstick, (most, Breadth::WIDE), progress).ok_or_else(unsolvable)
 }
 
 fn yardstick(noise: &Noise, repeats: &Repeats) -> Yardstick {
@@ -187,6 +219,8 @@ fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
     let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
     let candidates = outlooks(&found, &best, yardstick);
     Ok(Diagnosis {
+        rows: found.base.objective.measurements.len(),
+        cautions: cautions(&found.base),
         noise: found.base.objective.noise.clone(),
         before,
         features,
@@ -200,6 +234,22 @@ fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
         held_out_by: folds.map(|f| f.coordinate),
         trials,
     })
+}
+
+/// What limits any diagnosis of these data.
+fn cautions(base: &Trial) -> Vec<String> {
+    let measurements = base.objective.measurements;
+    let coordinates = base.objective.model.process.coordinates();
+    let varies = |i: &usize| {
+        let column = &measurements.rows.columns[*i];
+        !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
+    };
+    let mut cautions = Vec::new();
+    if !measurements.given.iter().any(varies) {
+        cautions
+            .push("every row stands at the same place under the same conditions: causes cannot be told apart".into());
+    }
+    cautions
 }
 
 /// The effects of the best set, the most needed first, each with those that could stand in its place.

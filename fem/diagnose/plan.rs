@@ -127,7 +127,9 @@ impl Assessment {
 
     fn alike(&self, absent: &[&'static Description]) -> Vec<Alike> {
         let alike = |p: (usize, usize)| Alike { one: absent[p.0], other: absent[p.1], separation: self.separation(p) };
-        self.pairs().map(alike).collect()
+        let mut all: Vec<Alike> = self.pairs().map(alike).collect();
+        all.sort_by(|a, b| a.separation.total_cmp(&b.separation));
+        all
     }
 }
 

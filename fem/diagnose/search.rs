@@ -13,6 +13,8 @@ use super::ground::Ground;
 use super::price::{Price, Yardstick};
 use super::signature::Candidate;
 use crate::fit::{Objective, Patience, Solution, minimise};
+use crate::process::Neutral;
+use crate::progress::Progress;
 
 /// A set grows when chance alone gives so much in fewer searches than this.
 pub const SIGNIFICANCE: f64 = 0.01;
@@ -34,6 +36,8 @@ impl Breadth {
 
 /// Starts of a re-fit: the best shapes of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
+/// An effect that is too large to be plausible is named only where χ² is better by this than with others.
+const IMPLAUSIBLE: f64 = 6.0;
 /// Rounds in which an effect of a set is exchanged, at most.
 const EXCHANGES: usize = 4;
 /// χ² of the priors above which a re-fit also starts from what is written.
@@ -53,10 +57,26 @@ pub struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// χ² with a price on every parameter (Schwarz 1978): by it sets are ranked.
+    /// χ² with a price on every parameter (Schwarz 1978) and on every effect that would be larger than is plausible: by it sets are ranked.
     pub fn score(&self) -> f64 {
         let parameters = self.objective.axes.len() - self.objective.priors();
-        self.solution.chi2 + parameters as f64 * (self.objective.measurements.len() as f64).ln()
+        let price = parameters as f64 * (self.objective.measurements.len() as f64).ln();
+        self.solution.chi2 + price + IMPLAUSIBLE * self.implausible() as f64
+    }
+
+    /// How many of the added effects would be larger than is plausible.
+    fn implausible(&self) -> usize {
+        let too_large = |i: &usize| {
+            let Some(entry) = self.objective.catalogue(*i) else { return false };
+            let value = entry.kind.from_si(self.objective.axes[*i].value(self.solution.position[*i]));
+            match entry.neutral {
+                Neutral::Infinity => value < entry.range.0,
+                Neutral::Value(_) => value.abs() > entry.range.1,
+                Neutral::Shape => false,
+            }
+        };
+        let own = self.objective.model.parameters.len();
+        (own..self.objective.axes.len()).filter(too_large).count()
     }
 
     fn key(&self) -> Vec<usize> {
@@ -110,8 +130,8 @@ pub fn search<'a>(
     base: Trial<'a>,
     candidates: Vec<Candidate>,
     yardstick: Yardstick,
-    most: usize,
-    breadth: Breadth,
+    (most, breadth): (usize, Breadth),
+    progress: &Progress,
 ) -> Option<Found<'a>> {
     let everyone: Vec<&Candidate> = candidates.iter().collect();
     let ground = Ground::new(&mut base.objective.clone(), &base.solution)?;
@@ -121,6 +141,7 @@ pub fn search<'a>(
     let mut beam = vec![base.clone()];
     let mut steps: Vec<Trial<'a>> = Vec::new();
     let mut singles = Vec::new();
+    progress.expect(most as u64);
     for size in 1..=most.max(1) {
         let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
         if size == 2 {
@@ -161,10 +182,12 @@ pub fn search<'a>(
             break;
         }
         steps.push(best.clone());
+        progress.advance(1);
         let Some(ground) = Ground::new(&mut best.objective.clone(), &best.solution) else { break };
         let others = candidates.iter().enumerate().filter(|(i, _)| !best.members.contains(i)).map(|(_, c)| c);
         price = Price::simulate(&ground, &others.collect::<Vec<_>>(), yardstick);
     }
+    progress.advance((most.max(1) - steps.len()) as u64);
     Some(Found { base, candidates, steps, singles, tried: tried.into_values().collect(), first_price, price })
 }
 

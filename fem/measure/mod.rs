@@ -86,6 +86,29 @@ impl Measurements {
         read::read(source, process, Purpose::Measured)
     }
 
+    /// The rows that `keep` chooses by their number, as a file of their own.
+    #[must_use]
+    pub fn some(&self, keep: impl Fn(usize) -> bool) -> Self {
+        let rows: Vec<usize> = (0..self.len()).filter(|row| keep(*row)).collect();
+        let of = |column: &Vec<f64>| rows.iter().map(|r| column[*r]).collect::<Vec<f64>>();
+        Self {
+            rows: Rows {
+                columns: self.rows.columns.iter().map(of).collect(),
+                observable: rows.iter().map(|r| self.rows.observable[*r]).collect(),
+            },
+            observed: of(&self.observed),
+            uncertainty: self.uncertainty.as_ref().map(of),
+            lines: rows.iter().map(|r| self.lines[*r]).collect(),
+            records: Vec::new(),
+            name: self.name.clone(),
+            unit: self.unit.clone(),
+            given: self.given.clone(),
+            header: self.header.clone(),
+            notes: self.notes.clone(),
+            kind: self.kind,
+        }
+    }
+
     /// Number of observations.
     pub fn len(&self) -> usize {
         self.observed.len()

@@ -15,6 +15,8 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
+use crate::compare::Comparison;
+use crate::measure::Measurements;
 use crate::model::{Model, Run};
 use crate::process::Animation;
 use crate::progress::Progress;
@@ -60,6 +62,31 @@ pub fn write_run(model: &Model, run: &Run, directory: &Path, progress: &Progress
         files::remove_frames_from(&directory.join(animation.name), animation.name, animation.frames);
     }
     Ok(written)
+}
+
+/// Writes what is left of a comparison: `residuals.csv`, and the measured and the predicted shape as `compared.pvd`, where the process has a
+/// body to show.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_comparison(
+    model: &Model,
+    measurements: &Measurements,
+    comparison: &Comparison,
+    directory: &Path,
+) -> Result<(), OutputError> {
+    let unwritable = |error: std::io::Error| OutputError::File { path: directory.to_path_buf(), error };
+    let stage = files::Stage::new(directory).map_err(unwritable)?;
+    stage.write(Path::new("residuals.csv"), comparison::residuals(measurements, comparison).as_bytes())?;
+    let shapes = model.system.places(&measurements.rows).map(|p| comparison::shapes(&p, measurements, comparison));
+    if let Some(shapes) = &shapes {
+        write_animation(shapes, &stage, &Progress::default())?;
+    }
+    stage.publish()?;
+    if let Some(shapes) = shapes {
+        files::remove_frames_from(&directory.join(shapes.name), shapes.name, shapes.frames);
+    }
+    Ok(())
 }
 
 fn write_animation(animation: &Animation, stage: &files::Stage, progress: &Progress) -> Result<PathBuf, OutputError> {

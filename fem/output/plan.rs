@@ -34,6 +34,9 @@ pub fn json(model: &Model, design: &str, plan: &Plan, kind: Kind) -> Json {
     })
 }
 
+/// Pairs that are told, the most alike first.
+const MOST_PAIRS: usize = 12;
+
 /// The plan for people. Writing to a String does not fail.
 pub fn text(model: &Model, design: &str, plan: &Plan, kind: Kind) -> String {
     let mut text = format!(
@@ -57,13 +60,16 @@ pub fn text(model: &Model, design: &str, plan: &Plan, kind: Kind) -> String {
     }
     if !plan.alike.is_empty() {
         let _ = writeln!(text, "\nwould look alike");
-        for a in &plan.alike {
+        for a in plan.alike.iter().take(MOST_PAIRS) {
             let _ = writeln!(
                 text,
                 "  {} and {}, {:.1} sigma apart where either shows by 15",
                 a.one.name, a.other.name, a.separation
             );
         }
+    }
+    if plan.alike.len() > MOST_PAIRS {
+        let _ = writeln!(text, "  and {} pairs more (--json has them all)", plan.alike.len() - MOST_PAIRS);
     }
     if let Some(next) = &plan.next {
         let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();

@@ -13,7 +13,7 @@ pub mod written;
 
 pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
 pub use grid::{Cell, Field, Frame, Grid};
-pub use observation::{Absent, Coordinate, Further, Holds, Misplaced, Observable, Rows};
+pub use observation::{Absent, Coordinate, Further, Holds, Misplaced, Observable, Places, Rows};
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
 pub use validation::{Case, Tolerance};
 pub use written::{Meaning, WrittenLaw, equip};
@@ -67,6 +67,9 @@ pub trait System: Send + Sync {
 
     /// The rows with every coordinate that they leave to the model filled in.
     fn resolved(&self, rows: &Rows) -> Rows;
+
+    /// Where the rows lie on the body; `None` where the process has none to show.
+    fn places(&self, rows: &Rows) -> Option<Places>;
 
     /// What else could be measured beside these rows, for causes that they cannot tell apart.
     fn menu(&self, rows: &Rows) -> Vec<Further>;

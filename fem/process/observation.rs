@@ -86,6 +86,19 @@ impl Rows {
     }
 }
 
+/// Where measured rows lie on the body, and which way what is observed moves it there.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Places {
+    /// Of each row, m.
+    pub points: Vec<[f64; 3]>,
+    /// Displacement of the surface per unit of the observable.
+    pub directions: Vec<[f64; 3]>,
+    /// What is subtracted from the observable before: a set diameter.
+    pub references: Vec<f64>,
+    /// What the rows of a frame have in common, such as the part's number.
+    pub frames: Vec<f64>,
+}
+
 /// Something more that could be measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Further {

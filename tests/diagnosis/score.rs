@@ -7,6 +7,7 @@ use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::Model;
+use fem::progress::Progress;
 use generator::{Case, Kind};
 
 /// What a diagnosis got right.
@@ -38,7 +39,7 @@ pub fn score(case: &Case) -> Score {
     };
     let (data, fresh) = (read(&case.data), read(&case.fresh));
     let start = Instant::now();
-    let diagnosis = diagnose(&model, &data, MOST_EFFECTS).expect("the model can be computed");
+    let diagnosis = diagnose(&model, &data, MOST_EFFECTS, &Progress::default()).expect("the model can be computed");
     let seconds = start.elapsed().as_secs_f64();
     let hidden: Vec<&str> = case.truth.hidden.iter().map(|h| h.effect).collect();
     let classes: Vec<Vec<&str>> = diagnosis.missing.iter().map(class).collect();

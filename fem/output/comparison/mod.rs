@@ -1,11 +1,13 @@
 //! A comparison with measurements, as text, JSON and CSV.
 
 mod residuals;
+mod shapes;
 mod text;
 
 pub use residuals::residuals;
-pub(super) use text::noise;
+pub use shapes::shapes;
 pub use text::text;
+pub(super) use text::{noise, told};
 
 use serde_json::{Value as Json, json};
 

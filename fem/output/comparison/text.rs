@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::place;
-use crate::compare::{Comparison, Noise, NoiseSource};
+use crate::compare::{Comparison, Feature, Noise, NoiseSource};
 use crate::measure::Measurements;
 use crate::output::plot;
 use crate::process::{Plot, Process};
@@ -53,13 +53,21 @@ pub(in crate::output) fn noise(noise: &Noise, kind: Kind) -> String {
     format!("{:.3} {} ({source})", kind.from_si(noise.rms()), kind.unit)
 }
 
+/// A smaller share of what is wrong is not told where there are larger ones.
+const SMALLEST_SHARE: f64 = 0.03;
+
+/// The features that are told.
+pub(in crate::output) fn told(features: &[Feature]) -> impl Iterator<Item = &Feature> {
+    features.iter().filter(|f| f.share >= SMALLEST_SHARE || features.len() < 3)
+}
+
 fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {
     let kind = measurements.kind;
     let _ = writeln!(text, "\nwhere {} fails", c.model);
     if c.features.is_empty() {
         let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
     }
-    for feature in &c.features {
+    for feature in told(&c.features) {
         let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
     }
     let at: Vec<String> = match place(process.coordinates(), measurements, c.worst) {

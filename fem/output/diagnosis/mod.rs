@@ -36,6 +36,8 @@ pub fn json(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         "model": &*model.source.name,
         "data": measurements.name,
         "observations": measurements.len(),
+        "observations_used": d.rows,
+        "cautions": d.cautions,
         "noise": { "sigma": kind.from_si(d.noise.rms()), "unit": kind.unit, "source": d.noise.source.word() },
         "before": state(&d.before, kind),
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),

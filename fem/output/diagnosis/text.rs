@@ -1,6 +1,7 @@
 //! A diagnosis for people: the story from the failing model to the noise.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use crate::diagnose::{Diagnosis, Missing, Outlook, State, Verdict};
 use crate::fit::{Estimate, Fit};
@@ -12,8 +13,8 @@ use crate::output::plot;
 use crate::process::{Description, Neutral, Plot};
 use crate::units::Kind;
 
-/// A smaller share of what is wrong is not told where there are larger ones.
-const SMALLEST_SHARE: f64 = 0.03;
+/// How a cause that is not in the catalogue is written.
+const OWN_EFFECT: &str = "    [effects.my-cause]\n    formula = \"a*sin(2*pi*x/p)\"   # over coordinates and these parameters\n    a = \"? um\"\n    p = \"? mm\"";
 
 /// The story. Writing to a String does not fail, here and below.
 pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> String {
@@ -25,6 +26,9 @@ pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         measurements.name,
         measurements.len()
     );
+    for caution in &d.cautions {
+        let _ = writeln!(text, "\ncaution: {caution}");
+    }
     let _ = writeln!(text, "\n{}", verdict(d));
     where_it_fails(&mut text, d, kind);
     for (i, missing) in d.missing.iter().enumerate() {
@@ -33,6 +37,7 @@ pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
     errors(&mut text, model, d, kind);
     if matches!(d.verdict, Verdict::PartlyExplained | Verdict::Unexplained) {
         let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(d));
+        let _ = writeln!(text, "  if you know the cause, write it into the model and diagnose again:\n{OWN_EFFECT}");
     }
     not_seen(&mut text, d);
     measure_next(&mut text, d);
@@ -64,7 +69,7 @@ fn where_it_fails(text: &mut String, d: &Diagnosis, kind: Kind) {
     if d.features.is_empty() {
         let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
     }
-    for feature in d.features.iter().filter(|f| f.share >= SMALLEST_SHARE || d.features.len() < 3) {
+    for feature in comparison::told(&d.features) {
         let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
     }
     if let Some(feature) = d.features.iter().find(|f| f.curve.len() > 2) {
@@ -97,7 +102,7 @@ fn cause(text: &mut String, number: usize, missing: &Missing) {
 fn separated(one: &Description, other: &Description) -> String {
     let said = |a: &Description, b: &str| a.look_alikes.iter().find(|l| l.0 == b).map(|l| l.1);
     let by = said(one, other.name).or_else(|| said(other, one.name));
-    by.map_or(String::new(), |by| format!("; what would: {by}"))
+    by.map_or(String::new(), |by| format!("; in general: {by}"))
 }
 
 /// How sure it is that something is there.
@@ -221,10 +226,11 @@ fn commands(text: &mut String, model: &Model, measurements: &Measurements, d: &D
     let (file, data) = (&model.source.name, &measurements.name);
     let _ = writeln!(text, "\nto go on");
     let mut from = file.to_string();
-    for (i, missing) in d.missing.iter().enumerate() {
+    for missing in &d.missing {
         let quoted: Vec<String> =
             settings(missing, &d.fit).iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
-        let to = format!("with-{}.toml", d.missing[..=i].iter().map(|m| m.effect.name).collect::<Vec<_>>().join("-"));
+        let stem = Path::new(&from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let to = format!("{stem}-{}.toml", missing.effect.name);
         let _ = writeln!(text, "  fem add {from} {} {} -o {to}", missing.effect.name, quoted.join(" "));
         from = to;
     }

@@ -29,7 +29,7 @@ pub use segment::Segment;
 use std::sync::Arc;
 
 use super::{
-    Active, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Process, Rows, System,
+    Active, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Places, Process, Rows, System,
 };
 use crate::input::Reader;
 
@@ -88,6 +88,10 @@ impl System for Bench {
 
     fn resolved(&self, rows: &Rows) -> Rows {
         observe::resolved(&self.0, rows)
+    }
+
+    fn places(&self, rows: &Rows) -> Option<Places> {
+        Some(observe::places(&self.0, rows))
     }
 
     fn menu(&self, rows: &Rows) -> Vec<Further> {

@@ -7,7 +7,7 @@ use super::elastic::{Conditions, Elastic};
 use super::lathe::Lathe;
 use super::machine::Moment;
 use super::model::Setup;
-use crate::process::{Absent, Coordinate, Failure, Holds, Misplaced, Observable, Rows};
+use crate::process::{Absent, Coordinate, Failure, Holds, Misplaced, Observable, Places, Rows};
 use crate::units::{FEED, FORCE, LENGTH, MICRO, PATH, SPINDLE_SPEED, TIME};
 
 /// A diameter is the set diameter plus its error.
@@ -136,6 +136,18 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
         filled.iter().for_each(|(column, value)| all.columns[*column][row] = *value);
     }
     all
+}
+
+/// On the axis, part by part; a diameter grows to either side, and half of it is shown.
+pub fn places(setup: &Setup, rows: &Rows) -> Places {
+    let x = |row| rows.get(X, row).unwrap_or(0.0);
+    let reference = |row: usize| if rows.observable[row] == DIAMETER { setup.diameter(x(row)) } else { 0.0 };
+    Places {
+        points: (0..rows.len()).map(|row| [x(row), 0.0, 0.0]).collect(),
+        directions: vec![[0.0, 0.5, 0.0]; rows.len()],
+        references: (0..rows.len()).map(reference).collect(),
+        frames: (0..rows.len()).map(|row| rows.get(PART, row).unwrap_or(1.0)).collect(),
+    }
 }
 
 /// P₀ is the row's force, or by the force law at its depth and feed, or the model's. The set depth follows from the blank, or is

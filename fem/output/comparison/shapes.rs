@@ -1,0 +1,40 @@
+//! The measured and the predicted shape, to be played one after the other.
+
+use crate::compare::Comparison;
+use crate::measure::Measurements;
+use crate::process::{Animation, Cell, Field, Frame, Grid, Places};
+
+/// A frame for each value that rows have in common. Points are the measured rows, a line through them in the order of their places; `measured`,
+/// `predicted` and `residual` are the observable, the vectors move the points by what is measured and predicted.
+pub fn shapes(places: &Places, measurements: &Measurements, comparison: &Comparison) -> Animation {
+    let mut frames: Vec<f64> = places.frames.clone();
+    frames.sort_unstable_by(f64::total_cmp);
+    frames.dedup();
+    let all: Vec<Frame> = frames.iter().map(|at| frame(*at, places, measurements, comparison)).collect();
+    Animation { name: "compared", frames: all.len(), frame: Box::new(move |i| all[i].clone()) }
+}
+
+fn frame(at: f64, places: &Places, measurements: &Measurements, comparison: &Comparison) -> Frame {
+    let mut rows: Vec<usize> = (0..places.frames.len()).filter(|r| places.frames[*r] == at).collect();
+    rows.sort_by(|a, b| places.points[*a][0].total_cmp(&places.points[*b][0]));
+    let scalar = |values: &[f64]| rows.iter().map(|r| values[*r]).collect::<Vec<f64>>();
+    let moved = |values: &[f64]| {
+        let by = |r: &usize| places.directions[*r].map(|d| d * (values[*r] - places.references[*r]));
+        rows.iter().map(by).collect::<Vec<[f64; 3]>>()
+    };
+    let mut grid = Grid { points: rows.iter().map(|r| places.points[*r]).collect(), ..Grid::default() };
+    for i in 0..rows.len() as u32 {
+        grid.push(Cell::Vertex, &[i]);
+        if i > 0 {
+            grid.push(Cell::Line, &[i - 1, i]);
+        }
+    }
+    grid.point_fields = vec![
+        Field::scalar("residual", scalar(&comparison.residuals)),
+        Field::scalar("measured", scalar(&measurements.observed)),
+        Field::scalar("predicted", scalar(&comparison.predicted)),
+        Field::vector("measured_displacement", moved(&measurements.observed)),
+        Field::vector("predicted_displacement", moved(&comparison.predicted)),
+    ];
+    Frame { time: at, grid }
+}
