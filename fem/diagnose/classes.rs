@@ -5,8 +5,9 @@ use rayon::prelude::*;
 
 use super::gain::{Gain, gain};
 use super::ground::{Ground, length_outside};
-use super::search::{Found, Trial, bare, fit_with, promising, starts, without};
+use super::search::{Found, bare, fit_with, promising, starts, without};
 use super::signature::{Candidate, Variant};
+use super::trial::Trial;
 
 /// Sets of one size are equally good when χ² differs by no more than this.
 const EQUAL: f64 = 6.0;
@@ -64,10 +65,9 @@ pub fn places<'a>(found: &Found<'a>) -> Vec<Place<'a>> {
             let likest = |m: &usize| likeness(found, candidate, *m);
             let Some(i) = (0..open.len()).max_by(|a, b| likest(&open[*a]).total_cmp(&likest(&open[*b]))) else { break };
             let member = open.remove(i);
-            if let Some(place) = places.iter_mut().find(|p| p.candidate == member) {
-                if place.rivals.iter().all(|r| r.candidate != candidate) {
-                    place.rivals.push(Rival { candidate, ..rival.clone() });
-                }
+            let place = places.iter_mut().find(|p| p.candidate == member);
+            if let Some(place) = place.filter(|p| p.rivals.iter().all(|r| r.candidate != candidate)) {
+                place.rivals.push(Rival { candidate, ..rival.clone() });
             }
         }
     }

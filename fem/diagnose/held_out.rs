@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::search::Trial;
+use super::trial::Trial;
 use crate::process::Holds;
 
 /// Groups that are left out, at most.

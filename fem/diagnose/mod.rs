@@ -4,14 +4,17 @@
 //! search as wide, and what fits as well is named beside what is found. What no effect explains is described, not explained.
 
 mod classes;
+mod conclude;
 mod gain;
 mod ground;
 mod held_out;
 mod next;
+mod pairs;
 mod plan;
 mod price;
 mod search;
 mod signature;
+mod trial;
 mod verdict;
 mod visibility;
 
@@ -27,10 +30,9 @@ use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
 use crate::process::{Description, Failure};
 use crate::progress::Progress;
-use classes::Place;
-use held_out::Folds;
 use price::Yardstick;
-use search::{Breadth, Found, Trial};
+use search::{Breadth, Found};
+use trial::Trial;
 
 /// Effects that are looked for together, unless told otherwise.
 pub const MOST_EFFECTS: usize = 3;
@@ -146,7 +148,7 @@ fn diagnose_all(
             }
         }
     }
-    let diagnosis = conclude(found, repeats);
+    let diagnosis = conclude::conclude(found, repeats);
     progress.advance(1);
     diagnosis
 }
@@ -192,119 +194,4 @@ fn unsolvable() -> Failure {
         message: "the model cannot be computed about its best values".into(),
         help: "give the parameters values from which `fem run` works".into(),
     }
-}
-
-fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
-    let yardstick = yardstick(&found.base.objective.noise, repeats);
-    let folds = Folds::of(&found.base);
-    let mut best = found.best().clone();
-    best.solution =
-        minimise(&mut best.objective, &best.solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
-    let state = |trial: &Trial| State::of(trial, repeats, folds.as_ref());
-    let (before, mut after) = (state(&found.base), state(&best));
-    let features = verdict::features(&found.base);
-    let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
-    let verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
-    if verdict == Verdict::Unexplained {
-        best = found.base.clone();
-        after = before.clone();
-        remaining = features.clone();
-    }
-    let mut fitting = best.objective.clone();
-    let fit = fit::report(&mut fitting, best.solution.clone(), repeats)?;
-    let places = if best.members.is_empty() { Vec::new() } else { classes::places(&found) };
-    let missing = missing(&found, &best, &fit, yardstick, (&places, &state));
-    let next = next::next(&found, &best, &places);
-    let all = found.tried.iter().chain([&found.base, &best]);
-    let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
-    let candidates = outlooks(&found, &best, yardstick);
-    Ok(Diagnosis {
-        rows: found.base.objective.measurements.len(),
-        cautions: cautions(&found.base),
-        noise: found.base.objective.noise.clone(),
-        before,
-        features,
-        verdict,
-        missing,
-        after,
-        fit,
-        remaining,
-        candidates,
-        next,
-        held_out_by: folds.map(|f| f.coordinate),
-        trials,
-    })
-}
-
-/// What limits any diagnosis of these data.
-fn cautions(base: &Trial) -> Vec<String> {
-    let measurements = base.objective.measurements;
-    let coordinates = base.objective.model.process.coordinates();
-    let varies = |i: &usize| {
-        let column = &measurements.rows.columns[*i];
-        !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
-    };
-    let mut cautions = Vec::new();
-    if !measurements.given.iter().any(varies) {
-        cautions
-            .push("every row stands at the same place under the same conditions: causes cannot be told apart".into());
-    }
-    cautions
-}
-
-/// The effects of the best set, the most needed first, each with those that could stand in its place.
-fn missing(
-    found: &Found,
-    best: &Trial,
-    fit: &Fit,
-    yardstick: Yardstick,
-    (places, state): (&[Place], &dyn Fn(&Trial) -> State),
-) -> Vec<Missing> {
-    let mut list = Vec::new();
-    let mut rest = best.clone();
-    while !rest.members.is_empty() {
-        let smaller = rest
-            .members
-            .iter()
-            .filter_map(|m| search::without(&found.base, &found.candidates, &rest, *m).map(|t| (*m, t)));
-        let Some((last, next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else { break };
-        let place = places.iter().find(|p| p.candidate == last);
-        let gained = place.map_or(0.0, |p| p.without - best.solution.chi2);
-        let measured = yardstick.measure(gained, best.solution.chi2, best.objective.freedom());
-        let effect = found.candidates[last].effect;
-        let prefix = format!("effects.{}.", effect.name);
-        list.push(Missing {
-            effect,
-            state: state(&rest),
-            p_value: found.price.p_value(measured),
-            estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(&prefix)).cloned().collect(),
-            indistinguishable_from: place
-                .map_or(Vec::new(), |p| p.rivals.iter().map(|r| found.candidates[r.candidate].effect).collect()),
-        });
-        rest = next;
-    }
-    list.reverse();
-    list
-}
-
-/// What the data say of every effect that is not there.
-fn outlooks(found: &Found, best: &Trial, yardstick: Yardstick) -> Vec<Outlook> {
-    let ground = ground::Ground::new(&mut best.objective.clone(), &best.solution);
-    let threshold = found.price.quantile(SIGNIFICANCE);
-    let outlook = |(candidate, single): (&signature::Candidate, &Option<Trial>)| {
-        let visibility = ground.as_ref().and_then(|g| visibility::visibility(g, candidate, threshold));
-        let gained = single.as_ref().map_or(0.0, |t| found.base.solution.chi2 - t.solution.chi2);
-        let measured =
-            single.as_ref().map_or(0.0, |t| yardstick.measure(gained, t.solution.chi2, t.objective.freedom()));
-        Outlook {
-            effect: candidate.effect,
-            rms: single.as_ref().map(verdict::rms),
-            delta_bic: single.as_ref().map_or(0.0, |t| t.score() - found.base.score()),
-            p_value: found.first_price.p_value(measured),
-            visibility,
-        }
-    };
-    let mut all: Vec<Outlook> = found.candidates.iter().zip(&found.singles).map(outlook).collect();
-    all.sort_by(|a, b| a.delta_bic.total_cmp(&b.delta_bic));
-    all
 }

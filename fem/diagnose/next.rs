@@ -5,7 +5,8 @@ use rayon::prelude::*;
 
 use super::classes::{Place, Rival, SEPARATE, priors_apart};
 use super::ground::length_outside;
-use super::search::{Found, Trial};
+use super::search::Found;
+use super::trial::Trial;
 use crate::process::{Description, Further, Rows};
 
 /// How often the further rows are measured.

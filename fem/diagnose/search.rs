@@ -5,15 +5,16 @@
 
 use std::collections::HashMap;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use rayon::prelude::*;
 
-use super::gain::{Gain, gain};
+use super::gain::Gain;
 use super::ground::Ground;
+use super::pairs;
 use super::price::{Price, Yardstick};
 use super::signature::Candidate;
-use crate::fit::{Objective, Patience, Solution, minimise};
-use crate::process::Neutral;
+use super::trial::{self, Trial};
+use crate::fit::{Patience, Solution, minimise};
 use crate::progress::Progress;
 
 /// A set grows when chance alone gives so much in fewer searches than this.
@@ -36,59 +37,12 @@ impl Breadth {
 
 /// Starts of a re-fit: the best shapes of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
-/// An effect that is too large to be plausible is named only where χ² is better by this than with others.
-const IMPLAUSIBLE: f64 = 6.0;
 /// Rounds in which an effect of a set is exchanged, at most.
 const EXCHANGES: usize = 4;
 /// χ² of the priors above which a re-fit also starts from what is written.
 const BENT: f64 = 9.0;
 /// Far enough to tell sets apart; the last one is fitted to the bottom.
 const SEARCHING: Patience = Patience { steps: 25, fall: 1e-5 };
-
-/// The model with some effects more, fitted.
-#[derive(Clone)]
-pub struct Trial<'a> {
-    /// Candidates that were added, by number, in the order of adding.
-    pub members: Vec<usize>,
-    /// What was minimised.
-    pub objective: Objective<'a>,
-    /// Where the minimum is.
-    pub solution: Solution,
-}
-
-impl Trial<'_> {
-    /// χ² with a price on every parameter (Schwarz 1978) and on every effect that would be larger than is plausible: by it sets are ranked.
-    pub fn score(&self) -> f64 {
-        let parameters = self.objective.axes.len() - self.objective.priors();
-        let price = parameters as f64 * (self.objective.measurements.len() as f64).ln();
-        self.solution.chi2 + price + IMPLAUSIBLE * self.implausible() as f64
-    }
-
-    /// How many of the added effects would be larger than is plausible.
-    fn implausible(&self) -> usize {
-        let too_large = |i: &usize| {
-            let Some(entry) = self.objective.catalogue(*i) else { return false };
-            let value = entry.kind.from_si(self.objective.axes[*i].value(self.solution.position[*i]));
-            match entry.neutral {
-                Neutral::Infinity => value < entry.range.0,
-                Neutral::Value(_) => value.abs() > entry.range.1,
-                Neutral::Shape => false,
-            }
-        };
-        let own = self.objective.model.parameters.len();
-        (own..self.objective.axes.len()).filter(too_large).count()
-    }
-
-    fn key(&self) -> Vec<usize> {
-        key(&self.members)
-    }
-}
-
-fn key(members: &[usize]) -> Vec<usize> {
-    let mut sorted = members.to_vec();
-    sorted.sort_unstable();
-    sorted
-}
 
 /// What the search found.
 pub struct Found<'a> {
@@ -145,11 +99,10 @@ pub fn search<'a>(
     for size in 1..=most.max(1) {
         let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
         if size == 2 {
-            let (first, second) = promise_pairs(&ground, &candidates);
+            let falls = pairs::falls(&ground, &candidates);
             for lead in &mut leads {
-                let (i, j) = (lead.parent.members.first().copied().unwrap_or(0), lead.added);
-                let together = first.norm_squared() - second[(i.min(j), i.max(j))];
-                lead.promised = lead.promised.min(together);
+                let first = lead.parent.members.first().copied().unwrap_or(lead.added);
+                lead.promised = lead.promised.min(ground.residual.norm_squared() - falls[(first, lead.added)]);
             }
         }
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
@@ -157,7 +110,7 @@ pub fn search<'a>(
         leads.retain(|lead| {
             let mut members = lead.parent.members.clone();
             members.push(lead.added);
-            seen.insert(key(&members))
+            seen.insert(trial::key(&members))
         });
         leads.truncate(if size == 1 { usize::MAX } else { breadth.refitted });
         let fitted: Vec<Trial<'a>> = leads.par_iter().filter_map(|lead| refit(lead, &candidates)).collect();
@@ -300,6 +253,10 @@ pub fn fit_with<'a>(
     starts: &[(usize, Gain)],
 ) -> Option<Trial<'a>> {
     let mut objective = parent.objective.with(candidate.effect);
+    if objective.freedom() < 1.0 {
+        // As many parameters as rows fit anything.
+        return None;
+    }
     let first = parent.objective.axes.len();
     let mut best: Option<Solution> = None;
     for (variant, gain) in starts {
@@ -319,46 +276,4 @@ pub fn fit_with<'a>(
     let mut members = parent.members.clone();
     members.push(added);
     Some(Trial { members, objective, solution })
-}
-
-/// The residual on the ground, and how much χ² each pair of candidates promises to take away with its best shapes.
-fn promise_pairs(ground: &Ground, candidates: &[Candidate]) -> (DVector<f64>, DMatrix<f64>) {
-    let projected: Vec<Vec<(DMatrix<f64>, DVector<f64>, &[bool])>> = candidates
-        .iter()
-        .map(|c| {
-            let of = |v: &'_ super::signature::Variant| ground.project_columns(&v.columns);
-            c.variants
-                .iter()
-                .map(|v| {
-                    let columns = of(v);
-                    let along = columns.transpose() * &ground.residual;
-                    (columns, along, &v.signed[..])
-                })
-                .collect()
-        })
-        .collect();
-    let n = candidates.len();
-    let pairs: Vec<(usize, usize)> = (0..n).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
-    let best = |(i, j): &(usize, usize)| {
-        let mut most = 0.0f64;
-        for (a, along_a, signed_a) in &projected[*i] {
-            for (b, along_b, signed_b) in &projected[*j] {
-                let (m, n) = (a.ncols(), b.ncols());
-                let mut gram = DMatrix::zeros(m + n, m + n);
-                gram.view_mut((0, 0), (m, m)).copy_from(&(a.transpose() * a));
-                gram.view_mut((m, m), (n, n)).copy_from(&(b.transpose() * b));
-                let cross = a.transpose() * b;
-                gram.view_mut((0, m), (m, n)).copy_from(&cross);
-                gram.view_mut((m, 0), (n, m)).copy_from(&cross.transpose());
-                let along = DVector::from_iterator(m + n, along_a.iter().chain(along_b.iter()).copied());
-                let signed: Vec<bool> = signed_a.iter().chain(signed_b.iter()).copied().collect();
-                most = most.max(gain(&gram, &along, &signed).fall);
-            }
-        }
-        most
-    };
-    let falls: Vec<f64> = pairs.par_iter().map(best).collect();
-    let mut matrix = DMatrix::zeros(n, n);
-    pairs.iter().zip(falls).for_each(|((i, j), fall)| matrix[(*i, *j)] = fall);
-    (ground.residual.clone(), matrix)
 }

@@ -1,7 +1,7 @@
 //! The verdict: whether the noise explains what is left, before and after.
 
 use super::held_out::Folds;
-use super::search::Trial;
+use super::trial::Trial;
 use crate::compare::{Feature, NoiseSource, features as find_features};
 use crate::fit::judge;
 use crate::measure::Repeats;

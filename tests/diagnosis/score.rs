@@ -63,7 +63,7 @@ pub fn score(case: &Case) -> Score {
     }
 }
 
-fn class<'a>(missing: &'a fem::diagnose::Missing) -> Vec<&'a str> {
+fn class(missing: &fem::diagnose::Missing) -> Vec<&'static str> {
     std::iter::once(missing.effect.name).chain(missing.indistinguishable_from.iter().map(|e| e.name)).collect()
 }
 

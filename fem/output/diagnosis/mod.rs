@@ -47,7 +47,7 @@ pub fn json(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
         "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
         "unexplained": unexplained(d),
-        "next_measurement": d.next.as_ref().map(|n| next(n, model)),
+        "next_measurement": d.next.as_ref().map(|n| next(n, model)).or_else(|| said_to_separate(d)),
         "held_out_by": d.held_out_by,
         "failed_trials": d.trials.0,
         "evaluations": d.trials.1,
@@ -97,6 +97,17 @@ fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
         "p_value": outlook.p_value,
         "note": text::note(outlook, diagnosis),
     })
+}
+
+/// Where nothing on the menu tells look-alikes apart: what the catalogue says would.
+fn said_to_separate(d: &Diagnosis) -> Option<Json> {
+    let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |r| (m.effect, *r)));
+    let told = pairs.filter_map(|(a, b)| Some((a, b, text::separated(a, b)?)));
+    let (a, b, by) = told.into_iter().next()?;
+    Some(json!({
+        "text": by, "coordinate": null, "values": [], "unit": "", "observations": null, "repeats": null,
+        "separation": null, "enough": null, "separates": [[a.name, b.name]],
+    }))
 }
 
 /// What to measure next, with its values in the coordinate's canonical unit.

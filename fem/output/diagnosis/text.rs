@@ -94,15 +94,15 @@ fn cause(text: &mut String, number: usize, missing: &Missing) {
     }
     let _ = writeln!(text, "  {}", chance(missing.p_value));
     for rival in &missing.indistinguishable_from {
-        let _ = writeln!(text, "  or {}: these data cannot tell{}", rival.name, separated(effect, rival));
+        let by = separated(effect, rival).map_or(String::new(), |by| format!("; in general: {by}"));
+        let _ = writeln!(text, "  or {}: these data cannot tell{by}", rival.name);
     }
 }
 
 /// What the catalogue says would separate two effects.
-fn separated(one: &Description, other: &Description) -> String {
+pub fn separated(one: &Description, other: &Description) -> Option<&'static str> {
     let said = |a: &Description, b: &str| a.look_alikes.iter().find(|l| l.0 == b).map(|l| l.1);
-    let by = said(one, other.name).or_else(|| said(other, one.name));
-    by.map_or(String::new(), |by| format!("; in general: {by}"))
+    said(one, other.name).or_else(|| said(other, one.name))
 }
 
 /// How sure it is that something is there.
