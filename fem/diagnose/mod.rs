@@ -100,7 +100,7 @@ pub struct Outlook {
 }
 
 /// More rows than this are thinned, whole groups of repeats together: they tell causes apart no better than needed, and the search takes its time from them.
-const MOST_ROWS: usize = 5000;
+const MOST_ROWS: usize = 2000;
 
 /// Looks for up to `most` effects that the model lacks.
 ///

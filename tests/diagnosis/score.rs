@@ -15,6 +15,8 @@ use generator::{Case, Kind};
 pub struct Score {
     /// The verdict is right, and all hidden effects are named, each in its class, and none besides.
     pub right: bool,
+    /// Whether effects of the catalogue are hidden in it.
+    pub hides_effects: bool,
     /// The first effect that is named, or one of its class, is hidden.
     pub first: bool,
     /// Every hidden effect is named or stands in a class.
@@ -53,6 +55,7 @@ pub fn score(case: &Case) -> Score {
         fresh.observed.iter().zip(&diagnosis.after.predicted).map(|(y, p)| (1e6 * (y - p) / case.truth.sigma).powi(2));
     Score {
         right,
+        hides_effects: case.truth.kind == Kind::Effects,
         first: classes.first().is_some_and(|c| hidden.iter().any(|h| c.contains(h))),
         all_named,
         covered: coverage(case, &diagnosis),

@@ -33,23 +33,24 @@ impl fmt::Display for Table {
         for (group, scores) in &self.groups {
             let n = scores.len() as f64;
             let part = |is: fn(&Score) -> bool| 100.0 * scores.iter().filter(|s| is(s)).count() as f64 / n;
-            let classes: Vec<f64> = scores.iter().flat_map(|s| &s.classes).map(|c| *c as f64).collect();
-            let covered = scores.iter().fold((0, 0), |(a, b), s| (a + s.covered.0, b + s.covered.1));
             let fresh = scores.iter().map(|s| s.fresh).sum::<f64>() / n;
             let mut seconds: Vec<f64> = scores.iter().map(|s| s.seconds).collect();
             seconds.sort_unstable_by(f64::total_cmp);
-            let mean_class = classes.iter().sum::<f64>() / classes.len().max(1) as f64;
+            let (median, worst) = (seconds[seconds.len() / 2], seconds[seconds.len() - 1]);
+            let named = if scores.iter().any(|s| s.hides_effects) {
+                let classes: Vec<f64> = scores.iter().flat_map(|s| &s.classes).map(|c| *c as f64).collect();
+                let mean = classes.iter().sum::<f64>() / classes.len().max(1) as f64;
+                let covered = scores.iter().fold((0, 0), |(a, b), s| (a + s.covered.0, b + s.covered.1));
+                let (first, all) = (part(|s| s.first), part(|s| s.all_named));
+                format!("{first:.1} % | {all:.1} % | {mean:.2} | {} of {}", covered.0, covered.1)
+            } else {
+                "- | - | - | -".into()
+            };
+            let right = part(|s| s.right);
             writeln!(
                 f,
-                "| {group} | {} | {:.1} % | {:.1} % | {:.1} % | {mean_class:.2} | {} of {} | {fresh:.3} | {:.2} | {:.2} |",
-                scores.len(),
-                part(|s| s.right),
-                part(|s| s.first),
-                part(|s| s.all_named),
-                covered.0,
-                covered.1,
-                seconds[seconds.len() / 2],
-                seconds[seconds.len() - 1],
+                "| {group} | {} | {right:.1} % | {named} | {fresh:.3} | {median:.2} | {worst:.2} |",
+                scores.len()
             )?;
         }
         Ok(())
