@@ -6,7 +6,8 @@ use crate::random::{Random, decimals, figures};
 use crate::shaft::{Material, Segment, Shaft};
 use std::f64::consts::TAU;
 
-const STEEL: Material = Material {
+/// Structural steel.
+pub const STEEL: Material = Material {
     modulus: 210.0,
     poisson: 0.3,
     density: 7850.0,

@@ -1,9 +1,10 @@
 //! The measurements of the story in `models/story`: a batch of shafts from a machine that its owner believes to be rigid.
 
 use crate::catalogue::Cause;
+use crate::design::STEEL;
 use crate::job::{Holding, Job, NoiseKind, Row};
 use crate::random::Random;
-use crate::shaft::{Material, Segment, Shaft};
+use crate::shaft::{Segment, Shaft};
 use crate::visibility::predict;
 use crate::writing;
 
@@ -21,21 +22,13 @@ pub fn causes() -> Vec<Cause> {
 
 /// Twelve shafts of 500 mm between centres, in turn with whole, half and a quarter of the force, each measured at nine places.
 pub fn job() -> Job {
-    let steel = Material {
-        modulus: 210.0,
-        poisson: 0.3,
-        density: 7850.0,
-        expansion: 11.5,
-        conductivity: 50.0,
-        specific_heat: 470.0,
-    };
     let segments = vec![Segment { length: 500.0, diameter: 50.0 }];
     let row = |part: usize, i: usize| {
         let force = [450.0, 225.0, 112.0][(part - 1) % 3];
         Row { part, x: 20.0 + 57.5 * i as f64, force, blank: None }
     };
     Job {
-        shaft: Shaft { material: steel, segments, shear: true },
+        shaft: Shaft { material: STEEL, segments, shear: true },
         holding: Holding::Centres,
         depth: 0.5,
         feed: 0.2,

@@ -1,20 +1,12 @@
 //! Closed forms of statics and of the laws, and the heated rod against its Green's function.
 
 use generator::catalogue::Cause;
+use generator::design::STEEL;
 use generator::equilibrium::force_error;
 use generator::heat::tool_temperature;
 use generator::job::{Holding, Job, NoiseKind, Row};
 use generator::shaft::{Material, Segment, Shaft};
 use std::f64::consts::PI;
-
-const STEEL: Material = Material {
-    modulus: 210.0,
-    poisson: 0.3,
-    density: 7850.0,
-    expansion: 11.5,
-    conductivity: 50.0,
-    specific_heat: 470.0,
-};
 
 fn job(holding: Holding, modulus: f64, shear: bool, x: f64) -> Job {
     let segments = vec![Segment { length: 200.0, diameter: 40.0 }, Segment { length: 400.0, diameter: 40.0 }];
