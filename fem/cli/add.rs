@@ -26,12 +26,12 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
     print(&format!("written {name}: {} with {}\n", args.model.display(), args.effect))
 }
 
-/// Refuses to write a new model over the one that it comes from, by whatever path.
-pub fn refuse_itself(model: &Path, new: &Path) -> Result<(), Problem> {
-    match (model.canonicalize(), new.canonicalize()) {
+/// Refuses to write over a file that is read, by whatever path.
+pub fn refuse_itself(read: &Path, new: &Path) -> Result<(), Problem> {
+    match (read.canonicalize(), new.canonicalize()) {
         (Ok(a), Ok(b)) if a == b => {
-            let problem = Problem::new(format!("{} is the model itself", new.display()));
-            Err(problem.help("name another file; the model is never overwritten"))
+            let problem = Problem::new(format!("{} is itself what is read", new.display()));
+            Err(problem.help("name another file; models and measurements are never overwritten"))
         }
         _ => Ok(()),
     }

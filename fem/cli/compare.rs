@@ -35,7 +35,7 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
         comparisons.push(compare(model, &measurements)?);
     }
     if let Some(directory) = &args.output {
-        write(directory, &measurements, &models, &comparisons)?;
+        write(directory, &args.with, &measurements, &models, &comparisons)?;
     }
     for note in &measurements.notes {
         super::say!("note: {note}");
@@ -63,14 +63,25 @@ pub fn check_places(model: &Model, measurements: &Measurements, path: &Path) -> 
 /// Into `DIR`, or `DIR/<stem>` where there are several models.
 fn write(
     directory: &Path,
+    data: &Path,
     measurements: &Measurements,
     models: &[Model],
     comparisons: &[Comparison],
 ) -> Result<(), Error> {
-    for (model, comparison) in models.iter().zip(comparisons) {
-        let stem = Path::new(&*model.source.name).file_stem().unwrap_or_default();
+    for (i, (model, comparison)) in models.iter().zip(comparisons).enumerate() {
+        let stem = stem_of(model);
+        if models[..i].iter().any(|other| stem_of(other) == stem) {
+            let problem = Problem::new(format!("two models are called {}", stem.display()));
+            return Err(Error::Request(problem.help("rename one of them, or compare them without -o")));
+        }
         let folder = if models.len() > 1 { directory.join(stem) } else { directory.to_path_buf() };
+        super::add::refuse_itself(data, &folder.join("residuals.csv"))?;
         output::write_comparison(model, measurements, comparison, &folder)?;
     }
     Ok(())
+}
+
+/// The name of a model's file without its folder and ending.
+fn stem_of(model: &Model) -> std::ffi::OsString {
+    Path::new(&*model.source.name).file_stem().unwrap_or_default().to_os_string()
 }

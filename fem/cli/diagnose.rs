@@ -17,12 +17,13 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     if let Some(new) = &args.add_to {
         super::add::refuse_itself(&args.model, new)?;
+        super::add::refuse_itself(&args.with, new)?;
     }
     let measurements = Measurements::load(&args.with, model.process)?;
     check_places(&model, &measurements, &args.with)?;
     let progress = Arc::new(Progress::default());
     let bar = watch::show(&progress);
-    let diagnosis = diagnose(&model, &measurements, args.max_effects, &progress);
+    let diagnosis = diagnose(&model, &measurements, usize::from(args.max_effects), &progress);
     bar.finish();
     let diagnosis = diagnosis?;
     if diagnosis.rows < measurements.len() {
@@ -36,6 +37,10 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         let text = completed(&model, &diagnosis)?;
         files::write(new, text.as_bytes())?;
         super::say!("written {}", new.display());
+        let own = diagnosis.fit.estimates.iter().take(model.parameters.len());
+        for open in own.filter(|e| !e.is_closed()) {
+            super::say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
+        }
     }
     for note in &measurements.notes {
         super::say!("note: {note}");

@@ -13,6 +13,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     if let Some(new) = &args.add_to {
         super::add::refuse_itself(&args.model, new)?;
+        super::add::refuse_itself(&args.with, new)?;
     }
     if model.parameters.is_empty() {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));

@@ -43,7 +43,7 @@ pub fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
     let candidates = outlooks(&found, &best, yardstick);
     Ok(Diagnosis {
         rows: found.base.objective.measurements.len(),
-        cautions: cautions(&found.base),
+        cautions: cautions(&found, repeats, verdict),
         noise: found.base.objective.noise.clone(),
         before,
         features,
@@ -60,7 +60,8 @@ pub fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
 }
 
 /// What limits any diagnosis of these data.
-fn cautions(base: &Trial) -> Vec<String> {
+fn cautions(found: &Found, repeats: &Repeats, verdict: Verdict) -> Vec<String> {
+    let base = &found.base;
     let measurements = base.objective.measurements;
     let coordinates = base.objective.model.process.coordinates();
     let varies = |i: &usize| {
@@ -71,6 +72,18 @@ fn cautions(base: &Trial) -> Vec<String> {
     if !measurements.given.iter().any(varies) {
         cautions
             .push("every row stands at the same place under the same conditions: causes cannot be told apart".into());
+    }
+    if base.objective.freedom() < 3.0 {
+        cautions.push("the rows are so few that almost any cause fits them".into());
+    }
+    if measurements.uncertainty.is_none() && repeats.freedom > 0 && repeats.sum_of_squares == 0.0 {
+        cautions
+            .push("rows that repeat each other are identical, as if copied: the noise cannot be judged by them".into());
+    }
+    let left = matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained);
+    if left && found.steps.len() == found.most && found.most < found.candidates.len() {
+        let most = found.most;
+        cautions.push(format!("no more than {most} effects were looked for together; --max-effects looks for more"));
     }
     cautions
 }

@@ -50,6 +50,8 @@ pub struct Found<'a> {
     pub base: Trial<'a>,
     /// What was looked for.
     pub candidates: Vec<Candidate>,
+    /// How many together, at most.
+    pub most: usize,
     /// The best set of each size, as long as the gain was significant.
     pub steps: Vec<Trial<'a>>,
     /// Each candidate alone, where it can be computed.
@@ -141,7 +143,23 @@ pub fn search<'a>(
         price = Price::simulate(&ground, &others.collect::<Vec<_>>(), yardstick);
     }
     progress.advance((most.max(1) - steps.len()) as u64);
-    Some(Found { base, candidates, steps, singles, tried: tried.into_values().collect(), first_price, price })
+    prune(&base, &candidates, &mut steps, &price, yardstick);
+    Some(Found { base, candidates, most, steps, singles, tried: tried.into_values().collect(), first_price, price })
+}
+
+/// Leaves out what the best set does not need: what was found before others took its place.
+fn prune<'a>(base: &Trial<'a>, candidates: &[Candidate], steps: &mut [Trial<'a>], price: &Price, yardstick: Yardstick) {
+    let Some(best) = steps.last_mut() else { return };
+    while best.members.len() > 1 {
+        let smaller = best.members.iter().filter_map(|m| without(base, candidates, best, *m));
+        let Some(least) = smaller.min_by(|a, b| a.solution.chi2.total_cmp(&b.solution.chi2)) else { return };
+        let gained = least.solution.chi2 - best.solution.chi2;
+        let p_value = price.p_value(yardstick.measure(gained, best.solution.chi2, best.objective.freedom()));
+        if p_value < SIGNIFICANCE && best.score() < least.score() {
+            return;
+        }
+        *best = least;
+    }
 }
 
 /// Whether a larger set is needed: adding one effect to the set gains more than chance gives to a search as wide, or another set gains so much that

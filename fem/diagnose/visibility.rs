@@ -1,7 +1,7 @@
 //! What these data could have shown: the smallest size of each effect that would stand out.
 
 use super::ground::Ground;
-use super::signature::Candidate;
+use super::signature::{Candidate, Variant};
 use crate::process::Neutral;
 
 /// An effect is seen in nine cases of ten when its signature exceeds the threshold by this many standard uncertainties.
@@ -14,7 +14,7 @@ const HIDDEN: f64 = 0.05;
 pub struct Visibility {
     /// The parameter that tells its size.
     pub parameter: &'static str,
-    /// Smallest value that would have been seen, canonical unit; for a stiffness the largest. The most visible shape counts.
+    /// Smallest value that would have been seen, canonical unit; for a stiffness the largest. Of a shape in the middle of what is plausible: half show more, half less.
     pub smallest: Option<f64>,
     /// Part of the signature that the model's own free parameters cannot imitate.
     pub own: f64,
@@ -24,13 +24,17 @@ pub struct Visibility {
 
 /// How visible an effect is on a ground, where a gain must exceed `threshold` to be believed.
 pub fn visibility(ground: &Ground, candidate: &Candidate, threshold: f64) -> Option<Visibility> {
-    // Of several switches and shapes the one that shows most at a usual size.
-    let columns = candidate.variants.iter().flat_map(|v| v.switches.iter().zip(v.columns.column_iter()));
-    let sizes = columns.map(|(switch, column)| {
-        let own = ground.project(column.into_owned()).norm();
-        (*switch, column.norm(), own)
-    });
-    let (switch, whole, left) = sizes.max_by(|a, b| (a.2 * a.0.size).total_cmp(&(b.2 * b.0.size)))?;
+    // Of several switches the one that shows most at a usual size, of all shapes the one in the middle: half show more, half less.
+    let of_variant = |v: &Variant| {
+        let sizes = v.switches.iter().zip(v.columns.column_iter()).map(|(switch, column)| {
+            let own = ground.project(column.into_owned()).norm();
+            (*switch, column.norm(), own)
+        });
+        sizes.max_by(|a, b| (a.2 * a.0.size).total_cmp(&(b.2 * b.0.size)))
+    };
+    let mut shapes: Vec<_> = candidate.variants.iter().filter_map(of_variant).collect();
+    shapes.sort_by(|a, b| (a.2 * a.0.size).total_cmp(&(b.2 * b.0.size)));
+    let (switch, whole, left) = shapes.get(shapes.len() / 2).copied()?;
     let entry = &candidate.effect.parameters[switch.parameter];
     let own = if whole > 0.0 { left / whole } else { 0.0 };
     let least = (threshold.sqrt() + NINE_OF_TEN) / left;

@@ -22,7 +22,7 @@ pub fn estimates(
     let estimate = |(i, interval): (usize, Interval)| {
         let (axis, parameter) = (&objective.axes[i], &objective.parameters[i]);
         let position = solution.position[i];
-        let std = covariance[(i, i)].sqrt() * axis.rate(position);
+        let std = spread(covariance[(i, i)].sqrt() * axis.rate(position), &interval);
         let mut warnings = Vec::new();
         let at_bound = position <= axis.low || position >= axis.high;
         if at_bound {
@@ -35,7 +35,10 @@ pub fn estimates(
             Some((_, prior)) if std > UNSHARPENED * prior => {
                 warnings.push("the data hardly add to what was known".into());
             }
-            None if !at_bound && covariance[(i, i)].sqrt() * UNSEEN > axis.unit => {
+            None if !at_bound
+                && (interval.low.is_none() || interval.high.is_none())
+                && covariance[(i, i)].sqrt() * UNSEEN > axis.unit =>
+            {
                 warnings.push("the data cannot see it".into());
             }
             _ => {}
@@ -52,4 +55,16 @@ pub fn estimates(
         Estimate { parameter: parameter.clone(), value: axis.value(position), std, interval, warnings }
     };
     intervals.into_iter().enumerate().map(estimate).collect()
+}
+
+/// The standard uncertainty from the curvature, or from the width of the interval where the two contradict each other: the curvature at the
+/// bottom of a valley that is no parabola says nothing of its width.
+fn spread(curvature: f64, interval: &Interval) -> f64 {
+    /// Half the width of a 95 % interval of a normal.
+    const HALF: f64 = 1.959_964;
+    let width = interval.low.zip(interval.high).map(|(low, high)| 0.5 * (high - low) / HALF);
+    match width {
+        Some(width) if !(0.5..2.0).contains(&(curvature / width)) => width,
+        _ => curvature,
+    }
 }

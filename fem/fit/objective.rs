@@ -243,11 +243,11 @@ impl<'a> Objective<'a> {
     }
 }
 
-/// Parts of a coordinate's extent at which a length, a time or a force of a user's formula may lie.
-const PARTS: [f64; 6] = [0.03, 0.07, 0.15, 0.3, 0.7, 1.5];
-
-/// Where to look for a parameter of a written effect: at parts of the extent of the first coordinate that is measured in the same dimension.
+/// Where to look for a parameter of a written effect that shapes it: at parts of the extent of the first coordinate that is measured in its dimension, for
+/// a length of waves or a time constant, and at places along it.
 fn starts_beside(model: &Model, measurements: &Measurements, parameter: &Parameter) -> Vec<f64> {
+    /// Of each sort.
+    const STARTS: usize = 40;
     let dimension = parameter.kind.canonical().dimension;
     let rows = model.system.resolved(&measurements.rows);
     let coordinates = model.process.coordinates().iter().zip(&rows.columns);
@@ -255,8 +255,12 @@ fn starts_beside(model: &Model, measurements: &Measurements, parameter: &Paramet
         .filter(|(c, _)| process::written::dimension(c.holds) == dimension && matches!(c.holds, Holds::Quantity(_)))
         .map(|(_, values)| {
             let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-            values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low
+            (low, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
         });
-    let extent = extents.find(|e| *e > 0.0);
-    extent.map_or(Vec::new(), |extent| PARTS.iter().map(|part| part * extent).collect())
+    let Some((low, high)) = extents.find(|(low, high)| high > low) else { return Vec::new() };
+    let part = |i: usize| (i as f64 + 0.5) / STARTS as f64;
+    // The shortest wave that a few dozen places resolve, and twice the whole.
+    let waves = (0..STARTS).map(|i| (high - low) * 0.04 * 50f64.powf(part(i)));
+    let places = (0..STARTS).map(|i| low + (high - low) * part(i));
+    waves.chain(places).collect()
 }

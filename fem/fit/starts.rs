@@ -8,12 +8,16 @@ use super::objective::{Objective, Solution};
 use crate::process::Failure;
 
 /// Combinations of starts tried at most.
-const MOST: usize = 60;
+const MOST: usize = 240;
 /// The first, short search from each.
 const SHORT: Patience = Patience { steps: 6, fall: 1e-10 };
 
 /// The best minimum over all starts.
+///
+/// # Errors
+/// The model cannot be computed at any of them.
 pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
+    settle_linear(objective);
     let mut tried: Vec<Solution> = Vec::new();
     for start in combinations(objective) {
         if let Some(solution) = minimise(objective, &start, &[], SHORT) {
@@ -23,11 +27,55 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     tried.sort_by(|a, b| a.chi2.total_cmp(&b.chi2));
     let finals: Vec<Solution> =
         tried.iter().take(3).filter_map(|s| minimise(objective, &s.position, &[], Patience::FULL)).collect();
-    finals.into_iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2)).ok_or_else(|| Failure {
+    let best = finals.into_iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2)).ok_or_else(|| Failure {
         message: "the model cannot be computed anywhere that the fit begins".into(),
         help: "give the parameters values from which `fem run` works".into(),
-    })
+    })?;
+    Ok(between(objective, best))
 }
+
+/// Looks between the starts of what was looked for everywhere: the place of a step has no slope to follow.
+fn between(objective: &mut Objective, mut best: Solution) -> Solution {
+    for i in (0..objective.axes.len()).filter(|i| objective.axes[*i].starts.len() > SEVERAL).collect::<Vec<_>>() {
+        let starts = &objective.axes[i].starts;
+        let (low, high) = starts.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(*s), h.max(*s)));
+        let gap = (high - low) / starts.len() as f64 * 2.0;
+        let middle = best.position[i];
+        for k in -FINE..=FINE {
+            let mut moved = best.position.clone();
+            moved[i] = middle + gap * f64::from(k) / f64::from(FINE);
+            let found = minimise(objective, &moved, &[i], SHORT);
+            if let Some(found) = found.filter(|f| f.chi2 < best.chi2) {
+                best = found;
+            }
+        }
+    }
+    best
+}
+
+/// Places tried on either side.
+const FINE: i32 = 24;
+
+/// A parameter in which the prediction is linear is found in one step from anywhere: one start is enough, and leaves more to the others.
+fn settle_linear(objective: &mut Objective) {
+    let first = |a: &super::axis::Axis| a.position(a.starts.first().copied().unwrap_or(1.0));
+    let start = DVector::from_iterator(objective.axes.len(), objective.axes.iter().map(first));
+    for i in (0..objective.axes.len()).filter(|i| objective.axes[*i].starts.len() > SEVERAL).collect::<Vec<_>>() {
+        let mut at = |times: f64| {
+            let mut moved = start.clone();
+            moved[i] *= times;
+            objective.predict(&moved).map(DVector::from_vec)
+        };
+        let (Some(one), Some(two), Some(three)) = (at(1.0), at(2.0), at(3.0)) else { continue };
+        let (bend, change) = ((&three - &two * 2.0 + &one).norm(), (&three - &one).norm());
+        if bend <= 1e-6 * change {
+            objective.axes[i].starts.truncate(1);
+        }
+    }
+}
+
+/// More starts than this come from looking everywhere.
+const SEVERAL: usize = 10;
 
 /// Every combination of the parameters' starts, or evenly spread ones of them where there are many.
 fn combinations(objective: &Objective) -> Vec<DVector<f64>> {

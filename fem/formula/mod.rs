@@ -118,12 +118,19 @@ const FUNCTIONS: &[Function] = &[
     function("atan2", 2, Units::Ratio, |v| v[0].atan2(v[1])),
 ];
 
+/// Longer formulas are no laws.
+const LONGEST: usize = 4000;
+
 impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
     /// The first thing that cannot be read, with its place.
     pub fn parse(text: &str) -> Result<Self, FormulaError> {
+        if text.len() > LONGEST {
+            let message = format!("the formula has {} characters", text.len());
+            return Err(FormulaError { message, help: format!("write it in at most {LONGEST}"), span: 0..text.len() });
+        }
         parse::parse(text)
     }
 
@@ -132,7 +139,9 @@ impl Formula {
     /// # Errors
     /// Units that do not go together, with the place.
     pub fn dimension(&self, of_names: &[Dimension]) -> Result<Dimension, FormulaError> {
-        check::dimension(&self.root, of_names).map(|d| d.unwrap_or(Dimension::NONE))
+        // An angle is a pure number where it is computed with.
+        let pure: Vec<Dimension> = of_names.iter().map(|d| d.without_angle()).collect();
+        check::dimension(&self.root, &pure).map(|d| d.unwrap_or(Dimension::NONE))
     }
 
     /// The value, when the names have these (SI).

@@ -4,6 +4,7 @@ use super::header::{self, Column, Header};
 use super::{Measurements, Purpose, Vocabulary};
 use crate::input::{InputError, Problem, Source};
 use crate::process::{Absent, Holds, Process, Rows};
+use crate::units::{LENGTH, MICRO};
 
 /// After this many problems the rest of the file is not looked at.
 const MOST_PROBLEMS: usize = 20;
@@ -88,7 +89,11 @@ impl<'a> Builder<'a> {
             observed: Vec::new(),
             uncertainty: has_u.then(Vec::new),
             lines: Vec::new(),
-            kind: vocabulary.observables[header.observable].kind,
+            // Errors of a length are told in micrometres.
+            kind: match vocabulary.observables[header.observable].kind {
+                LENGTH => MICRO,
+                kind => kind,
+            },
             unit: header.unit.clone(),
             given: given.collect(),
             header: cells,

@@ -48,7 +48,7 @@ pub fn text(model: &Model, design: &str, plan: &Plan, kind: Kind) -> String {
     );
     let visible = || plan.effects.iter().filter_map(|(d, v)| v.as_ref().filter(|v| v.visible).map(|v| (*d, v)));
     let width = plan.effects.iter().map(|e| e.0.name.len()).max().unwrap_or(0);
-    let _ = writeln!(text, "\nwould be seen, nine times in ten, from");
+    let _ = writeln!(text, "\nwould be seen, nine times in ten at a usual shape, from");
     for (d, v) in visible() {
         let size = v.smallest.map_or(String::new(), |s| bound(d, v.parameter, s));
         let _ = writeln!(text, "  {:<width$}  {size:<28} {:>3.0} % of it is its own", d.name, 100.0 * v.own);

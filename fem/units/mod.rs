@@ -35,6 +35,14 @@ impl Dimension {
         Self { fixed: exponents, times_n: [0; 5] }
     }
 
+    /// The same with angles taken for pure numbers.
+    #[must_use]
+    pub fn without_angle(mut self) -> Self {
+        let angle = BASE.len() - 1;
+        (self.fixed[angle], self.times_n[angle]) = (0, 0);
+        self
+    }
+
     /// The product of two; `None` beyond any physical power.
     pub fn times(self, other: Self) -> Option<Self> {
         self.combine(other, 1)

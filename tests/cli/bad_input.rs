@@ -257,8 +257,8 @@ fn unknown_names_on_the_command_line() {
         (vec!["add", "lathe.toml", "guideway-taper", "slop=3 um/m", "-o", "new.toml"], "did you mean `slope`?"),
         (vec!["add", "lathe.toml", "guideway-taper", "slope=3 um", "-o", "new.toml"], "not a slope"),
         (vec!["add", "lathe.toml", "guideway-taper", "slope", "-o", "new.toml"], "KEY=VALUE"),
-        (vec!["add", "lathe.toml", "guideway-taper", "slope=3 um/m", "-o", "lathe.toml"], "is the model itself"),
-        (vec!["add", "lathe.toml", "guideway-taper", "slope=3 um/m", "-o", "./lathe.toml"], "is the model itself"),
+        (vec!["add", "lathe.toml", "guideway-taper", "slope=3 um/m", "-o", "lathe.toml"], "is itself what is read"),
+        (vec!["add", "lathe.toml", "guideway-taper", "slope=3 um/m", "-o", "./lathe.toml"], "is itself what is read"),
         (vec!["nonsense"], "nonsense"),
     ] {
         let answer = place.fem(&args);

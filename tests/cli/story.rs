@@ -86,7 +86,16 @@ fn the_completed_model_comes_down_to_the_noise() {
     assert_eq!(compared["models"][0]["adequate"], serde_json::json!(true));
     // What is written is the model and more, comments and order kept.
     assert!(place.read("better.toml").starts_with(model("story/rigid.toml").trim_end()));
-    assert_eq!(place.fem(&["diagnose", RIGID, "--with", DATA, "--add-to", RIGID]).status, 2);
+    // Nothing that is read is written over.
+    for command in ["diagnose", "fit"] {
+        for new in [RIGID, DATA] {
+            assert_eq!(
+                place.fem(&[command, "better.toml", "--with", DATA, "--add-to", new]).status,
+                i32::from(new == DATA) * 2
+            );
+        }
+    }
+    assert_eq!(place.read(DATA), model("story/measured.csv"));
 }
 
 #[test]

@@ -32,6 +32,34 @@ fn mistakes_in_a_formula_are_shown_at_their_place() {
 }
 
 #[test]
+fn places_and_waves_are_found_wherever_they_are() {
+    let place = Place::new();
+    let own = |law: &str| format!("{}\n[effects.mine]\nformula = \"{law}\"\n", model("story/rigid.toml"));
+    let cases = [
+        ("a*sin(2*pi*x/b)", [("a", 3.0, "um"), ("b", 70.0, "mm")]),
+        ("a*step(x - b)", [("a", 4.0, "um"), ("b", 212.0, "mm")]),
+        ("a*cos(2*pi*x/400e-3*m/m - b)", [("a", 3.0, "um"), ("b", 50.0, "deg")]),
+    ];
+    for (law, parameters) in cases {
+        let law = law.replace("x/400e-3*m/m", "x/l");
+        let length = if law.contains("/l") { "l = \"400 mm\"\n" } else { "" };
+        let lines = |free: bool| {
+            let line = |(name, value, unit): &(&str, f64, &str)| {
+                let value = if free { "?".to_string() } else { value.to_string() };
+                format!("{name} = \"{value} {unit}\"\n")
+            };
+            parameters.iter().map(line).collect::<String>()
+        };
+        place.write("true.toml", own(&law) + length + &lines(false));
+        place.write("free.toml", own(&law) + length + &lines(true));
+        assert_eq!(place.fem(&["run", "true.toml", "-o", "out"]).status, 0);
+        let fit = place.fem(&["fit", "free.toml", "--with", "out/profile.csv", "--json"]);
+        let fit: serde_json::Value = serde_json::from_str(&fit.out).unwrap();
+        assert!(fit["rms"].as_f64().unwrap() < 1e-4, "{law}: {fit:#}");
+    }
+}
+
+#[test]
 fn a_written_effect_is_run_fitted_compared_and_diagnosed_like_any() {
     let place = Place::new();
     place.write("rippled.toml", model("slender-shaft.toml") + RIPPLE);

@@ -56,7 +56,7 @@ fn verdict(d: &Diagnosis) -> String {
             let them = if d.missing.len() == 1 { "it" } else { "them" };
             format!("missing: {names}; with {them} the model comes down to the noise")
         }
-        Verdict::PartlyExplained => format!("partly explained: {names}; structure remains that nothing here explains"),
+        Verdict::PartlyExplained => format!("partly explained: {names}; structure remains"),
         Verdict::Unexplained => "unexplained: the model fails, and no effect known here is the cause".into(),
     }
 }
@@ -178,7 +178,7 @@ fn not_seen(text: &mut String, d: &Diagnosis) {
     let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
     let seen = |c: &&&Outlook| c.visibility.as_ref().is_some_and(|v| v.visible);
     if rest.iter().any(|c| seen(&c)) {
-        let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, from");
+        let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, at a usual shape, from");
         let width = rest.iter().map(|c| c.effect.name.len()).max().unwrap_or(0);
         for c in rest.iter().filter(seen) {
             let v = c.visibility.as_ref().and_then(|v| v.smallest.map(|s| bound(c.effect, v.parameter, s)));
@@ -223,20 +223,39 @@ fn commands(text: &mut String, model: &Model, measurements: &Measurements, d: &D
     if d.missing.is_empty() {
         return;
     }
-    let (file, data) = (&model.source.name, &measurements.name);
+    let (file, data) = (quoted(&model.source.name), quoted(&measurements.name));
     let _ = writeln!(text, "\nto go on");
-    let mut from = file.to_string();
+    let mut from = model.source.name.to_string();
     for missing in &d.missing {
-        let quoted: Vec<String> =
+        let values: Vec<String> =
             settings(missing, &d.fit).iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
         let stem = Path::new(&from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let to = format!("{stem}-{}.toml", missing.effect.name);
-        let _ = writeln!(text, "  fem add {from} {} {} -o {to}", missing.effect.name, quoted.join(" "));
+        let _ = writeln!(
+            text,
+            "  fem add {} {} {} -o {}",
+            quoted(&from),
+            missing.effect.name,
+            values.join(" "),
+            quoted(&to)
+        );
         from = to;
     }
-    let _ = writeln!(text, "  fem compare {file} {from} --with {data}");
+    if !model.parameters.is_empty() {
+        // What the model knew roughly was bent by what was missing, and is fitted again.
+        let to = format!("{}-fitted.toml", Path::new(&from).file_stem().unwrap_or_default().to_string_lossy());
+        let _ = writeln!(text, "  fem fit {} --with {data} --add-to {}", quoted(&from), quoted(&to));
+        from = to;
+    }
+    let _ = writeln!(text, "  fem compare {} --with {data}", quoted(&from));
     let _ = writeln!(
         text,
         "  or all at once, every value re-fitted: fem diagnose {file} --with {data} --add-to better.toml"
     );
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./+,:@%".contains(c);
+    if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }

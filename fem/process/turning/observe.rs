@@ -50,8 +50,11 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let (length, parts) = (setup.length(), setup.schedule.parts);
     let check = |row: usize| {
         let value = |column| rows.get(column, row);
+        // A length that is to be fitted bounds nothing yet.
         let wrong = |coordinate, message: String| Some(Misplaced { row, coordinate, message });
-        if let Some(x) = value(X).filter(|x| !(-1e-9 * length..=length * (1.0 + 1e-9)).contains(x)) {
+        if let Some(x) =
+            value(X).filter(|x| length.is_finite() && !(-1e-9 * length..=length * (1.0 + 1e-9)).contains(x))
+        {
             return wrong(
                 X,
                 format!("x = {} mm is not on the shaft, which reaches from 0 to {} mm", 1e3 * x, 1e3 * length),
