@@ -9,7 +9,9 @@
 //! formula               what users write: parsed, checked for units, evaluated
 //! input                 reading a user's file: places, problems, one function per table
 //! material  element  joint     what bodies, pieces and joints resist with
-//! solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat
+//! mesh                  plane meshes: nodes, elements, named sides; rings, rectangles, Gmsh files
+//! series                the ring by Fourier series, which the finite elements are held against
+//! solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat; plane bodies
 //! process               a process and its effects: turning, …
 //! measure               measurement files
 //! model                 a model file: process, effects, what is known; run, add, schema
@@ -30,9 +32,11 @@ pub mod input;
 pub mod joint;
 pub mod material;
 pub mod measure;
+pub mod mesh;
 pub mod model;
 pub mod output;
 pub mod process;
 pub mod progress;
+pub mod series;
 pub mod solve;
 pub mod units;

@@ -1,10 +1,15 @@
-//! Solvers: the shaft under a travelling force, the joints that hold it, and the plain sparse solve that checks both.
+//! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks both, heat in a rod;
+//! plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
+pub mod conduction;
+pub mod elastic;
 mod equilibrium;
 pub mod frame;
 pub mod heat;
 mod plane;
+pub mod ring;
 mod shaft;
+pub mod sparse;
 
 pub use equilibrium::{Equilibrium, JointsError, solve_joints};
 pub use shaft::{Condensed, Hold, Rest, Shaft, ShaftError};

@@ -1,0 +1,39 @@
+//! The border of a mesh, whatever its sides are called.
+
+use std::collections::{HashMap, HashSet};
+
+use super::{Mesh, MeshError, Side};
+
+impl Mesh {
+    /// All sides that belong to one element only, in the order of the elements.
+    pub fn boundary(&self) -> Vec<Side> {
+        let mut counts: HashMap<(u32, u32), u32> = HashMap::new();
+        let ends = |side: Side| {
+            let nodes = self.side_nodes(side);
+            let [a, b] = [nodes.as_slice()[0], nodes.as_slice()[1]];
+            (a.min(b), a.max(b))
+        };
+        let sides: Vec<Side> = self
+            .elements()
+            .flat_map(|element| {
+                (0..element.kind.edges().len() as u8).map(move |side| Side { element: element.index as u32, side })
+            })
+            .collect();
+        for &side in &sides {
+            *counts.entry(ends(side)).or_default() += 1;
+        }
+        sides.into_iter().filter(|&side| counts[&ends(side)] == 1).collect()
+    }
+
+    /// Calls the part of the border that is not on the sides `other` by `name`: the outside of an imported ring is
+    /// what is not its bore.
+    ///
+    /// # Errors
+    /// The mesh has no sides called `other`.
+    pub fn name_rest(&mut self, name: &str, other: &str) -> Result<(), MeshError> {
+        let taken: HashSet<Side> = self.sides(other)?.iter().copied().collect();
+        let rest = self.boundary().into_iter().filter(|side| !taken.contains(side)).collect();
+        self.sides.insert(name.to_owned(), rest);
+        Ok(())
+    }
+}

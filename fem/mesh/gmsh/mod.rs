@@ -1,0 +1,192 @@
+//! Gmsh meshes, format MSH 4.1, text and binary: plane elements, and sides named by physical curves.
+//!
+//! Of the file's nodes those of plane elements are kept (centres of circles are not). Elements that turn clockwise are
+//! turned over. Lengths have no unit in the file; the caller gives it. Format: Gmsh reference manual, "MSH file
+//! format".
+//!
+//! An own reader: the crate mshio 0.4 forgets the tags of nodes whenever they are dense, though they need not be in
+//! order, and panics on malformed numbers.
+
+mod reader;
+mod sections;
+#[cfg(test)]
+mod tests;
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::{Block, Mesh, MeshError, Side};
+use crate::element::plane::{PlaneElement, Quad4, Quad8, Quad9, Sampled, Tri3, Tri6};
+use sections::{ElementBlock, File};
+
+/// A Gmsh file that cannot be read.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GmshError {
+    /// Not the format.
+    #[error("this is no Gmsh mesh of format 4.1 (write it with `gmsh -2 -format msh41`): {0}")]
+    Format(String),
+    /// A section is cut short or holds something else than numbers.
+    #[error("{section}, {place}: {problem}")]
+    Syntax {
+        /// The section.
+        section: &'static str,
+        /// Line (text) or byte (binary).
+        place: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// An element of a kind that is not plane, or not known here.
+    #[error("element {tag} is of Gmsh type {kind}; known are tri3, tri6, quad4, quad8, quad9 (types 2, 9, 3, 16, 10)")]
+    Kind {
+        /// Tag of the element in the file.
+        tag: u64,
+        /// Gmsh's number of the type.
+        kind: i32,
+    },
+    /// An element refers to a node that is not in the file.
+    #[error("element {element} has a node {node} that the file does not hold")]
+    UnknownNode {
+        /// Tag of the element in the file.
+        element: u64,
+        /// Tag of the node.
+        node: u64,
+    },
+    /// A node is off the plane.
+    #[error("node {node} is off the plane z = 0 by {z:.3e}")]
+    OffPlane {
+        /// Tag of the node in the file.
+        node: u64,
+        /// z in the unit of the file.
+        z: f64,
+    },
+    /// A physical curve does not follow the sides of elements.
+    #[error("element {element} of the physical curve `{name}` is not a side of a plane element")]
+    LooseLine {
+        /// Name of the curve.
+        name: String,
+        /// Tag of the line element in the file.
+        element: u64,
+    },
+    /// The elements are not a mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+/// Reads a mesh whose lengths are in `unit` (m).
+///
+/// # Errors
+/// [`GmshError`] tells the element, node, line or byte.
+pub fn read_gmsh(bytes: &[u8], unit: f64) -> Result<Mesh, GmshError> {
+    let file = File::parse(bytes)?;
+    let mut nodes = Nodes { file: &file, unit, numbers: HashMap::new(), nodes: Vec::new() };
+    let mut connectivity: BTreeMap<i32, Vec<u32>> = BTreeMap::new();
+    for block in file.elements.iter().filter(|block| block.dimension == 2) {
+        let own = connectivity.entry(block.kind).or_default();
+        let Some(element) = plane_element(block.kind) else {
+            let tag = block.elements.first().map_or(0, |element| element.0);
+            return Err(GmshError::Kind { tag, kind: block.kind });
+        };
+        let sampled = Sampled::new(element);
+        for (tag, tags) in &block.elements {
+            let mut numbers = nodes.numbers(*tag, tags)?;
+            let coordinates: Vec<[f64; 2]> = numbers.iter().map(|&number| nodes.nodes[number as usize]).collect();
+            if sampled.area(&coordinates) < 0.0 {
+                turn_over(element, &mut numbers);
+            }
+            own.extend(numbers);
+        }
+    }
+    if let Some(block) = file.elements.iter().find(|block| block.dimension == 3 && !block.elements.is_empty()) {
+        return Err(GmshError::Kind { tag: block.elements[0].0, kind: block.kind });
+    }
+    let blocks: Vec<Block> = connectivity
+        .into_iter()
+        .filter_map(|(kind, connectivity)| Some(Block::new(plane_element(kind)?, connectivity)))
+        .collect();
+    let sides = named_sides(&file, &nodes, &blocks)?;
+    Ok(Mesh::new(nodes.nodes, blocks, sides)?)
+}
+
+/// The element of a Gmsh type; the orders of their nodes agree.
+fn plane_element(kind: i32) -> Option<&'static dyn PlaneElement> {
+    match kind {
+        2 => Some(&Tri3),
+        3 => Some(&Quad4),
+        9 => Some(&Tri6),
+        10 => Some(&Quad9),
+        16 => Some(&Quad8),
+        _ => None,
+    }
+}
+
+/// Turns an element's nodes to run the other way around from the same first corner.
+fn turn_over(element: &dyn PlaneElement, nodes: &mut [u32]) {
+    let corners = element.corners();
+    nodes[1..corners].reverse();
+    if nodes.len() >= 2 * corners {
+        nodes[corners..2 * corners].reverse();
+    }
+}
+
+/// The nodes that are used, numbered as they are met.
+struct Nodes<'f> {
+    file: &'f File,
+    unit: f64,
+    numbers: HashMap<u64, u32>,
+    nodes: Vec<[f64; 2]>,
+}
+
+impl Nodes<'_> {
+    fn numbers(&mut self, element: u64, tags: &[u64]) -> Result<Vec<u32>, GmshError> {
+        tags.iter().map(|&tag| self.number(element, tag)).collect()
+    }
+
+    fn number(&mut self, element: u64, tag: u64) -> Result<u32, GmshError> {
+        if let Some(&number) = self.numbers.get(&tag) {
+            return Ok(number);
+        }
+        let &[x, y, z] = self.file.nodes.get(&tag).ok_or(GmshError::UnknownNode { element, node: tag })?;
+        if z.abs() > 1e-9 * (x.abs() + y.abs()) {
+            return Err(GmshError::OffPlane { node: tag, z });
+        }
+        let number = self.nodes.len() as u32;
+        self.nodes.push([x * self.unit, y * self.unit]);
+        self.numbers.insert(tag, number);
+        Ok(number)
+    }
+}
+
+/// The sides of elements on every physical curve.
+fn named_sides(file: &File, nodes: &Nodes<'_>, blocks: &[Block]) -> Result<BTreeMap<String, Vec<Side>>, GmshError> {
+    let mut by_ends = HashMap::new();
+    let mut element = 0;
+    for block in blocks {
+        for own in block.connectivity.chunks_exact(block.element.nodes()) {
+            for (side, edge) in (0..).zip(block.element.edges()) {
+                by_ends.entry(ends(own[edge[0]], own[edge[1]])).or_insert(Side { element, side });
+            }
+            element += 1;
+        }
+    }
+    let mut sides: BTreeMap<String, Vec<Side>> = BTreeMap::new();
+    let lines = |block: &&ElementBlock| block.dimension == 1;
+    for block in file.elements.iter().filter(lines) {
+        for group in file.curve_groups.get(&block.entity).into_iter().flatten() {
+            let name = file.curve_names.get(group).cloned().unwrap_or_else(|| format!("curve {group}"));
+            let own = sides.entry(name.clone()).or_default();
+            for (tag, tags) in &block.elements {
+                let found = match tags[..] {
+                    [start, end, ..] => nodes.numbers.get(&start).zip(nodes.numbers.get(&end)),
+                    _ => None,
+                };
+                let side = found.and_then(|(&start, &end)| by_ends.get(&ends(start, end)));
+                own.push(*side.ok_or(GmshError::LooseLine { name: name.clone(), element: *tag })?);
+            }
+        }
+    }
+    Ok(sides)
+}
+
+/// The two ends of a side whichever way it runs.
+fn ends(a: u32, b: u32) -> (u32, u32) {
+    (a.min(b), a.max(b))
+}

@@ -1,0 +1,187 @@
+//! What heats and cools a body.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::ThermalError;
+use crate::mesh::{Mesh, Side};
+
+/// A quantity over time (s).
+#[derive(Clone)]
+pub enum History {
+    /// Always the same.
+    Constant(f64),
+    /// Any continuous function of time.
+    Function(Arc<dyn Fn(f64) -> f64 + Send + Sync>),
+}
+
+impl History {
+    /// Value at a time (s).
+    pub fn at(&self, time: f64) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Function(function) => function(time),
+        }
+    }
+}
+
+impl fmt::Debug for History {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Constant(value) => write!(f, "{value}"),
+            Self::Function(_) => f.write_str("a function of time"),
+        }
+    }
+}
+
+/// One condition on a body. Sides without any are insulated.
+#[derive(Clone, Debug)]
+pub enum Condition {
+    /// Heat flows in through the sides `sides` while it is on.
+    Flux {
+        /// Name of the sides.
+        sides: String,
+        /// W/m², positive into the body.
+        flux: f64,
+        /// Intervals (s) in which it is on; none means always.
+        on: Vec<[f64; 2]>,
+    },
+    /// A strip of flux that moves along straight sides, in the direction of growing x (or y where the sides are
+    /// upright) for a positive speed.
+    MovingFlux {
+        /// Name of the sides.
+        sides: String,
+        /// W/m² under the strip.
+        flux: f64,
+        /// Width of the strip, m.
+        width: f64,
+        /// Where its middle is at t = 0: x (or y), m.
+        start: f64,
+        /// m/s.
+        speed: f64,
+    },
+    /// A source (W) on a node.
+    Source {
+        /// The node.
+        node: usize,
+        /// W.
+        power: f64,
+        /// Intervals (s) in which it is on; none means always.
+        on: Vec<[f64; 2]>,
+    },
+    /// Loss h (T − T_a) through the sides.
+    Convection {
+        /// Name of the sides.
+        sides: String,
+        /// h, W/(m² K).
+        coefficient: f64,
+        /// T_a over time.
+        ambient: History,
+    },
+    /// Prescribed temperature of the sides.
+    Temperature {
+        /// Name of the sides.
+        sides: String,
+        /// T over time.
+        temperature: History,
+    },
+}
+
+impl Condition {
+    /// Times (s) at which the condition jumps.
+    pub(super) fn switches(&self) -> Vec<f64> {
+        match self {
+            Self::Flux { on, .. } | Self::Source { on, .. } => on.as_flattened().to_vec(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// Heat (W) into nodes per unit of an amplitude.
+pub(super) struct Supply {
+    /// (Node, W per unit).
+    pub shares: Vec<(usize, f64)>,
+    pub amplitude: Amplitude,
+}
+
+pub(super) enum Amplitude {
+    /// A value while on; always where the list is empty.
+    Switched(f64, Vec<[f64; 2]>),
+    Varying(History),
+}
+
+impl Amplitude {
+    /// Value at `time`; whether it is on is asked for `within`, a time inside the step, so that both ends of a step see
+    /// the same side of a switch.
+    pub fn at(&self, time: f64, within: f64) -> f64 {
+        match self {
+            Self::Switched(value, on) => {
+                let is_on = on.is_empty() || on.iter().any(|[from, to]| (*from..*to).contains(&within));
+                if is_on { *value } else { 0.0 }
+            }
+            Self::Varying(history) => history.at(time),
+        }
+    }
+}
+
+/// ∫ Nₐ dl of all nodes on `sides`, times `factor`.
+pub(super) fn side_shares(mesh: &Mesh, sides: &[Side], factor: f64) -> Vec<(usize, f64)> {
+    let own = |&side: &Side| {
+        let shares = mesh.curve(side).shape_integrals(-1.0, 1.0);
+        let nodes = mesh.side_nodes(side).as_slice().to_vec();
+        nodes.into_iter().zip(shares).map(move |(node, share)| (node as usize, factor * share))
+    };
+    sides.iter().flat_map(own).collect()
+}
+
+/// A strip of flux moving along straight sides.
+pub(super) struct MovingStrip {
+    /// Sides with their coordinate at s = −1 and at s = 1.
+    sides: Vec<(Side, f64, f64)>,
+    flux_times_thickness: f64,
+    width: f64,
+    start: f64,
+    speed: f64,
+}
+
+impl MovingStrip {
+    pub fn new(
+        mesh: &Mesh,
+        sides: &[Side],
+        flux_times_thickness: f64,
+        [width, start, speed]: [f64; 3],
+    ) -> Result<Self, ThermalError> {
+        ThermalError::check(width > 0.0 && width.is_finite(), "width of the strip (m)", "above zero", width)?;
+        ThermalError::check(start.is_finite(), "start of the strip (m)", "finite", start)?;
+        ThermalError::check(speed.is_finite(), "speed of the strip (m/s)", "finite", speed)?;
+        let ends = |side: &Side| [-1.0, 1.0].map(|s| mesh.curve(*side).point(s));
+        let extent = |axis: usize| {
+            let places = sides.iter().flat_map(ends).map(|place| place[axis]);
+            let (low, high) = places.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+            high - low
+        };
+        let axis = usize::from(extent(1) > extent(0));
+        let own = |side: &Side| {
+            let [from, to] = ends(side).map(|place| place[axis]);
+            (*side, from, to)
+        };
+        Ok(Self { sides: sides.iter().map(own).collect(), flux_times_thickness, width, start, speed })
+    }
+
+    /// Adds the heat (W) at `time` to `add(node, W)`, integrated exactly over the part of each side under the strip.
+    pub fn heat(&self, mesh: &Mesh, time: f64, mut add: impl FnMut(usize, f64)) {
+        let middle = self.start + self.speed * time;
+        for &(side, from, to) in &self.sides {
+            // s at the ends of the strip; the side may run either way
+            let at = |place: f64| (2.0 * (place - from) / (to - from) - 1.0).clamp(-1.0, 1.0);
+            let [a, b] = [at(middle - 0.5 * self.width), at(middle + 0.5 * self.width)];
+            if a == b {
+                continue;
+            }
+            let shares = mesh.curve(side).shape_integrals(a.min(b), a.max(b));
+            for (&node, share) in mesh.side_nodes(side).as_slice().iter().zip(shares) {
+                add(node as usize, self.flux_times_thickness * share);
+            }
+        }
+    }
+}

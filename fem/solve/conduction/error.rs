@@ -1,0 +1,59 @@
+//! How a thermal problem can fail.
+
+use crate::mesh::MeshError;
+use crate::solve::sparse::SparseError;
+
+/// A thermal problem without an answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ThermalError {
+    /// The mesh cannot be used, or has no such sides.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The equations cannot be solved.
+    #[error(transparent)]
+    Sparse(#[from] SparseError),
+    /// A value is out of range.
+    #[error("{quantity} must be {range}, not {value}")]
+    Value {
+        /// The quantity and its unit.
+        quantity: &'static str,
+        /// What it may be.
+        range: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// The node of a source does not exist.
+    #[error("heat source on node {node}: the mesh has nodes 0 to {last}")]
+    UnknownNode {
+        /// The node asked for.
+        node: usize,
+        /// The last node.
+        last: usize,
+    },
+    /// There are not as many temperatures as nodes.
+    #[error("{given} initial temperatures for {nodes} nodes")]
+    Initial {
+        /// Temperatures given.
+        given: usize,
+        /// Nodes of the mesh.
+        nodes: usize,
+    },
+    /// Nothing holds the temperature of a piece of the mesh, so that it has no steady state.
+    #[error("the body of element {element} is insulated: its steady temperature is undetermined")]
+    Insulated {
+        /// An element of the piece, from 0.
+        element: usize,
+    },
+}
+
+impl ThermalError {
+    /// Passes where `holds`.
+    pub(super) fn check(
+        holds: bool,
+        quantity: &'static str,
+        range: &'static str,
+        value: f64,
+    ) -> Result<(), ThermalError> {
+        if holds { Ok(()) } else { Err(Self::Value { quantity, range, value }) }
+    }
+}

@@ -1,0 +1,19 @@
+//! Steady and transient temperature of a plane body.
+//!
+//! ```text
+//!   C Ṫ + K T = f(t),   K = conduction + convection,   T = g(t) on prescribed nodes
+//! ```
+
+mod conditions;
+mod energy;
+mod error;
+mod scheme;
+mod system;
+mod transient;
+
+pub use conditions::{Condition, History};
+pub use energy::Energy;
+pub use error::ThermalError;
+pub use scheme::Scheme;
+pub use system::ThermalSystem;
+pub use transient::{Instant, Run};

@@ -1,0 +1,258 @@
+//! The matrices and the heat supply of a body.
+
+use std::sync::Arc;
+
+use super::conditions::{Amplitude, MovingStrip, Supply, side_shares};
+use super::{Condition, History, ThermalError};
+use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square};
+use crate::mesh::{Mesh, Side};
+use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
+
+/// A body with its conditions, assembled.
+pub struct ThermalSystem<'m> {
+    pub(super) mesh: &'m Mesh,
+    pub(super) freedoms: Freedoms,
+    /// Conduction and convection, W/K.
+    pub(super) conductance: Matrix,
+    /// J/K.
+    pub(super) capacity: Matrix,
+    pub(super) analysis: Analysis,
+    /// Prescribed temperature of the held nodes, in the order of the matrix.
+    held: Vec<History>,
+    supplies: Vec<Supply>,
+    strips: Vec<MovingStrip>,
+    /// Convection to surroundings: K · 1 (W/K), in the order of the matrix.
+    pub(super) losses: Vec<f64>,
+    /// C · 1 (J/K), in the order of the matrix.
+    pub(super) stores: Vec<f64>,
+    pub(super) switches: Vec<f64>,
+    ambients: Vec<Supply>,
+}
+
+impl<'m> ThermalSystem<'m> {
+    /// Assembles a body of one material.
+    ///
+    /// # Errors
+    /// A value out of range, sides or nodes that do not exist.
+    pub fn new(
+        mesh: &'m Mesh,
+        law: Conduction,
+        capacity: Capacity,
+        conditions: &[Condition],
+    ) -> Result<Self, ThermalError> {
+        check(&law)?;
+        let (held_nodes, held) = prescribed(mesh, conditions)?;
+        let graph = Graph::new(mesh);
+        let order = Order::default().find(&graph, mesh.nodes())?;
+        let freedoms = Freedoms::new(1, &order, &held_nodes);
+        let pattern = Arc::new(Pattern::new(&graph, &freedoms));
+        let mut conductance = Matrix::assemble::<1>(mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
+            law.conductance(sampled, coordinates, square);
+        })?;
+        let capacity = Matrix::assemble::<1>(mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
+            law.capacity(capacity, sampled, coordinates, square);
+        })?;
+        let ambients = convections(&mut conductance, mesh, &freedoms, &law, conditions)?;
+        let ones = vec![1.0; freedoms.len()];
+        let stores = capacity.multiply(&ones);
+        let mut losses = vec![0.0; freedoms.len()];
+        for &(node, share) in ambients.iter().flat_map(|ambient| &ambient.shares) {
+            losses[freedoms.number(node)] += share;
+        }
+        let analysis = Analysis::of(&conductance)?;
+        let switches = conditions.iter().flat_map(Condition::switches).collect();
+        let (supplies, strips) = supplies(mesh, &law, conditions)?;
+        Ok(Self {
+            mesh,
+            freedoms,
+            conductance,
+            capacity,
+            analysis,
+            held,
+            supplies,
+            strips,
+            losses,
+            stores,
+            switches,
+            ambients,
+        })
+    }
+
+    /// Temperatures of all nodes in the steady state under what holds at `time` (s).
+    ///
+    /// # Errors
+    /// [`ThermalError::Insulated`] where nothing holds the temperature.
+    pub fn steady(&self, time: f64) -> Result<Vec<f64>, ThermalError> {
+        self.check_held()?;
+        let mut heat = vec![0.0; self.freedoms.len()];
+        self.supply(time, time, &mut heat);
+        self.add_ambient(time, &mut heat);
+        let mut temperatures = vec![0.0; self.freedoms.len()];
+        self.set_held(time, &mut temperatures);
+        let solver = Solver::new(&self.analysis, &self.conductance, &self.freedoms, self.mesh.nodes())?;
+        solver.solve(&self.conductance, &heat, &mut temperatures)?;
+        Ok(self.freedoms.scatter(&temperatures))
+    }
+
+    /// Mean temperature over the body of the temperatures of all nodes, weighted by heat capacity.
+    pub fn mean(&self, temperatures: &[f64]) -> f64 {
+        let whole: f64 = self.stores.iter().sum();
+        let weight = |(node, temperature): (usize, &f64)| self.stores[self.freedoms.number(node)] * temperature;
+        temperatures.iter().enumerate().map(weight).sum::<f64>() / whole
+    }
+
+    /// Bytes held by the matrices.
+    pub fn bytes(&self) -> usize {
+        self.conductance.bytes() + self.capacity.bytes() + self.conductance.pattern().bytes()
+    }
+
+    /// Writes the prescribed temperatures at `time` into `temperatures` (in the order of the matrix).
+    pub(super) fn set_held(&self, time: f64, temperatures: &mut [f64]) {
+        for (temperature, history) in temperatures[self.freedoms.free()..].iter_mut().zip(&self.held) {
+            *temperature = history.at(time);
+        }
+    }
+
+    /// Adds the heat (W, in the order of the matrix) of fluxes and sources at `time`; `within` lies inside the step.
+    /// The sum.
+    pub(super) fn supply(&self, time: f64, within: f64, heat: &mut [f64]) -> f64 {
+        let mut sum = self.add_supplies(&self.supplies, time, within, heat);
+        for strip in &self.strips {
+            strip.heat(self.mesh, time, |node, own| {
+                heat[self.freedoms.number(node)] += own;
+                sum += own;
+            });
+        }
+        sum
+    }
+
+    /// Adds the heat (W) that convection brings from surroundings at their temperature to a body at 0. The sum.
+    pub(super) fn add_ambient(&self, time: f64, heat: &mut [f64]) -> f64 {
+        self.add_supplies(&self.ambients, time, time, heat)
+    }
+
+    fn add_supplies(&self, supplies: &[Supply], time: f64, within: f64, heat: &mut [f64]) -> f64 {
+        let mut sum = 0.0;
+        for supply in supplies {
+            let amplitude = supply.amplitude.at(time, within);
+            for &(node, share) in &supply.shares {
+                heat[self.freedoms.number(node)] += amplitude * share;
+                sum += amplitude * share;
+            }
+        }
+        sum
+    }
+
+    /// Every piece of the mesh must lose heat somewhere, or have a prescribed temperature.
+    fn check_held(&self) -> Result<(), ThermalError> {
+        let pieces = self.mesh.pieces();
+        let mut is_held = vec![false; pieces.len()];
+        for (node, &piece) in pieces.iter().enumerate() {
+            is_held[piece as usize] |= self.freedoms.is_held(node) || self.losses[self.freedoms.number(node)] > 0.0;
+        }
+        match self.mesh.elements().find(|element| !is_held[pieces[element.nodes[0] as usize] as usize]) {
+            Some(element) => Err(ThermalError::Insulated { element: element.index }),
+            None => Ok(()),
+        }
+    }
+}
+
+fn check(law: &Conduction) -> Result<(), ThermalError> {
+    for (value, quantity) in [
+        (law.conductivity, "conductivity (W/(m K))"),
+        (law.heat_capacity, "heat capacity (J/(m³ K))"),
+        (law.thickness, "thickness (m)"),
+    ] {
+        ThermalError::check(value > 0.0 && value.is_finite(), quantity, "above zero", value)?;
+    }
+    Ok(())
+}
+
+/// Adds the convection of all sides to the conduction; the heat that it brings per kelvin of the surroundings.
+fn convections(
+    conductance: &mut Matrix,
+    mesh: &Mesh,
+    freedoms: &Freedoms,
+    law: &Conduction,
+    conditions: &[Condition],
+) -> Result<Vec<Supply>, ThermalError> {
+    let mut ambients = Vec::new();
+    for condition in conditions {
+        if let Condition::Convection { sides, coefficient: film, ambient } = condition {
+            ThermalError::check(
+                *film >= 0.0 && film.is_finite(),
+                "film coefficient (W/(m² K))",
+                "zero or above",
+                *film,
+            )?;
+            let factor = film * law.thickness;
+            let sides = mesh.sides(sides)?;
+            add_convection(conductance, mesh, freedoms, sides, factor);
+            let shares = side_shares(mesh, sides, factor);
+            ambients.push(Supply { shares, amplitude: Amplitude::Varying(ambient.clone()) });
+        }
+    }
+    Ok(ambients)
+}
+
+/// Nodes with a prescribed temperature, ascending, and their temperatures; where sides meet, the first condition counts.
+fn prescribed(mesh: &Mesh, conditions: &[Condition]) -> Result<(Vec<usize>, Vec<History>), ThermalError> {
+    let mut held: Vec<(usize, History)> = Vec::new();
+    for condition in conditions {
+        if let Condition::Temperature { sides, temperature } = condition {
+            let nodes = mesh.nodes_on(sides)?;
+            held.extend(nodes.into_iter().map(|node| (node as usize, temperature.clone())));
+        }
+    }
+    held.sort_by_key(|(node, _)| *node);
+    held.dedup_by_key(|(node, _)| *node);
+    Ok(held.into_iter().unzip())
+}
+
+/// Adds h t ∫ Nₐ N_b dl of the sides.
+fn add_convection(matrix: &mut Matrix, mesh: &Mesh, freedoms: &Freedoms, sides: &[Side], factor: f64) {
+    for &side in sides {
+        let products = mesh.curve(side).shape_products();
+        let mut square: Square<1> = [[[[0.0]]; MAX_NODES]; MAX_NODES];
+        for a in 0..EDGE_NODES {
+            for b in 0..EDGE_NODES {
+                square[a][b] = [[factor * products[a][b]]];
+            }
+        }
+        matrix.add::<1>(freedoms, mesh.side_nodes(side).as_slice(), &square);
+    }
+}
+
+/// Fluxes and sources.
+fn supplies(
+    mesh: &Mesh,
+    law: &Conduction,
+    conditions: &[Condition],
+) -> Result<(Vec<Supply>, Vec<MovingStrip>), ThermalError> {
+    let (mut supplies, mut strips) = (Vec::new(), Vec::new());
+    for condition in conditions {
+        match condition {
+            Condition::Flux { sides, flux, on } => {
+                ThermalError::check(flux.is_finite(), "flux (W/m²)", "finite", *flux)?;
+                let shares = side_shares(mesh, mesh.sides(sides)?, law.thickness);
+                supplies.push(Supply { shares, amplitude: Amplitude::Switched(*flux, on.clone()) });
+            }
+            Condition::Source { node, power, on } => {
+                ThermalError::check(power.is_finite(), "power (W)", "finite", *power)?;
+                let last = mesh.nodes().len() - 1;
+                if *node > last {
+                    return Err(ThermalError::UnknownNode { node: *node, last });
+                }
+                let amplitude = Amplitude::Switched(*power, on.clone());
+                supplies.push(Supply { shares: vec![(*node, 1.0)], amplitude });
+            }
+            Condition::MovingFlux { sides, flux, width, start, speed } => {
+                ThermalError::check(flux.is_finite(), "flux (W/m²)", "finite", *flux)?;
+                let sides = mesh.sides(sides)?;
+                strips.push(MovingStrip::new(mesh, sides, flux * law.thickness, [*width, *start, *speed])?);
+            }
+            Condition::Convection { .. } | Condition::Temperature { .. } => {}
+        }
+    }
+    Ok((supplies, strips))
+}
