@@ -57,13 +57,14 @@ impl Comparison {
 /// # Errors
 /// The model could not be computed.
 pub fn compare(model: &Model, measurements: &Measurements) -> Result<Comparison, Failure> {
+    let measurements = &*measurements.seen_by(&*model.system);
     let predicted = model.job().observe(&measurements.rows)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
     let repeats = repeats(measurements, model.process.coordinates());
     let noise = Noise::of(measurements, &repeats, &residuals);
     let n = residuals.len() as f64;
     let worst = (0..residuals.len()).max_by(|a, b| residuals[*a].abs().total_cmp(&residuals[*b].abs())).unwrap_or(0);
-    let (misfit, p_value) = misfit(&residuals, &noise, &repeats);
+    let (misfit, p_value) = misfit(&residuals, &noise, &repeats, measurements.blind.len());
     Ok(Comparison {
         model: model.source.name.to_string(),
         rms: (residuals.iter().map(|r| r * r).sum::<f64>() / n).sqrt(),
@@ -78,9 +79,11 @@ pub fn compare(model: &Model, measurements: &Measurements) -> Result<Comparison,
     })
 }
 
-/// χ²/ν and its p-value for a known noise; for repeats the lack of fit over the pure error, by the F distribution.
-fn misfit(residuals: &[f64], noise: &Noise, repeats: &Repeats) -> (f64, Option<f64>) {
-    let n = residuals.len() as f64;
+/// χ²/ν and its p-value for a known noise; for repeats the lack of fit over the pure error, by the F distribution. `blind` directions were
+/// taken out of the residuals.
+fn misfit(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> (f64, Option<f64>) {
+    let left = |count: usize| count.saturating_sub(blind).max(1) as f64;
+    let n = left(residuals.len());
     let chi2: f64 = residuals.iter().zip(&noise.sigma).map(|(r, s)| (r / s).powi(2)).sum();
     match noise.source {
         NoiseSource::Column => (chi2 / n, ChiSquared::new(n).ok().map(|d| d.sf(chi2))),
@@ -91,7 +94,7 @@ fn misfit(residuals: &[f64], noise: &Noise, repeats: &Repeats) -> (f64, Option<f
                 count[g] += 1.0;
             }
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
-            let (groups, freedom) = (repeats.groups as f64, repeats.freedom as f64);
+            let (groups, freedom) = (left(repeats.groups), repeats.freedom as f64);
             let f = lack / groups / (repeats.sum_of_squares / freedom);
             (f, FisherSnedecor::new(groups, freedom).ok().map(|d| d.sf(f)))
         }

@@ -11,7 +11,7 @@ const DEPENDENT: f64 = 1e-7;
 
 /// The space about a fitted model, with everything that its free parameters can imitate projected out. Priors are rows like any others.
 pub struct Ground {
-    /// Orthonormal directions that the free parameters span.
+    /// Orthonormal directions that the free parameters span, and those to which the measurement is blind.
     tangent: DMatrix<f64>,
     /// The standardised residual, measured less predicted.
     pub residual: DVector<f64>,
@@ -23,7 +23,7 @@ impl Ground {
     /// About a solution; `None` where the model cannot be computed beside it.
     pub fn new(objective: &mut Objective, solution: &Solution) -> Option<Self> {
         let jacobian = objective.jacobian(&solution.position)?;
-        let tangent = orthonormal(&jacobian);
+        let tangent = orthonormal(&with_blind(objective, jacobian));
         let residual = objective.residuals(&solution.position, &solution.predicted);
         let freedom = (residual.len() - tangent.ncols()) as f64;
         let residual = project(&tangent, residual);
@@ -45,6 +45,23 @@ impl Ground {
         let columns = self.project_columns(&variant.columns);
         gain(&(columns.transpose() * &columns), &(columns.transpose() * &self.residual), &variant.signed)
     }
+}
+
+/// The directions to which the measurement is blind, in standard uncertainties, before those of the parameters: there is neither noise nor
+/// signature along them.
+fn with_blind(objective: &Objective, jacobian: DMatrix<f64>) -> DMatrix<f64> {
+    let blind = &objective.measurements.blind;
+    if blind.is_empty() {
+        return jacobian;
+    }
+    let mut all = DMatrix::zeros(jacobian.nrows(), blind.len() + jacobian.ncols());
+    for (column, direction) in blind.iter().enumerate() {
+        for (&row, component) in direction.rows.iter().zip(&direction.components) {
+            all[(row, column)] = component / objective.noise.sigma[row];
+        }
+    }
+    all.columns_mut(blind.len(), jacobian.ncols()).copy_from(&jacobian);
+    all
 }
 
 fn project(tangent: &DMatrix<f64>, v: DVector<f64>) -> DVector<f64> {

@@ -130,6 +130,7 @@ fn diagnose_all(
     progress: &Progress,
 ) -> Result<Diagnosis, Failure> {
     progress.expect(1);
+    let measurements = &*measurements.seen_by(&*model.system);
     let absent = absent(model);
     let mut objective = Objective::new(model, measurements)?;
     let mut solution = fit::best(&mut objective)?;

@@ -98,6 +98,8 @@ impl Axis {
         let (low, high) = match extent {
             Some(extent) => extent,
             None if axis.scale == Scale::Logarithm => (plausible.0 / BEYOND, plausible.1 * BEYOND),
+            // Past its end a phase begins again: there is no bound to be stopped by.
+            None if entry.period.is_some() => (2.0 * plausible.0, 2.0 * plausible.1),
             // What is left out has a value that is as plausible as any.
             None => (entry.default.map_or(plausible.0, |d| d.min(plausible.0)), plausible.1),
         };

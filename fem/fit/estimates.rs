@@ -19,9 +19,12 @@ pub fn estimates(
     covariance: &DMatrix<f64>,
     intervals: Vec<Interval>,
 ) -> Vec<Estimate> {
-    let estimate = |(i, interval): (usize, Interval)| {
+    let estimate = |(i, found): (usize, Interval)| {
         let (axis, parameter) = (&objective.axes[i], &objective.parameters[i]);
         let position = solution.position[i];
+        let turn = objective.catalogue(i).map_or(0.0, |entry| entry.turn(axis.value(position)));
+        let value = axis.value(position) + turn;
+        let interval = Interval { low: found.low.map(|v| v + turn), high: found.high.map(|v| v + turn) };
         let std = spread(covariance[(i, i)].sqrt() * axis.rate(position), &interval);
         let mut warnings = Vec::new();
         let at_bound = position <= axis.low || position >= axis.high;
@@ -44,7 +47,7 @@ pub fn estimates(
             _ => {}
         }
         if let Some(entry) = objective.catalogue(i) {
-            let shown = entry.kind.from_si(axis.value(position));
+            let shown = entry.kind.from_si(value);
             if !at_bound && !(entry.range.0..=entry.range.1).contains(&shown) {
                 warnings.push(format!(
                     "outside what is plausible, {} to {} {}",
@@ -52,7 +55,7 @@ pub fn estimates(
                 ));
             }
         }
-        Estimate { parameter: parameter.clone(), value: axis.value(position), std, interval, warnings }
+        Estimate { parameter: parameter.clone(), value, std, interval, warnings }
     };
     intervals.into_iter().enumerate().map(estimate).collect()
 }

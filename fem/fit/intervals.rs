@@ -47,7 +47,7 @@ pub fn profile(objective: &mut Objective, best: &Solution, covariance: &DMatrix<
 
 /// With an estimated noise χ² is measured by what the fit leaves, and the quantile is that of F.
 fn quantile(objective: &Objective) -> f64 {
-    let freedom = objective.noise.sigma.len().saturating_sub(objective.axes.len() - objective.priors()).max(1) as f64;
+    let freedom = objective.freedom().max(1.0);
     match objective.noise.source {
         NoiseSource::Column => QUANTILE,
         NoiseSource::Repeats | NoiseSource::Estimated => {

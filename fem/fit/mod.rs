@@ -90,6 +90,7 @@ pub fn fit(model: &Model, measurements: &Measurements) -> Result<Fit, Failure> {
             help: "mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"".into(),
         });
     }
+    let measurements = &*measurements.seen_by(&*model.system);
     let repeats = repeats(measurements, model.process.coordinates());
     let mut objective = Objective::new(model, measurements)?;
     let mut solution = starts::best(&mut objective)?;

@@ -58,7 +58,7 @@ impl<'a> Objective<'a> {
             }
         }
         let free = axes.iter().filter(|a| a.prior.is_none()).count();
-        if measurements.len() < free + 1 {
+        if measurements.len() < free + 1 + measurements.blind.len() {
             let message = format!("{} rows cannot fix {free} free parameters", measurements.len());
             let help = "measure more, or give some of them a value with `+-`".into();
             return Err(Failure { message, help });
@@ -124,9 +124,9 @@ impl<'a> Objective<'a> {
         self.axes.iter().filter(|a| a.prior.is_some()).count()
     }
 
-    /// Rows and priors less parameters.
+    /// Rows and priors less parameters and directions to which the measurement is blind.
     pub fn freedom(&self) -> f64 {
-        self.measurements.len() as f64 - (self.axes.len() - self.priors()) as f64
+        self.measurements.freedom() - (self.axes.len() - self.priors()) as f64
     }
 
     /// χ² of the priors alone.

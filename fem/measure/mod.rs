@@ -6,10 +6,11 @@ mod repeats;
 
 pub use repeats::{Repeats, repeats};
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use crate::input::{InputError, Source};
-use crate::process::{Coordinate, Observable, Process, Rows};
+use crate::process::{Blind, Coordinate, Observable, Process, Rows, System};
 use crate::units::Kind;
 
 /// Largest measurement file, bytes: some ten million rows.
@@ -40,6 +41,8 @@ pub struct Measurements {
     pub records: Vec<csv::StringRecord>,
     /// What the reader should know: columns that were not used.
     pub notes: Vec<String>,
+    /// Directions that were taken out of the observed values, because the way of measuring is blind to them.
+    pub blind: Vec<Blind>,
 }
 
 impl Measurements {
@@ -107,6 +110,23 @@ impl Measurements {
             notes: self.notes.clone(),
             kind: self.kind,
         }
+    }
+
+    /// As a system sees them: without what its way of measuring is blind to.
+    pub fn seen_by<'a>(&'a self, system: &dyn System) -> Cow<'a, Self> {
+        let blind = system.blind(&self.rows);
+        if blind.is_empty() {
+            return Cow::Borrowed(self);
+        }
+        let mut seen = self.clone();
+        blind.iter().for_each(|direction| direction.take_out(&mut seen.observed));
+        seen.blind = blind;
+        Cow::Owned(seen)
+    }
+
+    /// Degrees of freedom: observations less directions to which the way of measuring is blind.
+    pub fn freedom(&self) -> f64 {
+        (self.len() - self.blind.len()) as f64
     }
 
     /// Number of observations.

@@ -99,6 +99,7 @@ impl<'a> Builder<'a> {
             header: cells,
             records: Vec::new(),
             notes: header.notes.clone(),
+            blind: Vec::new(),
         };
         Self { header, vocabulary, measurements }
     }

@@ -59,6 +59,7 @@ fn parameter(name: &'static str, kind: Kind) -> Parameter {
         default: None,
         needed_with: None,
         along: None,
+        period: None,
     }
 }
 

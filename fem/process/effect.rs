@@ -53,6 +53,8 @@ pub struct Parameter {
     pub needed_with: Option<&'static str>,
     /// The coordinate along which it is a place, if it is one.
     pub along: Option<&'static str>,
+    /// In the canonical unit, where values that differ by it are the same: results stand within half of it on either side of zero.
+    pub period: Option<f64>,
 }
 
 /// The value of a parameter at which its effect vanishes.
@@ -136,7 +138,7 @@ impl Parameter {
         bounds: Bounds,
         range: (f64, f64),
     ) -> Self {
-        Self { name, kind, about, neutral, range, bounds, default: None, needed_with: None, along: None }
+        Self { name, kind, about, neutral, range, bounds, default: None, needed_with: None, along: None, period: None }
     }
 
     /// A stiffness: infinite is neutral.
@@ -184,6 +186,21 @@ impl Parameter {
     ) -> Self {
         let place = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
         Self { along: Some(along), ..place }
+    }
+
+    /// A phase, which shapes the effect without switching it and comes round after `period` (in the canonical unit).
+    pub const fn phase(name: &'static str, kind: Kind, about: &'static str, period: f64) -> Self {
+        let range = (-0.5 * period, 0.5 * period);
+        let phase = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
+        Self { period: Some(period), ..phase }
+    }
+
+    /// What to add to a value (SI) to bring it into the half-open period about zero; nothing where there is no period.
+    pub fn turn(&self, value: f64) -> f64 {
+        match self.period.map(|p| self.kind.to_si(p)) {
+            Some(period) if value.is_finite() => -period * (value / period - 0.5).ceil(),
+            _ => 0.0,
+        }
     }
 
     /// May be left out, and is then `si`.

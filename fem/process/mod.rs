@@ -13,7 +13,7 @@ pub mod written;
 
 pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
 pub use grid::{Cell, Field, Frame, Grid};
-pub use observation::{Absent, Coordinate, Further, Holds, Misplaced, Observable, Places, Rows};
+pub use observation::{Absent, Blind, Coordinate, Further, Holds, Misplaced, Observable, Places, Rows};
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
 pub use validation::{Case, Tolerance};
 pub use written::{Meaning, WrittenLaw, equip};
@@ -70,6 +70,12 @@ pub trait System: Send + Sync {
 
     /// Where the rows lie on the body; `None` where the process has none to show.
     fn places(&self, rows: &Rows) -> Option<Places>;
+
+    /// Directions to which the way of measuring these rows is blind. They are taken out of what was measured, as a job takes them out of
+    /// what it predicts, and each costs a degree of freedom. As a rule there are none.
+    fn blind(&self, _rows: &Rows) -> Vec<Blind> {
+        Vec::new()
+    }
 
     /// What else could be measured beside these rows, for causes that they cannot tell apart.
     fn menu(&self, rows: &Rows) -> Vec<Further>;

@@ -99,6 +99,26 @@ pub struct Places {
     pub frames: Vec<f64>,
 }
 
+/// A direction in the space of rows along which the way of measuring makes every set of values blind, such as where the centre of a circle
+/// lies. Of unit length, and orthogonal to the others that come with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blind {
+    /// The rows in which it is not zero, from 0.
+    pub rows: Vec<usize>,
+    /// Its components there.
+    pub components: Vec<f64>,
+}
+
+impl Blind {
+    /// Takes out of `values` (one per row) what lies along the direction.
+    pub fn take_out(&self, values: &mut [f64]) {
+        let along: f64 = self.rows.iter().zip(&self.components).map(|(row, c)| values[*row] * c).sum();
+        for (row, component) in self.rows.iter().zip(&self.components) {
+            values[*row] -= along * component;
+        }
+    }
+}
+
 /// Something more that could be measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Further {

@@ -75,11 +75,13 @@ struct WithWritten {
 
 impl WithWritten {
     fn add(&self, mut values: Vec<f64>, rows: &Rows) -> Vec<f64> {
+        let blind = self.system.blind(rows);
         let rows = self.system.resolved(rows);
         for active in &self.written {
             let Some(law) = active.written else { continue };
             values.iter_mut().zip(law.values(&rows, &active.values)).for_each(|(v, more)| *v += more);
         }
+        blind.iter().for_each(|direction| direction.take_out(&mut values));
         values
     }
 }

@@ -42,6 +42,10 @@ kinds! {
     CONVECTION = "a heat transfer coefficient" in "W/m^2/K", as "20";
     EXPANSION = "a thermal expansion" in "/K", as "11.5e-6";
     CONDUCTIVITY = "a conductivity" in "W/m/K", as "50";
+    ANGLE = "an angle" in "deg", as "10";
+    JAW_MOMENT = "a moment of mass" in "kg*mm", as "30";
+    TEMPERATURE_RISE = "a temperature rise" in "K", as "10";
+    FORCE_PER_DEPTH = "a force per depth" in "kN/mm", as "1";
     SPECIFIC_HEAT = "a specific heat" in "J/kg/K", as "470";
 }
 

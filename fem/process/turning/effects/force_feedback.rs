@@ -27,6 +27,7 @@ static DESCRIPTION: Description = Description {
         default: None,
         needed_with: None,
         along: None,
+        period: None,
     }],
     look_alikes: &[("carriage-compliance", "a measured blank: a spring does not copy it")],
 };
