@@ -96,6 +96,7 @@ impl Assessment {
         design: &Measurements,
         sigma: Vec<f64>,
     ) -> Result<Self, Failure> {
+        let design = &*design.seen_by(&*model.system);
         let mut objective = Objective::new(model, design)?;
         objective.noise = Noise { sigma, source: NoiseSource::Column };
         let first = objective.axes.iter().map(|a| a.position(a.starts.first().copied().unwrap_or(0.0)));

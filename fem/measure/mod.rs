@@ -77,6 +77,7 @@ impl Measurements {
             header: Vec::new(),
             records: Vec::new(),
             notes: Vec::new(),
+            blind: Vec::new(),
             rows,
         }
     }
@@ -108,6 +109,8 @@ impl Measurements {
             given: self.given.clone(),
             header: self.header.clone(),
             notes: self.notes.clone(),
+            // Of fewer rows they are others: a system sees them anew.
+            blind: Vec::new(),
             kind: self.kind,
         }
     }

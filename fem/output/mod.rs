@@ -78,7 +78,7 @@ pub fn write_comparison(
     let unwritable = |error: std::io::Error| OutputError::File { path: directory.to_path_buf(), error };
     let stage = files::Stage::new(directory).map_err(unwritable)?;
     stage.write(Path::new("residuals.csv"), comparison::residuals(measurements, comparison).as_bytes())?;
-    let shapes = model.system.places(&measurements.rows).map(|p| comparison::shapes(&p, measurements, comparison));
+    let shapes = model.system.places(&measurements.rows).map(|p| comparison::shapes(&p, comparison));
     if let Some(shapes) = &shapes {
         write_animation(shapes, &stage, &Progress::default())?;
     }

@@ -7,6 +7,7 @@ mod effect;
 mod grid;
 mod observation;
 mod outcome;
+pub mod ring;
 pub mod turning;
 mod validation;
 pub mod written;
@@ -22,7 +23,7 @@ use crate::input::Reader;
 use crate::progress::Progress;
 
 /// Every process the program knows.
-pub const ALL: &[&dyn Process] = &[&turning::Turning];
+pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring];
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {

@@ -93,6 +93,8 @@ pub struct Places {
     pub points: Vec<[f64; 3]>,
     /// Displacement of the surface per unit of the observable.
     pub directions: Vec<[f64; 3]>,
+    /// Along what the rows of a frame are joined to a line.
+    pub along: Vec<f64>,
     /// What is subtracted from the observable before: a set diameter.
     pub references: Vec<f64>,
     /// What the rows of a frame have in common, such as the part's number.

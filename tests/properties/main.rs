@@ -15,6 +15,7 @@ fn models(process: &dyn Process) -> Vec<Model> {
     let start = process.starting_model();
     let variants = match process.name() {
         "turning" => vec![start.to_string(), start.replace("\"centres\"", "\"chuck-and-centre\"")],
+        "ring" => vec![start.to_string(), start.replace("\"least-squares-circle\"", "\"absolute\"")],
         _ => vec![start.to_string()],
     };
     variants.into_iter().map(|text| Model::parse(Source::new("model.toml", text)).unwrap()).collect()

@@ -1,27 +1,28 @@
 //! The measured and the predicted shape, to be played one after the other.
 
 use crate::compare::Comparison;
-use crate::measure::Measurements;
 use crate::process::{Animation, Cell, Field, Frame, Grid, Places};
 
 /// A frame for each value that rows have in common. Points are the measured rows, a line through them in the order of their places; `measured`,
 /// `predicted` and `residual` are the observable, the vectors move the points by what is measured and predicted.
-pub fn shapes(places: &Places, measurements: &Measurements, comparison: &Comparison) -> Animation {
+pub fn shapes(places: &Places, comparison: &Comparison) -> Animation {
     let mut frames: Vec<f64> = places.frames.clone();
     frames.sort_unstable_by(f64::total_cmp);
     frames.dedup();
-    let all: Vec<Frame> = frames.iter().map(|at| frame(*at, places, measurements, comparison)).collect();
+    let all: Vec<Frame> = frames.iter().map(|at| frame(*at, places, comparison)).collect();
     Animation { name: "compared", frames: all.len(), frame: Box::new(move |i| all[i].clone()) }
 }
 
-fn frame(at: f64, places: &Places, measurements: &Measurements, comparison: &Comparison) -> Frame {
+fn frame(at: f64, places: &Places, comparison: &Comparison) -> Frame {
     let mut rows: Vec<usize> = (0..places.frames.len()).filter(|r| places.frames[*r] == at).collect();
-    rows.sort_by(|a, b| places.points[*a][0].total_cmp(&places.points[*b][0]));
+    rows.sort_by(|a, b| places.along[*a].total_cmp(&places.along[*b]));
     let scalar = |values: &[f64]| rows.iter().map(|r| values[*r]).collect::<Vec<f64>>();
     let moved = |values: &[f64]| {
         let by = |r: &usize| places.directions[*r].map(|d| d * (values[*r] - places.references[*r]));
         rows.iter().map(by).collect::<Vec<[f64; 3]>>()
     };
+    // As it was judged: without what the way of measuring is blind to.
+    let measured: Vec<f64> = comparison.predicted.iter().zip(&comparison.residuals).map(|(p, r)| p + r).collect();
     let mut grid = Grid { points: rows.iter().map(|r| places.points[*r]).collect(), ..Grid::default() };
     for i in 0..rows.len() as u32 {
         grid.push(Cell::Vertex, &[i]);
@@ -31,9 +32,9 @@ fn frame(at: f64, places: &Places, measurements: &Measurements, comparison: &Com
     }
     grid.point_fields = vec![
         Field::scalar("residual", scalar(&comparison.residuals)),
-        Field::scalar("measured", scalar(&measurements.observed)),
+        Field::scalar("measured", scalar(&measured)),
         Field::scalar("predicted", scalar(&comparison.predicted)),
-        Field::vector("measured_displacement", moved(&measurements.observed)),
+        Field::vector("measured_displacement", moved(&measured)),
         Field::vector("predicted_displacement", moved(&comparison.predicted)),
     ];
     Frame { time: at, grid }

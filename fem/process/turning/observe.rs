@@ -148,6 +148,7 @@ pub fn places(setup: &Setup, rows: &Rows) -> Places {
     Places {
         points: (0..rows.len()).map(|row| [x(row), 0.0, 0.0]).collect(),
         directions: vec![[0.0, 0.5, 0.0]; rows.len()],
+        along: (0..rows.len()).map(x).collect(),
         references: (0..rows.len()).map(reference).collect(),
         frames: (0..rows.len()).map(|row| rows.get(PART, row).unwrap_or(1.0)).collect(),
     }

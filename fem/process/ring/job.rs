@@ -1,0 +1,113 @@
+//! A chuck with its effects, at work.
+
+use std::sync::Arc;
+
+use super::machine::{Machine, Place};
+use super::model::Setup;
+use super::response::{self, BoreSeries, Jaw};
+use super::{effect, findings, observe, shapes};
+use crate::process::{Active, Failure, Job, Outcome, Rows, Values};
+use crate::progress::Progress;
+
+/// A chuck that predicts.
+pub struct Ring {
+    /// With its effects.
+    pub machine: Arc<Machine>,
+}
+
+impl Ring {
+    /// Lets the effects act on a set-up.
+    pub fn equip(setup: Arc<Setup>, active: &[Active]) -> Self {
+        let mut machine = Machine::ideal(setup);
+        for active in active {
+            if let Some(effect) = effect(active.description.name) {
+                effect.act(&Values(active), &mut machine);
+            }
+        }
+        Self { machine: Arc::new(machine) }
+    }
+
+    /// What the model says.
+    pub fn setup(&self) -> &Setup {
+        &self.machine.setup
+    }
+
+    /// The jaws with their forces in equilibrium.
+    ///
+    /// # Errors
+    /// The jaws stand where they cannot hold a ring, or press on each other's place.
+    pub fn jaws(&self) -> Result<Vec<Jaw>, Failure> {
+        let machine = &self.machine;
+        let around = std::f64::consts::TAU / machine.jaws.len() as f64;
+        if machine.arc > around * (1.0 + 1e-12) {
+            let (arc, most) = (machine.arc.to_degrees(), around.to_degrees());
+            return Err(Failure {
+                message: format!("jaws that press over {arc:.1} deg each overlap"),
+                help: format!("{} jaws have room for {most:.1} deg each", machine.jaws.len()),
+            });
+        }
+        let shares = shares(&machine.jaws)?;
+        let jaw = |(angle, share): (&f64, f64)| Jaw { angle: *angle, arc: machine.arc, share };
+        Ok(machine.jaws.iter().zip(shares).map(jaw).collect())
+    }
+
+    /// The radial displacement of the bore per newton of jaw force.
+    ///
+    /// # Errors
+    /// As [`jaws`](Self::jaws), or the ring cannot be computed.
+    pub fn bore(&self) -> Result<BoreSeries, Failure> {
+        let (setup, jaws) = (self.setup(), self.jaws()?);
+        let even = |k: usize| self.machine.jaws[k] == std::f64::consts::TAU / jaws.len() as f64 * k as f64;
+        let step = if (0..jaws.len()).all(even) { jaws.len() } else { 1 };
+        Ok(response::response(setup, step)?.under(setup, &jaws))
+    }
+
+    /// What does not depend on the jaws, m.
+    pub fn marks_at(&self, place: &Place) -> f64 {
+        self.machine.marks.iter().map(|mark| mark(place)).sum()
+    }
+}
+
+/// Forces of the jaws in equilibrium over that of a jaw of an even chuck, their mean being one. Those of three jaws are as the sines of the angles
+/// between the other two (Lamy's theorem); more stand evenly.
+fn shares(angles: &[f64]) -> Result<Vec<f64>, Failure> {
+    let [a, b, c] = angles else { return Ok(vec![1.0; angles.len()]) };
+    let sines = [(c - b).sin(), (a - c).sin(), (b - a).sin()];
+    let mean = sines.iter().sum::<f64>() / 3.0;
+    let shares: Vec<f64> = sines.iter().map(|sine| sine / mean).collect();
+    if shares.iter().all(|share| *share > 0.0) {
+        return Ok(shares);
+    }
+    let shown: Vec<String> = angles.iter().map(|angle| format!("{:.1}", angle.to_degrees())).collect();
+    Err(Failure {
+        message: format!("jaws at {} deg cannot press in equilibrium", shown.join(", ")),
+        help: "three jaws hold a ring when no two neighbours stand 180 deg or more apart".into(),
+    })
+}
+
+impl Job for Ring {
+    /// Deviation of the released bore in m, all around.
+    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
+        progress.expect(1);
+        let deviations = observe::observe(self, &observe::programme(self.setup()))?;
+        progress.advance(1);
+        match deviations.iter().find(|d| d.is_nan() || d.abs() >= self.setup().inner_radius) {
+            None => Ok(deviations),
+            Some(deviation) => Err(Failure {
+                message: format!("the deviation is {deviation:.3e} m somewhere: that is no ring any more"),
+                help: "check forces, dimensions and material: a unit may be wrong".into(),
+            }),
+        }
+    }
+
+    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        observe::observe(self, rows)
+    }
+
+    fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure> {
+        let scene = shapes::Scene::new(self)?;
+        let mut outcome = findings::outcome(self, &scene, prediction)?;
+        outcome.animation = Some(scene.animation());
+        Ok(outcome)
+    }
+}

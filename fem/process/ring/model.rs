@@ -1,0 +1,207 @@
+//! The tables of a ring model.
+
+use crate::input::Reader;
+use crate::material::Material;
+use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
+
+/// Most elements: more than any ring needs, some seconds and a gigabyte.
+const MOST_ELEMENTS: usize = 150_000;
+/// Elements from jaw to jaw, at least.
+const LEAST_PER_JAW: usize = 8;
+
+/// Numbers of elements of the ring's mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MeshSize {
+    /// Around.
+    pub circumferential: usize,
+    /// Across the wall.
+    pub radial: usize,
+    /// 1 for 4-node, 2 for 8-node quadrilaterals.
+    pub order: usize,
+}
+
+/// What deviations are measured from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reference {
+    /// The least-squares circle of each set-up, as roundness instruments do.
+    LeastSquaresCircle,
+    /// The circle of the set radius about the chuck's axis.
+    Absolute,
+}
+
+/// A wave of the bore before boring: amplitude·cos lobes·(θ − phase).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe {
+    /// Waves around.
+    pub lobes: usize,
+    /// m.
+    pub amplitude: f64,
+    /// rad.
+    pub phase: f64,
+}
+
+/// Everything a ring model says but its effects. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// What the ring is made of.
+    pub material: Material,
+    /// Ro, m.
+    pub outer_radius: f64,
+    /// Ri, m.
+    pub inner_radius: f64,
+    /// b, m.
+    pub width: f64,
+    /// The bore before boring in the model's own programme; measured rows have their own.
+    pub blank: Vec<Lobe>,
+    /// Number of jaws, evenly spaced from θ = 0.
+    pub jaws: usize,
+    /// Force of each, N.
+    pub jaw_force: f64,
+    /// While boring, rad/s.
+    pub spindle_speed: Option<f64>,
+    /// C, the radial force per depth of cut, N/m.
+    pub force_per_depth: Option<f64>,
+    /// Elements.
+    pub mesh: MeshSize,
+    /// What deviations are measured from.
+    pub reference: Reference,
+    /// Evenly spaced angles at which the bore is predicted.
+    pub points: usize,
+}
+
+impl Reference {
+    /// The words of the model file, the default first.
+    pub const WORDS: &[(&'static str, Self)] =
+        &[("least-squares-circle", Self::LeastSquaresCircle), ("absolute", Self::Absolute)];
+}
+
+impl Setup {
+    /// Reads every table of a ring model but `[effects]`.
+    pub fn read(model: &Reader) -> Self {
+        let (material, [outer, inner, width], blank) = model.table("workpiece", "the ring", |t| {
+            let material = Material::read(t, "material");
+            let outer = t.quantity("outer_diameter", LENGTH, "outer diameter").positive().required();
+            let inner = t.quantity("inner_diameter", LENGTH, "diameter of the bore").positive().required();
+            let width = t.quantity("width", LENGTH, "width of the ring, along its axis").positive().required();
+            if inner >= outer {
+                t.problem(
+                    "inner_diameter",
+                    "the bore is as wide as the ring",
+                    format!("it must be below the outer diameter of {} mm", 1e3 * outer),
+                );
+            }
+            let blank = t.list("blank", "waves of the bore before boring, which copying copies", |t, _| Lobe::read(t));
+            (material, [outer, inner, width], blank)
+        });
+        let (jaws, jaw_force) = model.table("chuck", "the chuck that holds the ring by its outside", |t| {
+            let jaws = t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
+            (jaws, t.quantity("jaw_force", FORCE, "radial force of each jaw").not_negative().required())
+        });
+        let cut = model.optional_table("cut", "how the bore is cut", |t| {
+            let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while boring").not_negative();
+            let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
+            (speed.optional(), force.positive().optional())
+        });
+        let (spindle_speed, force_per_depth) = cut.unwrap_or_default();
+        let mesh = read_mesh(model, jaws);
+        let (reference, points) = read_measurement(model);
+        Self {
+            material,
+            outer_radius: 0.5 * outer,
+            inner_radius: 0.5 * inner,
+            width,
+            blank,
+            jaws,
+            jaw_force,
+            spindle_speed,
+            force_per_depth,
+            mesh,
+            reference,
+            points,
+        }
+    }
+
+    /// Why an effect cannot act on this ring, if it cannot.
+    ///
+    /// # Errors
+    /// The reason, as a sentence.
+    pub fn admits(&self, effect: &str) -> Result<(), String> {
+        match effect {
+            "jaw-position" if self.jaws != 3 => Err(format!(
+                "`jaw-position` is known of three jaws, which statics alone sets in equilibrium, not of {}",
+                self.jaws
+            )),
+            "centrifugal-unloading" if self.spindle_speed.is_none() => {
+                Err("`centrifugal-unloading` needs the spindle speed: spindle_speed = \"400 rpm\" in [cut]".into())
+            }
+            "copying" if self.force_per_depth.is_none() => {
+                Err("`copying` needs the force of the cut: force_per_depth = \"1 kN/mm\" in [cut]".into())
+            }
+            "cutting-heat" if self.reference == Reference::LeastSquaresCircle => {
+                Err("`cutting-heat` changes the radius alike all around, and the least-squares circle takes that out"
+                    .into())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Angles at which the bore is predicted, rad.
+    pub fn angles(&self) -> Vec<f64> {
+        (0..self.points).map(|i| std::f64::consts::TAU * i as f64 / self.points as f64).collect()
+    }
+
+    /// Radial deviation of the model's own bore before boring, m.
+    pub fn blank_at(&self, angle: f64) -> f64 {
+        self.blank.iter().map(|l| l.amplitude * (l.lobes as f64 * (angle - l.phase)).cos()).sum()
+    }
+}
+
+impl Lobe {
+    fn read(t: &Reader) -> Self {
+        Self {
+            lobes: t.count("lobes", "waves around the bore").between(2, 1000).required(),
+            amplitude: t.quantity("amplitude", MICRO, "half of peak to valley").required(),
+            phase: t.quantity("phase", ANGLE, "where a crest stands").or(0.0),
+        }
+    }
+}
+
+fn read_mesh(model: &Reader, jaws: usize) -> MeshSize {
+    let usual = MeshSize { circumferential: 360, radial: 6, order: 2 };
+    let read = |t: &Reader| {
+        let size = MeshSize {
+            circumferential: t
+                .count("circumferential", "elements around")
+                .between(16, 100_000)
+                .or(usual.circumferential),
+            radial: t.count("radial", "elements across the wall").between(1, 1000).or(usual.radial),
+            order: t.count("order", "1 for 4-node, 2 for 8-node quadrilaterals").between(1, 2).or(usual.order),
+        };
+        let elements = size.circumferential * size.radial;
+        if elements > MOST_ELEMENTS {
+            let message = format!("{} by {} elements are more than {MOST_ELEMENTS}", size.circumferential, size.radial);
+            t.problem("circumferential", message, "360 around and 6 across are good to a part in ten thousand");
+        }
+        if size.circumferential < LEAST_PER_JAW * jaws {
+            let message = format!("{} elements around are too few for {jaws} jaws", size.circumferential);
+            let least = LEAST_PER_JAW * jaws;
+            t.problem("circumferential", message, format!("take at least {least}: {LEAST_PER_JAW} from jaw to jaw"));
+        }
+        size
+    };
+    let given = model.optional_table("mesh", "the ring as plane elements", read);
+    given.unwrap_or(MeshSize { circumferential: usual.circumferential.max(LEAST_PER_JAW * jaws), ..usual })
+}
+
+fn read_measurement(model: &Reader) -> (Reference, usize) {
+    let usual = (Reference::LeastSquaresCircle, 360);
+    let read = |t: &Reader| {
+        let about = "what deviations are measured from";
+        let reference = t.choice("reference", about, Reference::WORDS).or_first(usual.0);
+        (
+            reference,
+            t.count("points", "evenly spaced angles at which the bore is predicted").between(8, 100_000).or(usual.1),
+        )
+    };
+    model.optional_table("measurement", "how the bore is measured", read).unwrap_or(usual)
+}
