@@ -8,5 +8,6 @@ mod compare;
 mod fem;
 mod files;
 mod pages;
+mod ring;
 mod story;
 mod written;

@@ -1,0 +1,151 @@
+//! The ring as a user meets it: summary, files, bad input, and the least-squares circle.
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_summary_of_the_ring() {
+    let place = Place::new();
+    place.write("ring.toml", model("ring.toml"));
+    let answer = place.fem(&["run", "ring.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    insta::assert_snapshot!("effects_ring", place.fem(&["effects", "ring"]).out);
+}
+
+#[test]
+fn a_profile_is_a_measurement_of_its_own_model() {
+    let place = Place::new();
+    for reference in ["least-squares-circle", "absolute"] {
+        place.write("ring.toml", model("ring.toml").replace("least-squares-circle", reference));
+        assert_eq!(place.fem(&["run", "ring.toml", "-o", "out"]).status, 0);
+        let compared = place.fem(&["compare", "ring.toml", "--with", "out/profile.csv", "--json"]).out;
+        let json: serde_json::Value = serde_json::from_str(&compared).unwrap();
+        assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");
+    }
+}
+
+/// Deviations (um) of the bore over angles of 10°, of two set-ups without jaw force.
+fn measured(shift: impl Fn(f64, f64) -> f64) -> String {
+    let mut text = String::from("run,angle [deg],jaw_force [kN],deviation [um],u [um]\n");
+    for run in [1.0, 2.0] {
+        for i in 0..36 {
+            let angle = f64::from(10 * i);
+            text.push_str(&format!("{run},{angle},0,{},0.1\n", shift(run, angle.to_radians())));
+        }
+    }
+    text
+}
+
+#[test]
+fn the_circle_of_each_set_up_does_not_count() {
+    // Jaws without force: what is measured is each set-up's own circle, a wave of three lobes, and nothing else.
+    let text = model("ring.toml").split("[effects").next().unwrap().to_string();
+    let place = Place::new();
+    place.write("ring.toml", &text);
+    let three = |angle: f64| (3.0 * angle).cos();
+    place.write("m.csv", measured(|run, angle| 7.0 * run + 4.0 * angle.cos() - 3.0 * run * angle.sin() + three(angle)));
+    let compare = |model: &str| -> serde_json::Value {
+        serde_json::from_str(&place.fem(&["compare", model, "--with", "m.csv", "--json", "-o", "out"]).out).unwrap()
+    };
+    let seen = &compare("ring.toml")["models"][0];
+    assert!((seen["rms"].as_f64().unwrap() - 0.5f64.sqrt()).abs() < 1e-9, "{seen}");
+    // 72 rows less two times three: 72·0.5/0.1² over 66.
+    assert!((seen["chi2_per_dof"].as_f64().unwrap() - 3600.0 / 66.0).abs() < 1e-6, "{seen}");
+    let first = place.read("out/residuals.csv").lines().nth(1).unwrap().to_string();
+    assert!(
+        first.starts_with("1,0,0,") && (first.rsplit(',').next().unwrap().parse::<f64>().unwrap() - 1.0).abs() < 1e-9
+    );
+    place.write("absolute.toml", text.replace("\"least-squares-circle\"", "\"absolute\""));
+    assert!(compare("absolute.toml")["models"][0]["rms"].as_f64().unwrap() > 5.0);
+}
+
+#[test]
+fn phases_come_round() {
+    // A crest at 100 deg is one at -80 deg.
+    let text = model("ring.toml").split("[effects").next().unwrap().to_string();
+    let place = Place::new();
+    place.write("ring.toml", format!("{text}\n[effects.spindle-error]\namplitude = \"? um\"\nphase = \"? deg\"\n"));
+    let wobble = |run: f64, angle: f64| 0.1 * (17.0 * angle + run).sin();
+    place.write("m.csv", measured(|run, angle| 5.0 * (2.0 * (angle - 100f64.to_radians())).cos() + wobble(run, angle)));
+    let fit = place.fem(&["fit", "ring.toml", "--with", "m.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&fit.out).unwrap();
+    let phase = &json["parameters"][1];
+    assert!((phase["value"].as_f64().unwrap() + 80.0).abs() < 0.1, "{phase}");
+    let end = |i: usize| phase["interval95"][i].as_f64().unwrap();
+    assert!(end(0) < -80.0 && -80.0 < end(1) && end(1) - end(0) < 1.0, "{phase}");
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const CASES: &[(&str, &str, &str, &str)] = &[
+    ("inner_diameter", "iner_diameter", "`iner_diameter` is no key of `workpiece`", "did you mean `inner_diameter`?"),
+    ("\"84 mm\"", "\"100 mm\"", "the bore is as wide as the ring", "below the outer diameter of 100 mm"),
+    ("\"84 mm\"", "\"84 kg\"", "not a length", "write it in mm"),
+    ("width = \"20 mm\"", "", "`width` is missing in `workpiece`", "add width"),
+    ("jaws = 3", "jaws = 1", "`jaws` is 1", "whole number from 2 to 100"),
+    ("jaws = 3", "jaws = 4", "`jaw-position` is known of three jaws", "remove the effect"),
+    ("\"3 kN\" ", "\"-3 kN\" ", "`jaw_force` is -3000 N", "zero or more"),
+    ("circumferential = 360", "circumferential = 20", "20 elements around are too few for 3 jaws", "at least 24"),
+    ("radial = 6", "radial = 999", "elements are more than 150000", "360 around and 6 across"),
+    ("order = 2", "order = 3", "`order` is 3", "whole number from 1 to 2"),
+    (
+        "\"least-squares-circle\" ",
+        "\"least-square-circle\" ",
+        "`reference` is",
+        "did you mean \"least-squares-circle\"?",
+    ),
+    ("lobes = 2", "lobes = 1", "`lobes` is 1", "whole number from 2"),
+    ("spindle_speed = \"400 rpm\"", "", "`centrifugal-unloading` needs the spindle speed", "remove the effect"),
+    ("force_per_depth = \"1 kN/mm\"", "", "`copying` needs the force of the cut", "remove the effect"),
+    ("[effects.copying]\nstiffness", "[effects.cutting-heat]\ntemperature_rise", "`temperature_rise`", "K"),
+    ("arc = \"24 +- 4 deg\"", "arc = \"24 +- 4 mm\"", "not an angle", "write it in deg"),
+    ("[effects.copying]", "[effects.tool-wear]", "is an effect of `turning`, not of `ring`", "fem effects ring"),
+];
+
+#[test]
+fn bad_input_is_told_with_its_remedy() {
+    let good = model("ring.toml");
+    let place = Place::new();
+    for (from, to, message, remedy) in CASES {
+        assert!(good.contains(from), "{from}");
+        place.write("ring.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["run", "ring.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+    assert!(!place.files().iter().any(|f| f.starts_with("out")));
+}
+
+#[test]
+fn what_cannot_be_computed_is_told() {
+    let place = Place::new();
+    for (from, to, message) in [
+        ("\"24 +- 4 deg\"", "\"130 deg\"", "jaws that press over 130.0 deg each overlap"),
+        ("\"0.6 deg\"", "\"-80 deg\"", "cannot press in equilibrium"),
+        ("\"84 mm\"", "\"99.5 mm\"", "no ring any more"),
+    ] {
+        place.write("ring.toml", model("ring.toml").replacen(from, to, 1));
+        let answer = place.fem(&["run", "ring.toml"]);
+        assert_eq!(answer.status, 1, "{}", answer.err);
+        assert!(answer.err.split_whitespace().collect::<Vec<_>>().join(" ").contains(message), "{}", answer.err);
+    }
+}
+
+#[test]
+fn a_ring_that_is_let_go_is_warned_of() {
+    let place = Place::new();
+    place.write("ring.toml", model("ring.toml").replace("\"400 rpm\"", "\"4000 rpm\""));
+    let answer = place.fem(&["run", "ring.toml"]);
+    assert_eq!(answer.status, 0);
+    assert!(answer.err.contains("the ring is let go"), "{}", answer.err);
+}
+
+#[test]
+fn a_column_that_no_chuck_can_give_is_refused() {
+    let place = Place::new();
+    place.write("ring.toml", model("ring.toml"));
+    place.write("m.csv", "angle [deg],jaw_force [N],deviation [um]\n0,-3,1\n");
+    let answer = place.fem(&["compare", "ring.toml", "--with", "m.csv"]);
+    assert_eq!(answer.status, 2);
+    assert!(answer.err.contains("`jaw_force` is below zero"), "{}", answer.err);
+}
