@@ -1,8 +1,8 @@
 //! What the bore does under any jaws: the finite-element ring, condensed to one number per harmonic.
 //!
 //! The mesh is the same after a turn by one cell, so that a radial load of cos mθ newtons per radian on the outside moves the bore
-//! by cₘ·cos mθ, up to the error of the mesh. cₘ comes from the factored stiffness, one load each, until the bore no longer feels it: it is
-//! shielded from waves shorter than the wall. A jaw of force F at φ that presses over the arc w has
+//! by cₘ·cos mθ, up to the error of the mesh. Each cₘ is the solution of the whole mesh and comes from a single cell ([`WaveRing`]); they are found until the
+//! bore no longer feels them, for it is shielded from waves shorter than the wall. A jaw of force F at φ that presses over the arc w has
 //!
 //! ```text
 //!   q(θ) = F/2π · [1 + 2 Σ sinc(mw/2) cos m(θ − φ)],    u_r(θ) = F/2π · [c₀ + 2 Σ cₘ sinc(mw/2) cos m(θ − φ)]
@@ -13,19 +13,14 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::prelude::*;
-
 use super::model::{MeshSize, Setup};
 use crate::element::plane::{Elasticity, PlaneElement, PlaneState, Quad4, Quad8};
 use crate::mesh::{Grading, Mesh, RingMesh};
 use crate::process::Failure;
-use crate::solve::elastic::{ElasticSystem, Loads};
-use crate::solve::ring::{Bore, add_radial};
+use crate::solve::ring::WaveRing;
 
 /// The bore no longer feels a harmonic below this part of the largest.
 const SHIELDED: f64 = 1e-10;
-/// Harmonics solved at a time, before looking whether the next are felt.
-const BATCH: usize = 8;
 /// Rings kept: a search tries many values of all else for one ring.
 const MOST_RINGS: usize = 16;
 
@@ -95,13 +90,17 @@ pub fn response(setup: &Setup, step: usize) -> Result<Arc<Response>, Failure> {
     Ok(solved)
 }
 
+fn element(order: usize) -> &'static dyn PlaneElement {
+    if order == 1 { &Quad4 } else { &Quad8 }
+}
+
 /// The mesh of a ring.
 ///
 /// # Errors
 /// The radii or the numbers of elements make no mesh.
 pub fn mesh(outer_radius: f64, inner_radius: f64, size: MeshSize) -> Result<Mesh, Failure> {
-    let element: &'static dyn PlaneElement = if size.order == 1 { &Quad4 } else { &Quad8 };
-    let MeshSize { circumferential, radial, .. } = size;
+    let MeshSize { circumferential, radial, order } = size;
+    let element = element(order);
     let grading = Grading::uniform();
     let ring = RingMesh { outer_radius, inner_radius, circumferential, radial, element, grading };
     ring.build().map_err(|error| unsolvable(&error))
@@ -117,29 +116,26 @@ pub fn unsolvable(error: &dyn std::fmt::Display) -> Failure {
 
 impl Response {
     fn solve(shape: Shape) -> Result<Self, Failure> {
-        let mesh = mesh(1.0, shape.ratio, shape.mesh)?;
         let law = Elasticity::new(PlaneState::Stress, 1.0, shape.poisson_ratio, 0.0, 1.0);
-        let system = ElasticSystem::free(&mesh, law.map_err(|e| unsolvable(&e))?).map_err(|e| unsolvable(&e))?;
-        let bore = Bore::new(&mesh).map_err(|e| unsolvable(&e))?;
-        let compliance = |m: usize| -> Result<f64, Failure> {
-            if m == 1 {
-                return Ok(0.0);
-            }
-            let mut loads = Loads::none(&mesh);
-            add_radial(&mut loads, &mesh, |angle| (m as f64 * angle).cos()).map_err(|e| unsolvable(&e))?;
-            let shape = bore.shape(&system.solve(&loads).map_err(|e| unsolvable(&e))?.nodes);
-            Ok(if m == 0 { shape.mean() } else { shape.harmonic(m as u32).0 })
+        let MeshSize { circumferential, radial, order } = shape.mesh;
+        let ring = WaveRing {
+            outer_radius: 1.0,
+            inner_radius: shape.ratio,
+            circumferential,
+            radial,
+            element: element(order),
+            law: law.map_err(|error| unsolvable(&error))?,
         };
-        // A wave over two cells is the shortest that the mesh can show.
-        let shortest = shape.mesh.circumferential / 2;
-        let harmonics: Vec<usize> = (0..=shortest).step_by(shape.step).collect();
+        let cell = ring.cell();
+        let lost = || unsolvable(&"rounding leaves so thin a wall no stiffness");
         let mut compliances: Vec<f64> = Vec::new();
-        for batch in harmonics.chunks(BATCH) {
-            let solved: Vec<f64> = batch.par_iter().map(|m| compliance(*m)).collect::<Result<_, _>>()?;
-            let largest = |values: &[f64]| values.iter().fold(0.0f64, |size, c| size.max(c.abs()));
-            let felt = largest(&solved) > SHIELDED * largest(&compliances);
-            compliances.extend(solved);
-            if !felt {
+        let mut largest = 0.0f64;
+        // A wave over two cells is the shortest that the mesh can show.
+        for m in (0..circumferential.div_ceil(2)).step_by(shape.step) {
+            let compliance = cell.compliance(m).ok_or_else(lost)?;
+            compliances.push(compliance);
+            largest = largest.max(compliance.abs());
+            if m > 1 && compliance.abs() <= SHIELDED * largest {
                 break;
             }
         }

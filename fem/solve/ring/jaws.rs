@@ -55,10 +55,8 @@ pub fn add_jaws(loads: &mut Loads, mesh: &Mesh, jaws: &[ContactArc]) -> Result<(
 }
 
 /// Adds a radial force of `density`(θ) newtons per radian, positive inwards, all around the sides [`OUTSIDE`].
-///
-/// # Errors
-/// The mesh has no such sides, or they do not close around the origin.
-pub fn add_radial(loads: &mut Loads, mesh: &Mesh, density: impl Fn(f64) -> f64) -> Result<(), MeshError> {
+#[cfg(test)]
+pub(super) fn add_radial(loads: &mut Loads, mesh: &Mesh, density: impl Fn(f64) -> f64) -> Result<(), MeshError> {
     for arc in &arcs(mesh, OUTSIDE)? {
         let half = 0.5 * arc.span.abs();
         for (place, weight) in LINE_5 {

@@ -1,8 +1,10 @@
-//! A ring pressed by jaws: loads on its outer circle at any angle, displacement of its bore at any angle.
+//! A ring pressed by jaws: loads on its outer circle at any angle, displacement of its bore at any angle; and waves of load, by a single cell.
 
 mod bore;
 mod circle;
 mod jaws;
+mod wave;
 
 pub use bore::{Bore, BoreShape};
-pub use jaws::{ContactArc, add_jaws, add_radial};
+pub use jaws::{ContactArc, add_jaws};
+pub use wave::{Cell, WaveRing};
