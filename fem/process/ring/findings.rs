@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::circle;
 use super::job::Ring;
-use super::model::Setup;
+use super::model::{Reference, Setup};
 use super::observe;
 use super::shapes::Scene;
 use crate::process::{Column, Failure, Finding, Outcome, Plot, Table};
@@ -31,7 +31,7 @@ pub fn outcome(ring: &Ring, scene: &Scene, deviations: Vec<f64>) -> Result<Outco
     let mut findings = vec![
         extreme("largest", "largest deviation", &angles, &deviations, |a, b| a > b),
         extreme("smallest", "smallest deviation", &angles, &deviations, |a, b| a < b),
-        size(&deviations),
+        size(setup.reference, &deviations),
         roundness(&form),
         harmonics(&angles, &form),
         clamping(setup, &clamped),
@@ -94,11 +94,11 @@ fn extreme(
     }
 }
 
-fn size(deviations: &[f64]) -> Finding {
+fn size(reference: Reference, deviations: &[f64]) -> Finding {
     let mean = 1e6 * deviations.iter().sum::<f64>() / deviations.len() as f64;
-    let text = match mean.abs() {
-        m if m < 5e-4 => "none, or taken out with the least-squares circle".into(),
-        _ => format!("{mean:+.3} um of the radius, {:+.3} um of the diameter", 2.0 * mean),
+    let text = match reference {
+        Reference::LeastSquaresCircle => "taken out with the least-squares circle".into(),
+        Reference::Absolute => format!("{mean:+.3} um of the radius, {:+.3} um of the diameter", 2.0 * mean),
     };
     Finding { key: "mean", label: "mean deviation", text, json: json!({ "value": mean, "unit": "um" }) }
 }
