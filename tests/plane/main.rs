@@ -11,7 +11,7 @@ mod ring_jaws;
 mod ring_rates;
 mod thermal;
 mod thermal_bow;
-mod thermal_peers;
+mod other_codes;
 
 /// Observed order between errors at sizes h and h/2.
 fn order(coarse: f64, fine: f64) -> f64 {

@@ -6,7 +6,7 @@ use fem::mesh::RectangleMesh;
 use fem::solve::conduction::{Condition, History, Run, Scheme, ThermalSystem};
 
 #[test]
-fn temperatures_are_those_of_the_peers() {
+fn temperatures_are_those_of_other_codes() {
     let mesh = RectangleMesh::uniform([0.10, 0.05], [200, 100], &Quad4).build().unwrap();
     let mut conditions = vec![Condition::Flux { sides: "left".to_owned(), flux: 5e4, on: vec![] }];
     for side in ["bottom", "right", "top"] {
