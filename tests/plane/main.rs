@@ -5,13 +5,13 @@
 
 mod elliptic_membrane;
 mod heat_rates;
+mod other_codes;
 mod patch;
 mod ring_free;
 mod ring_jaws;
 mod ring_rates;
 mod thermal;
 mod thermal_bow;
-mod other_codes;
 
 /// Observed order between errors at sizes h and h/2.
 fn order(coarse: f64, fine: f64) -> f64 {
