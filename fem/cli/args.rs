@@ -129,7 +129,7 @@ pub struct Diagnose {
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
     /// How many effects to look for together, at most
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=8))]
+    #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,
     /// Print JSON
     #[arg(long)]

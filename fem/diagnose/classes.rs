@@ -50,6 +50,7 @@ pub struct Place<'a> {
 pub fn places<'a>(found: &Found<'a>) -> Vec<Place<'a>> {
     let best = found.best();
     let mut places: Vec<Place<'a>> = best.members.par_iter().filter_map(|member| place(found, best, *member)).collect();
+    let Some(ground) = Ground::new(&mut found.base.objective.clone(), &found.base.solution) else { return places };
     // Sets that differ in more than one effect: each of their effects stands for the one that it resembles most.
     for other in found.tried.iter().filter(|t| t.members.len() == best.members.len()) {
         let new: Vec<usize> = other.members.iter().copied().filter(|m| !best.members.contains(m)).collect();
@@ -62,7 +63,7 @@ pub fn places<'a>(found: &Found<'a>) -> Vec<Place<'a>> {
         }
         let mut open: Vec<usize> = best.members.iter().copied().filter(|m| !other.members.contains(m)).collect();
         for candidate in new {
-            let likest = |m: &usize| likeness(found, candidate, *m);
+            let likest = |m: &usize| likeness(&ground, &found.candidates[candidate], &found.candidates[*m]);
             let Some(i) = (0..open.len()).max_by(|a, b| likest(&open[*a]).total_cmp(&likest(&open[*b]))) else { break };
             let member = open.remove(i);
             let place = places.iter_mut().find(|p| p.candidate == member);
@@ -128,12 +129,8 @@ pub fn priors_apart(best: &Trial, rival: &Trial) -> Vec<f64> {
 }
 
 /// How much of the signature of one candidate the other can make, at best, 0 to 1.
-fn likeness(found: &Found, a: usize, b: usize) -> f64 {
-    let Some(ground) = Ground::new(&mut found.base.objective.clone(), &found.base.solution) else { return 0.0 };
-    let columns = |i: usize| {
-        let variants = found.candidates[i].variants.iter();
-        variants.map(|v| ground.project_columns(&v.columns)).collect::<Vec<_>>()
-    };
+fn likeness(ground: &Ground, a: &Candidate, b: &Candidate) -> f64 {
+    let columns = |c: &Candidate| c.variants.iter().map(|v| ground.project_columns(&v.columns)).collect::<Vec<_>>();
     let (of_a, of_b) = (columns(a), columns(b));
     let cosine = |x: &nalgebra::DMatrix<f64>, y: &nalgebra::DMatrix<f64>| {
         let (x, y) = (x.column(0), y.column(0));

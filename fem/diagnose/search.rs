@@ -3,7 +3,7 @@
 //! Adding the best effect, then the next best, picks wrong pairs where signatures are alike. So every size has several sets on trial, each
 //! re-fitted with all parameters free; pairs are all looked at, and larger sets grow from the best of the smaller ones.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::DVector;
 use rayon::prelude::*;
@@ -93,7 +93,8 @@ pub fn search<'a>(
     let ground = Ground::new(&mut base.objective.clone(), &base.solution)?;
     let first_price = Price::simulate(&ground, &everyone, yardstick);
     let mut price = first_price.clone();
-    let mut tried: HashMap<Vec<usize>, Trial<'a>> = HashMap::new();
+    // In an order of its own, so that the same data always give the same answer.
+    let mut tried: BTreeMap<Vec<usize>, Trial<'a>> = BTreeMap::new();
     let mut beam = vec![base.clone()];
     let mut steps: Vec<Trial<'a>> = Vec::new();
     let mut singles = Vec::new();
@@ -108,7 +109,7 @@ pub fn search<'a>(
             }
         }
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = BTreeSet::new();
         leads.retain(|lead| {
             let mut members = lead.parent.members.clone();
             members.push(lead.added);

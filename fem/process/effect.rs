@@ -15,6 +15,15 @@ pub trait Effect<S: ?Sized>: Sync {
     fn act(&self, values: &Values, system: &mut S);
 }
 
+/// Lets effects of a catalogue act on a system; those that users have written act on what is observed instead.
+pub fn act<S: ?Sized>(catalogue: &[&dyn Effect<S>], active: &[Active], system: &mut S) {
+    for active in active {
+        if let Some(effect) = catalogue.iter().find(|e| e.description() == active.description) {
+            effect.act(&Values(active), system);
+        }
+    }
+}
+
 /// What `fem effects` says of an effect, and all that is needed to read it.
 #[derive(Debug, PartialEq)]
 pub struct Description {

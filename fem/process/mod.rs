@@ -12,7 +12,7 @@ pub mod turning;
 mod validation;
 pub mod written;
 
-pub use effect::{Active, Description, Effect, Neutral, Parameter, Values};
+pub use effect::{Active, Description, Effect, Neutral, Parameter, Values, act};
 pub use grid::{Cell, Field, Frame, Grid};
 pub use observation::{Absent, Blind, Coordinate, Further, Holds, Misplaced, Observable, Places, Rows};
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};

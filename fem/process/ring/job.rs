@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::machine::{Machine, Place};
 use super::model::Setup;
 use super::response::{self, BoreSeries, Jaw};
-use super::{effect, findings, observe, shapes};
-use crate::process::{Active, Failure, Job, Outcome, Rows, Values};
+use super::{effects, findings, observe, shapes};
+use crate::process::{Active, Failure, Job, Outcome, Rows, act};
 use crate::progress::Progress;
 
 /// A chuck that predicts.
@@ -19,11 +19,7 @@ impl Ring {
     /// Lets the effects act on a set-up.
     pub fn equip(setup: Arc<Setup>, active: &[Active]) -> Self {
         let mut machine = Machine::ideal(setup);
-        for active in active {
-            if let Some(effect) = effect(active.description.name) {
-                effect.act(&Values(active), &mut machine);
-            }
-        }
+        act(effects::ALL, active, &mut machine);
         Self { machine: Arc::new(machine) }
     }
 

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::effect;
+use super::effects;
 use super::elastic::{Conditions, Deflection, Elastic};
 use super::machine::{Machine, Moment};
 use super::model::Setup;
-use crate::process::{Active, Failure, Values};
+use crate::process::{Active, Failure, act};
 use crate::progress::Progress;
 use crate::solve::{Condensed, JointsError, ShaftError};
 
@@ -22,11 +22,7 @@ impl Lathe {
     /// Lets the effects act on a set-up.
     pub fn equip(setup: Arc<Setup>, active: &[Active]) -> Self {
         let mut machine = Machine::ideal(setup);
-        for active in active {
-            if let Some(effect) = effect(active.description.name) {
-                effect.act(&Values(active), &mut machine);
-            }
-        }
+        act(effects::ALL, active, &mut machine);
         Self { machine: Arc::new(machine) }
     }
 
