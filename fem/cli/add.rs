@@ -14,7 +14,7 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     refuse_itself(&args.model, &args.output)?;
     let written = add_effect(&model, &args.effect, &args.settings)?;
-    files::write(&args.output, written.source.text.as_bytes())?;
+    files::write(&args.output, written.text_at(&args.output).as_bytes())?;
     let name = args.output.display();
     let prefix = format!("effects.{}.", args.effect);
     let free =

@@ -34,8 +34,8 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         files::write(&directory.join("diagnosis.json"), format!("{json:#}\n").as_bytes())?;
     }
     if let Some(new) = &args.add_to {
-        let text = completed(&model, &diagnosis)?;
-        files::write(new, text.as_bytes())?;
+        let better = completed(&model, &diagnosis)?;
+        files::write(new, better.text_at(new).as_bytes())?;
         super::say!("written {}", new.display());
         let own = diagnosis.fit.estimates.iter().take(model.parameters.len());
         for open in own.filter(|e| !e.is_closed()) {
@@ -52,11 +52,11 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
 }
 
 /// The model with the missing effects and every fitted value.
-fn completed(model: &Model, diagnosis: &Diagnosis) -> Result<String, Error> {
+fn completed(model: &Model, diagnosis: &Diagnosis) -> Result<Model, Error> {
     let text = fitted_text(model, &diagnosis.fit);
     let mut better = Model::parse(Source::new(model.source.name.to_string(), text))?;
     for missing in &diagnosis.missing {
         better = add_effect(&better, missing.effect.name, &output::diagnosis::settings(missing, &diagnosis.fit))?;
     }
-    Ok(better.source.text.to_string())
+    Ok(better)
 }

@@ -25,8 +25,8 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         let text = fitted_text(&model, &fit);
         // A fitted value outside its bounds would make a file that cannot be read: better none.
-        Model::parse(Source::new(new.display().to_string(), text.clone()))?;
-        files::write(new, text.as_bytes())?;
+        let fitted = Model::parse(Source::new(model.source.name.clone(), text))?;
+        files::write(new, fitted.text_at(new).as_bytes())?;
         super::say!("written {}", new.display());
         for open in fit.estimates.iter().filter(|e| !e.is_closed()) {
             super::say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);

@@ -2,11 +2,13 @@
 //! table of a model file is read, checked and described at once.
 
 mod field;
+mod file;
 mod problem;
 mod reader;
 mod source;
 
 pub use field::{Bounds, Choice, Count, Field};
+pub use file::{FileKey, NamedFile, seen_from};
 pub use problem::{InputError, Problem, did_you_mean, nearest};
-pub use reader::{Names, Parameter, Reader, Shape};
+pub use reader::{Found, Names, Parameter, Reader, Shape};
 pub use source::Source;

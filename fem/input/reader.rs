@@ -7,11 +7,12 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{Item, TableLike, Value};
 
-use super::{Bounds, Choice, Count, Field, Problem, nearest};
+use super::{Bounds, Choice, Count, Field, FileKey, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// A quantity of the model that is not exactly known (`+-` or `?`).
@@ -40,10 +41,22 @@ pub struct Names<'n> {
 }
 
 /// What one reading finds beside the values.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// What is wrong, in no order.
+    pub problems: Vec<Problem>,
+    /// What is not exactly known.
+    pub parameters: Vec<Parameter>,
+    /// The files that are named.
+    pub files: Vec<FileKey>,
+}
+
+/// What all readers of a document share.
 #[derive(Default)]
 struct Findings {
-    problems: RefCell<Vec<Problem>>,
-    parameters: RefCell<Vec<Parameter>>,
+    found: RefCell<Found>,
+    /// The folder that paths are relative to.
+    folder: PathBuf,
     /// Values to take in place of those of the file, by path.
     trial: HashMap<String, f64>,
 }
@@ -84,26 +97,28 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the top of a document with `read`; the last part holds the problems found, in no order.
+    /// Reads the top of a document that is in no file with `read`; the last part holds the problems found, in no order.
     pub fn document<T>(
         table: &'a dyn TableLike,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> (T, Vec<Parameter>, Vec<Problem>) {
-        Self::trial(table, HashMap::new(), read)
+        let (value, found) = Self::of_file(table, Path::new(""), HashMap::new(), read);
+        (value, found.parameters, found.problems)
     }
 
-    /// The same with other values for some of the quantities that are not exactly known, by their paths; SI.
-    pub fn trial<T>(
+    /// Reads the top of a document whose paths are relative to `folder`, with other values for some of the quantities that are not exactly known, by
+    /// their paths; SI.
+    pub fn of_file<T>(
         table: &'a dyn TableLike,
+        folder: &Path,
         trial: HashMap<String, f64>,
         read: impl FnOnce(&Reader<'a>) -> T,
-    ) -> (T, Vec<Parameter>, Vec<Problem>) {
-        let findings = Findings { trial, ..Findings::default() };
+    ) -> (T, Found) {
+        let findings = Findings { found: RefCell::default(), folder: folder.to_path_buf(), trial };
         let reader = Self::on(Ground::Given(table, None), String::new(), findings.into());
         let value = read(&reader);
         reader.finish();
-        let findings = reader.findings;
-        (value, findings.parameters.take(), findings.problems.take())
+        (value, reader.findings.found.take())
     }
 
     /// The schema of what `read` asks for.
@@ -385,7 +400,7 @@ impl<'a> Reader<'a> {
     /// Whether a key of this table that was read is not exactly known.
     pub fn is_uncertain(&self, key: &str) -> bool {
         let path = format!("{}.{key}", self.path);
-        self.findings.parameters.borrow().iter().any(|p| p.path == path)
+        self.findings.found.borrow().parameters.iter().any(|p| p.path == path)
     }
 
     /// Whether the file has this key.
@@ -402,7 +417,15 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn refuse(&self, problem: Problem) {
-        self.findings.problems.borrow_mut().push(problem);
+        self.findings.found.borrow_mut().problems.push(problem);
+    }
+
+    pub(super) fn folder(&self) -> &Path {
+        &self.findings.folder
+    }
+
+    pub(super) fn keep_file(&self, file: FileKey) {
+        self.findings.found.borrow_mut().files.push(file);
     }
 
     pub(super) fn missing(&self, key: &str, example: &str, about: &str) {
@@ -428,7 +451,7 @@ impl<'a> Reader<'a> {
         }
         let path = format!("{}.{key}", self.path);
         let value = self.findings.trial.get(&path).copied().unwrap_or(quantity.value);
-        self.findings.parameters.borrow_mut().push(Parameter { path, kind, quantity, bounds, span });
+        self.findings.found.borrow_mut().parameters.push(Parameter { path, kind, quantity, bounds, span });
         value
     }
 

@@ -9,12 +9,15 @@ pub use add::{Setting, add_effect};
 pub use run::{Run, Share};
 pub use schema::schema;
 
+use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use toml_edit::Document;
 
-use crate::input::{InputError, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest};
+use crate::input::{
+    FileKey, Found, InputError, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
+};
 use crate::process::{self, Active, Description, Failure, Job, Process, System};
 use crate::units::Knowledge;
 
@@ -35,6 +38,8 @@ pub struct Model {
     pub effects: Vec<Active>,
     /// What it does not know exactly.
     pub parameters: Vec<Parameter>,
+    /// The files that it names.
+    files: Vec<FileKey>,
     document: Document<String>,
 }
 
@@ -57,12 +62,13 @@ impl Model {
             InputError::one(source.clone(), problem.help("a model file is TOML: [table], key = \"value\", # comment"))
         })?;
         let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
-        let ((title, system, effects), parameters, problems) =
-            Reader::document(document.as_table(), |model| read(model, process));
-        if !problems.is_empty() {
-            return Err(InputError::new(source, problems));
+        let ((title, system, effects), found) =
+            Reader::of_file(document.as_table(), source.folder(), HashMap::new(), |model| read(model, process));
+        if !found.problems.is_empty() {
+            return Err(InputError::new(source, found.problems));
         }
-        Ok(Self { title, process, system, effects, parameters, source, document })
+        let Found { parameters, files, .. } = found;
+        Ok(Self { title, process, system, effects, parameters, files, source, document })
     }
 
     /// The model with what it does not know exactly at these values (SI, in the order of `parameters`), ready to predict.
@@ -83,9 +89,9 @@ impl Model {
             return Ok(process::equip(&self.system, &effects));
         }
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
-        let ((_, system, mut effects), _, problems) =
-            Reader::trial(self.document.as_table(), trial, |model| read(model, self.process));
-        match problems.first() {
+        let ((_, system, mut effects), found) =
+            Reader::of_file(self.document.as_table(), self.source.folder(), trial, |model| read(model, self.process));
+        match found.problems.first() {
             None => {
                 effects.extend_from_slice(added);
                 Ok(process::equip(&system, &effects))
@@ -99,6 +105,21 @@ impl Model {
     /// The model as it is written, ready to predict.
     pub fn job(&self) -> Box<dyn Job> {
         process::equip(&self.system, &self.effects)
+    }
+
+    /// The text of the model for a file at `path`: what it names by paths from its own folder is found from there.
+    pub fn text_at(&self, path: &Path) -> String {
+        let mut text = self.source.text.to_string();
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let mut files: Vec<&FileKey> = self.files.iter().collect();
+        files.sort_by_key(|file| std::cmp::Reverse(file.span.start));
+        for FileKey { written, span } in files {
+            let seen = seen_from(written, self.source.folder(), folder);
+            if seen != *written {
+                text.replace_range(span.clone(), &toml_edit::Value::from(seen.display().to_string()).to_string());
+            }
+        }
+        text
     }
 
     /// The effects with other values, if nothing else is unknown; the system then need not be read again.
