@@ -248,6 +248,50 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
         self.read(fallback).unwrap_or(fallback)
     }
 
+    /// What each word of a list stands for, in its order; all of the words where the key is absent. A single word may stand without a list.
+    pub fn several(self) -> Vec<T> {
+        self.reader.describe(
+            self.key,
+            || {
+                let words: Vec<&str> = self.words.iter().map(|w| w.0).collect();
+                let items = json!({ "enum": words });
+                json!({ "type": "array", "items": items, "uniqueItems": true, "minItems": 1, "description": self.about, "default": words })
+            },
+            false,
+        );
+        let all = || self.words.iter().map(|w| w.1).collect();
+        let Some(item) = self.reader.item(self.key) else { return all() };
+        let given: Vec<(&str, _)> = match item.as_value() {
+            Some(Value::Array(array)) => {
+                array.iter().map(|v| (v.as_str().unwrap_or_default(), v.span().or(item.span()))).collect()
+            }
+            _ => vec![(item.as_str().unwrap_or_default(), item.span())],
+        };
+        let words: Vec<String> = self.words.iter().map(|w| format!("\"{}\"", w.0)).collect();
+        let refuse = |message: String, help: String, span| {
+            self.reader.refuse(Problem::new(message).help(help).at(span));
+        };
+        if given.is_empty() {
+            refuse(format!("`{}` is empty", self.key), format!("list some of {}", words.join(", ")), item.span());
+        }
+        let mut found = Vec::with_capacity(given.len());
+        for (i, (word, span)) in given.iter().enumerate() {
+            match self.words.iter().find(|w| w.0 == *word) {
+                Some(_) if given[..i].iter().any(|(other, _)| other == word) => {
+                    let message = format!("\"{word}\" stands twice in `{}`", self.key);
+                    refuse(message, "name it once".into(), span.clone());
+                }
+                Some((_, meaning)) => found.push(*meaning),
+                None => {
+                    let meant = did_you_mean(word, self.words.iter().map(|w| w.0), '"');
+                    let message = format!("\"{word}\" in `{}` is none of its words", self.key);
+                    refuse(message, format!("{meant}take some of {}", words.join(", ")), span.clone());
+                }
+            }
+        }
+        if found.is_empty() { all() } else { found }
+    }
+
     fn describe(&self, default: Option<&str>) {
         let schema = || {
             let words: Vec<&str> = self.words.iter().map(|w| w.0).collect();

@@ -8,6 +8,7 @@ pub mod fit;
 pub mod json;
 pub mod plan;
 pub mod plot;
+pub mod svg;
 pub mod text;
 pub mod vtk;
 
@@ -18,7 +19,7 @@ use rayon::prelude::*;
 use crate::compare::Comparison;
 use crate::measure::Measurements;
 use crate::model::{Model, Run};
-use crate::process::Animation;
+use crate::process::{Animation, Drawing};
 use crate::progress::Progress;
 
 /// Writing failed.
@@ -42,8 +43,8 @@ pub enum OutputError {
     },
 }
 
-/// Writes everything a run gives into `directory`: `profile.csv`, `summary.json`, and the animation as `NAME.pvd` with its frames in
-/// `NAME/`. Gives the files that a user opens.
+/// Writes everything a run gives into `directory`: `profile.csv`, `summary.json`, drawings as `NAME.svg`, and the animation as `NAME.pvd` with
+/// its frames in `NAME/`. Gives the files that a user opens.
 ///
 /// # Errors
 /// A file cannot be written.
@@ -54,6 +55,9 @@ pub fn write_run(model: &Model, run: &Run, directory: &Path, progress: &Progress
     let mut written = vec![directory.join("profile.csv")];
     if let Some(animation) = &run.outcome.animation {
         written.push(directory.join(write_animation(animation, &stage, progress)?));
+    }
+    for drawing in &run.outcome.drawings {
+        written.push(directory.join(write_drawing(drawing, &stage)?));
     }
     stage.write(Path::new("summary.json"), format!("{:#}\n", json::run(model, run)).as_bytes())?;
     written.push(directory.join("summary.json"));
@@ -87,6 +91,12 @@ pub fn write_comparison(
         files::remove_frames_from(&directory.join(shapes.name), shapes.name, shapes.frames);
     }
     Ok(())
+}
+
+fn write_drawing(drawing: &Drawing, stage: &files::Stage) -> Result<PathBuf, OutputError> {
+    let path = PathBuf::from(format!("{}.svg", drawing.name));
+    stage.write(&path, svg::drawing(drawing).as_bytes())?;
+    Ok(path)
 }
 
 fn write_animation(animation: &Animation, stage: &files::Stage, progress: &Progress) -> Result<PathBuf, OutputError> {

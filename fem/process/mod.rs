@@ -3,6 +3,7 @@
 //! A process is read from a model file into a [`System`]; a system with its effects acting is a [`Job`], which predicts.
 //! To add a process, write its module and one line in [`ALL`].
 
+mod drawing;
 mod effect;
 mod grid;
 mod observation;
@@ -12,6 +13,7 @@ pub mod turning;
 mod validation;
 pub mod written;
 
+pub use drawing::{Curve, Drawing, Spot};
 pub use effect::{Active, Description, Effect, Neutral, Parameter, Values, act};
 pub use grid::{Cell, Field, Frame, Grid};
 pub use observation::{Absent, Blind, Coordinate, Further, Holds, Misplaced, Observable, Places, Rows};
@@ -71,6 +73,11 @@ pub trait System: Send + Sync {
 
     /// Where the rows lie on the body; `None` where the process has none to show.
     fn places(&self, rows: &Rows) -> Option<Places>;
+
+    /// The contour that is made, in the plane of its places, where there is one to draw measured rows on. As a rule there is none.
+    fn contour(&self) -> Option<Vec<Vec<Spot>>> {
+        None
+    }
 
     /// Directions to which the way of measuring these rows is blind. They are taken out of what was measured, as a job takes them out of
     /// what it predicts, and each costs a degree of freedom. As a rule there are none.

@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 
-use super::Frame;
+use super::{Drawing, Frame};
 
 /// The results of a run, in terms that every output format understands.
 pub struct Outcome {
@@ -12,6 +12,8 @@ pub struct Outcome {
     pub findings: Vec<Finding>,
     /// Small pictures of the prediction.
     pub plots: Vec<Plot>,
+    /// Contours with magnified deviations, a picture file each.
+    pub drawings: Vec<Drawing>,
     /// What should not be overlooked.
     pub warnings: Vec<String>,
     /// Shapes to play, if the process has any.

@@ -46,6 +46,9 @@ kinds! {
     JAW_MOMENT = "a moment of mass" in "kg*mm", as "30";
     TEMPERATURE_RISE = "a temperature rise" in "K", as "10";
     FORCE_PER_DEPTH = "a force per depth" in "kN/mm", as "1";
+    FEED_RATE = "a feed rate" in "mm/min", as "1000";
+    GAIN = "a servo gain" in "/s", as "50";
+    SHORT_TIME = "a short time" in "ms", as "100";
     SPECIFIC_HEAT = "a specific heat" in "J/kg/K", as "470";
 }
 

@@ -42,7 +42,14 @@ pub fn outcome(ring: &Ring, scene: &Scene, deviations: Vec<f64>) -> Result<Outco
     let plots =
         vec![Plot { title: "deviation [um] of the released bore over angle [deg]".into(), x_unit: "deg", points }];
     let warnings = warnings(ring);
-    Ok(Outcome { profile: profile(setup, &angles, &deviations), findings, plots, warnings, animation: None })
+    Ok(Outcome {
+        profile: profile(setup, &angles, &deviations),
+        findings,
+        plots,
+        drawings: Vec::new(),
+        warnings,
+        animation: None,
+    })
 }
 
 /// A measurement file of its own: with the conditions written out, it reads back as what was predicted.

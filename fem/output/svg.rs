@@ -1,0 +1,280 @@
+//! Contours with magnified deviations as SVG: one file that any browser opens, legible on light and dark grounds.
+
+use std::fmt::Write;
+
+use crate::process::{Drawing, Spot};
+
+/// Side of the square that the drawing fills, and heights of title and one line of the legend, in pixels.
+const SIDE: f64 = 640.0;
+const TITLE: f64 = 44.0;
+const LINE: f64 = 22.0;
+/// From the edge to what reaches farthest.
+const MARGIN: f64 = 34.0;
+/// The largest deviation is drawn over at most this part of the contour's size.
+const REACH: f64 = 0.42;
+/// Deviations that are drawn to a nanometre are none.
+const NONE: f64 = 1e-9;
+/// Colours of the families, told apart by people who see few colours too (Okabe and Ito), darkened or lightened with the ground.
+const COLOURS: [(&str, &str); 4] =
+    [("#0072b2", "#56b4e9"), ("#d55e00", "#f0a04b"), ("#00805c", "#2fc79a"), ("#a8437f", "#e29ac4")];
+
+/// The drawing as an `<svg>` element that stands for itself.
+pub fn drawing(drawing: &Drawing) -> String {
+    let frame = Frame::of(drawing);
+    let families = 1 + drawing.curves.iter().map(|c| c.family).max().unwrap_or(0);
+    let height = TITLE + SIDE + LINE * (drawing.curves.len() as f64 + 2.0);
+    // Writing to a String does not fail, here and below.
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIDE} {height}\" width=\"{SIDE}\" height=\"{height}\" role=\"img\">\n\
+         <title>{title}</title>\n{}\
+         <text class=\"t\" x=\"{}\" y=\"28\" text-anchor=\"middle\">{title}</text>\n",
+        style(families),
+        SIDE / 2.0,
+        title = escaped(&drawing.title),
+    );
+    frame.axes(&mut text);
+    frame.grid(&mut text, &drawing.nominal);
+    for curve in &drawing.curves {
+        let colour = curve.family % COLOURS.len();
+        for piece in &curve.pieces {
+            let at = |spot: &Spot| frame.place(spot.magnified(frame.magnification));
+            match curve.is_measured {
+                true => dots(&mut text, piece.iter().map(at), colour),
+                false => line(&mut text, piece.iter().map(at), &format!("c c{colour}")),
+            }
+        }
+    }
+    legend(&mut text, drawing, &frame);
+    text.push_str("</svg>\n");
+    text
+}
+
+/// How the plane lies on the page, and by how much deviations are magnified there.
+struct Frame {
+    /// Pixels per metre of the contour.
+    scale: f64,
+    /// Its middle, m.
+    middle: [f64; 2],
+    /// Half of its size, m.
+    half: f64,
+    /// Metres drawn per metre of deviation, measured on the contour's own scale.
+    magnification: f64,
+    /// From one line of the grid to the next, m of deviation.
+    division: f64,
+    /// How many lines stand on either side of the contour.
+    lines: i32,
+}
+
+impl Frame {
+    fn of(drawing: &Drawing) -> Self {
+        let spots =
+            || drawing.nominal.iter().flatten().chain(drawing.curves.iter().flat_map(|c| c.pieces.iter().flatten()));
+        let end = |i: usize, pick: fn(f64, f64) -> f64| spots().map(|s| s.at[i]).reduce(pick).unwrap_or(0.0);
+        let (low, high) = ([0, 1].map(|i| end(i, f64::min)), [0, 1].map(|i| end(i, f64::max)));
+        let half = [0, 1].map(|i| 0.5 * (high[i] - low[i])).into_iter().fold(1e-9, f64::max);
+        let largest = spots().fold(NONE, |size, s| size.max(s.deviation.abs()));
+        let magnification = round_below(REACH * half / largest);
+        let division = round_below(largest / 2.0);
+        let lines = (largest / division).ceil() as i32;
+        let outermost = half + magnification * division * f64::from(lines);
+        let scale = (0.5 * SIDE - MARGIN) / outermost;
+        Self { scale, middle: [0, 1].map(|i| 0.5 * (low[i] + high[i])), half, magnification, division, lines }
+    }
+
+    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [x - self.middle[0], y - self.middle[1]];
+        [0.5 * SIDE + self.scale * x, TITLE + 0.5 * SIDE - self.scale * y]
+    }
+
+    fn axes(&self, text: &mut String) {
+        let reach = 0.5 * SIDE - MARGIN + 8.0;
+        let [x, y] = self.place(self.middle);
+        let _ = writeln!(
+            text,
+            "<path class=\"a\" d=\"M{:.1} {y:.1}H{:.1}M{x:.1} {:.1}V{:.1}\"/>",
+            x - reach,
+            x + reach,
+            y - reach,
+            y + reach
+        );
+        let _ = writeln!(
+            text,
+            "<text class=\"n\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">x</text>",
+            x + reach + 10.0,
+            y + 4.0
+        );
+        let _ = writeln!(
+            text,
+            "<text class=\"n\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">y</text>",
+            y - reach - 6.0
+        );
+    }
+
+    /// The contour, and lines of equal deviation beside it, labelled where they cross the diagonal.
+    fn grid(&self, text: &mut String, nominal: &[Vec<Spot>]) {
+        for i in -self.lines..=self.lines {
+            let off = f64::from(i) * self.division;
+            // Magnified further than the contour is wide there is no inside.
+            if self.half + self.magnification * off <= 0.02 * self.half {
+                continue;
+            }
+            let class = if i == 0 { "o" } else { "g" };
+            let mut label = None;
+            for piece in nominal {
+                let places = piece.iter().map(|spot| self.place(spot.off_by(off).magnified(self.magnification)));
+                line(text, places.clone(), class);
+                let diagonal = |[x, y]: [f64; 2]| {
+                    let [x, y] = [x - 0.5 * SIDE, TITLE + 0.5 * SIDE - y];
+                    // Nearest to 22.5° above the x axis, where curves of two axes seldom have their crests.
+                    (y.atan2(x) - std::f64::consts::FRAC_PI_8).abs()
+                };
+                label = places.chain(label).min_by(|a, b| diagonal(*a).total_cmp(&diagonal(*b)));
+            }
+            if let Some([x, y]) = label {
+                let shown = if i == 0 { "0".to_string() } else { format!("{:+}", micrometres(off)) };
+                let _ = writeln!(text, "<text class=\"n\" x=\"{:.1}\" y=\"{:.1}\">{shown}</text>", x + 3.0, y - 3.0);
+            }
+        }
+    }
+}
+
+fn line(text: &mut String, places: impl Iterator<Item = [f64; 2]>, class: &str) {
+    let _ = write!(text, "<polyline class=\"{class}\" points=\"");
+    places.for_each(|[x, y]| {
+        let _ = write!(text, "{x:.1},{y:.1} ");
+    });
+    text.truncate(text.trim_end().len());
+    text.push_str("\"/>\n");
+}
+
+fn dots(text: &mut String, places: impl Iterator<Item = [f64; 2]>, colour: usize) {
+    for [x, y] in places {
+        let _ = writeln!(text, "<circle class=\"d d{colour}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"1.8\"/>");
+    }
+}
+
+fn legend(text: &mut String, drawing: &Drawing, frame: &Frame) {
+    let mut y = TITLE + SIDE + 8.0;
+    for curve in &drawing.curves {
+        let colour = curve.family % COLOURS.len();
+        match curve.is_measured {
+            true => dots(text, [40.0, 52.0, 64.0].into_iter().map(|x| [x, y]), colour),
+            false => line(text, [[36.0, y], [68.0, y]].into_iter(), &format!("c c{colour}")),
+        }
+        let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">{}</text>", y + 4.5, escaped(&curve.label));
+        y += LINE;
+    }
+    line(text, [[36.0, y], [68.0, y]].into_iter(), "o");
+    let told = format!(
+        "as programmed, to scale; deviations magnified {} times, {} um from line to line, outwards positive",
+        grouped(frame.magnification),
+        micrometres(frame.division)
+    );
+    let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">{told}</text>", y + 4.5);
+}
+
+fn style(families: usize) -> String {
+    let colours = |pick: fn(&(&'static str, &'static str)) -> &'static str| {
+        let one =
+            |(i, c): (usize, &(&'static str, &'static str))| format!(".c{i}{{stroke:{0}}}.d{i}{{fill:{0}}}", pick(c));
+        COLOURS.iter().take(families).enumerate().map(one).collect::<String>()
+    };
+    format!(
+        "<style>text{{font:13px system-ui,sans-serif;fill:#4d4d4d}}.t{{font-size:17px}}.n{{font-size:11px;fill:#808080}}\
+         .a,.g,.o,.c{{fill:none}}.a{{stroke:#808080;stroke-width:.5;stroke-dasharray:1 3}}.g{{stroke:#808080;stroke-width:.5;stroke-opacity:.45}}\
+         .o{{stroke:#808080;stroke-width:1.4}}.c{{stroke-width:1.8;stroke-linejoin:round}}.d{{fill-opacity:.75}}{}\
+         @media (prefers-color-scheme:dark){{text{{fill:#c8c8c8}}.n{{fill:#909090}}{}}}</style>\n",
+        colours(|c| c.0),
+        colours(|c| c.1)
+    )
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above `value`.
+fn round_below(value: f64) -> f64 {
+    let power = 10f64.powf(value.log10().floor());
+    let digit = value / power;
+    // By more than round-off, so that 2 stays 2.
+    power * [5.0, 2.0].into_iter().find(|d| digit * (1.0 + 1e-12) >= *d).unwrap_or(1.0)
+}
+
+/// Without the digits that conversion leaves.
+fn micrometres(si: f64) -> f64 {
+    format!("{:.6e}", 1e6 * si).parse().unwrap_or(f64::NAN)
+}
+
+/// A round number with its thousands apart.
+fn grouped(value: f64) -> String {
+    if value < 1.0 {
+        return format!("{value}");
+    }
+    let digits = format!("{value:.0}");
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i) % 3 == 0 {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+fn escaped(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).collect::<String>().replace('&', "&amp;").replace('<', "&lt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::process::Curve;
+
+    /// A circle of 100 mm that stands out by 7 um at 90 deg.
+    fn circle() -> Drawing {
+        let spot = |i: i32| {
+            let (sine, cosine) = f64::from(5 * i).to_radians().sin_cos();
+            Spot { at: [0.1 * cosine, 0.1 * sine], outward: [cosine, sine], deviation: 0.0 }
+        };
+        let nominal: Vec<Spot> = (0..=72).map(spot).collect();
+        let off = nominal.iter().map(|s| s.off_by(7e-6 * s.outward[1])).collect();
+        let curve = |is_measured, pieces| Curve { label: "a < b".into(), family: 0, is_measured, pieces };
+        Drawing {
+            name: "circle",
+            title: "R & D".into(),
+            curves: vec![curve(false, vec![off]), curve(true, vec![nominal.clone()])],
+            nominal: vec![nominal],
+        }
+    }
+
+    #[test]
+    fn deviations_are_drawn_to_the_stated_scale() {
+        let drawing = circle();
+        let frame = Frame::of(&drawing);
+        // 0.42·100 mm over 7 um is 6000: of 1, 2 and 5, 5000 is the largest below. Lines at 2 um, four of them.
+        assert!((frame.magnification - 5000.0).abs() < 1e-6 && (frame.division - 2e-6).abs() < 1e-15);
+        assert_eq!(frame.lines, 4);
+        let top = drawing.curves[0].pieces[0][18];
+        let [x, y] = frame.place(top.magnified(frame.magnification));
+        let [_, middle] = frame.place([0.0, 0.0]);
+        assert!((x - SIDE / 2.0).abs() < 1e-9);
+        assert!(((middle - y) / frame.scale - (0.1 + 5000.0 * 7e-6)).abs() < 1e-12);
+        let text = super::drawing(&drawing);
+        assert!(text.contains("magnified 5\u{202f}000 times, 2 um from line to line"), "{text}");
+        // What a user writes is text and no element.
+        assert!(text.contains("R &amp; D") && text.contains("a &lt; b"));
+        assert!(!text.contains("NaN") && !text.contains("inf"));
+    }
+
+    #[test]
+    fn a_contour_without_deviation_is_drawn_too() {
+        let mut drawing = circle();
+        drawing.curves.truncate(0);
+        assert!(!super::drawing(&drawing).contains("NaN"));
+        assert!(!super::drawing(&Drawing::default()).contains("NaN"));
+    }
+
+    #[test]
+    fn round_numbers_are_not_above() {
+        for (value, round) in [(2.0, 2.0), (1.99, 1.0), (4.9e3, 2e3), (5.0e-7, 5e-7), (9.99, 5.0)] {
+            assert!((round_below(value) / round - 1.0).abs() < 1e-12, "{value}");
+        }
+    }
+}
