@@ -150,9 +150,9 @@ pub struct Plan {
     /// The planned rows; some of the model's own programme if left out
     #[arg(long, value_name = "DESIGN.csv")]
     pub with: Option<PathBuf>,
-    /// Standard uncertainty of a row, where the design has no column u
+    /// Standard uncertainty of a row, where the design has no column u; once for each observable
     #[arg(long, value_name = "SIZE")]
-    pub noise: Option<String>,
+    pub noise: Vec<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

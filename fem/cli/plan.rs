@@ -8,7 +8,8 @@ use crate::input::Problem;
 use crate::measure::Measurements;
 use crate::model::Model;
 use crate::output;
-use crate::units::{Knowledge, Quantity};
+use crate::process::{Observable, Process};
+use crate::units::{Kind, Knowledge, Quantity};
 
 pub fn run(args: &args::Plan) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
@@ -20,23 +21,43 @@ pub fn run(args: &args::Plan) -> Result<(), Error> {
         }
         None => programme(&model),
     };
-    let kind = design.kind;
-    let noise = match &args.noise {
-        Some(text) => Quantity::parse(text, &kind).map_err(|e| {
-            Problem::new(format!("--noise {text}: {}", e.message)).help(format!("write --noise '1 {}'", kind.unit))
-        })?,
-        None => Quantity::known(kind.to_si(1.0)),
-    };
-    if noise.knowledge != Knowledge::Known || noise.value <= 0.0 {
-        let problem = Problem::new("the noise is no positive quantity");
-        return Err(Error::Request(problem.help(format!("write --noise '1 {}'", kind.unit))));
+    let sigma = noise(model.process, &args.noise)?;
+    if design.uncertainty.is_none() {
+        let assumed = design.seen.iter().filter(|s| sigma[s.position].is_none()).map(|s| format!("1 {}", s.kind.unit));
+        let assumed: Vec<String> = assumed.collect();
+        if !assumed.is_empty() {
+            super::say!("note: a noise of {} is assumed; say --noise or add a column u", assumed.join(" and "));
+        }
     }
-    if design.uncertainty.is_none() && args.noise.is_none() {
-        super::say!("note: a noise of 1 {} is assumed; say --noise or add a column u", kind.unit);
-    }
-    let plan = plan(&model, &design, noise.value)?;
+    let usual = |(o, sigma): (&Observable, &Option<f64>)| sigma.unwrap_or_else(|| o.error_kind().to_si(1.0));
+    let sigma: Vec<f64> = model.process.observables().iter().zip(&sigma).map(usual).collect();
+    let plan = plan(&model, &design, &sigma)?;
     if args.json {
-        return print(&format!("{:#}\n", output::plan::json(&model, &design.name, &plan, kind)));
+        return print(&format!("{:#}\n", output::plan::json(&model, &design, &plan)));
     }
-    print(&output::plan::text(&model, &design.name, &plan, kind))
+    print(&output::plan::text(&model, &design, &plan))
+}
+
+/// The noise of each observable, SI, as far as it is said: each size stands for the observables that are told in its unit.
+fn noise(process: &dyn Process, said: &[String]) -> Result<Vec<Option<f64>>, Error> {
+    let kinds: Vec<Kind> = process.observables().iter().map(Observable::error_kind).collect();
+    let mut all = vec![None; kinds.len()];
+    for text in said {
+        let wrong = |message: String| {
+            let units: Vec<String> = kinds.iter().map(|k| format!("'1 {}'", k.unit)).collect();
+            Error::Request(Problem::new(message).help(format!("write --noise {}", units.join(" or "))))
+        };
+        let parsed: Vec<_> = kinds.iter().map(|k| Quantity::parse(text, k)).collect();
+        if let Some(Err(error)) = parsed.iter().find(|_| parsed.iter().all(Result::is_err)) {
+            return Err(wrong(format!("--noise {text}: {}", error.message)));
+        }
+        for (sigma, quantity) in all.iter_mut().zip(parsed.into_iter().map(Result::ok)) {
+            let Some(quantity) = quantity else { continue };
+            if quantity.knowledge != Knowledge::Known || quantity.value <= 0.0 {
+                return Err(wrong("the noise is no positive quantity".into()));
+            }
+            *sigma = Some(quantity.value);
+        }
+    }
+    Ok(all)
 }

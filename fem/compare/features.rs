@@ -46,6 +46,8 @@ pub struct Feature {
     pub text: String,
     /// (coordinate, mean residual) of the bins, in canonical units.
     pub curve: Vec<(f64, f64)>,
+    /// Unit of those residuals.
+    pub unit: &'static str,
 }
 
 /// Rows gathered by one or two coordinates.
@@ -58,15 +60,38 @@ struct Binned {
     waves: Option<Waves>,
 }
 
-/// The features that stand out, the largest share first.
+/// The features that stand out, the largest share first. Observables that stand side by side are looked at one by one.
 pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
+    let [_, _, ..] = &measurements.seen[..] else { return of_one(process, measurements, residuals, noise) };
+    let square = |rows: &[usize]| rows.iter().map(|r| (residuals[*r] / noise.sigma[*r]).powi(2)).sum::<f64>();
+    let total = square(&(0..residuals.len()).collect::<Vec<_>>());
+    let mut features = Vec::new();
+    for (seen, rows) in measurements.seen.iter().zip(measurements.rows_by_observable()) {
+        let of = |values: &[f64]| rows.iter().map(|r| values[*r]).collect::<Vec<f64>>();
+        let own = Noise { sigma: of(&noise.sigma), source: noise.source };
+        let found = of_one(process, &measurements.of(seen), &of(residuals), &own);
+        let looks = measurements.seen.len() as f64;
+        features.extend(found.into_iter().map(|f| Feature {
+            share: f.share * square(&rows) / total,
+            p_value: (f.p_value * looks).min(1.0),
+            text: format!("{}: {}", seen.name, f.text),
+            ..f
+        }));
+    }
+    features.retain(|f| f.p_value < SIGNIFICANCE);
+    features.sort_by(|a, b| b.share.total_cmp(&a.share));
+    features
+}
+
+/// The features of a single observable.
+fn of_one(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
     let coordinates = process.coordinates();
     let axes = axes(coordinates, measurements);
     let z: Vec<f64> = residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
     let scores: Vec<Score> = axes.iter().map(|axis| axis.score(&z)).collect();
     let limit = Limit::new(noise, &axes, &z);
     let total: f64 = z.iter().map(|z| z * z).sum();
-    let kind = measurements.kind;
+    let kind = measurements.kind();
     let mut features: Vec<Feature> = axes
         .iter()
         .zip(&scores)
@@ -80,7 +105,16 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
                 };
                 let text = sentence(&axis.axis, coordinates, shape.as_ref(), &curve, kind);
                 let coordinate = name(&axis.axis, coordinates);
-                Feature { axis: axis.axis.clone(), coordinate, shape, share: score.sum / total, p_value, text, curve }
+                Feature {
+                    axis: axis.axis.clone(),
+                    coordinate,
+                    shape,
+                    share: score.sum / total,
+                    p_value,
+                    text,
+                    curve,
+                    unit: kind.unit,
+                }
             })
         })
         .collect();

@@ -8,12 +8,12 @@ mod waves;
 
 pub use chance::Chance;
 pub use features::{Axis, Feature, find as features};
-pub use noise::{Noise, NoiseSource};
+pub use noise::{Level, Noise, NoiseSource};
 pub use shape::Shape;
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-use crate::measure::{Measurements, Repeats, repeats};
+use crate::measure::{Measurements, Repeats, Seen, repeats};
 use crate::model::Model;
 use crate::process::Failure;
 
@@ -31,11 +31,13 @@ pub struct Comparison {
     pub residuals: Vec<f64>,
     /// The noise they are judged by.
     pub noise: Noise,
-    /// Root mean square of the residuals.
+    /// Residuals of all rows as they are told together: SI, or in standard uncertainties where the file has several observables.
+    pub errors: Vec<f64>,
+    /// Root mean square of the errors.
     pub rms: f64,
-    /// Mean of the residuals.
+    /// Mean of the errors.
     pub bias: f64,
-    /// Row of the largest |residual|, from 0.
+    /// Row of the largest |error|, from 0.
     pub worst: usize,
     /// χ²/ν against a known noise, or lack of fit over pure error.
     pub misfit: f64,
@@ -52,6 +54,24 @@ impl Comparison {
     }
 }
 
+/// How well one of several observables agrees. SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Agreement {
+    /// Root mean square of its residuals.
+    pub rms: f64,
+    /// Root mean square of its noise.
+    pub sigma: f64,
+}
+
+impl Comparison {
+    /// Of one of the file's observables.
+    pub fn agreement(&self, measurements: &Measurements, seen: &Seen) -> Agreement {
+        let rows = || (0..measurements.len()).filter(|row| measurements.rows.observable[*row] == seen.position);
+        let of = |values: &[f64]| rms(&rows().map(|row| values[row]).collect::<Vec<_>>());
+        Agreement { rms: of(&self.residuals), sigma: of(&self.noise.sigma) }
+    }
+}
+
 /// Compares the model as it is written.
 ///
 /// # Errors
@@ -62,21 +82,27 @@ pub fn compare(model: &Model, measurements: &Measurements) -> Result<Comparison,
     let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
     let repeats = repeats(measurements, model.process.coordinates());
     let noise = Noise::of(measurements, &repeats, &residuals);
-    let n = residuals.len() as f64;
-    let worst = (0..residuals.len()).max_by(|a, b| residuals[*a].abs().total_cmp(&residuals[*b].abs())).unwrap_or(0);
+    let errors = measurements.together(&residuals, &noise.sigma);
+    let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
     let (misfit, p_value) = misfit(&residuals, &noise, &repeats, measurements.blind.len());
     Ok(Comparison {
         model: model.source.name.to_string(),
-        rms: (residuals.iter().map(|r| r * r).sum::<f64>() / n).sqrt(),
-        bias: residuals.iter().sum::<f64>() / n,
+        rms: rms(&errors),
+        bias: errors.iter().sum::<f64>() / errors.len() as f64,
         worst,
         misfit,
         p_value,
         features: features::find(model.process, measurements, &residuals, &noise),
         predicted,
         residuals,
+        errors,
         noise,
     })
+}
+
+/// Root mean square.
+pub fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
 }
 
 /// χ²/ν and its p-value for a known noise; for repeats the lack of fit over the pure error, by the F distribution. `blind` directions were
@@ -89,14 +115,14 @@ fn misfit(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> 
         NoiseSource::Column => (chi2 / n, ChiSquared::new(n).ok().map(|d| d.sf(chi2))),
         NoiseSource::Repeats => {
             let (mut sum, mut count) = (vec![0.0; repeats.groups], vec![0.0; repeats.groups]);
-            for (&g, r) in repeats.group.iter().zip(residuals) {
-                sum[g] += r;
+            for ((&g, r), s) in repeats.group.iter().zip(residuals).zip(&noise.sigma) {
+                sum[g] += r / s;
                 count[g] += 1.0;
             }
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
-            let (groups, freedom) = (left(repeats.groups), repeats.freedom as f64);
-            let f = lack / groups / (repeats.sum_of_squares / freedom);
-            (f, FisherSnedecor::new(groups, freedom).ok().map(|d| d.sf(f)))
+            let groups = left(repeats.groups);
+            let f = lack / groups;
+            (f, FisherSnedecor::new(groups, repeats.yardstick()).ok().map(|d| d.sf(f)))
         }
         NoiseSource::Estimated => (chi2 / n, None),
     }

@@ -1,6 +1,6 @@
 //! The noise of the measurements: from their own column, from repeats, or estimated from what the model leaves.
 
-use crate::measure::{Measurements, Repeats};
+use crate::measure::{Measurements, Repeats, Scatter};
 
 /// Fewer degrees of freedom say too little of a variance.
 const LEAST_FREEDOM: usize = 5;
@@ -12,6 +12,25 @@ pub struct Noise {
     pub sigma: Vec<f64>,
     /// Where from.
     pub source: NoiseSource,
+}
+
+/// How large the noise of a file is. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level {
+    /// Root mean square, of each of the file's observables.
+    pub of: Vec<f64>,
+    /// Where from.
+    pub source: NoiseSource,
+}
+
+impl Level {
+    /// The noise as errors of all rows are told together: in SI, or 1 where there are several observables.
+    pub fn together(&self) -> f64 {
+        match self.of[..] {
+            [one] => one,
+            _ => 1.0,
+        }
+    }
 }
 
 /// Where the noise is known from.
@@ -26,25 +45,83 @@ pub enum NoiseSource {
 }
 
 impl Noise {
-    /// The best knowledge there is.
+    /// The best knowledge there is. Observables that stand side by side each have their own.
     pub fn of(measurements: &Measurements, repeats: &Repeats, residuals: &[f64]) -> Self {
         if let Some(sigma) = &measurements.uncertainty {
             return Self { sigma: sigma.clone(), source: NoiseSource::Column };
         }
-        let (sigma, source) = if repeats.freedom >= LEAST_FREEDOM && repeats.sum_of_squares > 0.0 {
-            ((repeats.sum_of_squares / repeats.freedom as f64).sqrt(), NoiseSource::Repeats)
-        } else {
+        let tells = |s: &Scatter| s.freedom >= LEAST_FREEDOM && s.sum_of_squares > 0.0;
+        if repeats.scatter.iter().all(tells) {
+            let own = |s: &Scatter| (s.sum_of_squares / s.freedom as f64).sqrt();
+            return Self::alike(
+                measurements,
+                &repeats.scatter.iter().map(own).collect::<Vec<_>>(),
+                NoiseSource::Repeats,
+            );
+        }
+        let of_rows = |rows: Vec<usize>| {
             // Rounding of what was measured is never less than this.
-            let scale = measurements.observed.iter().fold(0.0f64, |m, y| m.max(y.abs()));
-            (of_neighbours(residuals).max(1e-9 * scale), NoiseSource::Estimated)
+            let scale = rows.iter().fold(0.0f64, |m, r| m.max(measurements.observed[*r].abs()));
+            let residuals: Vec<f64> = in_line(measurements, rows).into_iter().map(|r| residuals[r]).collect();
+            of_neighbours(&residuals).max(1e-9 * scale)
         };
-        Self { sigma: vec![sigma; residuals.len()], source }
+        let sigma: Vec<f64> = measurements.rows_by_observable().into_iter().map(of_rows).collect();
+        Self::alike(measurements, &sigma, NoiseSource::Estimated)
+    }
+
+    /// All rows of an observable alike, `sigma` by the file's observables.
+    pub fn alike(measurements: &Measurements, sigma: &[f64], source: NoiseSource) -> Self {
+        let of_row = |row: usize| sigma[measurements.observable(row)];
+        Self { sigma: (0..measurements.len()).map(of_row).collect(), source }
+    }
+
+    /// Whether no row's uncertainty differs from the other's by a larger ratio.
+    pub fn is_about(&self, other: &Self, ratio: f64) -> bool {
+        let mut ratios = self.sigma.iter().zip(&other.sigma).map(|(a, b)| a / b);
+        ratios.all(|r| (1.0 / ratio..ratio).contains(&r))
+    }
+
+    /// How large it is.
+    pub fn level(&self, measurements: &Measurements) -> Level {
+        let own = measurements.seen.iter().map(|s| self.usual(measurements, s.position));
+        Level { of: own.collect(), source: self.source }
     }
 
     /// Root mean square over the rows.
     pub fn rms(&self) -> f64 {
         (self.sigma.iter().map(|s| s * s).sum::<f64>() / self.sigma.len() as f64).sqrt()
     }
+
+    /// Root mean square over the rows of an observable, by its position in the process's list; over all where none observes it.
+    pub fn usual(&self, measurements: &Measurements, observable: usize) -> f64 {
+        let own = || self.sigma.iter().zip(&measurements.rows.observable).filter(|(_, o)| **o == observable);
+        match own().count() {
+            0 => self.rms(),
+            count => (own().map(|(s, _)| s * s).sum::<f64>() / count as f64).sqrt(),
+        }
+    }
+}
+
+/// Rows of one of several observables with neighbours side by side: the coordinate with the most values runs fastest. A file of one
+/// observable is taken as it was written.
+fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
+    if measurements.seen.len() < 2 {
+        return rows;
+    }
+    let columns = &measurements.rows.columns;
+    let levels = |column: &Vec<f64>| {
+        let mut values: Vec<f64> = rows.iter().map(|r| column[*r]).filter(|v| !v.is_nan()).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        values.dedup();
+        values.len()
+    };
+    let mut order: Vec<(usize, &Vec<f64>)> = columns.iter().map(|c| (levels(c), c)).collect();
+    order.sort_by_key(|(levels, _)| *levels);
+    rows.sort_by(|a, b| {
+        let differ = |(_, c): &(usize, &Vec<f64>)| Some(c[*a].total_cmp(&c[*b])).filter(|o| o.is_ne());
+        order.iter().find_map(differ).unwrap_or(std::cmp::Ordering::Equal)
+    });
+    rows
 }
 
 /// σ from second differences of neighbouring rows, (rᵢ₋₁ − 2rᵢ + rᵢ₊₁)²/6: free of every trend that is straight over

@@ -44,7 +44,7 @@ pub fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
     Ok(Diagnosis {
         rows: found.base.objective.measurements.len(),
         cautions: cautions(&found, repeats, verdict),
-        noise: found.base.objective.noise.clone(),
+        noise: found.base.objective.noise.level(found.base.objective.measurements),
         before,
         features,
         verdict,
@@ -76,7 +76,7 @@ fn cautions(found: &Found, repeats: &Repeats, verdict: Verdict) -> Vec<String> {
     if base.objective.freedom() < 3.0 {
         cautions.push("the rows are so few that almost any cause fits them".into());
     }
-    if measurements.uncertainty.is_none() && repeats.freedom > 0 && repeats.sum_of_squares == 0.0 {
+    if measurements.uncertainty.is_none() && repeats.scatter.iter().any(|s| s.freedom > 0 && s.sum_of_squares == 0.0) {
         cautions
             .push("rows that repeat each other are identical, as if copied: the noise cannot be judged by them".into());
     }

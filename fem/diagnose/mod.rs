@@ -24,7 +24,7 @@ pub use search::SIGNIFICANCE;
 pub use verdict::{State, Verdict};
 pub use visibility::Visibility;
 
-use crate::compare::{Feature, Noise, NoiseSource};
+use crate::compare::{Feature, Level, Noise, NoiseSource};
 use crate::fit::{self, Estimate, Fit, Objective, Patience, Solution, minimise};
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
@@ -46,7 +46,7 @@ pub struct Diagnosis {
     /// What should be known of the data before the rest is believed.
     pub cautions: Vec<String>,
     /// The noise that everything was judged by.
-    pub noise: Noise,
+    pub noise: Level,
     /// The model with its own freedom re-fitted.
     pub before: State,
     /// Where that fails.
@@ -141,10 +141,10 @@ fn diagnose_all(
         for _ in 0..4 {
             // What the best set leaves is the noise, until a better set is found with it.
             let left = found.best().objective.left_over(&found.best().solution);
-            let ratio = left.sigma[0] / objective.noise.sigma[0];
+            let settled = left.is_about(&objective.noise, SETTLED);
             objective.noise = left;
             found = look(&mut objective, &mut solution, &absent, repeats, (most, progress))?;
-            if (1.0 / SETTLED..SETTLED).contains(&ratio) {
+            if settled {
                 break;
             }
         }
@@ -185,7 +185,7 @@ fn look<'a>(
 fn yardstick(noise: &Noise, repeats: &Repeats) -> Yardstick {
     match noise.source {
         NoiseSource::Column => Yardstick::Known,
-        NoiseSource::Repeats => Yardstick::Repeats(repeats.freedom as f64),
+        NoiseSource::Repeats => Yardstick::Repeats(repeats.yardstick()),
         NoiseSource::Estimated => Yardstick::LeftOver,
     }
 }

@@ -81,15 +81,17 @@ struct Contrast {
 impl Contrast {
     fn new(best: &Trial, rival: &Trial, further: &Rows) -> Option<Self> {
         let (mut one, mut other) = (best.objective.clone(), rival.objective.clone());
-        let sigma = one.noise.rms();
+        let sigma = further.observable.iter().map(|o| one.noise.usual(one.measurements, *o));
+        let sigma = DVector::from_iterator(further.len(), sigma);
         let jacobian = other.jacobian(&rival.solution.position)?;
         // Residuals are measured less predicted: their derivatives have the opposite sign.
-        let further_jacobian = other.sensitivities(&rival.solution.position, further)? / -sigma;
+        let mut further_jacobian = -other.sensitivities(&rival.solution.position, further)?;
+        further_jacobian.column_iter_mut().for_each(|mut c| c.component_div_assign(&sigma));
         let ahead = one.predict_rows(&best.solution.position, further)?;
         let behind = other.predict_rows(&rival.solution.position, further)?;
         let measured = best.solution.predicted.iter().zip(&rival.solution.predicted).zip(&one.noise.sigma);
         let measured = measured.map(|((p, q), s)| (p - q) / s).chain(priors_apart(best, rival)).collect();
-        let further = DVector::from_vec(ahead.iter().zip(&behind).map(|(p, q)| (p - q) / sigma).collect());
+        let further = (DVector::from_vec(ahead) - DVector::from_vec(behind)).component_div(&sigma);
         Some(Self { measured: DVector::from_vec(measured), jacobian, further, further_jacobian })
     }
 

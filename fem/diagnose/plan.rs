@@ -25,8 +25,8 @@ const PLAIN: f64 = 15.0;
 pub struct Plan {
     /// Number of planned rows.
     pub rows: usize,
-    /// The noise that is expected, root mean square.
-    pub sigma: f64,
+    /// The noise that is expected, of each of the design's observables; root mean square.
+    pub sigma: Vec<f64>,
     /// Every effect that the model does not have, with what could be seen of it; `None` where it changes nothing in these rows.
     pub effects: Vec<(&'static Description, Option<Visibility>)>,
     /// Pairs that would look alike.
@@ -46,22 +46,24 @@ pub struct Alike {
     pub separation: f64,
 }
 
-/// Assesses planned rows; `sigma` is the expected noise where the design has no column `u`.
+/// Assesses planned rows; `sigma` is the expected noise of each of the process's observables, where the design has no column `u`.
 ///
 /// # Errors
 /// The model cannot be computed.
-pub fn plan(model: &Model, design: &Measurements, sigma: f64) -> Result<Plan, Failure> {
-    let known = design.uncertainty.clone().unwrap_or_else(|| vec![sigma; design.len()]);
+pub fn plan(model: &Model, design: &Measurements, sigma: &[f64]) -> Result<Plan, Failure> {
+    let of_rows = |rows: &Rows| rows.observable.iter().map(|o| sigma[*o]).collect::<Vec<f64>>();
+    let known = design.uncertainty.clone().unwrap_or_else(|| of_rows(&design.rows));
+    let expected = Noise { sigma: known.clone(), source: NoiseSource::Column };
     let absent = absent(model);
     let now = Assessment::of(model, &absent, design, known.clone())?;
     let alike = now.alike(&absent);
     let menu = model.system.menu(&design.rows);
-    let typical = (known.iter().map(|s| s * s).sum::<f64>() / known.len() as f64).sqrt();
     let rate = |further: crate::process::Further| {
         let rows = design.rows.and(&further.rows);
         let more = Measurements::planned(model.process, &design.name, rows);
         let at = |repeats: &usize| {
-            let new = std::iter::repeat_n(typical / (*repeats as f64).sqrt(), further.rows.len());
+            let usual = |o: &usize| expected.usual(design, *o) / (*repeats as f64).sqrt();
+            let new = further.rows.observable.iter().map(usual);
             let sigma = known.iter().copied().chain(new).collect();
             let then = Assessment::of(model, &absent, &more, sigma).ok()?;
             let told: Vec<(usize, usize)> = now.pairs().filter(|p| then.separation(*p).powi(2) >= SEPARATE).collect();
@@ -79,6 +81,7 @@ pub fn plan(model: &Model, design: &Measurements, sigma: f64) -> Result<Plan, Fa
     };
     let rated: Vec<Next> = menu.into_par_iter().flat_map_iter(rate).collect();
     let next = rated.into_iter().max_by_key(|n| (n.pairs.len(), std::cmp::Reverse(n.observations())));
+    let typical = design.seen.iter().map(|s| expected.usual(design, s.position)).collect();
     Ok(Plan { rows: design.len(), sigma: typical, effects: absent.into_iter().zip(now.visible).collect(), alike, next })
 }
 

@@ -2,7 +2,7 @@
 
 use super::held_out::Folds;
 use super::trial::Trial;
-use crate::compare::{Feature, NoiseSource, features as find_features};
+use crate::compare::{self, Feature, NoiseSource, features as find_features};
 use crate::fit::judge;
 use crate::measure::Repeats;
 
@@ -54,10 +54,10 @@ impl State {
     }
 }
 
-/// Root mean square residual of the rows.
+/// Root mean square residual of the rows, in standard uncertainties where there are several observables.
 pub fn rms(trial: &Trial) -> f64 {
-    let residuals = residuals(trial);
-    (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt()
+    let objective = &trial.objective;
+    compare::rms(&objective.measurements.together(&residuals(trial), &objective.noise.sigma))
 }
 
 fn residuals(trial: &Trial) -> Vec<f64> {

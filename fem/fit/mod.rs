@@ -17,7 +17,7 @@ pub use write::{fitted_text, uncertain};
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-use crate::compare::{Noise, NoiseSource, SIGNIFICANCE};
+use crate::compare::{Noise, NoiseSource, SIGNIFICANCE, rms};
 use crate::input::Parameter;
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Model;
@@ -35,7 +35,7 @@ pub struct Fit {
     pub predicted: Vec<f64>,
     /// The noise by which rows were weighed.
     pub noise: Noise,
-    /// Root mean square residual of the fitted model.
+    /// Root mean square residual of the fitted model, in standard uncertainties where the file has several observables.
     pub rms: f64,
     /// χ² of rows and priors over ν = rows + priors − parameters; lack of fit over pure error with repeats.
     pub misfit: f64,
@@ -121,7 +121,7 @@ pub fn report(objective: &mut Objective, solution: Solution, repeats: &Repeats) 
     let intervals = intervals::profile(objective, &solution, &covariance);
     let (misfit, p_value) = judge(objective, &solution, repeats);
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
-    let rms = (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt();
+    let rms = rms(&objective.measurements.together(&residuals, &objective.noise.sigma));
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
@@ -148,11 +148,11 @@ pub fn judge(objective: &Objective, solution: &Solution, repeats: &Repeats) -> (
             (solution.chi2 / freedom, p)
         }
         NoiseSource::Repeats => {
-            let pure = repeats.sum_of_squares / repeats.freedom as f64;
-            let lack = solution.chi2 - repeats.sum_of_squares / pure;
-            let freedom = freedom - repeats.freedom as f64;
-            let f = lack.max(0.0) / freedom;
-            (f, FisherSnedecor::new(freedom, repeats.freedom as f64).ok().map(|d| d.sf(f)))
+            // In units of itself the scatter of the repeats is its degrees of freedom.
+            let pure = repeats.freedom() as f64;
+            let freedom = freedom - pure;
+            let f = (solution.chi2 - pure).max(0.0) / freedom;
+            (f, FisherSnedecor::new(freedom, repeats.yardstick()).ok().map(|d| d.sf(f)))
         }
         NoiseSource::Estimated => (solution.chi2 / freedom, None),
     }

@@ -63,19 +63,25 @@ impl<'a> Objective<'a> {
             let help = "measure more, or give some of them a value with `+-`".into();
             return Err(Failure { message, help });
         }
-        let sigma = measurements.uncertainty.clone().unwrap_or_else(|| {
-            let mean = measurements.observed.iter().sum::<f64>() / measurements.len() as f64;
-            let square = measurements.observed.iter().map(|y| (y - mean).powi(2)).sum::<f64>();
-            vec![(0.01 * (square / measurements.len() as f64).sqrt()).max(1e-12); measurements.len()]
-        });
-        let source = if measurements.uncertainty.is_some() { NoiseSource::Column } else { NoiseSource::Estimated };
+        let noise = match &measurements.uncertainty {
+            Some(sigma) => Noise { sigma: sigma.clone(), source: NoiseSource::Column },
+            None => {
+                let sigma: Vec<f64> =
+                    measurements.rows_by_observable().iter().map(|r| scatter(measurements, r)).collect();
+                Noise::alike(
+                    measurements,
+                    &sigma.iter().map(|s| (0.01 * s).max(1e-12)).collect::<Vec<_>>(),
+                    NoiseSource::Estimated,
+                )
+            }
+        };
         Ok(Self {
             model,
             measurements,
             added: Vec::new(),
             parameters: model.parameters.clone(),
             axes,
-            noise: Noise { sigma, source },
+            noise,
             evaluations: 0,
             failures: 0,
         })
@@ -141,12 +147,16 @@ impl<'a> Objective<'a> {
         DVector::from_iterator(position.len(), self.axes.iter().zip(position.iter()).map(written))
     }
 
-    /// σ from what a solution leaves, all rows alike.
+    /// σ from what a solution leaves, all rows of an observable alike; each has its share of the degrees of freedom.
     pub fn left_over(&self, solution: &Solution) -> Noise {
-        let square: f64 =
-            self.measurements.observed.iter().zip(&solution.predicted).map(|(y, p)| (y - p).powi(2)).sum();
-        let sigma = (square / self.freedom().max(1.0)).sqrt().max(1e-15);
-        Noise { sigma: vec![sigma; self.measurements.len()], source: NoiseSource::Estimated }
+        let left = |row: &usize| (self.measurements.observed[*row] - solution.predicted[*row]).powi(2);
+        let share = self.freedom().max(1.0) / self.measurements.len() as f64;
+        let own = |rows: &Vec<usize>| {
+            let square: f64 = rows.iter().map(left).sum();
+            (square / (share * rows.len() as f64)).sqrt().max(1e-15)
+        };
+        let sigma: Vec<f64> = self.measurements.rows_by_observable().iter().map(own).collect();
+        Noise::alike(self.measurements, &sigma, NoiseSource::Estimated)
     }
 
     /// The values of all parameters, SI.
@@ -241,6 +251,13 @@ impl<'a> Objective<'a> {
         let inverse = &eigen.eigenvectors * inverse * eigen.eigenvectors.transpose();
         Ok(DMatrix::from_fn(n, n, |r, c| inverse[(r, c)] * scale[r] * scale[c]))
     }
+}
+
+/// Standard deviation of what some rows observed.
+fn scatter(measurements: &Measurements, rows: &[usize]) -> f64 {
+    let observed = || rows.iter().map(|row| measurements.observed[*row]);
+    let mean = observed().sum::<f64>() / rows.len() as f64;
+    (observed().map(|y| (y - mean).powi(2)).sum::<f64>() / rows.len() as f64).sqrt()
 }
 
 /// Where to look for a parameter of a written effect that shapes it: at parts of the extent of the first coordinate that is measured in its dimension, for

@@ -1,6 +1,6 @@
 //! The header row: which column is what, in which unit.
 
-use super::{Purpose, Vocabulary};
+use super::{Purpose, Seen, Vocabulary};
 use crate::input::{Problem, nearest};
 use crate::process::{Absent, Holds};
 use crate::units::{Kind, Unit, UnitError};
@@ -10,10 +10,10 @@ use crate::units::{Kind, Unit, UnitError};
 pub enum Column {
     /// A coordinate, by its position, with its unit where it has one.
     Coordinate(usize, Option<Unit>),
-    /// The observable, by its position.
+    /// An observable, by its position.
     Observed(usize, Unit),
-    /// Its standard uncertainty.
-    Uncertainty(Unit),
+    /// The standard uncertainty of the observable with this position; of the only one where none is named.
+    Uncertainty(Option<usize>, Unit),
     /// Kept, but not used.
     Unknown,
 }
@@ -22,9 +22,8 @@ pub enum Column {
 #[derive(Debug, Default)]
 pub struct Header {
     pub columns: Vec<Column>,
-    pub observable: usize,
-    /// Unit of the observable, as written.
-    pub unit: String,
+    /// The observables, in the order of their columns; a design may have none.
+    pub seen: Vec<Seen>,
     pub notes: Vec<String>,
 }
 
@@ -40,7 +39,6 @@ fn split(cell: &str) -> (&str, &str) {
 pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Result<Header, Vec<Problem>> {
     let mut header = Header::default();
     let mut problems = Vec::new();
-    let mut observed = None;
     let (mut unknown, mut wrong): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
     for (i, cell) in cells.iter().enumerate() {
         let (name, unit) = split(cell);
@@ -50,11 +48,13 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
         match column(name, unit, vocabulary) {
             Ok(column) => {
                 if let Column::Observed(position, _) = column {
-                    if observed.replace(position).is_some() {
+                    let observable = &vocabulary.observables[position];
+                    let dimension = |position: usize| vocabulary.observables[position].kind.canonical().dimension;
+                    if header.seen.iter().any(|s| dimension(s.position) == dimension(position)) {
                         let problem = Problem::new("two columns hold the same observable");
                         problems.push(problem.help("keep either of them"));
                     }
-                    header.unit = unit.to_string();
+                    header.seen.push(Seen::new(position, observable, unit));
                 }
                 if column == Column::Unknown {
                     unknown.push(name);
@@ -69,15 +69,12 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
         }
     }
     // A column that is wrong has been told of already, and is not missing.
-    let absent = missing(&header, observed, &unknown, vocabulary);
+    let absent = missing(&header, &unknown, vocabulary);
     let observable_told = vocabulary.observables.iter().any(|o| wrong.contains(&o.name));
     let not_asked = observable_told || purpose == Purpose::Design;
     let told = |name: &str| wrong.contains(&name) || (name.is_empty() && not_asked);
     problems.extend(absent.into_iter().filter(|(name, _)| !told(name)).map(|(_, problem)| problem));
-    header.observable = observed.unwrap_or(0);
-    if let Some(kind) = vocabulary.observables.get(header.observable).map(|o| o.kind) {
-        check_uncertainty(&header, kind, &mut problems);
-    }
+    check_uncertainty(&mut header, vocabulary, &mut problems);
     if problems.is_empty() { Ok(header) } else { Err(problems) }
 }
 
@@ -93,9 +90,11 @@ fn column(name: &str, unit: &str, vocabulary: Vocabulary) -> Result<Column, Prob
     if let Some(i) = vocabulary.observables.iter().position(|o| o.name == name) {
         return Ok(Column::Observed(i, of_kind(vocabulary.observables[i].kind)?));
     }
-    if name == "u" {
-        let unit = Unit::parse(unit).map_err(|e| Problem::new(format!("`u`: {}", e.message)))?;
-        return Ok(Column::Uncertainty(unit));
+    let of = |name: &str| vocabulary.observables.iter().position(|o| o.name == name);
+    let named = name.strip_prefix("u_").and_then(of);
+    if name == "u" || named.is_some() {
+        let unit = Unit::parse(unit).map_err(|e| Problem::new(format!("`{name}`: {}", e.message)))?;
+        return Ok(Column::Uncertainty(named, unit));
     }
     Ok(Column::Unknown)
 }
@@ -113,18 +112,13 @@ fn note(name: &str, vocabulary: Vocabulary) -> String {
 }
 
 /// What must be there and is not, by name; `unknown` are the columns of which one may be it, misspelt.
-fn missing(
-    header: &Header,
-    observed: Option<usize>,
-    unknown: &[&str],
-    vocabulary: Vocabulary,
-) -> Vec<(&'static str, Problem)> {
+fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'static str, Problem)> {
     let meant = |name: &str| {
         let same = |other: &&&str| nearest(&other.to_lowercase(), [name]).is_some();
         unknown.iter().find(same).map_or(String::new(), |other| format!("is `{other}` meant? "))
     };
     let mut problems = Vec::new();
-    if observed.is_none() {
+    if header.seen.is_empty() {
         let names: Vec<String> =
             vocabulary.observables.iter().map(|o| format!("{} [{}]", o.name, o.kind.unit)).collect();
         let problem = Problem::new("no column holds what was observed");
@@ -134,7 +128,12 @@ fn missing(
     }
     for (i, coordinate) in vocabulary.coordinates.iter().enumerate() {
         let given = header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
-        if coordinate.absent == Absent::Refused && !given {
+        let needed = match coordinate.absent {
+            Absent::Refused => true,
+            Absent::NeededBy(observable) => header.seen.iter().any(|s| s.position == observable),
+            Absent::Value(_) | Absent::Model => false,
+        };
+        if needed && !given {
             let unit = match coordinate.holds {
                 Holds::Quantity(kind) => format!(" [{}]", kind.unit),
                 _ => String::new(),
@@ -147,15 +146,44 @@ fn missing(
     problems
 }
 
-fn check_uncertainty(header: &Header, kind: Kind, problems: &mut Vec<Problem>) {
-    for column in &header.columns {
-        if let Column::Uncertainty(unit) = column
-            && unit.dimension != kind.canonical().dimension
-        {
-            problems.push(
-                Problem::new(format!("the unit of `u` is not one of {}", kind.bare_name()))
-                    .help(format!("write u [{}]", kind.unit)),
-            );
+/// Every column of uncertainties belongs to an observable of the file, has its dimension, and leaves no other observable without.
+fn check_uncertainty(header: &mut Header, vocabulary: Vocabulary, problems: &mut Vec<Problem>) {
+    let seen: Vec<(usize, Kind)> = match &header.seen[..] {
+        [] => vec![(0, vocabulary.observables[0].kind)],
+        seen => seen.iter().map(|s| (s.position, s.kind)).collect(),
+    };
+    let name = |position: usize| vocabulary.observables[position].name;
+    let mut given = Vec::new();
+    for column in &mut header.columns {
+        let Column::Uncertainty(of, unit) = column else { continue };
+        let Some(&(position, kind)) = (match (*of, &seen[..]) {
+            (None, [one]) => Some(one),
+            (None, _) => {
+                let names: Vec<String> = seen.iter().map(|s| format!("u_{} [{}]", name(s.0), s.1.unit)).collect();
+                let problem = Problem::new("`u` does not say of which observable it is the uncertainty");
+                problems.push(problem.help(format!("write {}", names.join(" and "))));
+                return;
+            }
+            (Some(position), _) => seen.iter().find(|s| s.0 == position),
+        }) else {
+            let of = of.map_or("", name);
+            let problem = Problem::new(format!("`u_{of}` is there, but no column `{of}`"));
+            problems.push(problem.help("leave it out, or add the column"));
+            continue;
+        };
+        *of = Some(position);
+        given.push(position);
+        if unit.dimension != kind.canonical().dimension {
+            let problem = Problem::new(format!("the unit of `u` is not one of {}", kind.bare_name()));
+            problems.push(problem.help(format!("write u [{}]", kind.unit)));
         }
+    }
+    if let (false, Some(without)) = (given.is_empty(), seen.iter().find(|s| !given.contains(&s.0))) {
+        let problem = Problem::new(format!("`{}` has no uncertainty where the others have one", name(without.0)));
+        problems.push(problem.help(format!(
+            "add a column u_{} [{}], or leave all of them out",
+            name(without.0),
+            without.1.unit
+        )));
     }
 }

@@ -4,7 +4,7 @@ mod header;
 mod read;
 mod repeats;
 
-pub use repeats::{Repeats, repeats};
+pub use repeats::{Repeats, Scatter, repeats};
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -15,6 +15,19 @@ use crate::units::Kind;
 
 /// Largest measurement file, bytes: some ten million rows.
 const LARGEST: u64 = 500_000_000;
+
+/// An observable of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// Its position in the process's list.
+    pub position: usize,
+    /// Its name.
+    pub name: &'static str,
+    /// Its kind, with the unit in which results tell of errors in it.
+    pub kind: Kind,
+    /// The unit in which it is written.
+    pub unit: String,
+}
 
 /// Measurements of a process.
 #[derive(Clone, Debug)]
@@ -27,12 +40,12 @@ pub struct Measurements {
     pub observed: Vec<f64>,
     /// Standard uncertainty of each row, SI; `None` without a column `u`.
     pub uncertainty: Option<Vec<f64>>,
+    /// The record, from 0, that each row stands in; a record that holds several observables gives a row for each.
+    pub records_of: Vec<usize>,
     /// Line of the file of each row.
     pub lines: Vec<u64>,
-    /// The kind of the observable, with its canonical unit.
-    pub kind: Kind,
-    /// The unit in which the observable is written.
-    pub unit: String,
+    /// The observables of the file, in the order of their columns; never none.
+    pub seen: Vec<Seen>,
     /// Which coordinates the file has a column for, by their position in the process's list.
     pub given: Vec<usize>,
     /// The file's header and records, as written.
@@ -64,15 +77,13 @@ impl Measurements {
 
     /// Rows of a process, with nothing observed yet.
     pub fn planned(process: &dyn Process, name: &str, rows: Rows) -> Self {
-        let observable = rows.observable.first().copied().unwrap_or(0);
-        let kind = process.observables()[observable].kind;
         Self {
             name: name.into(),
             observed: vec![0.0; rows.len()],
             uncertainty: None,
+            records_of: (0..rows.len()).collect(),
             lines: (0..rows.len() as u64).collect(),
-            kind,
-            unit: kind.unit.into(),
+            seen: Seen::of(&rows, process.observables()),
             given: (0..process.coordinates().len()).collect(),
             header: Vec::new(),
             records: Vec::new(),
@@ -102,17 +113,51 @@ impl Measurements {
             },
             observed: of(&self.observed),
             uncertainty: self.uncertainty.as_ref().map(of),
+            records_of: rows.iter().map(|r| self.records_of[*r]).collect(),
             lines: rows.iter().map(|r| self.lines[*r]).collect(),
             records: Vec::new(),
             name: self.name.clone(),
-            unit: self.unit.clone(),
+            seen: self.seen.clone(),
             given: self.given.clone(),
             header: self.header.clone(),
             notes: self.notes.clone(),
             // Of fewer rows they are others: a system sees them anew.
             blind: Vec::new(),
-            kind: self.kind,
         }
+    }
+
+    /// The rows of one of its observables, as a file of their own.
+    #[must_use]
+    pub fn of(&self, seen: &Seen) -> Self {
+        let rows = self.some(|row| self.rows.observable[row] == seen.position);
+        Self { seen: vec![seen.clone()], ..rows }
+    }
+
+    /// In what errors over all rows are told: the observable's kind, or standard uncertainties where there are several observables.
+    pub fn kind(&self) -> Kind {
+        match &self.seen[..] {
+            [one] => one.kind,
+            _ => Kind { name: "a standard uncertainty", unit: "sigma", usual: "1" },
+        }
+    }
+
+    /// Errors (SI) of all rows as they are told together: as they are, or in standard uncertainties where there are several observables.
+    pub fn together(&self, errors: &[f64], sigma: &[f64]) -> Vec<f64> {
+        match &self.seen[..] {
+            [_] => errors.to_vec(),
+            _ => errors.iter().zip(sigma).map(|(e, s)| e / s).collect(),
+        }
+    }
+
+    /// The number, among the file's observables, of the one that a row observes.
+    pub fn observable(&self, row: usize) -> usize {
+        self.seen.iter().position(|s| s.position == self.rows.observable[row]).unwrap_or(0)
+    }
+
+    /// The rows of each of its observables.
+    pub fn rows_by_observable(&self) -> Vec<Vec<usize>> {
+        let own = |s: &Seen| (0..self.len()).filter(|row| self.rows.observable[*row] == s.position).collect();
+        self.seen.iter().map(own).collect()
     }
 
     /// As a system sees them: without what its way of measuring is blind to.
@@ -140,6 +185,18 @@ impl Measurements {
     /// Whether there are none; a file without rows is refused, so never.
     pub fn is_empty(&self) -> bool {
         self.observed.is_empty()
+    }
+}
+
+impl Seen {
+    /// The observables of rows.
+    fn of(rows: &Rows, observables: &[Observable]) -> Vec<Self> {
+        let seen = observables.iter().enumerate().filter(|(i, _)| rows.observable.contains(i));
+        seen.map(|(i, o)| Self::new(i, o, o.kind.unit)).collect()
+    }
+
+    fn new(position: usize, observable: &Observable, unit: &str) -> Self {
+        Self { position, name: observable.name, kind: observable.error_kind(), unit: unit.to_string() }
     }
 }
 

@@ -1,10 +1,10 @@
 //! The rows of a measurement file.
 
 use super::header::{self, Column, Header};
-use super::{Measurements, Purpose, Vocabulary};
+use super::{Measurements, Purpose, Seen, Vocabulary};
 use crate::input::{InputError, Problem, Source};
 use crate::process::{Absent, Holds, Process, Rows};
-use crate::units::{LENGTH, MICRO};
+use crate::units::Unit;
 
 /// After this many problems the rest of the file is not looked at.
 const MOST_PROBLEMS: usize = 20;
@@ -42,8 +42,12 @@ pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<M
     if !problems.is_empty() {
         return Err(refuse(problems));
     }
-    table.measurements.name = source.name.to_string();
-    Ok(table.measurements)
+    let mut measurements = table.measurements;
+    measurements.name = source.name.to_string();
+    if measurements.seen.is_empty() {
+        measurements.seen = Seen::of(&measurements.rows, vocabulary.observables);
+    }
+    Ok(measurements)
 }
 
 /// The bytes of the line that begins at `offset`; after comments the reader's position may stand before them.
@@ -78,7 +82,7 @@ struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     fn new(header: &'a Header, vocabulary: Vocabulary, cells: Vec<String>) -> Self {
-        let has_u = header.columns.iter().any(|c| matches!(c, Column::Uncertainty(_)));
+        let has_u = header.columns.iter().any(|c| matches!(c, Column::Uncertainty(..)));
         let given = header.columns.iter().filter_map(|c| match c {
             Column::Coordinate(i, _) => Some(*i),
             _ => None,
@@ -88,13 +92,9 @@ impl<'a> Builder<'a> {
             rows: Rows { columns: vec![Vec::new(); vocabulary.coordinates.len()], observable: Vec::new() },
             observed: Vec::new(),
             uncertainty: has_u.then(Vec::new),
+            records_of: Vec::new(),
             lines: Vec::new(),
-            // Errors of a length are told in micrometres.
-            kind: match vocabulary.observables[header.observable].kind {
-                LENGTH => MICRO,
-                kind => kind,
-            },
-            unit: header.unit.clone(),
+            seen: header.seen.clone(),
             given: given.collect(),
             header: cells,
             records: Vec::new(),
@@ -106,47 +106,109 @@ impl<'a> Builder<'a> {
 
     /// Takes a record, or says what is wrong with it and takes nothing.
     fn push(&mut self, record: csv::StringRecord) -> Result<(), Problem> {
-        let mut coordinates: Vec<f64> = self.vocabulary.coordinates.iter().map(left_out).collect();
-        // A design has nothing observed, and a file of measurements has a column for it.
-        let (mut observed, mut uncertainty) = (0.0, f64::NAN);
-        for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
-            match column {
-                Column::Coordinate(i, unit) => {
-                    let holds = self.vocabulary.coordinates[*i].holds;
-                    coordinates[*i] = match (holds, unit) {
-                        (Holds::Quantity(_), Some(unit)) => number(cell, name)? * unit.factor + unit.offset,
-                        _ => label(cell, name, holds)?,
-                    };
-                }
-                Column::Observed(_, unit) => observed = number(cell, name)? * unit.factor + unit.offset,
-                Column::Uncertainty(unit) => {
-                    uncertainty = number(cell, name)? * unit.factor;
-                    if uncertainty <= 0.0 {
-                        let problem = Problem::new(format!("`u` is {cell}"));
-                        return Err(problem
-                            .help("a standard uncertainty is above zero; leave the column out if it is not known"));
-                    }
-                }
-                Column::Unknown => {}
-            }
-        }
+        let observed = self.observed(&record)?;
+        let coordinates = self.coordinates(&record, &observed)?;
         let table = &mut self.measurements;
-        table.rows.columns.iter_mut().zip(coordinates).for_each(|(column, value)| column.push(value));
-        table.rows.observable.push(self.header.observable);
-        table.observed.push(observed);
-        if let Some(all) = &mut table.uncertainty {
-            all.push(uncertainty);
+        for o in observed {
+            for ((column, value), coordinate) in
+                table.rows.columns.iter_mut().zip(&coordinates).zip(self.vocabulary.coordinates)
+            {
+                let elsewhere = matches!(coordinate.absent, Absent::NeededBy(other) if other != o.observable);
+                column.push(if elsewhere { f64::NAN } else { *value });
+            }
+            table.rows.observable.push(o.observable);
+            table.observed.push(o.value);
+            if let Some(all) = &mut table.uncertainty {
+                all.push(o.uncertainty);
+            }
+            table.records_of.push(table.records.len());
+            table.lines.push(record.position().map_or(0, csv::Position::line));
         }
-        table.lines.push(record.position().map_or(0, csv::Position::line));
         table.records.push(record);
         Ok(())
     }
+
+    /// What a record observes. Of several observables some may be left empty, but not all.
+    fn observed(&self, record: &csv::StringRecord) -> Result<Vec<Observed>, Problem> {
+        let cells = || record.iter().zip(&self.header.columns).zip(&self.measurements.header);
+        let may_be_empty = self.header.seen.len() > 1;
+        let mut all = Vec::new();
+        for ((cell, column), name) in cells() {
+            if let Column::Observed(observable, unit) = column
+                && !(may_be_empty && cell.is_empty())
+            {
+                let value = number(cell, name)? * unit.factor + unit.offset;
+                all.push(Observed { observable: *observable, value, uncertainty: f64::NAN });
+            }
+        }
+        if self.header.seen.is_empty() {
+            all.push(Observed { observable: self.planned(record), value: 0.0, uncertainty: f64::NAN });
+        }
+        if all.is_empty() {
+            return Err(Problem::new("the row observes nothing").help("fill in one of its observables"));
+        }
+        for ((cell, column), name) in cells() {
+            if let Column::Uncertainty(of, unit) = column
+                && let Some(observed) = all.iter_mut().find(|o| of.is_none_or(|of| of == o.observable))
+            {
+                observed.uncertainty = uncertainty(cell, name, *unit)?;
+            }
+        }
+        Ok(all)
+    }
+
+    /// What a row of a design that does not say so will observe: what needs the coordinates that are given, or the first observable.
+    fn planned(&self, record: &csv::StringRecord) -> usize {
+        let needs = |(cell, column): (&str, &Column)| match column {
+            Column::Coordinate(i, _) if !cell.is_empty() => match self.vocabulary.coordinates[*i].absent {
+                Absent::NeededBy(observable) => Some(observable),
+                _ => None,
+            },
+            _ => None,
+        };
+        record.iter().zip(&self.header.columns).find_map(needs).unwrap_or(0)
+    }
+
+    /// The coordinates of a record. One that only an observable needs that the record does not observe may be empty.
+    fn coordinates(&self, record: &csv::StringRecord, observed: &[Observed]) -> Result<Vec<f64>, Problem> {
+        let mut coordinates: Vec<f64> = self.vocabulary.coordinates.iter().map(left_out).collect();
+        for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
+            let Column::Coordinate(i, unit) = column else { continue };
+            let coordinate = &self.vocabulary.coordinates[*i];
+            let idle =
+                matches!(coordinate.absent, Absent::NeededBy(o) if observed.iter().all(|own| own.observable != o));
+            if idle && cell.is_empty() {
+                continue;
+            }
+            coordinates[*i] = match (coordinate.holds, unit) {
+                (Holds::Quantity(_), Some(unit)) => number(cell, name)? * unit.factor + unit.offset,
+                (holds, _) => label(cell, name, holds)?,
+            };
+        }
+        Ok(coordinates)
+    }
+}
+
+/// What a record says of one observable, SI; the uncertainty is NaN where no column has it.
+struct Observed {
+    observable: usize,
+    value: f64,
+    uncertainty: f64,
+}
+
+fn uncertainty(cell: &str, name: &str, unit: Unit) -> Result<f64, Problem> {
+    let value = number(cell, name)? * unit.factor;
+    if value <= 0.0 {
+        let problem = Problem::new(format!("`{}` is {cell}", name.split(['[', ' ']).next().unwrap_or("u")));
+        return Err(problem.help("a standard uncertainty is above zero; leave the column out if it is not known"));
+    }
+    Ok(value)
 }
 
 fn left_out(coordinate: &crate::process::Coordinate) -> f64 {
     match coordinate.absent {
         Absent::Value(value) => value,
-        Absent::Refused | Absent::Model => f64::NAN,
+        Absent::Refused | Absent::Model | Absent::NeededBy(_) => f64::NAN,
     }
 }
 

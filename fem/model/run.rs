@@ -1,14 +1,15 @@
 //! A run: the prediction, and what each effect changes in it.
 
 use super::Model;
-use crate::process::{Active, Failure, Outcome, equip};
+use crate::process::{Active, Failure, Observable, Outcome, equip};
 use crate::progress::Progress;
+use crate::units::Kind;
 
 /// What a run gives.
 pub struct Run {
     /// The process's own report.
     pub outcome: Outcome,
-    /// What each part of the model contributes, the ideal system first.
+    /// What each part of the model contributes to each observable, the ideal system first.
     pub shares: Vec<Share>,
 }
 
@@ -18,12 +19,22 @@ pub struct Run {
 pub struct Share {
     /// The effect's name, or `ideal`.
     pub name: &'static str,
+    /// In which observable, by its position in the process's list.
+    pub observable: usize,
     /// Root mean square over all points.
     pub rms: f64,
     /// Smallest change.
     pub smallest: f64,
     /// Largest change.
     pub largest: f64,
+}
+
+impl Share {
+    /// In what it is told: the ideal prediction as what is observed, a change as errors are.
+    pub fn kind(&self, observables: &[Observable]) -> Kind {
+        let observable = &observables[self.observable];
+        if self.name == "ideal" { observable.kind } else { observable.error_kind() }
+    }
 }
 
 impl Model {
@@ -34,24 +45,29 @@ impl Model {
     pub fn run(&self, progress: &Progress) -> Result<Run, Failure> {
         let job = self.job();
         let prediction = job.predict(progress)?;
-        let ideal = equip(&self.system, &[]).predict(progress)?;
-        let mut shares = vec![share("ideal", ideal.iter().copied())];
+        let mut changes = vec![("ideal", equip(&self.system, &[]).predict(progress)?)];
         for effect in &self.effects {
             let others: Vec<Active> = self.effects.iter().filter(|e| *e != effect).cloned().collect();
             let without = equip(&self.system, &others).predict(progress)?;
-            shares.push(share(effect.description.name, prediction.iter().zip(&without).map(|(a, b)| a - b)));
+            let changed = prediction.iter().zip(&without).map(|(a, b)| a - b).collect();
+            changes.push((effect.description.name, changed));
         }
+        let programme = self.system.programme().observable;
+        let observed = (0..self.process.observables().len()).filter(|o| programme.contains(o));
+        let shares = observed.flat_map(|o| changes.iter().map(move |(name, changes)| (*name, o, changes)));
+        let shares = shares.map(|(name, o, changes)| share(name, o, changes, &programme)).collect();
         Ok(Run { outcome: job.outcome(prediction)?, shares })
     }
 }
 
-fn share(name: &'static str, changes: impl Iterator<Item = f64>) -> Share {
+/// Of the points of the programme at which this observable is predicted.
+fn share(name: &'static str, observable: usize, changes: &[f64], programme: &[usize]) -> Share {
     let (mut square, mut count, mut smallest, mut largest) = (0.0, 0usize, f64::INFINITY, f64::NEG_INFINITY);
-    for change in changes {
+    for (change, _) in changes.iter().zip(programme).filter(|(_, o)| **o == observable) {
         square += change * change;
         count += 1;
         smallest = change.min(smallest);
         largest = change.max(largest);
     }
-    Share { name, rms: (square / count.max(1) as f64).sqrt(), smallest, largest }
+    Share { name, observable, rms: (square / count.max(1) as f64).sqrt(), smallest, largest }
 }

@@ -16,8 +16,9 @@ pub fn table(table: &Table) -> String {
     for row in 0..rows {
         for (i, column) in table.columns.iter().enumerate() {
             let comma = if i == 0 { "" } else { "," };
-            // Writing to a String does not fail.
-            let _ = write!(text, "{comma}{}", column.values[row]);
+            let value = column.values[row];
+            // What is not there is an empty cell. Writing to a String does not fail.
+            let _ = if value.is_nan() { write!(text, "{comma}") } else { write!(text, "{comma}{value}") };
         }
         text.push('\n');
     }

@@ -17,7 +17,7 @@ fn adequate(fit: &Fit) -> Option<bool> {
 
 /// `fem fit --json`: `fem-fit/1`.
 pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
-    let kind = measurements.kind;
+    let kind = measurements.kind();
     let estimate = |e: &Estimate| {
         let k = e.parameter.kind;
         let factor = k.canonical().factor;
@@ -42,7 +42,7 @@ pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
         "model": &*model.source.name,
         "data": measurements.name,
         "observations": measurements.len(),
-        "noise": { "sigma": kind.from_si(fit.noise.rms()), "unit": kind.unit, "source": fit.noise.source.word() },
+        "noise": super::comparison::noise(&fit.noise.level(measurements), kind),
         "rms": kind.from_si(fit.rms),
         "unit": kind.unit,
         "chi2_per_dof": finite(fit.misfit),
@@ -62,15 +62,13 @@ pub(super) fn finite(value: f64) -> Json {
 
 /// What was fitted, how well, and what cannot be told.
 pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
-    let kind = measurements.kind;
+    let kind = measurements.kind();
     let mut text = format!(
-        "{} fitted to {}: {} observations, noise {:.3} {} ({})\n\n",
+        "{} fitted to {}: {} observations, noise {}\n\n",
         model.source.name,
         measurements.name,
         measurements.len(),
-        kind.from_si(fit.noise.rms()),
-        kind.unit,
-        fit.noise.source.word(),
+        super::comparison::noise_text(&fit.noise.level(measurements), measurements),
     );
     let width = fit.estimates.iter().map(|e| e.parameter.path.chars().count()).max().unwrap_or(0);
     // Writing to a String does not fail, here and below.

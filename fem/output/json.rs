@@ -11,10 +11,11 @@ pub fn run(model: &Model, run: &Run) -> Json {
     for finding in &run.outcome.findings {
         findings.insert(finding.key.to_string(), finding.json.clone());
     }
-    let kind = model.process.observables()[0].kind;
+    let observables = model.process.observables();
     let share = |s: &Share| {
+        let kind = s.kind(observables);
         let [rms, smallest, largest] = [s.rms, s.smallest, s.largest].map(|si| kind.from_si(si));
-        json!({ "effect": s.name, "rms": rms, "smallest": smallest, "largest": largest, "unit": kind.unit })
+        json!({ "effect": s.name, "observable": observables[s.observable].name, "rms": rms, "smallest": smallest, "largest": largest, "unit": kind.unit })
     };
     json!({
         "schema": "fem-run/1",

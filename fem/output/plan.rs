@@ -6,11 +6,13 @@ use serde_json::{Value as Json, json};
 
 use super::diagnosis::{bound, next as next_json};
 use crate::diagnose::Plan;
+use crate::measure::{Measurements, Seen};
 use crate::model::Model;
-use crate::units::Kind;
 
 /// `fem plan --json`: `fem-plan/1`.
-pub fn json(model: &Model, design: &str, plan: &Plan, kind: Kind) -> Json {
+pub fn json(model: &Model, design: &Measurements, plan: &Plan) -> Json {
+    let noise = |(seen, sigma): (&Seen, &f64)| json!({ "observable": seen.name, "sigma": seen.kind.from_si(*sigma), "unit": seen.kind.unit });
+    let mut noise: Vec<Json> = design.seen.iter().zip(&plan.sigma).map(noise).collect();
     let effect = |(d, v): &(&crate::process::Description, Option<crate::diagnose::Visibility>)| {
         let unit = v.as_ref().and_then(|v| d.parameters.iter().find(|p| p.name == v.parameter)).map(|p| p.kind.unit);
         json!({
@@ -25,9 +27,9 @@ pub fn json(model: &Model, design: &str, plan: &Plan, kind: Kind) -> Json {
     json!({
         "schema": "fem-plan/1",
         "model": &*model.source.name,
-        "design": design,
+        "design": design.name,
         "observations": plan.rows,
-        "noise": { "sigma": kind.from_si(plan.sigma), "unit": kind.unit },
+        "noise": if noise.len() == 1 { noise.remove(0) } else { json!(noise) },
         "effects": plan.effects.iter().map(effect).collect::<Vec<_>>(),
         "alike": plan.alike.iter().map(|a| json!({ "effects": [a.one.name, a.other.name], "separation": a.separation })).collect::<Vec<_>>(),
         "next_measurement": plan.next.as_ref().map(|n| next_json(n, model)),
@@ -38,14 +40,11 @@ pub fn json(model: &Model, design: &str, plan: &Plan, kind: Kind) -> Json {
 const MOST_PAIRS: usize = 12;
 
 /// The plan for people. Writing to a String does not fail.
-pub fn text(model: &Model, design: &str, plan: &Plan, kind: Kind) -> String {
-    let mut text = format!(
-        "{}: {} rows of {design}, noise {:.3} {}\n",
-        model.source.name,
-        plan.rows,
-        kind.from_si(plan.sigma),
-        kind.unit
-    );
+pub fn text(model: &Model, design: &Measurements, plan: &Plan) -> String {
+    let noise = |(seen, sigma): (&Seen, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
+    let noise: Vec<String> = design.seen.iter().zip(&plan.sigma).map(noise).collect();
+    let mut text =
+        format!("{}: {} rows of {}, noise {}\n", model.source.name, plan.rows, design.name, noise.join(" and "));
     let visible = || plan.effects.iter().filter_map(|(d, v)| v.as_ref().filter(|v| v.visible).map(|v| (*d, v)));
     let width = plan.effects.iter().map(|e| e.0.name.len()).max().unwrap_or(0);
     let _ = writeln!(text, "\nwould be seen, nine times in ten at a usual shape, from");

@@ -15,20 +15,27 @@ pub fn run(model: &Model, run: &Run) -> String {
     for finding in &run.outcome.findings {
         let _ = writeln!(text, "  {:<24} {}", finding.label, finding.text);
     }
-    shares(&mut text, &model.process.observables()[0], &run.shares);
+    let observables = model.process.observables();
+    for shares in run.shares.chunk_by(|a, b| a.observable == b.observable) {
+        changes(&mut text, observables, shares);
+    }
     for plot in &run.outcome.plots {
         let _ = writeln!(text, "\n{}", plot::lines(plot).join("\n"));
     }
     text
 }
 
-fn shares(text: &mut String, observable: &Observable, shares: &[Share]) {
-    let title = format!("what changes {}", observable.words);
-    let unit = observable.kind.unit;
+/// What changes an observable: `shares` are all of the same.
+fn changes(text: &mut String, observables: &[Observable], shares: &[Share]) {
+    let Some(first) = shares.first() else { return };
+    let title = format!("what changes {}", observables[first.observable].words);
+    let (whole, change) = (observables[first.observable].kind.unit, observables[first.observable].error_kind().unit);
+    let unit = if whole == change { whole.to_string() } else { format!("{whole}, changes in {change}") };
     let _ = writeln!(text, "\n  {title:<27} {:>10} {:>10} {:>10}   {unit}", "rms", "from", "to");
     for share in shares {
         let name = if share.name == "ideal" { "without any effect" } else { share.name };
-        let [rms, low, high] = [share.rms, share.smallest, share.largest].map(|si| observable.kind.from_si(si));
+        let kind = share.kind(observables);
+        let [rms, low, high] = [share.rms, share.smallest, share.largest].map(|si| kind.from_si(si));
         let _ = writeln!(text, "  {name:<27} {rms:>10.3} {low:>+10.3} {high:>+10.3}");
     }
 }

@@ -35,7 +35,8 @@ pub trait Process: Sync {
     /// What it predicts, in half a sentence.
     fn about(&self) -> &'static str;
 
-    /// What can be measured of it; the first is what a run predicts.
+    /// What can be measured of it. Observables of one dimension are two ways to tell the same, and a file has one of them; those of different
+    /// dimensions may stand side by side.
     fn observables(&self) -> &'static [Observable];
 
     /// Under which coordinates and conditions it is measured.

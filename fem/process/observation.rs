@@ -1,6 +1,6 @@
 //! What can be observed of a process, and under which coordinates and conditions.
 
-use crate::units::Kind;
+use crate::units::{Kind, LENGTH, MICRO, TEMPERATURE, TEMPERATURE_RISE};
 
 /// A quantity that is predicted and can be measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +11,17 @@ pub struct Observable {
     pub words: &'static str,
     /// Its kind, with the unit in which results give it.
     pub kind: Kind,
+}
+
+impl Observable {
+    /// In what errors and changes of it are told: those of a length in micrometres, those of a temperature in kelvins.
+    pub fn error_kind(&self) -> Kind {
+        match self.kind {
+            LENGTH => MICRO,
+            TEMPERATURE => TEMPERATURE_RISE,
+            kind => kind,
+        }
+    }
 }
 
 /// A column that says where, when or under which conditions something is observed.
@@ -48,6 +59,8 @@ pub enum Absent {
     Value(f64),
     /// What the model says. Such a coordinate is NaN in [`Rows`].
     Model,
+    /// It must be there where this observable is, by its position in the process's list, and is nothing (NaN) where another is.
+    NeededBy(usize),
 }
 
 /// Observations to be predicted: values of every coordinate, row by row.

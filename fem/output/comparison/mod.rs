@@ -7,13 +7,14 @@ mod text;
 pub use residuals::residuals;
 pub use shapes::shapes;
 pub use text::text;
-pub(super) use text::{noise, told};
+pub(super) use text::{noise as noise_text, told};
 
 use serde_json::{Value as Json, json};
 
-use crate::compare::{Comparison, Feature, NoiseSource};
-use crate::measure::Measurements;
+use crate::compare::{Agreement, Comparison, Feature, Level, NoiseSource};
+use crate::measure::{Measurements, Seen};
 use crate::process::{Coordinate, Holds, Process};
+use crate::units::Kind;
 
 impl NoiseSource {
     /// The word in JSON.
@@ -28,10 +29,8 @@ impl NoiseSource {
 
 /// `fem compare --json`: `fem-comparison/1`.
 pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Json {
-    let kind = measurements.kind;
-    let noise = comparisons
-        .first()
-        .map(|c| json!({ "sigma": kind.from_si(c.noise.rms()), "unit": kind.unit, "source": c.noise.source.word() }));
+    let kind = measurements.kind();
+    let noise = comparisons.first().map(|c| noise(&c.noise.level(measurements), kind));
     let model = |c: &Comparison| {
         json!({
             "model": c.model,
@@ -39,8 +38,8 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
             "bias": kind.from_si(c.bias),
             "unit": kind.unit,
             "worst": {
-                "error": kind.from_si(c.residuals[c.worst]),
-                "row": c.worst + 1,
+                "error": kind.from_si(c.errors[c.worst]),
+                "row": measurements.records_of[c.worst] + 1,
                 "line": measurements.lines[c.worst],
                 "at": place(process.coordinates(), measurements, c.worst),
             },
@@ -48,6 +47,7 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
             "p_value": c.p_value,
             "adequate": c.adequate(),
             "features": c.features.iter().map(feature).collect::<Vec<_>>(),
+            "observables": observables(measurements, |s| c.agreement(measurements, s)),
         })
     };
     json!({
@@ -58,6 +58,20 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         "models": comparisons.iter().map(model).collect::<Vec<_>>(),
         "notes": measurements.notes,
     })
+}
+
+/// The noise, in the unit in which errors are told together.
+pub(super) fn noise(noise: &Level, kind: Kind) -> Json {
+    json!({ "sigma": kind.from_si(noise.together()), "unit": kind.unit, "source": noise.source.word() })
+}
+
+/// How well each observable agrees.
+pub(super) fn observables(measurements: &Measurements, agreement: impl Fn(&Seen) -> Agreement) -> Vec<Json> {
+    let one = |seen: &Seen| {
+        let [rms, sigma] = [agreement(seen).rms, agreement(seen).sigma].map(|si| seen.kind.from_si(si));
+        json!({ "name": seen.name, "unit": seen.kind.unit, "rms": rms, "sigma": sigma })
+    };
+    measurements.seen.iter().map(one).collect()
 }
 
 /// A place where a model fails.

@@ -1,24 +1,40 @@
 //! `residuals.csv`: the measured rows with their prediction and what is left.
 
 use crate::compare::Comparison;
-use crate::measure::Measurements;
+use crate::measure::{Measurements, Seen};
 use crate::units::Unit;
 
-/// The rows in their order, as written, with `predicted [unit]` and `residual [unit]` in the file's own unit.
+/// The records in their order, as written, with `predicted [unit]` and `residual [unit]` in the file's own unit. Where the file has several
+/// observables each has its own two columns, `predicted_NAME` and `residual_NAME`, empty where it was not observed.
 pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String {
-    let unit = Unit::parse(&measurements.unit).unwrap_or(measurements.kind.canonical());
-    let name = &measurements.unit;
     let mut writer = csv::Writer::from_writer(Vec::new());
     let header = measurements.header.iter().cloned();
+    let several = measurements.seen.len() > 1;
+    let names = measurements.seen.iter().flat_map(|seen| names(seen, several));
     // Writing to memory does not fail.
-    let _ = writer.write_record(header.chain([format!("predicted [{name}]"), format!("residual [{name}]")]));
-    for ((record, predicted), residual) in
-        measurements.records.iter().zip(&comparison.predicted).zip(&comparison.residuals)
-    {
-        let cells = record.iter().map(str::to_string);
-        let predicted = ((predicted - unit.offset) / unit.factor).to_string();
-        let residual = (residual / unit.factor).to_string();
-        let _ = writer.write_record(cells.chain([predicted, residual]));
+    let _ = writer.write_record(header.chain(names));
+    let mut row = 0;
+    for (number, record) in measurements.records.iter().enumerate() {
+        let mut added = vec![String::new(); 2 * measurements.seen.len()];
+        while measurements.records_of.get(row) == Some(&number) {
+            let own = measurements.observable(row);
+            let unit = unit(&measurements.seen[own]);
+            added[2 * own] = ((comparison.predicted[row] - unit.offset) / unit.factor).to_string();
+            added[2 * own + 1] = (comparison.residuals[row] / unit.factor).to_string();
+            row += 1;
+        }
+        let _ = writer.write_record(record.iter().map(str::to_string).chain(added));
     }
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
+fn unit(seen: &Seen) -> Unit {
+    Unit::parse(&seen.unit).unwrap_or(seen.kind.canonical())
+}
+
+/// The two columns of an observable. A residual has no zero point: that of a temperature in degC is in K.
+fn names(seen: &Seen, several: bool) -> [String; 2] {
+    let of = if several { format!("_{}", seen.name) } else { String::new() };
+    let residual = if unit(seen).offset == 0.0 { &seen.unit } else { seen.kind.unit };
+    [format!("predicted{of} [{}]", seen.unit), format!("residual{of} [{residual}]")]
 }

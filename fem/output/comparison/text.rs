@@ -3,19 +3,18 @@
 use std::fmt::Write;
 
 use super::place;
-use crate::compare::{Comparison, Feature, Noise, NoiseSource};
-use crate::measure::Measurements;
+use crate::compare::{Comparison, Feature, Level, NoiseSource};
+use crate::measure::{Measurements, Seen};
 use crate::output::plot;
 use crate::process::{Plot, Process};
-use crate::units::Kind;
 
 /// How the models compare, side by side, and where each fails.
 pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> String {
-    let kind = measurements.kind;
+    let kind = measurements.kind();
     let mut text = format!("{}: {} observations", measurements.name, measurements.len());
     // Writing to a String does not fail, here and below.
     if let Some(first) = comparisons.first() {
-        let _ = writeln!(text, ", noise {}", noise(&first.noise, kind));
+        let _ = writeln!(text, ", noise {}", noise(&first.noise.level(measurements), measurements));
     }
     let width = comparisons.iter().map(|c| c.model.chars().count()).max().unwrap_or(0).max(5);
     let _ = writeln!(
@@ -24,7 +23,7 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         "model", "rms", "bias", "worst", "chi2/dof"
     );
     for c in comparisons {
-        let [rms, bias, worst] = [c.rms, c.bias, c.residuals[c.worst]].map(|si| kind.from_si(si));
+        let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
         let verdict = match (c.adequate(), c.p_value) {
             (true, Some(_)) => "adequate: nothing is left but the noise",
             (true, None) => "no structure is left; whether the rest is noise needs repeats or a column u",
@@ -44,13 +43,15 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
 }
 
 /// How large the noise is, and how that is known.
-pub(in crate::output) fn noise(noise: &Noise, kind: Kind) -> String {
+pub(in crate::output) fn noise(noise: &Level, measurements: &Measurements) -> String {
     let source = match noise.source {
         NoiseSource::Column => "from the column u",
         NoiseSource::Repeats => "from repeated rows",
         NoiseSource::Estimated => "estimated from what is left",
     };
-    format!("{:.3} {} ({source})", kind.from_si(noise.rms()), kind.unit)
+    let own = |(seen, sigma): (&Seen, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
+    let all: Vec<String> = measurements.seen.iter().zip(&noise.of).map(own).collect();
+    format!("{} ({source})", all.join(" and "))
 }
 
 /// A smaller share of what is wrong is not told where there are larger ones.
@@ -62,7 +63,6 @@ pub(in crate::output) fn told(features: &[Feature]) -> impl Iterator<Item = &Fea
 }
 
 fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {
-    let kind = measurements.kind;
     let _ = writeln!(text, "\nwhere {} fails", c.model);
     if c.features.is_empty() {
         let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
@@ -78,7 +78,7 @@ fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measu
     };
     let _ = writeln!(text, "  worst in line {} ({})", measurements.lines[c.worst], at.join(", "));
     if let Some(feature) = c.features.iter().find(|f| f.curve.len() > 2) {
-        let title = format!("residual [{}] over {}, mean of the rows there", kind.unit, feature.coordinate);
+        let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
         let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
         let _ = writeln!(text, "\n{}", plot::lines(&plot).join("\n"));
     }

@@ -29,7 +29,7 @@ impl Verdict {
 
 /// `fem diagnose --json`: `fem-diagnosis/1`.
 pub fn json(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> Json {
-    let kind = measurements.kind;
+    let kind = measurements.kind();
     let d = diagnosis;
     json!({
         "schema": "fem-diagnosis/1",
@@ -38,7 +38,7 @@ pub fn json(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         "observations": measurements.len(),
         "observations_used": d.rows,
         "cautions": d.cautions,
-        "noise": { "sigma": kind.from_si(d.noise.rms()), "unit": kind.unit, "source": d.noise.source.word() },
+        "noise": super::comparison::noise(&d.noise, kind),
         "before": state(&d.before, kind),
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
         "verdict": d.verdict.word(),

@@ -18,8 +18,8 @@ const OWN_EFFECT: &str = "    [effects.my-cause]\n    formula = \"a*sin(2*pi*x/p
 
 /// The story. Writing to a String does not fail, here and below.
 pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> String {
-    let (d, kind) = (diagnosis, measurements.kind);
-    let noise = comparison::noise(&d.noise, kind);
+    let (d, kind) = (diagnosis, measurements.kind());
+    let noise = comparison::noise_text(&d.noise, measurements);
     let mut text = format!(
         "{} against {}: {} observations, noise {noise}\n",
         model.source.name,
@@ -30,7 +30,7 @@ pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         let _ = writeln!(text, "\ncaution: {caution}");
     }
     let _ = writeln!(text, "\n{}", verdict(d));
-    where_it_fails(&mut text, d, kind);
+    where_it_fails(&mut text, d);
     for (i, missing) in d.missing.iter().enumerate() {
         cause(&mut text, i + 1, missing);
     }
@@ -61,7 +61,7 @@ fn verdict(d: &Diagnosis) -> String {
     }
 }
 
-fn where_it_fails(text: &mut String, d: &Diagnosis, kind: Kind) {
+fn where_it_fails(text: &mut String, d: &Diagnosis) {
     if d.verdict == Verdict::Adequate {
         return;
     }
@@ -73,7 +73,7 @@ fn where_it_fails(text: &mut String, d: &Diagnosis, kind: Kind) {
         let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
     }
     if let Some(feature) = d.features.iter().find(|f| f.curve.len() > 2) {
-        let title = format!("residual [{}] over {}, mean of the rows there", kind.unit, feature.coordinate);
+        let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
         let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
         let _ = writeln!(text, "\n{}", plot::lines(&plot).join("\n"));
     }
@@ -128,7 +128,7 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
     let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0).max(5);
     let held = d.held_out_by.map_or(String::new(), |by| format!("held out by {by}"));
     let _ = writeln!(text, "\n  {:<width$} {:>11} {:>11}   {held}", "model", "rms", "chi2/dof");
-    let sigma = kind.from_si(d.noise.rms());
+    let sigma = kind.from_si(d.noise.together());
     for (label, state) in lines {
         let out = state.held_out.filter(|h| h.is_finite()).map_or("-".into(), |h| format!("{:.3}", h * sigma));
         let _ =
