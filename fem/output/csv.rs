@@ -18,9 +18,28 @@ pub fn table(table: &Table) -> String {
             let comma = if i == 0 { "" } else { "," };
             let value = column.values[row];
             // What is not there is an empty cell. Writing to a String does not fail.
-            let _ = if value.is_nan() { write!(text, "{comma}") } else { write!(text, "{comma}{value}") };
+            let _ = match column.words.get(value as usize) {
+                _ if value.is_nan() => write!(text, "{comma}"),
+                Some(word) => write!(text, "{comma}{word}"),
+                None => write!(text, "{comma}{value}"),
+            };
         }
         text.push('\n');
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::process::Column;
+
+    #[test]
+    fn words_stand_as_words() {
+        let columns = vec![
+            Column::words("direction", vec![1.0, 0.0], &["+", "-"]),
+            Column::numbers("deviation", Some("um"), vec![0.5, -2.0]),
+        ];
+        assert_eq!(table(&Table { columns }), "direction,deviation [um]\n-,0.5\n+,-2\n");
+    }
 }

@@ -27,15 +27,29 @@ pub struct Table {
     pub columns: Vec<Column>,
 }
 
-/// A named column of numbers.
+/// A named column of numbers, or of words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Without the unit.
     pub name: &'static str,
     /// Unit of the numbers as written; `None` for a label such as a part number.
     pub unit: Option<&'static str>,
-    /// In that unit.
+    /// In that unit; of words, their positions among them.
     pub values: Vec<f64>,
+    /// What the values stand for, where they are words; empty for numbers.
+    pub words: &'static [&'static str],
+}
+
+impl Column {
+    /// Numbers in a unit, or without one.
+    pub fn numbers(name: &'static str, unit: Option<&'static str>, values: Vec<f64>) -> Self {
+        Self { name, unit, values, words: &[] }
+    }
+
+    /// Words, by their positions among all that there are.
+    pub fn words(name: &'static str, values: Vec<f64>, words: &'static [&'static str]) -> Self {
+        Self { name, unit: None, values, words }
+    }
 }
 
 /// One thing a run has found.

@@ -54,7 +54,7 @@ pub fn outcome(ring: &Ring, scene: &Scene, deviations: Vec<f64>) -> Result<Outco
 
 /// A measurement file of its own: with the conditions written out, it reads back as what was predicted.
 fn profile(setup: &Setup, angles: &[f64], deviations: &[f64]) -> Table {
-    let column = |name, unit, values: Vec<f64>| Column { name, unit, values };
+    let column = Column::numbers;
     let all = |value: f64| vec![value; angles.len()];
     let mut columns = vec![
         column("run", None, all(1.0)),

@@ -34,7 +34,7 @@ pub fn outcome(
 fn profile(setup: &Setup, positions: &[f64], errors: &[f64]) -> Table {
     let schedule = &setup.schedule;
     let points = || (1..=schedule.parts).flat_map(|part| positions.iter().map(move |&x| (part, x)));
-    let column = |name, unit, values: Vec<f64>| Column { name, unit, values };
+    let column = Column::numbers;
     let diameters = points().zip(errors).map(|((_, x), e)| 1e3 * (setup.diameter(x) + e)).collect();
     Table {
         columns: vec![
