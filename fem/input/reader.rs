@@ -408,6 +408,12 @@ impl<'a> Reader<'a> {
         matches!(&self.ground, Ground::Given(table, _) if table.contains_key(key))
     }
 
+    /// Whether the file has this key in this table of it.
+    pub fn has_in(&self, table: &str, key: &str) -> bool {
+        let Ground::Given(own, _) = &self.ground else { return false };
+        own.get(table).and_then(Item::as_table_like).is_some_and(|table| table.contains_key(key))
+    }
+
     pub(super) fn item(&self, key: &'static str) -> Option<&'a Item> {
         self.asked.borrow_mut().push(key);
         match &self.ground {

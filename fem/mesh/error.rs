@@ -96,6 +96,22 @@ pub enum MeshError {
 }
 
 impl MeshError {
+    /// The same with the numbers that elements and nodes have in a file.
+    #[must_use]
+    pub(super) fn renumbered(mut self, elements: &[u64], nodes: &[u64]) -> Self {
+        let of = |tags: &[u64], number: &mut usize| *number = tags.get(*number).map_or(*number, |&tag| tag as usize);
+        match &mut self {
+            Self::Inverted { element, .. } | Self::UnknownNode { element, .. } => of(elements, element),
+            Self::Disconnected { element, other, .. } => {
+                of(elements, element);
+                of(elements, other);
+            }
+            Self::NotFinite { node, .. } | Self::Unused { node, .. } => of(nodes, node),
+            _ => {}
+        }
+        self
+    }
+
     pub(super) fn parameter(quantity: &'static str, range: impl Into<String>, value: f64) -> Self {
         Self::Parameter { quantity, range: range.into(), value }
     }

@@ -3,6 +3,7 @@
 mod boundary;
 mod check;
 mod error;
+mod file;
 mod gmsh;
 mod lattice;
 mod rectangle;
@@ -90,6 +91,7 @@ pub struct Mesh {
     /// Number of the first element of each block, and the number of elements.
     starts: Vec<usize>,
     sides: BTreeMap<String, Vec<Side>>,
+    points: BTreeMap<String, Vec<u32>>,
 }
 
 impl Mesh {
@@ -106,9 +108,24 @@ impl Mesh {
         for block in &blocks {
             starts.push(starts[starts.len() - 1] + block.len());
         }
-        let mesh = Self { nodes, blocks, starts, sides };
+        let mesh = Self { nodes, blocks, starts, sides, points: BTreeMap::new() };
         mesh.check()?;
         Ok(mesh)
+    }
+
+    /// With nodes that have names.
+    #[must_use]
+    pub fn with_points(mut self, points: BTreeMap<String, Vec<u32>>) -> Self {
+        self.points = points;
+        self
+    }
+
+    /// Turned about the origin, counter-clockwise by `angle` (rad).
+    #[must_use]
+    pub fn turned(mut self, angle: f64) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        self.nodes.iter_mut().for_each(|[x, y]| (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y));
+        self
     }
 
     /// Coordinates of the nodes, m. (nodes, 2)
@@ -162,6 +179,16 @@ impl Mesh {
             known: self.sides.keys().cloned().collect::<Vec<_>>().join(", "),
         };
         self.sides.get(name).map(Vec::as_slice).ok_or_else(unknown)
+    }
+
+    /// The nodes called `name`, none if no point has this name.
+    pub fn points(&self, name: &str) -> &[u32] {
+        self.points.get(name).map_or(&[], Vec::as_slice)
+    }
+
+    /// Names of points.
+    pub fn point_names(&self) -> impl Iterator<Item = &str> {
+        self.points.keys().map(String::as_str)
     }
 
     /// Names of sides.

@@ -1,6 +1,8 @@
 //! What a process shows in space: points, cells and the fields on them, at one time or tool
 //! position. Plain data, SI units, no knowledge of any file format.
 
+use crate::element::plane::PlaneElement;
+
 /// Shape of a cell. The discriminant is VTK's cell type number.
 ///
 /// Nodes are numbered as in VTK: corners counter-clockwise, then mid-side nodes from side 0-1
@@ -45,6 +47,17 @@ impl Cell {
         Self::QuadraticQuad,
         Self::BiquadraticQuad,
     ];
+
+    /// The shape of a plane element, whose nodes are in the same order.
+    pub fn of(element: &dyn PlaneElement) -> Self {
+        match (element.corners(), element.nodes()) {
+            (3, 3) => Self::Triangle,
+            (3, _) => Self::QuadraticTriangle,
+            (_, 4) => Self::Quad,
+            (_, 8) => Self::QuadraticQuad,
+            _ => Self::BiquadraticQuad,
+        }
+    }
 
     /// Number of nodes.
     pub const fn nodes(self) -> usize {

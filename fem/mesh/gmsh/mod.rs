@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::{Block, Mesh, MeshError, Side};
 use crate::element::plane::{PlaneElement, Quad4, Quad8, Quad9, Sampled, Tri3, Tri6};
-use sections::{ElementBlock, File};
+use sections::File;
 
 /// A Gmsh file that cannot be read.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -66,7 +66,15 @@ pub enum GmshError {
         /// Tag of the line element in the file.
         element: u64,
     },
-    /// The elements are not a mesh.
+    /// A physical point is no node of an element.
+    #[error("element {element} of the physical point `{name}` is at no node of a plane element")]
+    LoosePoint {
+        /// Name of the point.
+        name: String,
+        /// Tag of the point element in the file.
+        element: u64,
+    },
+    /// The elements are not a mesh; elements and nodes by their tags.
     #[error(transparent)]
     Mesh(#[from] MeshError),
 }
@@ -77,10 +85,10 @@ pub enum GmshError {
 /// [`GmshError`] tells the element, node, line or byte.
 pub fn read_gmsh(bytes: &[u8], unit: f64) -> Result<Mesh, GmshError> {
     let file = File::parse(bytes)?;
-    let mut nodes = Nodes { file: &file, unit, numbers: HashMap::new(), nodes: Vec::new() };
-    let mut connectivity: BTreeMap<i32, Vec<u32>> = BTreeMap::new();
+    let mut nodes = Nodes { file: &file, unit, numbers: HashMap::new(), nodes: Vec::new(), tags: Vec::new() };
+    let mut connectivity: BTreeMap<i32, (Vec<u32>, Vec<u64>)> = BTreeMap::new();
     for block in file.elements.iter().filter(|block| block.dimension == 2) {
-        let own = connectivity.entry(block.kind).or_default();
+        let (own, own_tags) = connectivity.entry(block.kind).or_default();
         let Some(element) = plane_element(block.kind) else {
             let tag = block.elements.first().map_or(0, |element| element.0);
             return Err(GmshError::Kind { tag, kind: block.kind });
@@ -93,17 +101,23 @@ pub fn read_gmsh(bytes: &[u8], unit: f64) -> Result<Mesh, GmshError> {
                 turn_over(element, &mut numbers);
             }
             own.extend(numbers);
+            own_tags.push(*tag);
         }
     }
     if let Some(block) = file.elements.iter().find(|block| block.dimension == 3 && !block.elements.is_empty()) {
         return Err(GmshError::Kind { tag: block.elements[0].0, kind: block.kind });
     }
-    let blocks: Vec<Block> = connectivity
-        .into_iter()
-        .filter_map(|(kind, connectivity)| Some(Block::new(plane_element(kind)?, connectivity)))
-        .collect();
+    let (mut blocks, mut tags) = (Vec::new(), Vec::new());
+    for (kind, (connectivity, own_tags)) in connectivity {
+        blocks.extend(plane_element(kind).map(|element| Block::new(element, connectivity)));
+        tags.extend(own_tags);
+    }
     let sides = named_sides(&file, &nodes, &blocks)?;
-    Ok(Mesh::new(nodes.nodes, blocks, sides)?)
+    let points = named_points(&file, &nodes)?;
+    let in_file = |error: MeshError| error.renumbered(&tags, &nodes.tags);
+    let mesh = Mesh::new(nodes.nodes, blocks, sides).map_err(in_file)?.with_points(points);
+    mesh.connected().map_err(in_file)?;
+    Ok(mesh)
 }
 
 /// The element of a Gmsh type; the orders of their nodes agree.
@@ -133,6 +147,8 @@ struct Nodes<'f> {
     unit: f64,
     numbers: HashMap<u64, u32>,
     nodes: Vec<[f64; 2]>,
+    /// Their tags in the file.
+    tags: Vec<u64>,
 }
 
 impl Nodes<'_> {
@@ -150,6 +166,7 @@ impl Nodes<'_> {
         }
         let number = self.nodes.len() as u32;
         self.nodes.push([x * self.unit, y * self.unit]);
+        self.tags.push(tag);
         self.numbers.insert(tag, number);
         Ok(number)
     }
@@ -168,10 +185,8 @@ fn named_sides(file: &File, nodes: &Nodes<'_>, blocks: &[Block]) -> Result<BTree
         }
     }
     let mut sides: BTreeMap<String, Vec<Side>> = BTreeMap::new();
-    let lines = |block: &&ElementBlock| block.dimension == 1;
-    for block in file.elements.iter().filter(lines) {
-        for group in file.curve_groups.get(&block.entity).into_iter().flatten() {
-            let name = file.curve_names.get(group).cloned().unwrap_or_else(|| format!("curve {group}"));
+    for block in file.elements.iter().filter(|block| block.dimension == 1) {
+        for name in file.names_of(block) {
             let own = sides.entry(name.clone()).or_default();
             for (tag, tags) in &block.elements {
                 let found = match tags[..] {
@@ -184,6 +199,21 @@ fn named_sides(file: &File, nodes: &Nodes<'_>, blocks: &[Block]) -> Result<BTree
         }
     }
     Ok(sides)
+}
+
+/// The nodes at every physical point.
+fn named_points(file: &File, nodes: &Nodes<'_>) -> Result<BTreeMap<String, Vec<u32>>, GmshError> {
+    let mut points: BTreeMap<String, Vec<u32>> = BTreeMap::new();
+    for block in file.elements.iter().filter(|block| block.dimension == 0) {
+        for name in file.names_of(block) {
+            let own = points.entry(name.clone()).or_default();
+            for (tag, tags) in &block.elements {
+                let node = tags.first().and_then(|node| nodes.numbers.get(node));
+                own.push(*node.ok_or(GmshError::LoosePoint { name: name.clone(), element: *tag })?);
+            }
+        }
+    }
+    Ok(points)
 }
 
 /// The two ends of a side whichever way it runs.

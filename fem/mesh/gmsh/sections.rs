@@ -21,10 +21,10 @@ pub(super) struct File {
     /// Coordinates by tag.
     pub nodes: HashMap<u64, [f64; 3]>,
     pub elements: Vec<ElementBlock>,
-    /// Physical groups of every curve.
-    pub curve_groups: HashMap<i32, Vec<i32>>,
-    /// Names of the physical groups of curves.
-    pub curve_names: BTreeMap<i32, String>,
+    /// Physical groups of every point and curve, by dimension and entity.
+    pub groups: HashMap<(i32, i32), Vec<i32>>,
+    /// Names of the physical groups, by dimension and group.
+    pub names: BTreeMap<(i32, i32), String>,
 }
 
 impl File {
@@ -37,10 +37,21 @@ impl File {
         let elements = elements(&mut section("$Elements", encoding).ok_or_else(|| missing("$Elements"))?)?;
         // names are text in binary files, too
         let names = section("$PhysicalNames", Encoding::Text);
-        let curve_names = names.map_or_else(|| Ok(BTreeMap::new()), |mut reader| curve_names(&mut reader))?;
+        let names = names.map_or_else(|| Ok(BTreeMap::new()), |mut reader| group_names(&mut reader))?;
         let entities = section("$Entities", encoding);
-        let curve_groups = entities.map_or_else(|| Ok(HashMap::new()), |mut reader| curve_groups(&mut reader))?;
-        Ok(Self { nodes, elements, curve_groups, curve_names })
+        let groups = entities.map_or_else(|| Ok(HashMap::new()), |mut reader| groups(&mut reader))?;
+        Ok(Self { nodes, elements, groups, names })
+    }
+
+    /// The names of the physical groups that a block of elements belongs to.
+    pub fn names_of(&self, block: &ElementBlock) -> Vec<String> {
+        let groups = self.groups.get(&(block.dimension, block.entity)).into_iter().flatten();
+        let name = |group: &i32| match self.names.get(&(block.dimension, *group)) {
+            Some(name) => name.clone(),
+            None if block.dimension == 0 => format!("point {group}"),
+            None => format!("curve {group}"),
+        };
+        groups.map(name).collect()
     }
 }
 
@@ -85,36 +96,28 @@ fn header(bytes: &[u8]) -> Result<Encoding, GmshError> {
     }
 }
 
-fn curve_names(reader: &mut Reader<'_>) -> Result<BTreeMap<i32, String>, GmshError> {
-    let mut names = BTreeMap::new();
-    for _ in 0..reader.size()? {
-        let (dimension, tag, name) = (reader.int()?, reader.int()?, reader.quoted()?);
-        if dimension == 1 {
-            names.insert(tag, name);
-        }
-    }
-    Ok(names)
+fn group_names(reader: &mut Reader<'_>) -> Result<BTreeMap<(i32, i32), String>, GmshError> {
+    let count = reader.size()?;
+    (0..count).map(|_| Ok(((reader.int()?, reader.int()?), reader.quoted()?))).collect()
 }
 
-fn curve_groups(reader: &mut Reader<'_>) -> Result<HashMap<i32, Vec<i32>>, GmshError> {
+fn groups(reader: &mut Reader<'_>) -> Result<HashMap<(i32, i32), Vec<i32>>, GmshError> {
     let [points, curves] = [reader.size()?, reader.size()?];
     let (_surfaces, _volumes) = (reader.size()?, reader.size()?);
-    for _ in 0..points {
-        reader.int()?;
-        for _ in 0..3 {
-            reader.float()?;
-        }
-        tags(reader)?;
-    }
     let mut groups = HashMap::new();
-    for _ in 0..curves {
-        let curve = reader.int()?;
-        for _ in 0..6 {
-            reader.float()?;
+    for (dimension, count) in [(0, points), (1, curves)] {
+        for _ in 0..count {
+            let entity = reader.int()?;
+            // a point's place, or the box around a curve
+            for _ in 0..if dimension == 0 { 3 } else { 6 } {
+                reader.float()?;
+            }
+            groups.insert((dimension, entity), tags(reader)?);
+            if dimension == 1 {
+                // the points at its ends
+                tags(reader)?;
+            }
         }
-        groups.insert(curve, tags(reader)?);
-        // the points at its ends
-        tags(reader)?;
     }
     Ok(groups)
 }

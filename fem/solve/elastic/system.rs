@@ -1,5 +1,6 @@
 //! Assemble and factor once, solve any number of loads.
 
+use std::ops::Deref;
 use std::sync::Arc;
 
 use super::{ElasticError, Loads, Prescribed, supports};
@@ -12,10 +13,10 @@ const BALANCED: f64 = 1e-9;
 /// Rounding of a constraint force relative to |A||x|, which in a slender body is many times the load.
 const ROUNDING: f64 = 1e-14;
 
-/// An elastic body, factored.
+/// An elastic body, factored. Its mesh is borrowed (`&Mesh`) or shared (`Arc<Mesh>`).
 #[derive(Clone, Debug)]
-pub struct ElasticSystem<'m> {
-    mesh: &'m Mesh,
+pub struct ElasticSystem<M> {
+    mesh: M,
     law: Elasticity,
     freedoms: Freedoms,
     matrix: Matrix,
@@ -35,13 +36,13 @@ pub struct Displacements {
     pub accuracy: Accuracy,
 }
 
-impl<'m> ElasticSystem<'m> {
+impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
     /// A body held by prescribed displacements.
     ///
     /// # Errors
     /// A wrong or missing support; a stiffness that cannot be factored.
-    pub fn held(mesh: &'m Mesh, law: Elasticity, prescribed: &[Prescribed]) -> Result<Self, ElasticError> {
-        supports::check(mesh, prescribed)?;
+    pub fn held(mesh: M, law: Elasticity, prescribed: &[Prescribed]) -> Result<Self, ElasticError> {
+        supports::check(&mesh, prescribed)?;
         Self::new(mesh, law, prescribed.to_vec(), false)
     }
 
@@ -50,7 +51,7 @@ impl<'m> ElasticSystem<'m> {
     ///
     /// # Errors
     /// A mesh of several pieces; a stiffness that cannot be factored.
-    pub fn free(mesh: &'m Mesh, law: Elasticity) -> Result<Self, ElasticError> {
+    pub fn free(mesh: M, law: Elasticity) -> Result<Self, ElasticError> {
         mesh.connected()?;
         let nodes = mesh.nodes();
         let distance = |a: usize, b: usize| (nodes[a][0] - nodes[b][0]).hypot(nodes[a][1] - nodes[b][1]);
@@ -66,15 +67,15 @@ impl<'m> ElasticSystem<'m> {
         Self::new(mesh, law, prescribed, true)
     }
 
-    fn new(mesh: &'m Mesh, law: Elasticity, mut prescribed: Vec<Prescribed>, free: bool) -> Result<Self, ElasticError> {
+    fn new(mesh: M, law: Elasticity, mut prescribed: Vec<Prescribed>, free: bool) -> Result<Self, ElasticError> {
         prescribed.sort_by_key(Prescribed::freedom);
         let held: Vec<usize> = prescribed.iter().map(Prescribed::freedom).collect();
-        let graph = Graph::new(mesh);
+        let graph = Graph::new(&mesh);
         let order = Order::default().find(&graph, mesh.nodes())?;
         let freedoms = Freedoms::new(2, &order, &held);
         let pattern = Arc::new(Pattern::new(&graph, &freedoms));
         drop(graph);
-        let matrix = Matrix::assemble::<2>(mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
+        let matrix = Matrix::assemble::<2>(&mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
             law.stiffness(sampled, coordinates, square);
         })?;
         let solver = Solver::new(&Analysis::of(&matrix)?, &matrix, &freedoms, mesh.nodes())?;
@@ -82,8 +83,8 @@ impl<'m> ElasticSystem<'m> {
     }
 
     /// The mesh.
-    pub fn mesh(&self) -> &'m Mesh {
-        self.mesh
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
     }
 
     /// The elastic law.
@@ -133,7 +134,7 @@ impl<'m> ElasticSystem<'m> {
         let centre = [0, 1].map(|axis| nodes.iter().map(|node| node[axis]).sum::<f64>() / nodes.len() as f64);
         let reach =
             nodes.iter().fold(0.0_f64, |reach, node| reach.max((node[0] - centre[0]).hypot(node[1] - centre[1])));
-        let (force, moment, size) = loads.resultant(self.mesh, centre);
+        let (force, moment, size) = loads.resultant(&self.mesh, centre);
         let largest = force[0].abs().max(force[1].abs()).max(moment.abs() / reach);
         if self.free && largest > BALANCED * size {
             return Err(ElasticError::Unbalanced { force, moment });

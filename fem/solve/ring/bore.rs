@@ -1,21 +1,22 @@
 //! The radial displacement of the bore at any angle, by the elements' own shape functions.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc as Shared;
 
-use super::circle::{Arc, arcs};
+use super::circle::{Arc, all_around};
 use crate::element::plane::quadrature::LINE_5;
 use crate::mesh::{BORE, Mesh, MeshError};
 
 /// The bore of a meshed ring.
 #[derive(Clone, Debug)]
 pub struct Bore {
-    arcs: Vec<Arc>,
+    arcs: Shared<[Arc]>,
 }
 
 /// The bore of a displaced ring.
 #[derive(Clone, Debug)]
-pub struct BoreShape<'b> {
-    bore: &'b Bore,
+pub struct BoreShape {
+    bore: Bore,
     /// Displacements of the nodes of the sides, (sides, 3).
     motion: Vec<[[f64; 2]; 3]>,
     /// Rigid shift (m) taken out.
@@ -28,12 +29,12 @@ impl Bore {
     /// # Errors
     /// The mesh has no such sides, or they do not close around the origin.
     pub fn new(mesh: &Mesh) -> Result<Self, MeshError> {
-        Ok(Self { arcs: arcs(mesh, BORE)? })
+        Ok(Self { arcs: all_around(mesh, BORE)?.into() })
     }
 
     /// The bore after `displacements` of the nodes (m), without the rigid shift: radial loads in equilibrium bring no
     /// first harmonic about, so that what there is of it is where the body happened to be held.
-    pub fn shape(&self, displacements: &[[f64; 2]]) -> BoreShape<'_> {
+    pub fn shape(&self, displacements: &[[f64; 2]]) -> BoreShape {
         let own = |arc: &Arc| {
             let mut motion = [[0.0; 2]; 3];
             for (motion, &node) in motion.iter_mut().zip(arc.nodes.as_slice()) {
@@ -41,13 +42,13 @@ impl Bore {
             }
             motion
         };
-        let mut shape = BoreShape { bore: self, motion: self.arcs.iter().map(own).collect(), shift: [0.0; 2] };
+        let mut shape = BoreShape { bore: self.clone(), motion: self.arcs.iter().map(own).collect(), shift: [0.0; 2] };
         shape.shift = [shape.harmonic(1).0, shape.harmonic(1).1];
         shape
     }
 }
 
-impl BoreShape<'_> {
+impl BoreShape {
     /// Radial displacement u_r (m, positive outwards) at `angle` (rad).
     pub fn radial(&self, angle: f64) -> f64 {
         let arcs = &self.bore.arcs;

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::element::plane::{EDGE_NODES, EdgeCurve, edge_shapes};
-use crate::mesh::{Mesh, MeshError, SideNodes};
+use crate::mesh::{Mesh, MeshError, Side, SideNodes};
 
 /// One side on the circle: an arc from the angle `start` over `span` (rad), where `span` < 0 for a side that runs
 /// clockwise.
@@ -63,11 +63,17 @@ impl Arc {
     }
 }
 
-/// The sides called `name`, ordered by angle around the origin.
-pub(super) fn arcs(mesh: &Mesh, name: &str) -> Result<Vec<Arc>, MeshError> {
+/// Sides on a circle, ordered by angle around the origin.
+pub(super) fn arcs(mesh: &Mesh, sides: &[Side]) -> Vec<Arc> {
     let own = |&side| Arc::new(mesh.curve(side), mesh.side_nodes(side));
-    let mut arcs: Vec<Arc> = mesh.sides(name)?.iter().map(own).collect();
+    let mut arcs: Vec<Arc> = sides.iter().map(own).collect();
     arcs.sort_by(|a, b| a.low().rem_euclid(TAU).total_cmp(&b.low().rem_euclid(TAU)));
+    arcs
+}
+
+/// The sides called `name`, which close around the origin.
+pub(super) fn all_around(mesh: &Mesh, name: &str) -> Result<Vec<Arc>, MeshError> {
+    let arcs = arcs(mesh, mesh.sides(name)?);
     let covered: f64 = arcs.iter().map(|arc| arc.span.abs()).sum();
     if (covered - TAU).abs() > 1e-6 {
         let quantity = "angle that the sides cover around the origin (rad)";

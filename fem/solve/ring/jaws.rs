@@ -10,9 +10,9 @@
 
 use std::f64::consts::TAU;
 
-use super::circle::{Arc, arcs};
+use super::circle::{Arc, all_around, arcs};
 use crate::element::plane::quadrature::LINE_5;
-use crate::mesh::{Mesh, MeshError, OUTSIDE};
+use crate::mesh::{Mesh, MeshError, OUTSIDE, Side};
 use crate::solve::elastic::Loads;
 
 /// What one jaw does.
@@ -26,13 +26,35 @@ pub struct ContactArc {
     pub force: f64,
 }
 
-/// Adds the forces of the jaws on the sides [`OUTSIDE`].
-///
-/// # Errors
-/// The mesh has no such sides, or they do not close around the origin; a width outside [0, 2π].
-pub fn add_jaws(loads: &mut Loads, mesh: &Mesh, jaws: &[ContactArc]) -> Result<(), MeshError> {
-    let arcs = arcs(mesh, OUTSIDE)?;
-    for jaw in jaws {
+/// What of a body's border jaws can press on: sides on a circle about the origin.
+#[derive(Clone, Debug)]
+pub struct JawCircle {
+    arcs: Vec<Arc>,
+}
+
+/// Angle (rad) by which a jaw may stand beyond the sides: rounding of coordinates.
+const BEYOND: f64 = 1e-6;
+
+impl JawCircle {
+    /// These sides, which lie on a circle about the origin.
+    pub fn new(mesh: &Mesh, sides: &[Side]) -> Self {
+        Self { arcs: arcs(mesh, sides) }
+    }
+
+    /// Whether the sides are there wherever a jaw presses.
+    pub fn carries(&self, jaw: &ContactArc) -> bool {
+        if jaw.width == 0.0 {
+            return self.arcs.iter().any(|arc| nearest(arc, jaw.angle).0 < BEYOND);
+        }
+        let covered: f64 = self.arcs.iter().flat_map(|arc| parts(arc, jaw)).map(|(low, high)| high - low).sum();
+        covered > jaw.width - BEYOND
+    }
+
+    /// Adds the force of a jaw.
+    ///
+    /// # Errors
+    /// A width outside [0, 2π].
+    pub fn press(&self, loads: &mut Loads, jaw: &ContactArc) -> Result<(), MeshError> {
         if !(jaw.width >= 0.0 && jaw.width <= TAU) {
             return Err(MeshError::Parameter {
                 quantity: "contact arc (rad)",
@@ -41,23 +63,34 @@ pub fn add_jaws(loads: &mut Loads, mesh: &Mesh, jaws: &[ContactArc]) -> Result<(
             });
         }
         if jaw.width == 0.0 {
-            // the side below the angle by least, whatever rounding does at the ends
-            if let Some(arc) = arcs.iter().min_by(|a, b| a.beyond(jaw.angle).total_cmp(&b.beyond(jaw.angle))) {
-                push(loads, arc, arc.beyond(jaw.angle), jaw.force);
+            let near = self.arcs.iter().map(|arc| (arc, nearest(arc, jaw.angle)));
+            if let Some((arc, (_, beyond))) = near.min_by(|a, b| a.1.0.total_cmp(&b.1.0)) {
+                push(loads, arc, beyond, jaw.force);
             }
-            continue;
+            return Ok(());
         }
-        for arc in &arcs {
-            press(loads, arc, jaw);
+        for arc in &self.arcs {
+            for (low, high) in parts(arc, jaw) {
+                press(loads, arc, jaw, [low, high]);
+            }
         }
+        Ok(())
     }
-    Ok(())
+}
+
+/// Adds the forces of the jaws on the sides [`OUTSIDE`].
+///
+/// # Errors
+/// The mesh has no such sides, or they do not close around the origin; a width outside [0, 2π].
+pub fn add_jaws(loads: &mut Loads, mesh: &Mesh, jaws: &[ContactArc]) -> Result<(), MeshError> {
+    let circle = JawCircle { arcs: all_around(mesh, OUTSIDE)? };
+    jaws.iter().try_for_each(|jaw| circle.press(loads, jaw))
 }
 
 /// Adds a radial force of `density`(θ) newtons per radian, positive inwards, all around the sides [`OUTSIDE`].
 #[cfg(test)]
 pub(super) fn add_radial(loads: &mut Loads, mesh: &Mesh, density: impl Fn(f64) -> f64) -> Result<(), MeshError> {
-    for arc in &arcs(mesh, OUTSIDE)? {
+    for arc in &all_around(mesh, OUTSIDE)? {
         let half = 0.5 * arc.span.abs();
         for (place, weight) in LINE_5 {
             let beyond = half * (1.0 + place);
@@ -67,19 +100,29 @@ pub(super) fn add_radial(loads: &mut Loads, mesh: &Mesh, density: impl Fn(f64) -
     Ok(())
 }
 
-/// Adds the part of a jaw's pressure that lies on one side.
-fn press(loads: &mut Loads, arc: &Arc, jaw: &ContactArc) {
-    let from = arc.beyond(jaw.angle - 0.5 * jaw.width);
-    // the jaw may begin below the side and reach it after a turn
-    for from in [from - TAU, from] {
-        let (low, high) = (from.max(0.0), (from + jaw.width).min(arc.span.abs()));
-        if high <= low {
-            continue;
-        }
-        let half = 0.5 * (high - low);
-        for (place, weight) in LINE_5 {
-            push(loads, arc, low + half * (1.0 + place), jaw.force / jaw.width * half * weight);
-        }
+/// How far (rad) an angle is off a side, and the nearest place on the side as an angle beyond its lower end.
+fn nearest(arc: &Arc, angle: f64) -> (f64, f64) {
+    let (span, beyond) = (arc.span.abs(), arc.beyond(angle));
+    let (above, below) = (beyond - span, TAU - beyond);
+    match above <= 0.0 {
+        true => (0.0, beyond),
+        false if above < below => (above, span),
+        false => (below, 0.0),
+    }
+}
+
+/// The parts of a side on which a jaw presses, as angles beyond the lower end of the side; the jaw may begin below the side and reach it after a turn.
+fn parts(arc: &Arc, jaw: &ContactArc) -> impl Iterator<Item = (f64, f64)> {
+    let (span, width) = (arc.span.abs(), jaw.width);
+    let from = arc.beyond(jaw.angle - 0.5 * width);
+    [from - TAU, from].into_iter().map(move |from| (from.max(0.0), (from + width).min(span))).filter(|(l, h)| h > l)
+}
+
+/// Adds the part of a jaw's pressure that lies between two angles of a side.
+fn press(loads: &mut Loads, arc: &Arc, jaw: &ContactArc, [low, high]: [f64; 2]) {
+    let half = 0.5 * (high - low);
+    for (place, weight) in LINE_5 {
+        push(loads, arc, low + half * (1.0 + place), jaw.force / jaw.width * half * weight);
     }
 }
 

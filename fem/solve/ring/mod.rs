@@ -6,5 +6,5 @@ mod jaws;
 mod wave;
 
 pub use bore::{Bore, BoreShape};
-pub use jaws::{ContactArc, add_jaws};
+pub use jaws::{ContactArc, JawCircle, add_jaws};
 pub use wave::{Cell, WaveRing};
