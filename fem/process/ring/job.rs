@@ -3,16 +3,31 @@
 use std::sync::Arc;
 
 use super::machine::{Machine, Place};
-use super::model::Setup;
+use super::model::{Body, Setup};
 use super::response::{self, BoreSeries, Jaw};
 use super::{effects, findings, observe, shapes};
 use crate::process::{Active, Failure, Job, Outcome, Rows, act};
 use crate::progress::Progress;
+use crate::solve::ring::BoreShape;
 
 /// A chuck that predicts.
 pub struct Ring {
     /// With its effects.
     pub machine: Arc<Machine>,
+}
+
+/// How the bore moves, per newton of jaw force.
+#[derive(Clone, Debug)]
+pub enum BoreMotion {
+    /// Of a ring of equal cells.
+    Waves(BoreSeries),
+    /// Of a drawn ring: the shape for E = b = 1, and 1/(E b) in m/N.
+    Drawn {
+        /// m per newton, with E = b = 1.
+        shape: BoreShape,
+        /// 1/(E b), m/N.
+        compliance: f64,
+    },
 }
 
 impl Ring {
@@ -51,16 +66,34 @@ impl Ring {
     ///
     /// # Errors
     /// As [`jaws`](Self::jaws), or the ring cannot be computed.
-    pub fn bore(&self) -> Result<BoreSeries, Failure> {
+    pub fn bore(&self) -> Result<BoreMotion, Failure> {
         let (setup, jaws) = (self.setup(), self.jaws()?);
+        let size = match &setup.body {
+            Body::Cells(size) => *size,
+            Body::Drawn(drawn) => {
+                let shape = drawn.bore_under(setup.material.poisson_ratio, &jaws)?;
+                let stiffness = setup.material.youngs_modulus * setup.width;
+                return Ok(BoreMotion::Drawn { shape, compliance: 1.0 / stiffness });
+            }
+        };
         let even = |k: usize| self.machine.jaws[k] == std::f64::consts::TAU / jaws.len() as f64 * k as f64;
         let step = if (0..jaws.len()).all(even) { jaws.len() } else { 1 };
-        Ok(response::response(setup, step)?.under(setup, &jaws))
+        Ok(BoreMotion::Waves(response::response(setup, size, step)?.under(setup, &jaws)))
     }
 
     /// What does not depend on the jaws, m.
     pub fn marks_at(&self, place: &Place) -> f64 {
         self.machine.marks.iter().map(|mark| mark(place)).sum()
+    }
+}
+
+impl BoreMotion {
+    /// u_r per newton of jaw force at an angle (rad), m/N, positive outwards.
+    pub fn radial(&self, angle: f64) -> f64 {
+        match self {
+            Self::Waves(series) => series.radial(angle),
+            Self::Drawn { shape, compliance } => compliance * shape.radial(angle),
+        }
     }
 }
 

@@ -33,11 +33,10 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// The ideal machine: jaws evenly spaced, each pressing along a line, the spindle true and cold.
+    /// The ideal machine: jaws where the model has them, evenly spaced and each pressing along a line unless a mesh says otherwise; the spindle true and cold.
     pub fn ideal(setup: Arc<Setup>) -> Self {
-        let spacing = std::f64::consts::TAU / setup.jaws as f64;
-        let jaws = (0..setup.jaws).map(|k| spacing * k as f64).collect();
-        Self { setup, jaws, arc: 0.0, jaw_moment: 0.0, marks: Vec::new() }
+        let (jaws, arc) = (setup.places(), setup.arc());
+        Self { setup, jaws, arc, jaw_moment: 0.0, marks: Vec::new() }
     }
 
     /// Adds a deviation of the released bore, m.

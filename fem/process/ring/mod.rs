@@ -4,6 +4,7 @@
 //! jaw 1 [seed 002, ring in a three-jaw chuck]. Clamped and not yet bored it is +u_r. What the cut itself does wrong adds to the released bore.
 
 mod circle;
+mod drawn;
 mod effects;
 mod findings;
 mod job;
@@ -14,9 +15,10 @@ mod response;
 mod shapes;
 mod validation;
 
-pub use job::Ring as Chucked;
+pub use drawn::Drawn;
+pub use job::{BoreMotion, Ring as Chucked};
 pub use machine::{Machine, Place};
-pub use model::{MeshSize, Reference, Setup};
+pub use model::{Body, MeshSize, Reference, Setup};
 pub use response::{BoreSeries, Jaw, Response, response};
 
 use std::sync::Arc;

@@ -1,7 +1,11 @@
 //! The tables of a ring model.
 
+use std::sync::Arc;
+
+use super::drawn::Drawn;
 use crate::input::Reader;
 use crate::material::Material;
+use crate::mesh::Mesh;
 use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
 
 /// Most elements: more than any ring needs, some seconds and a gigabyte.
@@ -18,6 +22,15 @@ pub struct MeshSize {
     pub radial: usize,
     /// 1 for 4-node, 2 for 8-node quadrilaterals.
     pub order: usize,
+}
+
+/// The ring as plane elements.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// Equal cells between two circles.
+    Cells(MeshSize),
+    /// A mesh from a file.
+    Drawn(Arc<Drawn>),
 }
 
 /// What deviations are measured from.
@@ -41,7 +54,7 @@ pub struct Lobe {
 }
 
 /// Everything a ring model says but its effects. SI units.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Setup {
     /// What the ring is made of.
     pub material: Material,
@@ -62,7 +75,7 @@ pub struct Setup {
     /// C, the radial force per depth of cut, N/m.
     pub force_per_depth: Option<f64>,
     /// Elements.
-    pub mesh: MeshSize,
+    pub body: Body,
     /// What deviations are measured from.
     pub reference: Reference,
     /// Evenly spaced angles at which the bore is predicted.
@@ -78,20 +91,13 @@ impl Reference {
 impl Setup {
     /// Reads every table of a ring model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let (material, [outer, inner, width], blank) = model.table("workpiece", "the ring", |t| {
+        let is_drawn = model.has_in("mesh", "file");
+        let (material, radii, width, blank) = model.table("workpiece", "the ring", |t| {
             let material = Material::read(t, "material");
-            let outer = t.quantity("outer_diameter", LENGTH, "outer diameter").positive().required();
-            let inner = t.quantity("inner_diameter", LENGTH, "diameter of the bore").positive().required();
+            let radii = read_radii(t, is_drawn);
             let width = t.quantity("width", LENGTH, "width of the ring, along its axis").positive().required();
-            if inner >= outer {
-                t.problem(
-                    "inner_diameter",
-                    "the bore is as wide as the ring",
-                    format!("it must be below the outer diameter of {} mm", 1e3 * outer),
-                );
-            }
             let blank = t.list("blank", "waves of the bore before boring, which copying copies", |t, _| Lobe::read(t));
-            (material, [outer, inner, width], blank)
+            (material, radii, width, blank)
         });
         let (jaws, jaw_force) = model.table("chuck", "the chuck that holds the ring by its outside", |t| {
             let jaws = t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
@@ -103,19 +109,23 @@ impl Setup {
             (speed.optional(), force.positive().optional())
         });
         let (spindle_speed, force_per_depth) = cut.unwrap_or_default();
-        let mesh = read_mesh(model, jaws);
+        let body = read_body(model, jaws, radii);
         let (reference, points) = read_measurement(model);
+        let [outer_radius, inner_radius] = match &body {
+            Body::Cells(_) => radii.map(Option::unwrap_or_default),
+            Body::Drawn(drawn) => [drawn.outer_radius, drawn.inner_radius],
+        };
         Self {
             material,
-            outer_radius: 0.5 * outer,
-            inner_radius: 0.5 * inner,
+            outer_radius,
+            inner_radius,
             width,
             blank,
             jaws,
             jaw_force,
             spindle_speed,
             force_per_depth,
-            mesh,
+            body,
             reference,
             points,
         }
@@ -127,6 +137,10 @@ impl Setup {
     /// The reason, as a sentence.
     pub fn admits(&self, effect: &str) -> Result<(), String> {
         match effect {
+            "jaw-contact-arc" if self.arc() > 0.0 => Err(format!(
+                "`jaw-contact-arc` says over which arc the jaws press, and so does the mesh, over {:.2} deg: draw the jaws as points",
+                self.arc().to_degrees()
+            )),
             "jaw-position" if self.jaws != 3 => Err(format!(
                 "`jaw-position` is known of three jaws, which statics alone sets in equilibrium, not of {}",
                 self.jaws
@@ -142,6 +156,22 @@ impl Setup {
                     .into())
             }
             _ => Ok(()),
+        }
+    }
+
+    /// Where the jaws stand, rad.
+    pub fn places(&self) -> Vec<f64> {
+        match &self.body {
+            Body::Cells(_) => (0..self.jaws).map(|k| std::f64::consts::TAU / self.jaws as f64 * k as f64).collect(),
+            Body::Drawn(drawn) => drawn.jaws.clone(),
+        }
+    }
+
+    /// Full angle over which each jaw presses where no effect says otherwise, rad; 0 for a line load.
+    pub fn arc(&self) -> f64 {
+        match &self.body {
+            Body::Cells(_) => 0.0,
+            Body::Drawn(drawn) => drawn.arc,
         }
     }
 
@@ -166,31 +196,88 @@ impl Lobe {
     }
 }
 
-fn read_mesh(model: &Reader, jaws: usize) -> MeshSize {
-    let usual = MeshSize { circumferential: 360, radial: 6, order: 2 };
-    let read = |t: &Reader| {
-        let size = MeshSize {
-            circumferential: t
-                .count("circumferential", "elements around")
-                .between(16, 100_000)
-                .or(usual.circumferential),
-            radial: t.count("radial", "elements across the wall").between(1, 1000).or(usual.radial),
-            order: t.count("order", "1 for 4-node, 2 for 8-node quadrilaterals").between(1, 2).or(usual.order),
-        };
-        let elements = size.circumferential * size.radial;
-        if elements > MOST_ELEMENTS {
-            let message = format!("{} by {} elements are more than {MOST_ELEMENTS}", size.circumferential, size.radial);
-            t.problem("circumferential", message, "360 around and 6 across are good to a part in ten thousand");
+/// Outer and inner radius, m; a mesh from a file has its own.
+fn read_radii(t: &Reader, is_drawn: bool) -> [Option<f64>; 2] {
+    let read = |key, about| {
+        let field = t.quantity(key, LENGTH, about).positive();
+        match is_drawn || t.is_described() {
+            true => field.optional(),
+            false => Some(field.required()),
         }
-        if size.circumferential < LEAST_PER_JAW * jaws {
-            let message = format!("{} elements around are too few for {jaws} jaws", size.circumferential);
-            let least = LEAST_PER_JAW * jaws;
-            t.problem("circumferential", message, format!("take at least {least}: {LEAST_PER_JAW} from jaw to jaw"));
-        }
-        size
     };
-    let given = model.optional_table("mesh", "the ring as plane elements", read);
-    given.unwrap_or(MeshSize { circumferential: usual.circumferential.max(LEAST_PER_JAW * jaws), ..usual })
+    let outer = read("outer_diameter", "outer diameter; a mesh from a file has its own");
+    let inner = read("inner_diameter", "diameter of the bore; a mesh from a file has its own");
+    if let (Some(outer), Some(inner)) = (outer, inner)
+        && inner >= outer
+    {
+        let help = format!("it must be below the outer diameter of {} mm", 1e3 * outer);
+        t.problem("inner_diameter", "the bore is as wide as the ring", help);
+    }
+    for key in ["outer_diameter", "inner_diameter"] {
+        if is_drawn && t.is_uncertain(key) {
+            t.problem(key, "the mesh from a file has this diameter for certain", "leave it out, or the file");
+        }
+    }
+    [outer, inner].map(|diameter| diameter.map(|d| 0.5 * d))
+}
+
+fn read_body(model: &Reader, jaws: usize, radii: [Option<f64>; 2]) -> Body {
+    let usual = MeshSize { circumferential: 360.max(LEAST_PER_JAW * jaws), radial: 6, order: 2 };
+    let read = |t: &Reader| {
+        let size = read_cells(t, jaws);
+        match Mesh::read(t) {
+            Some(mesh) => read_drawn(t, &mesh, jaws, radii).unwrap_or(Body::Cells(size)),
+            None => Body::Cells(size),
+        }
+    };
+    model.optional_table("mesh", "the ring as plane elements", read).unwrap_or(Body::Cells(usual))
+}
+
+/// The ring of a mesh from a file, if that is one.
+fn read_drawn(t: &Reader, mesh: &Mesh, jaws: usize, radii: [Option<f64>; 2]) -> Option<Body> {
+    if let Some(key) = ["circumferential", "radial", "order"].into_iter().find(|key| t.has(key)) {
+        t.problem(
+            key,
+            format!("`{key}` is of a mesh of equal cells, and `file` names another"),
+            "leave one of them out",
+        );
+    }
+    if mesh.element_count() > MOST_ELEMENTS {
+        t.problem("file", format!("the mesh has more than {MOST_ELEMENTS} elements"), "a coarser mesh is as good");
+        return None;
+    }
+    let drawn = Drawn::new(mesh, jaws).map_err(|message| {
+        let help = "a ring has its centre at the origin, the sides `bore`, and jaws `jaw-1`, `jaw-2` … on a circle";
+        t.problem("file", format!("the mesh is no ring in {jaws} jaws: {message}"), help);
+    });
+    let drawn = drawn.ok()?;
+    for (given, drawn, what) in [(radii[0], drawn.outer_radius, "outer"), (radii[1], drawn.inner_radius, "inner")] {
+        if let Some(given) = given.filter(|given| (given / drawn - 1.0).abs() > 1e-3) {
+            let (given, drawn) = (2e3 * given, 2e3 * drawn);
+            let message = format!("the mesh has an {what} diameter of {drawn:.4} mm, [workpiece] one of {given:.4} mm");
+            t.problem("file", message, "leave the diameter out, or say in which `unit` the mesh is");
+        }
+    }
+    Some(Body::Drawn(Arc::new(drawn)))
+}
+
+fn read_cells(t: &Reader, jaws: usize) -> MeshSize {
+    let size = MeshSize {
+        circumferential: t.count("circumferential", "elements around").between(16, 100_000).or(360),
+        radial: t.count("radial", "elements across the wall").between(1, 1000).or(6),
+        order: t.count("order", "1 for 4-node, 2 for 8-node quadrilaterals").between(1, 2).or(2),
+    };
+    let elements = size.circumferential * size.radial;
+    if elements > MOST_ELEMENTS {
+        let message = format!("{} by {} elements are more than {MOST_ELEMENTS}", size.circumferential, size.radial);
+        t.problem("circumferential", message, "360 around and 6 across are good to a part in ten thousand");
+    }
+    if size.circumferential < LEAST_PER_JAW * jaws {
+        let message = format!("{} elements around are too few for {jaws} jaws", size.circumferential);
+        let least = LEAST_PER_JAW * jaws;
+        t.problem("circumferential", message, format!("take at least {least}: {LEAST_PER_JAW} from jaw to jaw"));
+    }
+    size
 }
 
 fn read_measurement(model: &Reader) -> (Reference, usize) {

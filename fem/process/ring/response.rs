@@ -68,11 +68,11 @@ static RECENT: Mutex<Vec<(Shape, Arc<Response>)>> = Mutex::new(Vec::new());
 ///
 /// # Errors
 /// The mesh cannot be built, or its equations not be solved.
-pub fn response(setup: &Setup, step: usize) -> Result<Arc<Response>, Failure> {
+pub fn response(setup: &Setup, mesh: MeshSize, step: usize) -> Result<Arc<Response>, Failure> {
     let shape = Shape {
         ratio: setup.inner_radius / setup.outer_radius,
         poisson_ratio: setup.material.poisson_ratio,
-        mesh: setup.mesh,
+        mesh,
         step,
     };
     // A panic while the list was held leaves it whole: entries are added and removed in one step each.

@@ -1,9 +1,11 @@
 //! The ring in space: clamped, bored, released.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use super::job::Ring;
 use super::machine::{Machine, Place};
+use super::model::{Body, Setup};
 use super::response::{self, Jaw};
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
 use crate::mesh::Mesh;
@@ -24,8 +26,8 @@ const STEPS: usize = 5;
 
 /// The solved ring with what a run shows of it.
 pub struct Scene {
-    machine: std::sync::Arc<Machine>,
-    mesh: Mesh,
+    machine: Arc<Machine>,
+    mesh: Arc<Mesh>,
     jaws: Vec<Jaw>,
     /// Under the jaws at standstill, m. (nodes, 2)
     displacements: Vec<[f64; 2]>,
@@ -43,16 +45,12 @@ impl Scene {
     /// The ring cannot be computed.
     pub fn new(ring: &Ring) -> Result<Self, Failure> {
         let (setup, machine) = (ring.setup(), ring.machine.clone());
-        let mesh = response::mesh(setup.outer_radius, setup.inner_radius, setup.mesh)?;
         let (e, nu) = (setup.material.youngs_modulus, setup.material.poisson_ratio);
         let law = Elasticity::new(PlaneState::Stress, e, nu, setup.material.expansion, setup.width)
             .map_err(|error| response::unsolvable(&error))?;
         let jaws = ring.jaws()?;
-        let push = |jaw: &Jaw| ContactArc { angle: jaw.angle, width: jaw.arc, force: setup.jaw_force * jaw.share };
-        let mut loads = Loads::none(&mesh);
-        let pushes: Vec<ContactArc> = jaws.iter().map(push).collect();
-        add_jaws(&mut loads, &mesh, &pushes).map_err(|error| response::unsolvable(&error))?;
-        let system = ElasticSystem::free(&mesh, law).map_err(|error| response::unsolvable(&error))?;
+        let (mesh, loads) = pressed(setup, &jaws)?;
+        let system = ElasticSystem::free(&*mesh, law).map_err(|error| response::unsolvable(&error))?;
         let mut displacements = system.solve(&loads).map_err(|error| response::unsolvable(&error))?.nodes;
         drop(system);
         centre(&mesh, &mut displacements);
@@ -95,7 +93,7 @@ impl Scene {
         let (mut stress, mut single) = (Vec::new(), Vec::new());
         for (node, &[x, y]) in self.mesh.nodes().iter().enumerate() {
             let r = x.hypot(y);
-            let depth = (setup.outer_radius - r) / (setup.outer_radius - setup.inner_radius);
+            let depth = ((setup.outer_radius - r) / (setup.outer_radius - setup.inner_radius)).max(0.0);
             let cut = bored * self.cut[node] * depth / r;
             let [u, v] = self.displacements[node];
             let [xx, yy, xy] = self.stresses[node].map(|s| clamped * s);
@@ -106,7 +104,7 @@ impl Scene {
             single.push(equivalent([xx, yy, xy]));
         }
         for element in self.mesh.elements() {
-            grid.push(if setup.mesh.order == 1 { Cell::Quad } else { Cell::QuadraticQuad }, element.nodes);
+            grid.push(Cell::of(element.kind), element.nodes);
         }
         for jaw in &self.jaws {
             let (sine, cosine) = jaw.angle.sin_cos();
@@ -125,6 +123,25 @@ impl Scene {
             Field::scalar("equivalent_stress", single),
         ];
         Frame { time: i as f64 / STEPS as f64, grid }
+    }
+}
+
+/// The mesh, and on it the jaws at standstill.
+fn pressed(setup: &Setup, jaws: &[Jaw]) -> Result<(Arc<Mesh>, Loads), Failure> {
+    match &setup.body {
+        Body::Drawn(drawn) => {
+            let mut loads = Loads::none(&drawn.mesh);
+            drawn.press(&mut loads, jaws, setup.jaw_force)?;
+            Ok((drawn.mesh.clone(), loads))
+        }
+        Body::Cells(size) => {
+            let mesh = response::mesh(setup.outer_radius, setup.inner_radius, *size)?;
+            let push = |jaw: &Jaw| ContactArc { angle: jaw.angle, width: jaw.arc, force: setup.jaw_force * jaw.share };
+            let pushes: Vec<ContactArc> = jaws.iter().map(push).collect();
+            let mut loads = Loads::none(&mesh);
+            add_jaws(&mut loads, &mesh, &pushes).map_err(|error| response::unsolvable(&error))?;
+            Ok((Arc::new(mesh), loads))
+        }
     }
 }
 

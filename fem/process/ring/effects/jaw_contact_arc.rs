@@ -38,7 +38,7 @@ mod tests {
     fn jaws_that_press_all_around_leave_the_ring_round() {
         let bore = chuck("jaw-contact-arc", &[120.0]).bore().unwrap();
         let line = chuck("jaw-contact-arc", &[0.0]).bore().unwrap();
-        let wave = |bore: &crate::process::ring::BoreSeries| bore.radial(0.0) - bore.radial(1.0);
+        let wave = |bore: &crate::process::ring::BoreMotion| bore.radial(0.0) - bore.radial(1.0);
         assert!(wave(&bore).abs() < 1e-6 * wave(&line).abs());
         // Lamé: −2·p·Ro²·Ri/(E·(Ro² − Ri²)) with 3 N over the whole outside; the coarse mesh is good to 1e-5.
         let pressure = 3.0 / (std::f64::consts::TAU * 0.05 * 0.02);
