@@ -37,18 +37,18 @@ fn vtk_plays_the_ring_clamped_bored_and_released() {
         return;
     };
     let seen = seen(&python, "ring.toml", "ring.pvd");
-    assert_eq!(seen["frames"], 16);
+    assert_eq!(seen["frames"], 10);
     let first = &seen["steps"][0];
     // 360 × 6 elements: (3·6 + 2)·360 nodes, and three jaws.
     assert_eq!((first["points"].as_u64(), first["cells"].as_u64()), (Some(7203), Some(2163)));
     let largest = |step: usize, field: &str| seen["steps"][step]["point_fields"][field]["range"][1].as_f64().unwrap();
     // Clamped: stressed and moved. Released: free of stress, and what was bored stays.
-    assert!(largest(5, "equivalent_stress") > 50e6 && largest(0, "displacement") == 0.0);
-    assert!(largest(15, "equivalent_stress") == 0.0);
+    assert!(largest(3, "equivalent_stress") > 50e6 && largest(0, "displacement") == 0.0);
+    assert!(largest(9, "equivalent_stress") == 0.0);
     // Near θ = 0 the bore stands out most: by what the model's header states, and by the mean that the least-squares circle took out of
     // it, 1.946 um (Lame) for jaws that press with 2894.7 of 3000 N while boring.
     let expected = 28.034 + 1.946 * 2894.7 / 3000.0;
-    assert!((1e6 * largest(15, "displacement") - expected).abs() < 0.02, "{}", 1e6 * largest(15, "displacement"));
+    assert!((1e6 * largest(9, "displacement") - expected).abs() < 0.02, "{}", 1e6 * largest(9, "displacement"));
 }
 
 #[test]
