@@ -177,6 +177,12 @@ impl<'r, 'a> Count<'r, 'a> {
         self.read().unwrap_or(default)
     }
 
+    /// The number, or `None` where the key is absent.
+    pub fn optional(self) -> Option<usize> {
+        self.describe(serde_json::Value::Null, false);
+        self.read()
+    }
+
     /// The number; an absent key is a problem.
     pub fn required(self) -> usize {
         self.describe(serde_json::Value::Null, true);

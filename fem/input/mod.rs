@@ -3,6 +3,7 @@
 
 mod field;
 mod file;
+mod pair;
 mod problem;
 mod reader;
 mod source;

@@ -397,6 +397,11 @@ impl<'a> Reader<'a> {
         matches!(self.ground, Ground::Described)
     }
 
+    /// Whether nothing wrong has been found in the file so far.
+    pub fn is_sound(&self) -> bool {
+        self.findings.found.borrow().problems.is_empty()
+    }
+
     /// Whether a key of this table that was read is not exactly known.
     pub fn is_uncertain(&self, key: &str) -> bool {
         let path = format!("{}.{key}", self.path);

@@ -43,7 +43,7 @@ pub enum OutputError {
     },
 }
 
-/// Writes everything a run gives into `directory`: `profile.csv`, `summary.json`, drawings as `NAME.svg`, and the animation as `NAME.pvd` with
+/// Writes everything a run gives into `directory`: `profile.csv`, further tables as `NAME.csv`, `summary.json`, drawings as `NAME.svg`, and the animation as `NAME.pvd` with
 /// its frames in `NAME/`. Gives the files that a user opens.
 ///
 /// # Errors
@@ -53,6 +53,11 @@ pub fn write_run(model: &Model, run: &Run, directory: &Path, progress: &Progress
     let stage = files::Stage::new(directory).map_err(unwritable)?;
     stage.write(Path::new("profile.csv"), csv::table(&run.outcome.profile).as_bytes())?;
     let mut written = vec![directory.join("profile.csv")];
+    for (name, table) in &run.outcome.tables {
+        let file = PathBuf::from(format!("{name}.csv"));
+        stage.write(&file, csv::table(table).as_bytes())?;
+        written.push(directory.join(file));
+    }
     if let Some(animation) = &run.outcome.animation {
         written.push(directory.join(write_animation(animation, &stage, progress)?));
     }

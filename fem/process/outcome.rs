@@ -8,6 +8,8 @@ use super::{Drawing, Frame};
 pub struct Outcome {
     /// The prediction at every point; a measurement file in itself.
     pub profile: Table,
+    /// Further tables, each a CSV file of its name.
+    pub tables: Vec<(&'static str, Table)>,
     /// What an engineer wants to know, in the order of interest.
     pub findings: Vec<Finding>,
     /// Small pictures of the prediction.

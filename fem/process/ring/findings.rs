@@ -46,6 +46,7 @@ pub fn outcome(ring: &Ring, scene: &Scene, deviations: Vec<f64>) -> Result<Outco
         profile: profile(setup, &angles, &deviations),
         findings,
         plots,
+        tables: Vec::new(),
         drawings: Vec::new(),
         warnings,
         animation: None,

@@ -28,7 +28,7 @@ pub fn outcome(
     let plots = plots(positions, &errors);
     let warnings = warnings(lathe, positions, deflections)?;
     let profile = profile(setup, positions, &errors);
-    Ok(Outcome { profile, findings, plots, drawings: Vec::new(), warnings, animation: None })
+    Ok(Outcome { profile, tables: Vec::new(), findings, plots, drawings: Vec::new(), warnings, animation: None })
 }
 
 fn profile(setup: &Setup, positions: &[f64], errors: &[f64]) -> Table {
