@@ -5,6 +5,7 @@
 
 mod drawing;
 mod effect;
+pub mod fixture;
 mod grid;
 mod observation;
 mod outcome;
@@ -25,7 +26,7 @@ use crate::input::Reader;
 use crate::progress::Progress;
 
 /// Every process the program knows.
-pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring];
+pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring, &fixture::Fixture];
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {

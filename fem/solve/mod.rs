@@ -1,6 +1,7 @@
-//! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks both, heat in a rod;
+//! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks both, a beam pressed on supports, heat in a rod;
 //! plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
+pub mod beam;
 pub mod conduction;
 pub mod elastic;
 mod equilibrium;

@@ -36,6 +36,7 @@ kinds! {
     SLOPE = "a slope" in "um/m", as "20";
     STEEP_SLOPE = "a slope" in "mm/m", as "1";
     WEAR_RATE = "a wear rate" in "um/km", as "8";
+    WEAR_PER_PART = "a wear per part" in "um/1000", as "40";
     FEED = "a feed per revolution" in "mm/rev", as "0.2";
     SPINDLE_SPEED = "a spindle speed" in "rpm", as "600";
     POWER = "a power" in "W", as "80";

@@ -7,6 +7,7 @@ mod bad_input;
 mod compare;
 mod fem;
 mod files;
+mod fixture;
 mod mesh_file;
 mod pages;
 mod ring;

@@ -30,8 +30,8 @@ fn the_truth_is_in_the_interval_and_nothing_but_noise_is_left() {
             }
         }
     }
-    // 12 intervals of 95 %: fewer than 10 inside would happen in 2 % of such sets.
-    assert!(all >= 12 && inside + 2 >= all, "{inside} of {all}");
+    // Intervals of 95 %: of 12 fewer than 10 inside, of 40 fewer than 35, would happen in 2 % of such sets.
+    assert!(all >= 12 && inside + 2 + all / 16 >= all, "{inside} of {all}");
 }
 
 #[test]

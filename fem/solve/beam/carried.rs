@@ -1,0 +1,207 @@
+//! The beam on a given set of supports, each of which holds both ways.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{BeamError, Load, Settled, Support};
+use crate::joint::JointState;
+
+/// Residual at which forces and displacements count as in equilibrium, relative to the terms of each equation.
+const TOLERANCE: f64 = 1e-13;
+const MAX_ITERATIONS: usize = 80;
+
+/// A beam on supports that hold both ways.
+pub(super) struct Carried {
+    /// Of every support, those that do not carry included, N.
+    pub forces: Vec<f64>,
+    /// As it lies.
+    pub beam: Settled,
+}
+
+/// Solves for the forces of the supports that carry.
+pub(super) fn carry(
+    rigidity: f64,
+    supports: &[Support],
+    carrying: &[bool],
+    loads: &[Load],
+) -> Result<Carried, BeamError> {
+    let own: Vec<usize> = (0..supports.len()).filter(|i| carrying[*i]).collect();
+    let problem = Problem::new(rigidity, own.iter().map(|i| &supports[*i]).collect(), loads);
+    let (found, rigid) = if own.len() == 2 { problem.by_statics() } else { problem.by_newton()? };
+    let mut forces = vec![0.0; supports.len()];
+    own.iter().zip(&found).for_each(|(i, q)| forces[*i] = *q);
+    let acting = loads.iter().map(|l| (l.at, l.force));
+    let acting = acting.chain(supports.iter().zip(&forces).map(|(s, q)| (s.at, -q))).collect();
+    Ok(Carried { forces, beam: Settled { rigidity, forces: acting, rigid, reactions: Vec::new() } })
+}
+
+struct Problem<'a> {
+    supports: Vec<&'a Support>,
+    loads: &'a [Load],
+    /// |x_i − x_j|³/(12 EI) between supports, m/N.
+    influence: DMatrix<f64>,
+    /// What the loads bend at the supports, m.
+    bent: Vec<f64>,
+    /// Middle and half of the supports' span, m, about which turns are counted.
+    middle: f64,
+    half: f64,
+    /// ΣF, N.
+    total: f64,
+}
+
+/// A trial: where each joint stands on its path, and the rigid motion (at the middle, and at its half span beyond), m.
+struct Trial {
+    path: Vec<f64>,
+    rigid: [f64; 2],
+    states: Vec<JointState>,
+    residual: DVector<f64>,
+    /// Largest residual over the terms of its equation.
+    size: f64,
+}
+
+impl<'a> Problem<'a> {
+    fn new(rigidity: f64, supports: Vec<&'a Support>, loads: &'a [Load]) -> Self {
+        let bend = |x: f64, s: f64| (x - s).abs().powi(3) / (12.0 * rigidity);
+        let at = |i: usize| supports[i].at;
+        let (from, to) = (0..supports.len())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), i| (low.min(at(i)), high.max(at(i))));
+        Self {
+            influence: DMatrix::from_fn(supports.len(), supports.len(), |i, j| bend(at(i), at(j))),
+            bent: supports.iter().map(|s| loads.iter().map(|l| l.force * bend(s.at, l.at)).sum()).collect(),
+            middle: 0.5 * (from + to),
+            half: 0.5 * (to - from),
+            total: loads.iter().map(|l| l.force).sum(),
+            supports,
+            loads,
+        }
+    }
+
+    /// Lever of a place about the middle, in half spans.
+    fn lever(&self, x: f64) -> f64 {
+        (x - self.middle) / self.half
+    }
+
+    /// Two supports: the levers decide.
+    fn by_statics(&self) -> (Vec<f64>, (f64, f64)) {
+        let [a, b] = [self.supports[0].at, self.supports[1].at];
+        let share = |from: f64, to: f64| self.loads.iter().map(|l| l.force * (l.at - from)).sum::<f64>() / (to - from);
+        let forces = vec![share(b, a), share(a, b)];
+        let y = |i: usize| self.supports[i].joint.displacement(forces[i]) - self.bent_at(i, &forces);
+        let slope = (y(1) - y(0)) / (b - a);
+        let rigid = (y(0) - slope * a, slope);
+        (forces, rigid)
+    }
+
+    /// What loads and reactions bend at a support, m.
+    fn bent_at(&self, i: usize, forces: &[f64]) -> f64 {
+        self.bent[i] - forces.iter().enumerate().map(|(j, q)| self.influence[(i, j)] * q).sum::<f64>()
+    }
+
+    /// Newton's method along the joints' paths, each step as long as it lowers the residual.
+    fn by_newton(&self) -> Result<(Vec<f64>, (f64, f64)), BeamError> {
+        let failure = BeamError::NoEquilibrium { load: self.total };
+        let mut trial = self.start().ok_or(failure)?;
+        for _ in 0..MAX_ITERATIONS {
+            if trial.size <= TOLERANCE {
+                break;
+            }
+            let step = self.jacobian(&trial).lu().solve(&trial.residual).ok_or(failure)?;
+            let Some(next) = self.search(&trial, &step) else { break };
+            trial = next;
+        }
+        // Round-off of many supports may stop the fall a little before.
+        if trial.size > 100.0 * TOLERANCE {
+            return Err(failure);
+        }
+        let slope = trial.rigid[1] / self.half;
+        let forces = trial.states.iter().map(|s| s.force).collect();
+        Ok((forces, (trial.rigid[0] - slope * self.middle, slope)))
+    }
+
+    /// Every joint as a spring by its secant under an even share of the loads.
+    fn start(&self) -> Option<Trial> {
+        let count = self.supports.len();
+        let share = self.total / count as f64;
+        let mut matrix = DMatrix::zeros(count + 2, count + 2);
+        let mut right = DVector::zeros(count + 2);
+        for i in 0..count {
+            for j in 0..count {
+                matrix[(i, j)] = self.influence[(i, j)];
+            }
+            matrix[(i, i)] += self.supports[i].joint.displacement(share) / share;
+            right[i] = self.bent[i];
+        }
+        self.border(&mut matrix, |_| 1.0);
+        right[count] = self.total;
+        right[count + 1] = self.moment();
+        let found = matrix.lu().solve(&right)?;
+        let path = (0..count).map(|i| self.supports[i].joint.path_at(found[i])).collect();
+        Some(self.trial(path, [found[count], found[count + 1]]))
+    }
+
+    /// Moment of the loads about the middle over the half span, N.
+    fn moment(&self) -> f64 {
+        self.loads.iter().map(|l| l.force * self.lever(l.at)).sum()
+    }
+
+    /// The columns of the rigid motion and the rows of the balance; `rate` is dQ/ds of each support.
+    fn border(&self, matrix: &mut DMatrix<f64>, rate: impl Fn(usize) -> f64) {
+        let count = self.supports.len();
+        for i in 0..count {
+            let lever = self.lever(self.supports[i].at);
+            matrix[(i, count)] = -1.0;
+            matrix[(i, count + 1)] = -lever;
+            matrix[(count, i)] = rate(i);
+            matrix[(count + 1, i)] = lever * rate(i);
+        }
+    }
+
+    fn trial(&self, path: Vec<f64>, rigid: [f64; 2]) -> Trial {
+        let count = self.supports.len();
+        let states: Vec<JointState> = self.supports.iter().zip(&path).map(|(s, p)| s.joint.along(*p)).collect();
+        let mut residual = DVector::zeros(count + 2);
+        let mut size = 0.0f64;
+        for i in 0..count {
+            let turn = rigid[1] * self.lever(self.supports[i].at);
+            let held = states.iter().enumerate().map(|(j, s)| self.influence[(i, j)] * s.force);
+            let (sum, sizes) = held.fold((0.0, 0.0), |(sum, sizes), term| (sum + term, sizes + f64::abs(term)));
+            residual[i] = states[i].displacement - rigid[0] - turn - self.bent[i] + sum;
+            let terms = states[i].displacement.abs() + rigid[0].abs() + turn.abs() + self.bent[i].abs() + sizes;
+            size = size.max(residual[i].abs() / terms.max(f64::MIN_POSITIVE));
+        }
+        let lever = |i: usize| self.lever(self.supports[i].at);
+        residual[count] = states.iter().map(|s| s.force).sum::<f64>() - self.total;
+        residual[count + 1] = (0..count).map(|i| states[i].force * lever(i)).sum::<f64>() - self.moment();
+        let terms = self.total + states.iter().map(|s| s.force.abs()).sum::<f64>();
+        size = size.max(residual[count].abs() / terms).max(residual[count + 1].abs() / terms);
+        Trial { path, rigid, states, residual, size }
+    }
+
+    fn jacobian(&self, trial: &Trial) -> DMatrix<f64> {
+        let count = self.supports.len();
+        let mut matrix = DMatrix::zeros(count + 2, count + 2);
+        for i in 0..count {
+            for j in 0..count {
+                matrix[(i, j)] = self.influence[(i, j)] * trial.states[j].force_rate;
+            }
+            matrix[(i, i)] += trial.states[i].displacement_rate;
+        }
+        self.border(&mut matrix, |i| trial.states[i].force_rate);
+        matrix
+    }
+
+    /// The first of ever shorter steps that lowers the residual.
+    fn search(&self, from: &Trial, step: &DVector<f64>) -> Option<Trial> {
+        let count = self.supports.len();
+        let mut length = 1.0;
+        for _ in 0..40 {
+            let path = (0..count).map(|i| from.path[i] - length * step[i]).collect();
+            let rigid = [0, 1].map(|k| from.rigid[k] - length * step[count + k]);
+            let next = self.trial(path, rigid);
+            if next.size < (1.0 - 1e-4 * length) * from.size {
+                return Some(next);
+            }
+            length *= 0.5;
+        }
+        None
+    }
+}

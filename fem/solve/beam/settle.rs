@@ -1,0 +1,79 @@
+//! Which supports carry the beam.
+
+use super::carried::{Carried, carry};
+use super::{BeamError, Load, Reaction, Settled, Support};
+
+/// A reaction, or a support pressed into, that is this small against what acts is none.
+const NOTHING: f64 = 1e-11;
+
+/// Lays a beam of rigidity EI (N m²) on two or more supports at different places under loads of zero or more.
+///
+/// The support that would pull most is taken away, the one that the beam would sink into most is put back, until there is neither: the forces and
+/// displacements so found are unique, for they make the complementary energy least.
+///
+/// # Errors
+/// The loads press outside the supports, or no equilibrium was found.
+pub fn settle(rigidity: f64, supports: &[Support], loads: &[Load]) -> Result<Settled, BeamError> {
+    let total: f64 = loads.iter().map(|l| l.force).sum();
+    if total == 0.0 {
+        let reactions = vec![Reaction { force: 0.0, displacement: 0.0 }; supports.len()];
+        return Ok(Settled { rigidity, forces: Vec::new(), rigid: (0.0, 0.0), reactions });
+    }
+    let resultant = loads.iter().map(|l| l.force * l.at).sum::<f64>() / total;
+    let from = supports.iter().map(|s| s.at).fold(f64::INFINITY, f64::min);
+    let to = supports.iter().map(|s| s.at).fold(f64::NEG_INFINITY, f64::max);
+    let slack = 1e-12 * to.abs().max(from.abs());
+    if !(from - slack..=to + slack).contains(&resultant) {
+        return Err(BeamError::Tips { at: resultant, from, to });
+    }
+    let mut carrying = vec![true; supports.len()];
+    for round in 0..20 * supports.len() {
+        let carried = carry(rigidity, supports, &carrying, loads)?;
+        let wrong = wrong(supports, &carrying, &carried, total);
+        // The worst first, which is quick; by position later on, which cannot go in circles.
+        let worst = match round < 4 * supports.len() {
+            true => wrong.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)),
+            false => wrong.into_iter().next(),
+        };
+        let Some((changed, _)) = worst else { return Ok(finish(rigidity, supports, &carrying, loads, &carried)) };
+        carrying[changed] = !carrying[changed];
+        if carrying.iter().filter(|c| **c).count() < 2 {
+            let beyond = beyond(supports, changed, &carrying, resultant);
+            carrying[beyond.ok_or(BeamError::NoEquilibrium { load: total })?] = true;
+        }
+    }
+    Err(BeamError::NoEquilibrium { load: total })
+}
+
+/// Supports that pull, and supports that the beam sinks into though they carry nothing; each with how much, as a part of what acts.
+fn wrong(supports: &[Support], carrying: &[bool], carried: &Carried, total: f64) -> Vec<(usize, f64)> {
+    let size = supports.iter().map(|s| carried.beam.deflection(s.at).abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let of = |i: usize| match carrying[i] {
+        true => -carried.forces[i] / total,
+        false => carried.beam.deflection(supports[i].at) / size,
+    };
+    (0..supports.len()).map(|i| (i, of(i))).filter(|(_, by)| *by > NOTHING).collect()
+}
+
+/// Of two supports one was taken away because all that presses acts beyond the other: the nearest one there.
+fn beyond(supports: &[Support], gone: usize, carrying: &[bool], resultant: f64) -> Option<usize> {
+    let left = carrying.iter().position(|c| *c)?;
+    let side = (supports[left].at - supports[gone].at).signum();
+    let distance = |i: &usize| (supports[*i].at - resultant) * side;
+    let others = (0..supports.len()).filter(|i| *i != left && *i != gone && distance(i) >= 0.0);
+    others.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+fn finish(rigidity: f64, supports: &[Support], carrying: &[bool], loads: &[Load], carried: &Carried) -> Settled {
+    let reaction = |(i, support): (usize, &Support)| match carrying[i] {
+        true => {
+            let force = carried.forces[i].max(0.0);
+            Reaction { force, displacement: support.joint.displacement(force) }
+        }
+        false => Reaction { force: 0.0, displacement: carried.beam.deflection(support.at).min(0.0) },
+    };
+    let reactions: Vec<Reaction> = supports.iter().enumerate().map(reaction).collect();
+    let pushed = loads.iter().map(|l| (l.at, l.force));
+    let forces = pushed.chain(supports.iter().zip(&reactions).map(|(s, r)| (s.at, -r.force))).collect();
+    Settled { rigidity, forces, rigid: carried.beam.rigid, reactions }
+}

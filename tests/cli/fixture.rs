@@ -1,0 +1,120 @@
+//! The fixture as a user meets it: summary, files, bad input, parts that lift off or tip.
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_summary_of_the_fixture() {
+    let place = Place::new();
+    place.write("fixture.toml", model("fixture.toml"));
+    let answer = place.fem(&["run", "fixture.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    insta::assert_snapshot!("effects_fixture", place.fem(&["effects", "fixture"]).out);
+}
+
+#[test]
+fn a_profile_is_a_measurement_of_its_own_model() {
+    let place = Place::new();
+    // Clamps of one force, and clamps that differ.
+    for text in [model("fixture.toml"), model("fixture.toml").replacen("\"4 kN\"", "\"5 kN\"", 1)] {
+        place.write("fixture.toml", text);
+        assert_eq!(place.fem(&["run", "fixture.toml", "-o", "out"]).status, 0);
+        let compared = place.fem(&["compare", "fixture.toml", "--with", "out/profile.csv", "--json"]).out;
+        let json: serde_json::Value = serde_json::from_str(&compared).unwrap();
+        assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");
+    }
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const CASES: &[(&str, &str, &str, &str)] = &[
+    ("height = \"40 mm\"", "hight = \"40 mm\"", "`hight` is no key of `workpiece`", "did you mean `height`?"),
+    ("\"600 mm\"", "\"600 N\"", "not a length", "write it in mm"),
+    ("at = \"560 mm\"", "at = \"660 mm\"", "660 mm is beyond the part", "the part is 600 mm long"),
+    ("at = \"300 mm\"", "at = \"40 mm\"", "two supports stand at 40 mm", "a place of its own"),
+    ("\"4 kN\"", "\"-4 kN\"", "`force` is -4000 N", "zero or more"),
+    ("max = \"4.5 kN\"", "max = \"3 kN\"", "the largest is below the smallest", "exchange `min` and `max`"),
+    ("force = \"350 N\"", "force = \"350 N\"\nfrom = \"700 mm\"", "beside the part, at 700 mm", "from 0 mm to 600 mm"),
+    ("rate = \"12 um/1000\"", "rate = \"12 um/km\"", "not a wear per part", "um/1000"),
+    ("[effects.locator-wear]", "[effects.locator-ware]", "`locator-ware` is no effect", "did you mean `locator-wear`?"),
+];
+
+#[test]
+fn bad_input_is_told_with_its_remedy() {
+    let good = model("fixture.toml");
+    let place = Place::new();
+    for (from, to, message, remedy) in CASES {
+        assert!(good.contains(from), "{from}");
+        place.write("fixture.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["run", "fixture.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+    let one = good.replace("[[support]]\nat = \"300 mm\"\n", "").replace("[[support]]\nat = \"560 mm\"\n", "");
+    place.write("fixture.toml", one);
+    let answer = place.fem(&["run", "fixture.toml"]);
+    assert!(answer.status == 2 && answer.err.contains("one support does not hold a part"), "{}", answer.err);
+    assert!(!place.files().iter().any(|f| f.starts_with("out")));
+}
+
+#[test]
+fn a_part_that_tips_or_a_clamp_beside_it_is_refused() {
+    let place = Place::new();
+    let clamps = "[[clamp]]\nat = \"480 mm\"\nforce = \"4 kN\"\n";
+    for (from, to, message) in [
+        (clamps, "", "the part tips: what presses on it acts at x = 3.678 mm"),
+        ("offset = \"4 mm\"", "offset = \"-130 mm\"", "the clamp drawn at 120.000 mm stands at -10.000 mm"),
+        ("height = \"40 mm\"", "height = \"4 mm\"", "that is no beam any more"),
+    ] {
+        let text = model("fixture.toml").replacen(from, to, 1);
+        let text = if to.is_empty() { text.replace("at = \"120 mm\"", "at = \"0 mm\"") } else { text };
+        place.write("fixture.toml", text);
+        let answer = place.fem(&["run", "fixture.toml"]);
+        assert_eq!(answer.status, 1, "{}", answer.err);
+        assert!(answer.err.split_whitespace().collect::<Vec<_>>().join(" ").contains(message), "{}", answer.err);
+    }
+}
+
+#[test]
+fn a_support_that_the_part_leaves_is_warned_of() {
+    let place = Place::new();
+    let text = model("fixture.toml").replace("at = \"480 mm\"\nforce = \"4 kN\"", "at = \"480 mm\"\nforce = \"10 N\"");
+    place.write("fixture.toml", text);
+    let answer = place.fem(&["run", "fixture.toml"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(answer.err.contains("lifts off the support at 560.0 mm"), "{}", answer.err);
+    assert!(answer.out.contains("carries nothing"), "{}", answer.out);
+}
+
+#[test]
+fn the_cutter_presses_where_it_stands() {
+    let place = Place::new();
+    let bare = model("fixture.toml").split("[effects").next().unwrap().to_string();
+    place.write("fixture.toml", bare);
+    // An indicator at 300 mm, above the rigid middle support, sees nothing of the cutter; one beside the cutter sees it.
+    let rows = "x [mm],cutter_force [N],cutter_x [mm],clamp_force [N],height_error [um]\n\
+                300,800,170,4000,0\n170,800,170,4000,0\n170,800,430,4000,0\n170,0,170,4000,0\n";
+    place.write("m.csv", rows);
+    let answer = place.fem(&["compare", "fixture.toml", "--with", "m.csv", "-o", "out"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let predicted: Vec<f64> = place
+        .read("out/residuals.csv")
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(5).unwrap().parse().unwrap())
+        .collect();
+    assert!(predicted[0].abs() < 1e-9);
+    assert!(predicted[1] > predicted[3] + 1.0 && predicted[2] < predicted[3], "{predicted:?}");
+}
+
+#[test]
+fn rows_off_the_part_are_refused() {
+    let place = Place::new();
+    place.write("fixture.toml", model("fixture.toml"));
+    for (row, message) in [("700,1,0", "x = 700 mm is not on the part"), ("10,-1,0", "`clamp_force` is below zero")] {
+        place.write("m.csv", format!("x [mm],clamp_force [N],height_error [um]\n{row}\n"));
+        let answer = place.fem(&["compare", "fixture.toml", "--with", "m.csv"]);
+        assert_eq!(answer.status, 2);
+        assert!(answer.err.contains(message), "{}", answer.err);
+    }
+}
