@@ -10,6 +10,7 @@ mod grid;
 mod observation;
 mod outcome;
 pub mod ring;
+pub mod stiffness;
 pub mod turning;
 mod validation;
 pub mod written;
@@ -26,7 +27,7 @@ use crate::input::Reader;
 use crate::progress::Progress;
 
 /// Every process the program knows.
-pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring, &fixture::Fixture];
+pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring, &fixture::Fixture, &stiffness::Stiffness];
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {

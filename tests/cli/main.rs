@@ -11,5 +11,6 @@ mod fixture;
 mod mesh_file;
 mod pages;
 mod ring;
+mod stiffness;
 mod story;
 mod written;

@@ -1,0 +1,101 @@
+//! The curve of a joint: what it gives way by under a force that rises, and under one that falls again.
+
+use super::model::Setup;
+use crate::joint::Joint;
+
+/// Which way the force goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branch {
+    /// Up from no force.
+    Load,
+    /// Down from the largest.
+    Unload,
+}
+
+/// A joint with its effects. Friction comes first: of the force F it leaves S to the spring, and the laws of spring, preload and contact are laws of S.
+/// Only clearance asks for F itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// k, N/m.
+    stiffness: f64,
+    /// At which loading ends, N.
+    pub max_force: f64,
+    /// f, N.
+    pub friction: f64,
+    /// Clearance, taken up as soon as a force acts, m.
+    pub gap: f64,
+    /// F₀ of two springs that press on each other, N; 0 where there is one.
+    pub preload: f64,
+    /// Contacts in series, under S.
+    pub contacts: Joint,
+}
+
+impl Curve {
+    /// The ideal joint: a spring.
+    pub fn ideal(setup: &Setup) -> Self {
+        let Setup { stiffness, max_force, .. } = *setup;
+        Self { stiffness, max_force, friction: 0.0, gap: 0.0, preload: 0.0, contacts: Joint::default() }
+    }
+
+    /// S, the force on the spring under F, N. Friction holds the first f of the load; when the force turns back it holds until 2f are gone.
+    pub fn spring_force(&self, force: f64, branch: Branch) -> f64 {
+        match branch {
+            Branch::Load => (force - self.friction).max(0.0),
+            Branch::Unload => (force + self.friction).min(self.spring_force(self.max_force, Branch::Load)),
+        }
+    }
+
+    /// y under the force F, m.
+    pub fn displacement(&self, force: f64, branch: Branch) -> f64 {
+        let clearance = if force > 0.0 { self.gap } else { 0.0 };
+        self.bend(self.spring_force(force, branch)) + clearance
+    }
+
+    /// What spring, preload and contacts give way by under S, m. Of two springs both resist until one is relaxed, at S = 2F₀.
+    fn bend(&self, s: f64) -> f64 {
+        let both = s.min(2.0 * self.preload);
+        (0.5 * both + (s - both)) / self.stiffness + self.contacts.displacement(s)
+    }
+
+    /// ∫S dy from no force to S, J.
+    fn work_at(&self, s: f64) -> f64 {
+        let both = s.min(2.0 * self.preload);
+        let spring = (0.25 * both * both + 0.5 * (s * s - both * both)) / self.stiffness;
+        let contact = |c: &crate::joint::Contact| c.displacement(s) * s * c.exponent / (c.exponent + 1.0);
+        spring + self.contacts.contacts.iter().map(contact).sum::<f64>()
+    }
+
+    /// Tangent stiffness dF/dy, N/m; `None` where friction holds the joint still.
+    pub fn tangent(&self, force: f64, branch: Branch) -> Option<f64> {
+        let s = self.spring_force(force, branch);
+        let moves = match branch {
+            Branch::Load => force >= self.friction,
+            Branch::Unload => s < self.spring_force(self.max_force, Branch::Load),
+        };
+        let springs = if s < 2.0 * self.preload { 2.0 } else { 1.0 };
+        let (_, contact) = self.contacts.yield_under(s);
+        moves.then(|| 1.0 / (1.0 / (springs * self.stiffness) + contact))
+    }
+
+    /// Work of friction ∮F dy over loading and unloading, J: the area between the curves.
+    ///
+    /// While the joint moves F = S ± f, so that the area is ∫(S + f)dy up to the largest S₁ less ∫(S − f)dy from what is left at no force, S₀, on.
+    pub fn loop_area(&self) -> f64 {
+        let most = self.spring_force(self.max_force, Branch::Load);
+        let left = self.spring_force(0.0, Branch::Unload);
+        let f = self.friction;
+        self.work_at(left) + 2.0 * f * self.bend(most) - f * self.bend(left)
+    }
+
+    /// Work put in while loading, ∫F dy, J.
+    pub fn work_of_loading(&self) -> f64 {
+        let most = self.spring_force(self.max_force, Branch::Load);
+        self.work_at(most) + self.friction * self.bend(most)
+    }
+
+    /// The same joint with another preload, N.
+    #[must_use]
+    pub fn preloaded(&self, preload: f64) -> Self {
+        Self { preload, ..self.clone() }
+    }
+}

@@ -1,0 +1,109 @@
+//! Displacements under the laws, alone and together, and tangents.
+
+use super::super::Branch;
+use super::rig::*;
+use crate::process::{Case, Tolerance};
+
+pub const GAP: &str = "[gap]\ngap = \"5 um\"\n";
+pub const CONTACT: &str = "[contact-joint]\nc = \"0.2 um/N^n\"\nn = 0.5\n";
+pub const FRICTION: &str = "[dry-friction]\nforce = \"80 N\"\n";
+pub const PRELOAD: &str = "[preload]\nforce = \"200 N\"\n";
+
+pub fn cases() -> Vec<Case> {
+    [alone(), together(), tangents()].concat()
+}
+
+/// (effects, on unloading, force N, y um, what it is)
+fn displacement(name: &str, effects: &str, unload: bool, force: f64, expected: f64) -> Case {
+    let joint = joint(effects);
+    let computed = if unload { down(&joint, force) } else { up(&joint, force) };
+    let branch = if unload { "unloading" } else { "loading" };
+    let tolerance = Tolerance::Absolute(1e-12 * expected.abs().max(1.0));
+    row(
+        format!("{name}, {force} N, {branch}"),
+        "displacement",
+        (expected, computed, "um"),
+        tolerance,
+        "laws of seed 000, fig. 5 and seed 002 (29), by hand",
+    )
+}
+
+fn alone() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let mut add = |name: &str, effects: &str, rows: &[(bool, f64, f64)]| {
+        cases.extend(rows.iter().map(|(unload, force, y)| displacement(name, effects, *unload, *force, *y)));
+    };
+    add("spring", "", &[(false, 0.0, 0.0), (false, 1000.0, 12.5), (true, 400.0, 5.0), (true, 0.0, 0.0)]);
+    add("gap", GAP, &[(false, 0.0, 0.0), (false, 50.0, 5.625), (true, 50.0, 5.625), (true, 0.0, 0.0)]);
+    add("contact", CONTACT, &[(false, 100.0, 3.25), (false, 400.0, 9.0), (true, 900.0, 17.25)]);
+    let friction = [
+        (false, 50.0, 0.0),
+        (false, 80.0, 0.0),
+        (false, 480.0, 5.0),
+        (false, 1000.0, 11.5),
+        (true, 1000.0, 11.5),
+        (true, 840.0, 11.5),
+        (true, 480.0, 7.0),
+        (true, 0.0, 1.0),
+    ];
+    add("friction", FRICTION, &friction);
+    add("preload", PRELOAD, &[(false, 160.0, 1.0), (false, 400.0, 2.5), (false, 1000.0, 10.0), (true, 160.0, 1.0)]);
+    // Friction beyond half of the largest force: nothing comes back. Beyond all of it nothing moves.
+    add("friction of 600 N", "[dry-friction]\nforce = \"600 N\"", &[(false, 1000.0, 5.0), (true, 0.0, 5.0)]);
+    add("friction of 1200 N", "[dry-friction]\nforce = \"1200 N\"", &[(false, 1000.0, 0.0), (true, 0.0, 0.0)]);
+    cases
+}
+
+/// Friction comes first: S replaces F in spring, preload and contact, but not in the gap.
+fn together() -> Vec<Case> {
+    let all = [GAP, CONTACT, FRICTION, PRELOAD].concat();
+    let spring = |s: f64| if s <= 400.0 { s / 160.0 } else { 2.5 + (s - 400.0) / 80.0 };
+    let expected = |s: f64| 5.0 + spring(s) + 0.2 * s.sqrt();
+    vec![
+        // At 50 N the clearance is taken up though friction still holds the spring.
+        displacement("gap and friction", &[GAP, FRICTION].concat(), false, 50.0, 5.0),
+        displacement("gap and friction", &[GAP, FRICTION].concat(), true, 0.0, 1.0),
+        displacement("contact and friction", &[CONTACT, FRICTION].concat(), false, 480.0, 5.0 + 4.0),
+        displacement("contact and friction", &[CONTACT, FRICTION].concat(), true, 320.0, 5.0 + 4.0),
+        displacement("preload and contact", &[PRELOAD, CONTACT].concat(), false, 900.0, 8.75 + 6.0),
+        displacement("all four", &all, false, 480.0, expected(400.0)),
+        displacement("all four", &all, false, 1000.0, expected(920.0)),
+        displacement("all four", &all, true, 500.0, expected(580.0)),
+        displacement("all four", &all, true, 0.0, expected(80.0) - 5.0),
+    ]
+}
+
+/// dF/dy by hand, and against the curve's own differences.
+fn tangents() -> Vec<Case> {
+    let tangent = |effects: &str, force: f64, branch: Branch| {
+        joint(effects).and_then(|j| j.curve.tangent(force, branch)).map_or(f64::NAN, |k| 1e-6 * k)
+    };
+    let by_hand = |name: &str, expected: f64, computed: f64| {
+        row(name, "tangent stiffness", (expected, computed, "N/um"), ROUND_OFF, "seed 000: dP/dy")
+    };
+    let all = [GAP, CONTACT, FRICTION, PRELOAD].concat();
+    // A central difference over h leaves h²/6 of the third derivative, here 3c/8·S^(−5/2) of the contact.
+    let (h, f, s) = (0.5, 300.0, 220.0f64);
+    let curve = joint(&all);
+    let difference = 2.0 * h / (up(&curve, f + h) - up(&curve, f - h));
+    let left_out = h * h / 6.0 * 0.375 * 0.2 * s.powf(-2.5) * difference;
+    vec![
+        by_hand("spring", 80.0, tangent("", 300.0, Branch::Load)),
+        by_hand("contact under 400 N", 1.0 / (1.0 / 80.0 + 0.1 / 20.0), tangent(CONTACT, 400.0, Branch::Load)),
+        by_hand("preload, both springs", 160.0, tangent(PRELOAD, 300.0, Branch::Load)),
+        by_hand("preload, one spring relaxed", 80.0, tangent(PRELOAD, 500.0, Branch::Load)),
+        by_hand("friction, unloading", 80.0, tangent(FRICTION, 300.0, Branch::Unload)),
+        by_hand(
+            "friction and contact, unloading at 320 N",
+            1.0 / (1.0 / 80.0 + 0.1 / 20.0),
+            tangent(&[CONTACT, FRICTION].concat(), 320.0, Branch::Unload),
+        ),
+        row(
+            "all four under 300 N",
+            "tangent stiffness",
+            (difference, tangent(&all, f, Branch::Load), "N/um"),
+            Tolerance::Relative(2.0 * left_out + 1e-10),
+            "central difference of the curve over 1 N; twice its remainder",
+        ),
+    ]
+}

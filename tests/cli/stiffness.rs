@@ -1,0 +1,90 @@
+//! The joint under test as a user meets it: summary, tables, bad input, friction that holds.
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_summary_of_the_joint() {
+    let place = Place::new();
+    place.write("stiffness.toml", model("stiffness.toml"));
+    let answer = place.fem(&["run", "stiffness.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    insta::assert_snapshot!("effects_stiffness", place.fem(&["effects", "stiffness"]).out);
+}
+
+#[test]
+fn a_profile_is_a_measurement_of_its_own_model() {
+    let place = Place::new();
+    place.write("stiffness.toml", model("stiffness.toml"));
+    assert_eq!(place.fem(&["run", "stiffness.toml", "-o", "out"]).status, 0);
+    let compared = place.fem(&["compare", "stiffness.toml", "--with", "out/profile.csv", "--json"]).out;
+    let json: serde_json::Value = serde_json::from_str(&compared).unwrap();
+    assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");
+    assert_eq!(json["observations"], 50);
+}
+
+#[test]
+fn tangents_stand_in_a_table_where_the_joint_moves() {
+    let place = Place::new();
+    place.write("stiffness.toml", model("stiffness.toml"));
+    place.fem(&["run", "stiffness.toml", "-o", "out"]);
+    let table = place.read("out/tangent.csv");
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|l| l.split(',').collect()).collect();
+    // Of 24 steps of 50 N up friction (90 N) holds the first two, and of those down the first three and half of the fourth.
+    assert_eq!((rows.iter().filter(|r| r[1] == "load").count(), rows.len()), (22, 22 + 20), "{table}");
+    let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
+    // 1000 N up: S = 935 N is beyond 2·250 N, one spring of 70 N/um and the contact's 0.5·0.15/√S.
+    let at = rows.iter().find(|r| r[0] == "1025" && r[1] == "load").unwrap();
+    let expected = 1.0 / (1.0 / 70.0 + 0.5 * 0.15 / 935f64.sqrt());
+    assert!((number(at, 3) - expected).abs() < 1e-9 && (number(at, 5) - expected).abs() < 1e-9, "{at:?}");
+    assert!((number(at, 4) - number(at, 2) - 250.0 / 70.0).abs() < 1e-9, "{at:?}");
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const CASES: &[(&str, &str, &str, &str)] = &[
+    ("stiffness = \"70 +- 5 N/um\"", "", "`stiffness` is missing in `joint`", "add stiffness"),
+    ("\"70 +- 5 N/um\"", "\"0 N/um\"", "`stiffness` is 0 N/um", "above zero"),
+    ("\"1200 N\"", "\"1200 um\"", "not a force", "write it in N"),
+    ("steps = 24", "steps = 0", "`steps` is 0", "whole number from 1"),
+    ("n = 0.5", "n = 1.5", "`n` is 1.5", "above 0 and at most 1"),
+    ("\"90 N\"", "\"-90 N\"", "`force` is -90 N", "zero or more"),
+    ("[effects.preload]", "[effects.preloaded]", "`preloaded` is no effect", "did you mean `preload`?"),
+];
+
+#[test]
+fn bad_input_is_told_with_its_remedy() {
+    let good = model("stiffness.toml");
+    let place = Place::new();
+    for (from, to, message, remedy) in CASES {
+        assert!(good.contains(from), "{from}");
+        place.write("stiffness.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["run", "stiffness.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+    assert!(!place.files().iter().any(|f| f.starts_with("out")));
+}
+
+#[test]
+fn what_friction_holds_is_warned_of() {
+    let place = Place::new();
+    for (friction, warning) in [("1300 N", "holds the joint still"), ("700 N", "it does not come back")] {
+        place.write("stiffness.toml", model("stiffness.toml").replace("\"90 N\"", &format!("\"{friction}\"")));
+        let answer = place.fem(&["run", "stiffness.toml"]);
+        assert_eq!(answer.status, 0);
+        assert!(answer.err.contains(warning), "{}", answer.err);
+    }
+}
+
+#[test]
+fn forces_beyond_the_test_are_refused() {
+    let place = Place::new();
+    place.write("stiffness.toml", model("stiffness.toml"));
+    place.write("m.csv", "force [kN],branch,displacement [um]\n1.3,unload,9\n-0.1,load,0\n");
+    let answer = place.fem(&["compare", "stiffness.toml", "--with", "m.csv"]);
+    assert_eq!(answer.status, 2);
+    let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("beyond the test, which ends at max_force = 1200 N"), "{told}");
+    assert!(told.contains("`force` is below zero"), "{told}");
+}
