@@ -71,6 +71,8 @@ fn end(objective: &mut Objective, best: &Solution, i: usize, std: f64, quantile:
     };
     let (mut inner, mut inner_rise) = (origin, 0.0);
     let mut outer: Option<(f64, f64)> = None;
+    // How often in a row a secant has stayed inside.
+    let mut inside = 0;
     let mut next = origin + std * target;
     for _ in 0..16 {
         let s = next.clamp(axis.low, axis.high);
@@ -83,8 +85,10 @@ fn end(objective: &mut Objective, best: &Solution, i: usize, std: f64, quantile:
         }
         if risen > target {
             outer = Some((s, risen));
+            inside = 0;
         } else {
             (inner, inner_rise) = (s, risen);
+            inside += 1;
             if outer.is_none() && (s == axis.low || s == axis.high) {
                 // The bound itself is still inside: the end is open there.
                 return None;
@@ -92,7 +96,8 @@ fn end(objective: &mut Objective, best: &Solution, i: usize, std: f64, quantile:
         }
         next = match outer {
             Some((s, risen)) => {
-                let part = (target - inner_rise) / (risen - inner_rise);
+                // A valley that is long and flat and then steep holds every secant back.
+                let part = if inside > 1 { 0.5 } else { (target - inner_rise) / (risen - inner_rise) };
                 inner + (s - inner) * part.clamp(0.1, 0.9)
             }
             None => {
