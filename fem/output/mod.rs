@@ -73,8 +73,8 @@ pub fn write_run(model: &Model, run: &Run, directory: &Path, progress: &Progress
     Ok(written)
 }
 
-/// Writes what is left of a comparison: `residuals.csv`, and the measured and the predicted shape as `compared.pvd`, where the process has a
-/// body to show.
+/// Writes what is left of a comparison: `residuals.csv`, the measured and the predicted shape as `compared.pvd`, where the process has a
+/// body to show, and `compared.svg`, where it makes a contour.
 ///
 /// # Errors
 /// A file cannot be written.
@@ -87,9 +87,15 @@ pub fn write_comparison(
     let unwritable = |error: std::io::Error| OutputError::File { path: directory.to_path_buf(), error };
     let stage = files::Stage::new(directory).map_err(unwritable)?;
     stage.write(Path::new("residuals.csv"), comparison::residuals(measurements, comparison).as_bytes())?;
-    let shapes = model.system.places(&measurements.rows).map(|p| comparison::shapes(&p, comparison));
+    let places = model.system.places(&measurements.rows);
+    let shapes = places.as_ref().map(|p| comparison::shapes(p, comparison));
     if let Some(shapes) = &shapes {
         write_animation(shapes, &stage, &Progress::default())?;
+    }
+    if let (Some(places), Some(nominal)) = (&places, model.system.contour()) {
+        let rows = model.system.resolved(&measurements.rows);
+        let drawing = comparison::drawing(nominal, model.process.coordinates(), &rows, places, comparison);
+        write_drawing(&drawing, &stage)?;
     }
     stage.publish()?;
     if let Some(shapes) = shapes {

@@ -22,7 +22,7 @@ const COLOURS: [(&str, &str); 4] =
 pub fn drawing(drawing: &Drawing) -> String {
     let frame = Frame::of(drawing);
     let families = 1 + drawing.curves.iter().map(|c| c.family).max().unwrap_or(0);
-    let height = TITLE + SIDE + LINE * (drawing.curves.len() as f64 + 2.0);
+    let height = TITLE + SIDE + LINE * (drawing.curves.len() as f64 + 3.0);
     // Writing to a String does not fail, here and below.
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIDE} {height}\" width=\"{SIDE}\" height=\"{height}\" role=\"img\">\n\
@@ -130,7 +130,9 @@ impl Frame {
                 };
                 label = places.chain(label).min_by(|a, b| diagonal(*a).total_cmp(&diagonal(*b)));
             }
-            if let Some([x, y]) = label {
+            // Where lines stand close, every other one is labelled.
+            let every = if self.scale * self.magnification * self.division < 18.0 { 2 } else { 1 };
+            if let Some([x, y]) = label.filter(|_| i % every == 0) {
                 let shown = if i == 0 { "0".to_string() } else { format!("{:+}", micrometres(off)) };
                 let _ = writeln!(text, "<text class=\"n\" x=\"{:.1}\" y=\"{:.1}\">{shown}</text>", x + 3.0, y - 3.0);
             }
@@ -165,12 +167,13 @@ fn legend(text: &mut String, drawing: &Drawing, frame: &Frame) {
         y += LINE;
     }
     line(text, [[36.0, y], [68.0, y]].into_iter(), "o");
+    let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">as it should be, to scale</text>", y + 4.5);
     let told = format!(
-        "as programmed, to scale; deviations magnified {} times, {} um from line to line, outwards positive",
+        "deviations magnified {} times, {} um from line to line, outwards positive",
         grouped(frame.magnification),
         micrometres(frame.division)
     );
-    let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">{told}</text>", y + 4.5);
+    let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">{told}</text>", y + LINE + 4.5);
 }
 
 fn style(families: usize) -> String {

@@ -5,7 +5,7 @@
 pub struct Drawing {
     /// File stem.
     pub name: &'static str,
-    /// What is drawn.
+    /// What is drawn, in a few words.
     pub title: String,
     /// The contour as it should be, its pieces one after the other; their deviations are zero.
     pub nominal: Vec<Vec<Spot>>,
@@ -31,7 +31,7 @@ pub struct Curve {
 pub struct Spot {
     /// (x, y) on the contour, m.
     pub at: [f64; 2],
-    /// Unit vector along which the deviation is positive.
+    /// Along which the deviation is positive: a unit vector, or at a corner of a contour as it should be what moves both of its sides by one.
     pub outward: [f64; 2],
     /// m.
     pub deviation: f64,

@@ -1,9 +1,11 @@
 //! A comparison with measurements, as text, JSON and CSV.
 
+mod drawing;
 mod residuals;
 mod shapes;
 mod text;
 
+pub use drawing::drawing;
 pub use residuals::residuals;
 pub use shapes::shapes;
 pub use text::text;
