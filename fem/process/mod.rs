@@ -3,6 +3,7 @@
 //! A process is read from a model file into a [`System`]; a system with its effects acting is a [`Job`], which predicts.
 //! To add a process, write its module and one line in [`ALL`].
 
+pub mod contour;
 mod drawing;
 mod effect;
 pub mod fixture;
@@ -27,7 +28,7 @@ use crate::input::Reader;
 use crate::progress::Progress;
 
 /// Every process the program knows.
-pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring, &fixture::Fixture, &stiffness::Stiffness];
+pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring, &fixture::Fixture, &stiffness::Stiffness, &contour::Contour];
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {

@@ -5,6 +5,7 @@
 mod add;
 mod bad_input;
 mod compare;
+mod contour;
 mod fem;
 mod files;
 mod fixture;

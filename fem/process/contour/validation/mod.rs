@@ -1,0 +1,16 @@
+//! The validation table of contours: what closed forms, first-order formulas and stepping through time say, and what the program computes from a model file.
+
+mod effects;
+mod play;
+mod rectangle;
+mod rig;
+mod servo;
+mod standard;
+mod stepping;
+
+use crate::process::Case;
+
+/// All cases, simple ones first.
+pub fn cases() -> Vec<Case> {
+    [servo::cases(), play::cases(), effects::cases(), rectangle::cases(), stepping::cases(), standard::cases()].concat()
+}

@@ -1,0 +1,176 @@
+//! Contours as a user meets them: summary, files, pictures, bad input, corners.
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_summary_of_the_circle_and_of_the_square() {
+    let place = Place::new();
+    for name in ["contour.toml", "rectangle.toml"] {
+        place.write(name, model(name));
+        let answer = place.fem(&["run", name]);
+        assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+        insta::assert_snapshot!(name.trim_end_matches(".toml"), answer.out);
+    }
+    insta::assert_snapshot!("effects_contour", place.fem(&["effects", "contour"]).out);
+}
+
+#[test]
+fn a_profile_is_a_measurement_of_its_own_model() {
+    let place = Place::new();
+    let square = model("rectangle.toml");
+    let turned = square.replace("\"45 deg\"", "\"17 deg\"").replace("[\"ccw\"]", "[\"cw\", \"ccw\"]");
+    let narrow = turned.replacen("\"100 mm\"", "\"30 mm\"", 1);
+    for (name, text) in [("circle", model("contour.toml")), ("square", square), ("turned", turned), ("narrow", narrow)]
+    {
+        place.write("model.toml", text);
+        assert_eq!(place.fem(&["run", "model.toml", "-o", "out"]).status, 0, "{name}");
+        let compared = place.fem(&["compare", "model.toml", "--with", "out/profile.csv", "--json", "-o", "compared"]);
+        assert_eq!((compared.status, compared.err.as_str()), (0, ""), "{name}");
+        let json: serde_json::Value = serde_json::from_str(&compared.out).unwrap();
+        assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{name}: {}", compared.out);
+    }
+}
+
+#[test]
+fn pictures_are_drawn_of_what_is_predicted_and_of_what_is_measured() {
+    let place = Place::new();
+    place.write("contour.toml", model("contour.toml"));
+    assert_eq!(place.fem(&["run", "contour.toml", "-o", "out"]).status, 0);
+    let drawn = place.read("out/contour.svg");
+    assert!(drawn.contains("circle of radius 150 mm at 1000 mm/min") && drawn.contains("predicted, cw"));
+    assert!(drawn.contains("magnified 5\u{202f}000 times"));
+    // 361 places of the circle and its grid, 360 and the first again of each direction.
+    let longest = drawn.lines().filter(|l| l.contains("class=\"c ")).map(|l| l.matches(',').count()).max();
+    assert_eq!(longest, Some(361));
+    let measured = place.read("out/profile.csv");
+    place.write("m.csv", measured.replace("1000", "500").replace("\ncw,500", "\ncw,1000"));
+    assert_eq!(place.fem(&["compare", "contour.toml", "--with", "m.csv", "-o", "out"]).status, 0);
+    let drawn = place.read("out/compared.svg");
+    assert!(drawn.contains("measured, ccw, 500 mm/min") && drawn.contains("predicted, cw, 1000 mm/min"), "{drawn}");
+    assert_eq!(drawn.matches("<circle").count(), 2 * 360 + 2 * 3);
+}
+
+/// (model, replaced, by, part of the message, part of the remedy)
+const CASES: &[(&str, &str, &str, &str, &str)] = &[
+    ("contour", "radius", "raduis", "`raduis` is no key of `path`", "did you mean `radius`?"),
+    ("contour", "\"150 mm\"", "\"-150 mm\"", "`radius` is -150 mm", "above zero"),
+    ("contour", "\"1000 mm/min\"", "\"1000 mm\"", "not a feed rate", "write it in mm/min"),
+    ("contour", "feed = \"1000 mm/min\"", "", "`feed` is missing in `path`", "add feed = \"1000 mm/min\""),
+    ("contour", "\"circle\"", "\"cirkle\"", "`shape` is \"cirkle\"", "did you mean \"circle\"?"),
+    ("contour", "\"circle\"", "\"rectangle\"", "`radius` is no key of `path`", "its keys are shape, width, height"),
+    ("contour", "[\"ccw\", \"cw\"]", "[\"ccw\", \"cww\"]", "\"cww\" in `directions`", "did you mean \"cw\"?"),
+    ("contour", "[\"ccw\", \"cw\"]", "[\"ccw\", \"ccw\"]", "\"ccw\" stands twice in `directions`", "name it once"),
+    ("contour", "[\"ccw\", \"cw\"]", "[]", "`directions` is empty", "list some of \"ccw\", \"cw\""),
+    ("contour", "[\"ccw\", \"cw\"]", "3", "in `directions` is none of its words", "take some of"),
+    ("contour", "\"50 /s\" ", "\"50 mm\" ", "not a servo gain", "write it in /s"),
+    ("contour", "lead = \"10 mm\"", "", "`cyclic-error-x` needs its period", "remove the effect"),
+    ("contour", "\"10 um\"", "\"0 um\"", "`deviation` is 0 um", "above zero"),
+    (
+        "contour",
+        "[effects.squareness]\nangle",
+        "[effects.spindle-error]\nangle",
+        "is an effect of `ring`",
+        "fem effects contour",
+    ),
+    ("rectangle", "\"600 mm/min\"", "\"60 m/min\"", "a side of 100.000 mm is too short", "slow down"),
+    ("rectangle", "width = \"100 mm\"", "", "`width` is missing in `path`", "add width"),
+];
+
+#[test]
+fn bad_input_is_told_with_its_remedy() {
+    let place = Place::new();
+    for (name, from, to, message, remedy) in CASES {
+        let good = model(&format!("{name}.toml"));
+        assert!(good.contains(from), "{from}");
+        place.write("model.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["run", "model.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+    assert!(!place.files().iter().any(|f| f.starts_with("out")));
+}
+
+#[test]
+fn one_direction_may_stand_without_a_list() {
+    let place = Place::new();
+    place.write("contour.toml", model("contour.toml").replace("[\"ccw\", \"cw\"]", "\"cw\""));
+    let answer = place.fem(&["run", "contour.toml"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(!answer.out.contains("ccw"), "{}", answer.out);
+}
+
+#[test]
+fn what_cannot_be_computed_is_told() {
+    let place = Place::new();
+    for (from, to, message) in
+        [("\"0.03 +- 0.01\"", "2.5", "the gain of y is -12.500 /s"), ("\"150 mm\"", "\"1 um\"", "no contour any more")]
+    {
+        place.write("contour.toml", model("contour.toml").replacen(from, to, 1));
+        let answer = place.fem(&["run", "contour.toml"]);
+        assert_eq!(answer.status, 1, "{}", answer.err);
+        assert!(answer.err.split_whitespace().collect::<Vec<_>>().join(" ").contains(message), "{}", answer.err);
+    }
+}
+
+#[test]
+fn what_misleads_is_warned_of() {
+    let place = Place::new();
+    for (from, to, warning) in [
+        ("\"6 +- 2 um\"", "\"301 mm\"", "x does not move"),
+        ("\"250 +- 80 ms\"", "\"30 s\"", "the spike of y has not faded"),
+        ("\"50 /s\" ", "\"0.5 /s\" ", "the axes lag by 12.5 deg"),
+    ] {
+        place.write("contour.toml", model("contour.toml").replacen(from, to, 1));
+        let answer = place.fem(&["run", "contour.toml"]);
+        assert!(answer.err.contains(warning), "{}{}", answer.err, answer.out);
+    }
+}
+
+#[test]
+fn rows_that_no_side_has_are_refused() {
+    let place = Place::new();
+    place.write("square.toml", model("rectangle.toml"));
+    // The side at 45 deg begins at 0 deg: 1.5 mm along it is within ten lags of 0.2 mm, 2.5 mm is not.
+    let angle = |along: f64| {
+        let (across, along) = (50.0f64, along - 50.0);
+        45.0 + along.atan2(across).to_degrees()
+    };
+    for (row, told) in [
+        (format!("ccw,600,{}", angle(1.5)), Some("1.500 mm from a corner")),
+        (format!("ccw,600,{}", angle(2.5)), None),
+        (format!("cw,600,{}", angle(1.5)), None),
+        (format!("cw,600,{}", angle(99.9)), Some("0.100 mm from a corner")),
+        ("ccw,0,45".into(), Some("`feed` is not above zero")),
+        ("ccw,90000,45".into(), Some("a side of 100.000 mm is too short")),
+    ] {
+        place.write("m.csv", format!("direction,feed [mm/min],angle [deg],deviation [um]\n{row},1\n"));
+        let answer = place.fem(&["compare", "square.toml", "--with", "m.csv"]);
+        match told {
+            Some(told) => assert!(answer.status == 2 && answer.err.contains(told), "{row}: {}", answer.err),
+            None => assert_eq!(answer.status, 0, "{row}: {}", answer.err),
+        }
+    }
+}
+
+#[test]
+fn one_way_round_does_not_tell_servos_from_squareness() {
+    // An ellipse of 5 um at 45 deg, measured counter-clockwise alone.
+    let place = Place::new();
+    let text = model("contour.toml").split("[effects").next().unwrap().to_string();
+    place.write("contour.toml", text);
+    let mut measured = String::from("angle [deg],deviation [um],u [um]\n");
+    for i in 0..72 {
+        let (angle, wobble) = (f64::from(5 * i).to_radians(), 0.2 * (17.0 * f64::from(i)).sin());
+        measured.push_str(&format!("{},{},0.2\n", 5 * i, 5.0 * (2.0 * angle).sin() - 0.37 + wobble));
+    }
+    place.write("m.csv", measured);
+    let answer = place.fem(&["diagnose", "contour.toml", "--with", "m.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+    let first = &json["missing"][0];
+    let mut class: Vec<&str> = vec![first["effect"].as_str().unwrap()];
+    class.extend(first["indistinguishable_from"].as_array().unwrap().iter().map(|n| n.as_str().unwrap()));
+    class.sort_unstable();
+    assert_eq!(class, ["servo-mismatch", "squareness"], "{}", answer.out);
+    assert_eq!(json["next_measurement"]["coordinate"], "direction", "{}", answer.out);
+}
