@@ -28,7 +28,8 @@ use crate::input::Reader;
 use crate::progress::Progress;
 
 /// Every process the program knows.
-pub const ALL: &[&dyn Process] = &[&turning::Turning, &ring::Ring, &fixture::Fixture, &stiffness::Stiffness, &contour::Contour];
+pub const ALL: &[&dyn Process] =
+    &[&turning::Turning, &ring::Ring, &fixture::Fixture, &stiffness::Stiffness, &contour::Contour];
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {

@@ -52,7 +52,7 @@ impl Job for Contouring {
         let deviations = observe::observe(self, &observe::programme(self.setup()))?;
         progress.advance(1);
         let reach = self.setup().path.reach();
-        match deviations.iter().find(|d| !(d.abs() < reach)) {
+        match deviations.iter().find(|d| d.is_nan() || d.abs() >= reach) {
             None => Ok(deviations),
             Some(deviation) => Err(Failure {
                 message: format!("the tool is {deviation:.3e} m off its path somewhere: that is no contour any more"),
