@@ -76,9 +76,16 @@ impl Frame {
         let magnification = round_below(REACH * half / largest);
         let division = round_below(largest / 2.0);
         let lines = (largest / division).ceil() as i32;
-        let outermost = half + magnification * division * f64::from(lines);
+        let middle = [0, 1].map(|i| 0.5 * (low[i] + high[i]));
+        // The outermost line of the grid, which at corners reaches farther than deviations are large.
+        let off = division * f64::from(lines);
+        let reach = |s: &Spot| {
+            let [x, y] = s.off_by(off).magnified(magnification);
+            (x - middle[0]).abs().max((y - middle[1]).abs())
+        };
+        let outermost = drawing.nominal.iter().flatten().map(reach).fold(half + magnification * off, f64::max);
         let scale = (0.5 * SIDE - MARGIN) / outermost;
-        Self { scale, middle: [0, 1].map(|i| 0.5 * (low[i] + high[i])), half, magnification, division, lines }
+        Self { scale, middle, half, magnification, division, lines }
     }
 
     fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {

@@ -38,6 +38,15 @@ pub struct Spot {
 }
 
 impl Spot {
+    /// A circle about the origin, closed; radius in m.
+    pub fn circle(radius: f64) -> Vec<Self> {
+        let spot = |degrees: u32| {
+            let outward = [f64::from(degrees).to_radians().cos(), f64::from(degrees).to_radians().sin()];
+            Self { at: outward.map(|c| radius * c), outward, deviation: 0.0 }
+        };
+        (0..=360).map(spot).collect()
+    }
+
     /// Where the spot is drawn when deviations are magnified, m.
     pub fn magnified(&self, magnification: f64) -> [f64; 2] {
         [0, 1].map(|i| self.at[i] + magnification * self.deviation * self.outward[i])

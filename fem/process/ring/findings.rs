@@ -9,7 +9,7 @@ use super::job::Ring;
 use super::model::{Reference, Setup};
 use super::observe;
 use super::shapes::Scene;
-use crate::process::{Column, Failure, Finding, Outcome, Plot, Table};
+use crate::process::{Column, Curve, Drawing, Failure, Finding, Outcome, Plot, Spot, Table};
 use crate::units::SPINDLE_SPEED;
 
 /// A bore that varies by less than a tenth of a nanometre is round.
@@ -47,10 +47,26 @@ pub fn outcome(ring: &Ring, scene: &Scene, deviations: Vec<f64>) -> Result<Outco
         findings,
         plots,
         tables: Vec::new(),
-        drawings: Vec::new(),
+        drawings: vec![drawing(setup, &angles, &deviations)],
         warnings,
         animation: None,
     })
+}
+
+/// The bore, deviations magnified.
+fn drawing(setup: &Setup, angles: &[f64], deviations: &[f64]) -> Drawing {
+    let spot = |(angle, deviation): (&f64, &f64)| {
+        let outward = [angle.cos(), angle.sin()];
+        Spot { at: outward.map(|c| setup.inner_radius * c), outward, deviation: *deviation }
+    };
+    let mut bore: Vec<Spot> = angles.iter().zip(deviations).map(spot).collect();
+    bore.extend(bore.first().copied());
+    Drawing {
+        name: "bore",
+        title: format!("bore of {:.3} mm, released", 2e3 * setup.inner_radius),
+        nominal: vec![Spot::circle(setup.inner_radius)],
+        curves: vec![Curve { label: "predicted".into(), family: 0, is_measured: false, pieces: vec![bore] }],
+    }
 }
 
 /// A measurement file of its own: with the conditions written out, it reads back as what was predicted.

@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 use super::{
     Active, Blind, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Places, Process, Rows,
-    System,
+    Spot, System,
 };
 use crate::input::Reader;
 
@@ -92,6 +92,10 @@ impl System for Chuck {
 
     fn places(&self, rows: &Rows) -> Option<Places> {
         Some(observe::places(&self.0, rows))
+    }
+
+    fn contour(&self) -> Option<Vec<Vec<Spot>>> {
+        Some(vec![Spot::circle(self.0.inner_radius)])
     }
 
     fn menu(&self, rows: &Rows) -> Vec<Further> {

@@ -79,12 +79,16 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
 pub fn places(setup: &Setup, rows: &Rows) -> Places {
     let angle = |row| rows.get(ANGLE_OF_ROW, row).unwrap_or(0.0);
     let direction = |row: usize| [angle(row).cos(), angle(row).sin(), 0.0];
+    let mut frames = vec![0.0; rows.len()];
+    for (i, set_up) in circle::set_ups(rows).iter().enumerate() {
+        set_up.iter().for_each(|row| frames[*row] = 1.0 + i as f64);
+    }
     Places {
         points: (0..rows.len()).map(|row| direction(row).map(|d| d * setup.inner_radius)).collect(),
         directions: (0..rows.len()).map(direction).collect(),
         along: (0..rows.len()).map(angle).collect(),
         references: vec![0.0; rows.len()],
-        frames: (0..rows.len()).map(|row| rows.get(RUN, row).unwrap_or(1.0)).collect(),
+        frames,
     }
 }
 
