@@ -37,7 +37,7 @@ fn pictures_are_drawn_of_what_is_predicted_and_of_what_is_measured() {
     place.write("contour.toml", model("contour.toml"));
     assert_eq!(place.fem(&["run", "contour.toml", "-o", "out"]).status, 0);
     let drawn = place.read("out/contour.svg");
-    assert!(drawn.contains("circle of radius 150 mm at 1000 mm/min") && drawn.contains("predicted, cw"));
+    assert!(drawn.contains("circle of radius 150 mm, 1000 mm/min") && drawn.contains("predicted, cw"));
     assert!(drawn.contains("magnified 5\u{202f}000 times"));
     // 361 places of the circle and its grid, 360 and the first again of each direction.
     let longest = drawn.lines().filter(|l| l.contains("class=\"c ")).map(|l| l.matches(',').count()).max();

@@ -173,7 +173,10 @@ impl<'m> Lap<'m> {
 
     /// How far the tool is out of the path when a point is commanded, spikes apart, m.
     pub fn offset(&self, point: &Point) -> f64 {
-        let (at, _) = self.position(self.time(point));
+        self.off(point, self.position(self.time(point)).0)
+    }
+
+    fn off(&self, point: &Point, at: [f64; 2]) -> f64 {
         match self.machine.setup.path {
             Path::Circle { radius } => at[0].hypot(at[1]) - radius,
             Path::Rectangle { .. } => dot(point.outward, at) - dot(point.outward, point.at),
@@ -182,12 +185,11 @@ impl<'m> Lap<'m> {
 
     /// How far the tool is out of the path when a point is commanded, m.
     pub fn deviation(&self, point: &Point) -> f64 {
-        let time = self.time(point);
+        let (at, since) = self.position(self.time(point));
         let spike = |axis: usize| {
             let Spike { height, time_constant } = self.machine.spikes[axis];
-            let since = || self.axes[axis].at(time).1;
-            if height == 0.0 { 0.0 } else { height * (-since() / time_constant).exp() * point.outward[axis].abs() }
+            if height == 0.0 { 0.0 } else { height * (-since[axis] / time_constant).exp() * point.outward[axis].abs() }
         };
-        self.offset(point) + spike(0) + spike(1)
+        self.off(point, at) + spike(0) + spike(1)
     }
 }

@@ -164,12 +164,8 @@ impl Path {
 
     /// The path as it is drawn, closed.
     pub fn drawn(&self) -> Vec<Vec<Spot>> {
-        let spot = |p: Point| Spot { at: p.at, outward: p.outward, deviation: 0.0 };
-        match self {
-            Self::Circle { .. } => {
-                let steps = 360;
-                vec![(0..=steps).map(|i| spot(self.at(TAU * f64::from(i) / f64::from(steps)))).collect()]
-            }
+        match *self {
+            Self::Circle { radius } => vec![Spot::circle(radius)],
             Self::Rectangle { .. } => {
                 let sides = self.sides();
                 let corner = |i: usize| {

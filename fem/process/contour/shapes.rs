@@ -47,7 +47,7 @@ pub fn drawing(contouring: &Contouring, deviations: &[f64]) -> Drawing {
     };
     Drawing {
         name: "contour",
-        title: format!("{} at {} mm/min", setup.path.words(), rounded(FEED_RATE.from_si(setup.feed))),
+        title: format!("{}, {} mm/min", setup.path.words(), rounded(FEED_RATE.from_si(setup.feed))),
         nominal: setup.path.drawn(),
         curves: laps(setup, deviations).into_iter().enumerate().map(curve).collect(),
     }

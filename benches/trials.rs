@@ -1,0 +1,27 @@
+//! One trial of a fit in every process: its starting model with every effect that it admits, equipped anew and asked for all rows of its programme.
+//!
+//! `cargo bench --bench trials`, or `-- contour` for one process.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(missing_docs)]
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use fem::input::Source;
+use fem::model::Model;
+use fem::process::{ALL, Active};
+
+fn trials(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("trial");
+    for process in ALL {
+        let model = Model::parse(Source::new("model.toml", process.starting_model())).unwrap();
+        let admitted = process.effects().into_iter().filter(|e| model.system.admits(e.name).is_ok());
+        let effects: Vec<Active> = admitted.map(|e| e.typical()).collect();
+        let rows = model.system.programme();
+        group.throughput(Throughput::Elements(rows.len() as u64));
+        group.bench_function(process.name(), |b| b.iter(|| model.system.equip(&effects).observe(&rows).unwrap()));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, trials);
+criterion_main!(benches);
