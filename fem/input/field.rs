@@ -261,7 +261,8 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
             || {
                 let words: Vec<&str> = self.words.iter().map(|w| w.0).collect();
                 let items = json!({ "enum": words });
-                json!({ "type": "array", "items": items, "uniqueItems": true, "minItems": 1, "description": self.about, "default": words })
+                let list = json!({ "type": "array", "items": items, "uniqueItems": true, "minItems": 1 });
+                json!({ "anyOf": [list, items], "description": self.about, "default": words })
             },
             false,
         );
