@@ -1,4 +1,5 @@
-//! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks both, a beam pressed on supports, heat in a rod;
+//! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks both, a beam pressed on supports, heat
+//! in a rod from a tool that travels (`heat`) and from sources that are switched (`rod`);
 //! plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
 pub mod beam;
@@ -9,6 +10,7 @@ pub mod frame;
 pub mod heat;
 mod plane;
 pub mod ring;
+pub mod rod;
 mod shaft;
 pub mod sparse;
 

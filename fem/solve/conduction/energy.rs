@@ -17,7 +17,7 @@ pub struct Energy {
 
 impl Energy {
     /// Adds up a step's shares.
-    pub(super) fn add(&mut self, stored: f64, supplied: f64, convected: f64, prescribed: f64) {
+    pub(in crate::solve) fn add(&mut self, stored: f64, supplied: f64, convected: f64, prescribed: f64) {
         self.stored += stored;
         self.supplied += supplied;
         self.convected += convected;

@@ -22,7 +22,7 @@ const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
 impl Scheme {
     /// γ.
-    pub(super) fn gamma(self) -> f64 {
+    pub(in crate::solve) fn gamma(self) -> f64 {
         match self {
             Self::CrankNicolson => 0.5,
             Self::BackwardEuler => 1.0,
@@ -31,7 +31,7 @@ impl Scheme {
     }
 
     /// Weights bᵢ of the stages. Both schemes of two stages here have a₂₁ = b₁.
-    pub(super) fn weights(self) -> &'static [f64] {
+    pub(in crate::solve) fn weights(self) -> &'static [f64] {
         match self {
             Self::CrankNicolson | Self::BackwardEuler => &[1.0],
             Self::Sdirk2 => &[1.0 - GAMMA, GAMMA],
@@ -39,7 +39,7 @@ impl Scheme {
     }
 
     /// Places cᵢ of the stages.
-    pub(super) fn places(self) -> &'static [f64] {
+    pub(in crate::solve) fn places(self) -> &'static [f64] {
         match self {
             Self::CrankNicolson => &[0.5],
             Self::BackwardEuler => &[1.0],

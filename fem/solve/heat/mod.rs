@@ -136,7 +136,7 @@ impl Stretch {
 
 /// Value at `x` of the cubic through four of `count` points (x, value), two on either side where there are two.
 /// `cell` is the first point not left of `x`.
-fn cubic(x: f64, cell: usize, count: usize, point: impl Fn(usize) -> (f64, f64)) -> f64 {
+pub(super) fn cubic(x: f64, cell: usize, count: usize, point: impl Fn(usize) -> (f64, f64)) -> f64 {
     let start = cell.saturating_sub(2).min(count.saturating_sub(4));
     let points = start..count.min(start + 4);
     let term = |i: usize| {

@@ -1,0 +1,107 @@
+//! Temperature along a rod over time: sources at points, loss to the surroundings from the surface and through the base, joints that resist.
+//!
+//! ```text
+//!   ρcA θ_t = (kA θ_x)_x − h p (θ − a(t)) + Σ Q δ(x − x_Q),    kA θ_x = G (θ − a(t)) at x = 0,    kA θ_x = g [θ] at a joint
+//! ```
+//! θ is the rise over the temperature that all had at the start, a that of the surroundings. Linear elements with a node at every source, joint
+//! and change of section; the capacity is the mean of the lumped and the consistent one, which follows slow waves to fourth order (Goudreau and
+//! Taylor 1973), so that only what sources switch is second order. Every step solves a tridiagonal system.
+
+mod run;
+mod system;
+#[cfg(test)]
+mod tests;
+mod track;
+mod tridiagonal;
+
+pub use run::Stepping;
+pub use system::RodSystem;
+pub use track::{Probe, Track, lagged};
+
+use std::fmt;
+
+pub use super::conduction::{Energy, Scheme};
+pub use super::heat::RodPiece;
+
+/// A section across which heat flows as g times the difference of the temperatures on both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// From the base, m.
+    pub at: f64,
+    /// g, W/K; above zero.
+    pub conductance: f64,
+}
+
+/// A source of heat.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointSource {
+    /// From the base, m.
+    pub at: f64,
+    /// W.
+    pub power: f64,
+    /// Intervals (s) in which it is on; none means always.
+    pub on: Vec<[f64; 2]>,
+}
+
+/// A rod from its base at 0 to its free end, which is insulated.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rod {
+    /// From the base on.
+    pub pieces: Vec<RodPiece>,
+    /// G, the conductance from the base to the surroundings, W/K; zero or above.
+    pub base: f64,
+    /// In any order.
+    pub joints: Vec<Joint>,
+    /// In any order.
+    pub sources: Vec<PointSource>,
+}
+
+/// Why a rod cannot be computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RodError {
+    /// This piece (from 0) is missing or has a value out of range.
+    Piece(usize),
+    /// A quantity (with its unit) is out of range.
+    Value(&'static str, f64),
+}
+
+impl fmt::Display for RodError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Piece(index) => write!(f, "piece {index} of the rod is missing or has a value out of range"),
+            Self::Value(quantity, value) => write!(f, "{quantity} is {value}"),
+        }
+    }
+}
+
+impl std::error::Error for RodError {}
+
+impl Rod {
+    /// m.
+    pub fn length(&self) -> f64 {
+        self.pieces.iter().map(|p| p.length).sum()
+    }
+
+    fn check(&self) -> Result<(), RodError> {
+        let above = |value: f64| value > 0.0 && value.is_finite();
+        let fits = |p: &RodPiece| above(p.length) && above(p.heat_capacity) && above(p.conductance) && p.loss >= 0.0;
+        if let Some(piece) = self.pieces.iter().position(|p| !fits(p) || !p.loss.is_finite()) {
+            return Err(RodError::Piece(piece));
+        }
+        if self.pieces.is_empty() {
+            return Err(RodError::Piece(0));
+        }
+        let mut values = vec![("the conductance of the base (W/K)", self.base, self.base >= 0.0)];
+        values.extend(
+            self.joints.iter().map(|j| ("the conductance of a joint (W/K)", j.conductance, j.conductance > 0.0)),
+        );
+        let inside = |at: f64| (0.0..=self.length() * (1.0 + 1e-12)).contains(&at);
+        values.extend(self.joints.iter().map(|j| ("the place of a joint (m)", j.at, inside(j.at))));
+        values.extend(self.sources.iter().map(|s| ("the place of a source (m)", s.at, inside(s.at))));
+        values.extend(self.sources.iter().map(|s| ("the power of a source (W)", s.power, true)));
+        match values.into_iter().find(|(_, value, fits)| !fits || !value.is_finite()) {
+            Some((quantity, value, _)) => Err(RodError::Value(quantity, value)),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! A rod through time.
+
+use super::tridiagonal::Factor;
+use super::{Energy, RodError, RodSystem, Scheme};
+
+/// After a switch the first step is halved so often: what a jump starts changes as the root of time.
+const HALVINGS: i32 = 5;
+
+/// How to step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stepping {
+    /// Of every step.
+    pub scheme: Scheme,
+    /// Longest step, s.
+    pub step: f64,
+    /// s; a run starts at 0.
+    pub end: f64,
+}
+
+impl RodSystem {
+    /// Runs from no rise anywhere and shows the start and the end of every step to `observe`: the time (s), the rises of all nodes (K), and
+    /// whether a source may be switched there. `ambient` is the rise of the surroundings over time.
+    ///
+    /// # Errors
+    /// A step or an end out of range.
+    pub fn run(
+        &self,
+        stepping: &Stepping,
+        ambient: &dyn Fn(f64) -> f64,
+        mut observe: impl FnMut(f64, &[f64], bool),
+    ) -> Result<Energy, RodError> {
+        let Stepping { scheme, step, end } = *stepping;
+        if !(step > 0.0 && step.is_finite()) {
+            return Err(RodError::Value("the time step (s)", step));
+        }
+        if !(end >= 0.0 && end.is_finite()) {
+            return Err(RodError::Value("the end of the run (s)", end));
+        }
+        let mut state = vec![0.0; self.x.len()];
+        let mut energy = Energy::default();
+        let mut stepper: Option<Stepper<'_>> = None;
+        observe(0.0, &state, true);
+        for ends in self.intervals(end).windows(2) {
+            let (mut time, lengths) = (ends[0], lengths(ends[1] - ends[0], step));
+            let count = lengths.len();
+            for (i, length) in lengths.into_iter().enumerate() {
+                let mut own = match stepper.take() {
+                    Some(own) if (own.length - length).abs() <= 1e-12 * length => own,
+                    _ => Stepper::new(self, scheme, length),
+                };
+                own.step(time, ambient, &mut state, &mut energy);
+                time = if i + 1 == count { ends[1] } else { time + length };
+                observe(time, &state, i + 1 == count);
+                stepper = Some(own);
+            }
+        }
+        Ok(energy)
+    }
+
+    /// 0, the switches, and the end.
+    fn intervals(&self, end: f64) -> Vec<f64> {
+        let mut times: Vec<f64> = self.switches().filter(|time| *time > 0.0 && *time < end).collect();
+        times.extend([0.0, end]);
+        times.sort_by(f64::total_cmp);
+        times.dedup_by(|b, a| *b - *a <= 1e-12 * end);
+        times
+    }
+}
+
+/// Steps that fill `whole`: equal and no longer than `step`, the first of them halved again and again towards its start.
+fn lengths(whole: f64, step: f64) -> Vec<f64> {
+    let count = (whole / step - 1e-9).ceil().max(1.0);
+    let length = whole / count;
+    let halved = (1..=HALVINGS).rev().map(|k| length * 0.5f64.powi(k));
+    let first = length * 0.5f64.powi(HALVINGS);
+    std::iter::once(first).chain(halved).chain(std::iter::repeat_n(length, count as usize - 1)).collect()
+}
+
+/// Steps of one length.
+struct Stepper<'s> {
+    system: &'s RodSystem,
+    scheme: Scheme,
+    length: f64,
+    factor: Factor,
+    /// Of the stages, K/s.
+    rates: Vec<Vec<f64>>,
+    base: Vec<f64>,
+}
+
+impl<'s> Stepper<'s> {
+    fn new(system: &'s RodSystem, scheme: Scheme, length: f64) -> Self {
+        let size = system.x.len();
+        Self {
+            factor: Factor::of_sum(&system.capacity, scheme.gamma() * length, &system.conductance),
+            rates: vec![vec![0.0; size]; scheme.weights().len()],
+            base: vec![0.0; size],
+            system,
+            scheme,
+            length,
+        }
+    }
+
+    /// As of `conduction`: (C + γΔt K)·kᵢ = f(t + cᵢΔt) − K·(θ + Δt Σ aᵢⱼkⱼ).
+    fn step(&mut self, time: f64, ambient: &dyn Fn(f64) -> f64, state: &mut [f64], energy: &mut Energy) {
+        let (system, length, gamma) = (self.system, self.length, self.scheme.gamma());
+        let weights = self.scheme.weights();
+        for (stage, place) in self.scheme.places().iter().enumerate() {
+            self.base.copy_from_slice(state);
+            for (rates, weight) in self.rates[..stage].iter().zip(weights) {
+                self.base.iter_mut().zip(rates).for_each(|(base, rate)| *base += length * weight * rate);
+            }
+            let around = ambient(time + place * length);
+            let rates = &mut self.rates[stage];
+            rates.iter_mut().zip(&system.losses).for_each(|(rate, loss)| *rate = loss * around);
+            let mut supplied = 0.0;
+            for (node, source) in &system.sources {
+                // Both ends of a step see the same side of a switch.
+                let within = time + 0.5 * length;
+                if source.on.is_empty() || source.on.iter().any(|[from, to]| (*from..*to).contains(&within)) {
+                    rates[*node] += source.power;
+                    supplied += source.power;
+                }
+            }
+            system.conductance.multiply_add(-1.0, &self.base, rates);
+            self.factor.solve(rates);
+            let lost = |((loss, base), rate): ((&f64, &f64), &f64)| loss * (base + gamma * length * rate - around);
+            let lost: f64 = system.losses.iter().zip(&self.base).zip(&*rates).map(lost).sum();
+            let span = weights[stage] * length;
+            energy.add(0.0, span * supplied, span * lost, 0.0);
+        }
+        let mut stored = 0.0;
+        for (rates, weight) in self.rates.iter().zip(weights) {
+            for ((own, rate), store) in state.iter_mut().zip(rates).zip(&system.stores) {
+                let change = length * weight * rate;
+                *own += change;
+                stored += store * change;
+            }
+        }
+        energy.add(stored, 0.0, 0.0, 0.0);
+    }
+}
