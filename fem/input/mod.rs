@@ -6,6 +6,7 @@ mod file;
 mod pair;
 mod problem;
 mod reader;
+mod several;
 mod source;
 
 pub use field::{Bounds, Choice, Count, Field};

@@ -97,3 +97,20 @@ fn the_border_of_a_ring_is_its_bore_and_its_outside() {
         assert_eq!(sorted("rest"), sorted(OUTSIDE), "{element:?}");
     }
 }
+
+/// A point is its element's nodes weighed by their shape functions, and they find it again; beside the body there is nothing.
+#[test]
+fn points_are_found_in_their_element() {
+    for element in ALL {
+        let mesh = ring(*element, vec![0.1]).build().unwrap();
+        for i in 0..50 {
+            let (angle, radius) = (0.3 + 0.7 * f64::from(i), 0.0401 + 0.0098 * f64::from(i % 10) / 10.0);
+            let point = [radius * angle.cos(), radius * angle.sin()];
+            let place = mesh.locate(point).unwrap_or_else(|| panic!("{element:?} {point:?}"));
+            let found = [0, 1].map(|axis| place.shares.iter().map(|(n, s)| s * mesh.nodes()[*n][axis]).sum::<f64>());
+            assert!((found[0] - point[0]).hypot(found[1] - point[1]) < 1e-14, "{element:?} {point:?} {found:?}");
+        }
+        assert_eq!(mesh.locate([0.0, 0.0]), None);
+        assert_eq!(mesh.locate([0.06, 0.0]), None);
+    }
+}

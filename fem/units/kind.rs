@@ -47,6 +47,11 @@ kinds! {
     JAW_MOMENT = "a moment of mass" in "kg*mm", as "30";
     TEMPERATURE_RISE = "a temperature rise" in "K", as "10";
     TEMPERATURE = "a temperature" in "degC", as "20";
+    HEAT_FLUX = "a heat flux" in "kW/m^2", as "50";
+    CONDUCTANCE = "a thermal conductance" in "W/K", as "0.5";
+    PERIOD = "a period" in "h", as "4";
+    SECONDS = "a time" in "s", as "30";
+    SPEED = "a speed" in "m/min", as "1";
     FORCE_PER_DEPTH = "a force per depth" in "kN/mm", as "1";
     FEED_RATE = "a feed rate" in "mm/min", as "1000";
     GAIN = "a servo gain" in "/s", as "50";

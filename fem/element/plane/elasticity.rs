@@ -126,6 +126,22 @@ impl Elasticity {
         forces
     }
 
+    /// Work (N m/K) of [`thermal_forces`](Self::thermal_forces) of a rise of 1 K at each node on a motion (m) of the nodes.
+    pub fn thermal_work(
+        &self,
+        sampled: &Sampled,
+        coordinates: &[[f64; 2]],
+        motion: &[[f64; 2]; MAX_NODES],
+    ) -> [f64; MAX_NODES] {
+        let mut work = [0.0; MAX_NODES];
+        sampled.integrate(coordinates, |da, shapes, along_x, along_y| {
+            let growth: f64 = (0..MAX_NODES).map(|a| along_x[a] * motion[a][0] + along_y[a] * motion[a][1]).sum();
+            let factor = self.thermal_stress * growth * self.thickness * da;
+            work.iter_mut().zip(shapes).for_each(|(work, shape)| *work += factor * shape);
+        });
+        work
+    }
+
     /// Strain at the reference point `at` of an element whose nodes move by `displacements` (m).
     pub fn strain_at(
         sampled: &Sampled,

@@ -78,6 +78,13 @@ pub enum Condition {
         /// T_a over time.
         ambient: History,
     },
+    /// Loss h (T − T_a) through both faces of the sheet, everywhere.
+    Faces {
+        /// h, W/(m² K).
+        coefficient: f64,
+        /// T_a over time.
+        ambient: History,
+    },
     /// Prescribed temperature of the sides.
     Temperature {
         /// Name of the sides.

@@ -52,9 +52,19 @@ impl<'m> ThermalSystem<'m> {
         let capacity = Matrix::assemble::<1>(mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
             law.capacity(capacity, sampled, coordinates, square);
         })?;
-        let ambients = convections(&mut conductance, mesh, &freedoms, &law, conditions)?;
+        let mut ambients = convections(&mut conductance, mesh, &freedoms, &law, conditions)?;
         let ones = vec![1.0; freedoms.len()];
         let stores = capacity.multiply(&ones);
+        for condition in conditions {
+            if let Condition::Faces { coefficient, ambient } = condition {
+                check_film(*coefficient)?;
+                // Both faces over the heat that the sheet between them stores.
+                let factor = 2.0 * coefficient / (law.thickness * law.heat_capacity);
+                conductance = conductance.combined(1.0, &capacity, factor);
+                let shares = (0..mesh.nodes().len()).map(|node| (node, factor * stores[freedoms.number(node)]));
+                ambients.push(Supply { shares: shares.collect(), amplitude: Amplitude::Varying(ambient.clone()) });
+            }
+        }
         let mut losses = vec![0.0; freedoms.len()];
         for &(node, share) in ambients.iter().flat_map(|ambient| &ambient.shares) {
             losses[freedoms.number(node)] += share;
@@ -168,6 +178,10 @@ fn check(law: &Conduction) -> Result<(), ThermalError> {
     Ok(())
 }
 
+fn check_film(film: f64) -> Result<(), ThermalError> {
+    ThermalError::check(film >= 0.0 && film.is_finite(), "film coefficient (W/(m² K))", "zero or above", film)
+}
+
 /// Adds the convection of all sides to the conduction; the heat that it brings per kelvin of the surroundings.
 fn convections(
     conductance: &mut Matrix,
@@ -179,12 +193,7 @@ fn convections(
     let mut ambients = Vec::new();
     for condition in conditions {
         if let Condition::Convection { sides, coefficient: film, ambient } = condition {
-            ThermalError::check(
-                *film >= 0.0 && film.is_finite(),
-                "film coefficient (W/(m² K))",
-                "zero or above",
-                *film,
-            )?;
+            check_film(*film)?;
             let factor = film * law.thickness;
             let sides = mesh.sides(sides)?;
             add_convection(conductance, mesh, freedoms, sides, factor);
@@ -251,7 +260,7 @@ fn supplies(
                 let sides = mesh.sides(sides)?;
                 strips.push(MovingStrip::new(mesh, sides, flux * law.thickness, [*width, *start, *speed])?);
             }
-            Condition::Convection { .. } | Condition::Temperature { .. } => {}
+            Condition::Convection { .. } | Condition::Faces { .. } | Condition::Temperature { .. } => {}
         }
     }
     Ok((supplies, strips))
