@@ -25,13 +25,15 @@ impl Mesh {
         sides.into_iter().filter(|&side| counts[&ends(side)] == 1).collect()
     }
 
-    /// Calls the part of the border that is not on the sides `other` by `name`: the outside of an imported ring is
-    /// what is not its bore.
+    /// Calls the part of the border that is on no sides called one of `others` by `name`.
     ///
     /// # Errors
-    /// The mesh has no sides called `other`.
-    pub fn name_rest(&mut self, name: &str, other: &str) -> Result<(), MeshError> {
-        let taken: HashSet<Side> = self.sides(other)?.iter().copied().collect();
+    /// The mesh has no sides of one of these names.
+    pub fn name_rest(&mut self, name: &str, others: &[&str]) -> Result<(), MeshError> {
+        let mut taken: HashSet<Side> = HashSet::new();
+        for other in others {
+            taken.extend(self.sides(other)?);
+        }
         let rest = self.boundary().into_iter().filter(|side| !taken.contains(side)).collect();
         self.sides.insert(name.to_owned(), rest);
         Ok(())

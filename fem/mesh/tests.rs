@@ -88,7 +88,7 @@ fn the_border_of_a_ring_is_its_bore_and_its_outside() {
     for element in ALL {
         let mut mesh = ring(*element, vec![]).build().unwrap();
         assert_eq!(mesh.boundary().len(), 96, "{element:?}");
-        mesh.name_rest("rest", BORE).unwrap();
+        mesh.name_rest("rest", &[BORE]).unwrap();
         let sorted = |name: &str| {
             let mut sides = mesh.sides(name).unwrap().to_vec();
             sides.sort_unstable();

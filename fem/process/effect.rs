@@ -152,7 +152,12 @@ impl Parameter {
 
     /// A stiffness: infinite is neutral.
     pub const fn stiffness(kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
-        Self::new("stiffness", kind, about, Neutral::Infinity, Bounds::Positive, range)
+        Self::conductance("stiffness", kind, about, range)
+    }
+
+    /// What lets something through, or holds: infinite is neutral.
+    pub const fn conductance(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
+        Self::new(name, kind, about, Neutral::Infinity, Bounds::Positive, range)
     }
 
     /// A quantity of either sign that is neutral at zero.

@@ -11,7 +11,9 @@ mod grid;
 mod observation;
 mod outcome;
 pub mod ring;
+mod segment;
 pub mod stiffness;
+pub mod thermal;
 pub mod turning;
 mod validation;
 pub mod written;
@@ -21,6 +23,7 @@ pub use effect::{Active, Description, Effect, Neutral, Parameter, Values, act};
 pub use grid::{Cell, Field, Frame, Grid};
 pub use observation::{Absent, Blind, Coordinate, Further, Holds, Misplaced, Observable, Places, Rows};
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
+pub use segment::Segment;
 pub use validation::{Case, Tolerance};
 pub use written::{Meaning, WrittenLaw, equip};
 
@@ -29,7 +32,7 @@ use crate::progress::Progress;
 
 /// Every process the program knows.
 pub const ALL: &[&dyn Process] =
-    &[&turning::Turning, &ring::Ring, &fixture::Fixture, &stiffness::Stiffness, &contour::Contour];
+    &[&turning::Turning, &ring::Ring, &thermal::Thermal, &fixture::Fixture, &stiffness::Stiffness, &contour::Contour];
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {

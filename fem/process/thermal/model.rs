@@ -1,8 +1,11 @@
 //! The tables of a thermal model.
 
+use std::sync::OnceLock;
+
 use super::body::Body;
 use crate::input::Reader;
 use crate::material::Material;
+use crate::process::Failure;
 use crate::solve::conduction::Scheme;
 use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, POWER, SPEED, TEMPERATURE, TEMPERATURE_RISE, TIME};
 
@@ -100,22 +103,23 @@ pub struct Setup {
     pub places: Vec<f64>,
     /// When it looks, s.
     pub times: Vec<f64>,
+    /// The step that was chosen by the tolerance, once it has been.
+    pub chosen: OnceLock<Result<f64, Failure>>,
 }
 
 /// The default first.
-const SCHEMES: &[(&str, Scheme)] = &[
-    ("sdirk2", Scheme::Sdirk2),
-    ("crank-nicolson", Scheme::CrankNicolson),
-    ("backward-euler", Scheme::BackwardEuler),
-];
+const SCHEMES: &[(&str, Scheme)] =
+    &[("sdirk2", Scheme::Sdirk2), ("crank-nicolson", Scheme::CrankNicolson), ("backward-euler", Scheme::BackwardEuler)];
 
 impl Setup {
     /// Reads every table of a thermal model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let (material, body) = model.table("body", "the body that is heated", |t| (Material::read(t, "material"), Body::read(t)));
+        let (material, body) =
+            model.table("body", "the body that is heated", |t| (Material::read(t, "material"), Body::read(t)));
         let length = body.length();
         let sources = model.list("source", "a source of heat, spread over the section", |t, _| Source::read(t, &body));
-        let boundaries = model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body));
+        let boundaries =
+            model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body));
         let ambient = model.table("environment", "what is around the body", |t| {
             t.quantity("temperature", TEMPERATURE, "of the surroundings, and of the body at the start").required()
         });
@@ -124,14 +128,29 @@ impl Setup {
         let element_size = model.optional_table("mesh", "the body in finite elements", |t| {
             let size = t.quantity("element_size", LENGTH, "longest element along the body").positive().or(usual_size);
             if length / size > body.most_elements() {
-                t.problem("element_size", format!("{:.0} elements along the body are too many", length / size), format!("it must be above {:.3} mm", 1e3 * length / body.most_elements()));
+                t.problem(
+                    "element_size",
+                    format!("{:.0} elements along the body are too many", length / size),
+                    format!("it must be above {:.3} mm", 1e3 * length / body.most_elements()),
+                );
             }
             size
         });
         let (places, times) = model
             .optional_table("measurement", "where and when a run looks", |t| read_measurement(t, length, &time))
             .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
-        let setup = Self { material, body, sources, boundaries, ambient, time, element_size: element_size.unwrap_or(usual_size), places, times };
+        let setup = Self {
+            material,
+            body,
+            sources,
+            boundaries,
+            ambient,
+            time,
+            element_size: element_size.unwrap_or(usual_size),
+            places,
+            times,
+            chosen: OnceLock::new(),
+        };
         setup.check(model);
         setup
     }
@@ -150,16 +169,20 @@ impl Setup {
             ("contact-resistance", Body::Plane(_)) => {
                 Err("`contact-resistance` is known of rods, which it cuts through, not of plane bodies".into())
             }
-            ("base-conductance" | "extra-source", Body::Plane(plane)) if plane.size.is_none() => {
-                Err(format!("`{effect}` is known of rods and rectangles, whose sections it acts on, not of meshes from files"))
-            }
+            ("base-conductance" | "extra-source", Body::Plane(plane)) if plane.size.is_none() => Err(format!(
+                "`{effect}` is known of rods and rectangles, whose sections it acts on, not of meshes from files"
+            )),
             _ => Ok(()),
         }
     }
 
     fn check(&self, model: &Reader) {
         if self.sources.is_empty() && self.boundaries.is_empty() && !model.is_described() {
-            model.problem("source", "nothing heats or cools the body", "add [[source]] with at and power, or [[boundary]] of a plane body");
+            model.problem(
+                "source",
+                "nothing heats or cools the body",
+                "add [[source]] with at and power, or [[boundary]] of a plane body",
+            );
         }
     }
 }
@@ -168,10 +191,18 @@ impl Source {
     fn read(t: &Reader, body: &Body) -> Self {
         let at = t.quantity("at", LENGTH, "place along the body, from the base").not_negative().required();
         if at > body.length() * (1.0 + 1e-12) {
-            t.problem("at", format!("the source stands at {} mm, beyond the body", 1e3 * at), format!("the body ends at {} mm", 1e3 * body.length()));
+            t.problem(
+                "at",
+                format!("the source stands at {} mm, beyond the body", 1e3 * at),
+                format!("the body ends at {} mm", 1e3 * body.length()),
+            );
         }
         if matches!(body, Body::Plane(plane) if plane.size.is_none()) && !t.is_described() {
-            t.problem("at", "a source stands over a section, and a mesh from a file has none", "let the heat in through an edge: [[boundary]] with flux");
+            t.problem(
+                "at",
+                "a source stands over a section, and a mesh from a file has none",
+                "let the heat in through an edge: [[boundary]] with flux",
+            );
         }
         Self { at, power: t.quantity("power", POWER, "heat that it gives").required(), on: read_on(t) }
     }
@@ -201,7 +232,8 @@ impl Boundary {
         let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").optional();
         let on = read_on(t);
         let convection = t.quantity("convection", CONVECTION, "film coefficient of a loss").not_negative().optional();
-        let ambient = t.quantity("ambient", TEMPERATURE, "of what it is lost to; the environment if left out").optional();
+        let ambient =
+            t.quantity("ambient", TEMPERATURE, "of what it is lost to; the environment if left out").optional();
         let temperature = t.quantity("temperature", TEMPERATURE, "that the edge is held at").optional();
         let moving = t.optional_table("moving", "a strip of flux that moves along the edge", |t| Condition::Moving {
             speed: t.quantity("speed", SPEED, "of the strip, toward growing x or y").required(),
@@ -211,7 +243,11 @@ impl Boundary {
         });
         let given = [flux.is_some(), convection.is_some(), temperature.is_some(), moving.is_some()];
         if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
-            t.problem("", "an edge has one condition", "give one of flux, convection, temperature and moving; another [[boundary]] adds another");
+            t.problem(
+                "",
+                "an edge has one condition",
+                "give one of flux, convection, temperature and moving; another [[boundary]] adds another",
+            );
         }
         let condition = match (flux, convection, temperature, moving) {
             (Some(flux), ..) => Condition::Flux { flux, on },
@@ -228,7 +264,11 @@ impl Time {
         let end = t.quantity("end", TIME, "when the run ends").positive().required();
         let step = t.quantity("step", TIME, "longest time step; chosen by tolerance if left out").positive().optional();
         if step.is_some_and(|step| end / step > MOST_STEPS) {
-            t.problem("step", format!("these are more than {MOST_STEPS} steps"), "take longer steps, or leave `step` out");
+            t.problem(
+                "step",
+                format!("these are more than {MOST_STEPS} steps"),
+                "take longer steps, or leave `step` out",
+            );
         }
         let tolerance = t.quantity("tolerance", TEMPERATURE_RISE, "error of a temperature that chosen steps may leave");
         Self {
@@ -244,9 +284,14 @@ fn read_measurement(t: &Reader, length: f64, time: &Time) -> (Vec<f64>, Vec<f64>
     let places = t.quantities("places", LENGTH, "where temperatures are predicted, from the base");
     let places = places.unwrap_or_else(|| usual_places(length));
     if let Some(place) = places.iter().find(|x| !(0.0..=length * (1.0 + 1e-12)).contains(*x)) {
-        t.problem("places", format!("{} mm is not on the body", 1e3 * place), format!("it reaches from 0 to {} mm", 1e3 * length));
+        t.problem(
+            "places",
+            format!("{} mm is not on the body", 1e3 * place),
+            format!("it reaches from 0 to {} mm", 1e3 * length),
+        );
     }
-    let interval = t.quantity("interval", TIME, "from one prediction to the next").positive().or(time.end / USUAL_TIMES);
+    let interval =
+        t.quantity("interval", TIME, "from one prediction to the next").positive().or(time.end / USUAL_TIMES);
     if time.end / interval > MOST_TIMES {
         t.problem("interval", format!("these are more than {MOST_TIMES} times"), "take a longer interval");
         return (places, Vec::new());

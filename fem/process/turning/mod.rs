@@ -14,17 +14,16 @@ mod menu;
 mod model;
 mod observe;
 mod schedule;
-mod segment;
 mod shapes;
 mod validation;
 
+pub use super::Segment;
 pub use cut::{Cut, Force, ForceLaw};
 pub use elastic::{Conditions, Deflection, Elastic};
 pub use lathe::Lathe;
 pub use machine::{Machine, Moment};
 pub use model::{Setup, Workholding};
 pub use schedule::Schedule;
-pub use segment::Segment;
 
 use std::sync::Arc;
 

@@ -1,8 +1,8 @@
 //! The tables of a turning model.
 
+use super::Segment;
 use super::cut::{Cut, Force};
 use super::schedule::{Pause, Schedule};
-use super::segment::Segment;
 use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
 use crate::material::Material;

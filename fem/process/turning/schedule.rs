@@ -1,6 +1,6 @@
 //! When and after how much cutting each point of each part is turned.
 
-use super::segment::Segment;
+use super::Segment;
 
 /// One pass of the tool along the shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,133 @@
+//! The shape of a heated body.
+
+use std::sync::Arc;
+
+use crate::element::plane::Quad8;
+use crate::input::Reader;
+use crate::mesh::{Mesh, RectangleMesh};
+use crate::process::Segment;
+use crate::units::LENGTH;
+
+/// Elements along a rod and along a plane body where nobody says.
+const USUAL: (u32, u32) = (100, 40);
+/// And at most.
+const MOST: (f64, f64) = (20_000.0, 2_000.0);
+/// Elements across a rectangle, at least.
+const ACROSS: usize = 4;
+
+/// A body that is heated.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// Round lengths one after another, from the base on.
+    Rod(Vec<Segment>),
+    /// A sheet in the plane x, y.
+    Plane(Plane),
+}
+
+/// A plane body of even width.
+#[derive(Clone, Debug)]
+pub struct Plane {
+    /// Length along x and height along y of a rectangle with a corner at the origin, m; `None` for a mesh from a file.
+    pub size: Option<[f64; 2]>,
+    /// Across the plane, m.
+    pub width: f64,
+    /// From a file.
+    pub mesh: Option<Arc<Mesh>>,
+}
+
+impl Body {
+    /// Reads `segments`, `rectangle` or `file` of a table.
+    pub fn read(t: &Reader) -> Self {
+        let segments = t.list("segments", "a rod: uniform lengths from its base", Segment::read);
+        let rectangle = t.optional_table("rectangle", "a plane body with its corner at x = y = 0", |t| Plane {
+            size: Some([
+                t.quantity("length", LENGTH, "along x").positive().required(),
+                t.quantity("height", LENGTH, "along y").positive().required(),
+            ]),
+            width: t.quantity("width", LENGTH, "across the plane").positive().required(),
+            mesh: None,
+        });
+        let mesh = Mesh::read(t);
+        let width = t.quantity("width", LENGTH, "across the plane, of a mesh from a file").positive().optional();
+        let given = [!segments.is_empty(), rectangle.is_some(), t.has("file")];
+        if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
+            let help = "give one of segments = [{ length, diameter }] (a rod), rectangle = { length, height, width } and file = \"plate.msh\"";
+            t.problem("segments", "a body has one shape", help);
+        }
+        if t.has("file") && width.is_none() {
+            t.problem("file", "a plane body needs its width, across the plane", "add width = \"60 mm\"");
+        }
+        match (rectangle, mesh) {
+            (Some(plane), _) => Self::Plane(plane),
+            (None, Some(mesh)) => Self::Plane(Plane { size: None, width: width.unwrap_or(f64::NAN), mesh: Some(mesh) }),
+            (None, None) => Self::Rod(segments),
+        }
+    }
+
+    /// Along x, from the base on, m.
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Rod(segments) => segments.iter().map(|s| s.length).sum(),
+            Self::Plane(plane) => plane.extent(0)[1],
+        }
+    }
+
+    /// Names of its edges.
+    pub fn edges(&self) -> Vec<String> {
+        match self {
+            Self::Rod(_) => Vec::new(),
+            Self::Plane(Plane { mesh: Some(mesh), .. }) => mesh.names().map(str::to_string).collect(),
+            Self::Plane(_) => ["left", "right", "top", "bottom"].map(str::to_string).to_vec(),
+        }
+    }
+
+    /// Whether it has two ends, between which it grows: a mesh from a file has them if it names them.
+    pub fn has_ends(&self) -> bool {
+        let edges = self.edges();
+        matches!(self, Self::Rod(_)) || ["left", "right"].iter().all(|end| edges.iter().any(|e| e == end))
+    }
+
+    /// Elements along it where nobody says.
+    pub fn usual_elements(&self) -> u32 {
+        if matches!(self, Self::Rod(_)) { USUAL.0 } else { USUAL.1 }
+    }
+
+    /// Elements along it, at most.
+    pub fn most_elements(&self) -> f64 {
+        if matches!(self, Self::Rod(_)) { MOST.0 } else { MOST.1 }
+    }
+}
+
+impl Plane {
+    /// Its smallest and largest coordinate along an axis, m.
+    pub fn extent(&self, axis: usize) -> [f64; 2] {
+        match (&self.size, &self.mesh) {
+            (Some(size), _) => [0.0, size[axis]],
+            (None, Some(mesh)) => {
+                let along = |range: [f64; 2], node: &[f64; 2]| [range[0].min(node[axis]), range[1].max(node[axis])];
+                mesh.nodes().iter().fold([f64::INFINITY, f64::NEG_INFINITY], along)
+            }
+            (None, None) => [0.0, f64::NAN],
+        }
+    }
+
+    /// The height at which it is looked at where nobody says: half way up.
+    pub fn middle(&self) -> f64 {
+        let [low, high] = self.extent(1);
+        0.5 * (low + high)
+    }
+
+    /// Its mesh: from the file, or 8-node quadrilaterals no longer than `size` (m).
+    ///
+    /// # Errors
+    /// The rectangle cannot be meshed.
+    pub fn mesh(&self, size: f64) -> Result<Arc<Mesh>, String> {
+        if let Some(mesh) = &self.mesh {
+            return Ok(mesh.clone());
+        }
+        let [length, height] = self.size.unwrap_or([f64::NAN; 2]);
+        let cells = |extent: f64, least: usize| ((extent / size - 1e-9).ceil() as usize).max(least);
+        let rectangle = RectangleMesh::uniform([length, height], [cells(length, 1), cells(height, ACROSS)], &Quad8);
+        rectangle.build().map(Arc::new).map_err(|error| error.to_string())
+    }
+}

@@ -1,0 +1,64 @@
+//! A heated rod.
+
+use super::follow::{Followed, Look, Span, unsolvable};
+use super::machine::Machine;
+use crate::process::{Failure, Segment};
+use crate::solve::rod::{Joint, PointSource, Probe, Rod, RodPiece, RodSystem, Stepping};
+
+/// The rod of a machine.
+pub fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
+    let material = &machine.setup.material;
+    let piece = |s: &Segment| RodPiece {
+        length: s.length,
+        heat_capacity: material.density * material.specific_heat * s.section.area(),
+        conductance: material.conductivity * s.section.area(),
+        loss: machine.convection * std::f64::consts::PI * s.section.diameter,
+    };
+    // A joint at a step of the diameter touches over the smaller section.
+    let area = |at: f64| {
+        let mut start = 0.0;
+        let touches = |s: &&Segment| {
+            let own = start..=start + s.length;
+            start += s.length;
+            own.contains(&at)
+        };
+        segments.iter().filter(touches).map(|s| s.section.area()).fold(f64::INFINITY, f64::min)
+    };
+    Rod {
+        pieces: segments.iter().map(piece).collect(),
+        base: machine.base,
+        joints: machine.contacts.iter().map(|c| Joint { at: c.at, conductance: c.conductance * area(c.at) }).collect(),
+        sources: machine.sources.iter().map(|s| PointSource { at: s.at, power: s.power, on: s.on.clone() }).collect(),
+    }
+}
+
+/// Follows a rod.
+///
+/// # Errors
+/// It cannot be computed.
+pub fn follow(machine: &Machine, segments: &[Segment], looks: &[Look], span: &Span) -> Result<Followed, Failure> {
+    let rod = rod(machine, segments);
+    let system = RodSystem::new(&rod, machine.setup.element_size).map_err(|e| unsolvable(&e))?;
+    let probes: Vec<Probe> = looks.iter().map(|look| probe(&system, machine, *look)).collect();
+    let stepping = Stepping { scheme: machine.setup.time.scheme, step: span.step, end: span.end };
+    let mut followed = Followed::of(looks.len());
+    let energy = system.run(&stepping, &|t| machine.around(t), |time, nodes, switched| {
+        followed.track.push(time, switched, probes.iter().map(|p| p.read(nodes)));
+        followed.picture(span, time, || nodes.to_vec());
+    });
+    followed.energy = energy.map_err(|e| unsolvable(&e))?;
+    Ok(followed)
+}
+
+fn probe(system: &RodSystem, machine: &Machine, look: Look) -> Probe {
+    match look {
+        Look::Elongation => {
+            let mut whole = system.integral_to(machine.setup.body.length());
+            whole.weights.iter_mut().for_each(|(_, weight)| *weight *= machine.setup.material.expansion);
+            whole
+        }
+        Look::Rise { x, .. } => system.at(x),
+        // A rod that is as warm above as below stays straight.
+        Look::Bow => Probe { weights: Vec::new() },
+    }
+}

@@ -1,0 +1,151 @@
+//! The body in space: warm, grown and bent, through time.
+
+use std::sync::Arc;
+
+use super::body::{Body, Plane};
+use super::follow::{Look, Span, follow, step, unsolvable};
+use super::job::Heated;
+use super::model::Setup;
+use super::{plate, rod};
+use crate::element::plane::Elasticity;
+use crate::mesh::Mesh;
+use crate::process::{Animation, Cell, Failure, Field, Frame, Grid};
+use crate::solve::conduction::Energy;
+use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
+use crate::solve::rod::RodSystem;
+
+/// Frames of a run beside its start.
+const FRAMES: usize = 60;
+
+/// A run with all that is shown of it.
+pub struct Scene {
+    setup: Arc<Setup>,
+    shape: Shape,
+    /// Times (s) with the rises of all nodes (K).
+    pictures: Vec<(f64, Vec<f64>)>,
+    /// Rise of the middle of a plane body over its ends (m) with its time (s).
+    pub bow: Option<Vec<(f64, f64)>>,
+    /// Where the heat went.
+    pub energy: Energy,
+    /// Longest step, s, and how many there were.
+    pub step: f64,
+    pub steps: usize,
+}
+
+enum Shape {
+    /// Nodes along the rod, m.
+    Rod(Vec<f64>),
+    Plane(Flat),
+}
+
+/// A plane body that is free to grow.
+struct Flat {
+    plane: Plane,
+    system: ElasticSystem<Arc<Mesh>>,
+    mesh: Arc<Mesh>,
+    law: Elasticity,
+}
+
+impl Scene {
+    /// Runs the body once more, keeping pictures.
+    ///
+    /// # Errors
+    /// It cannot be computed.
+    pub fn new(heated: &Heated) -> Result<Self, Failure> {
+        let machine = &heated.machine;
+        let setup = machine.setup.clone();
+        let step = step(&setup)?;
+        let shape = match &setup.body {
+            Body::Rod(segments) => {
+                let system = RodSystem::new(&rod::rod(machine, segments), setup.element_size);
+                Shape::Rod(system.map_err(|e| unsolvable(&e))?.x)
+            }
+            Body::Plane(plane) => Shape::Plane(Flat::new(&setup, plane)?),
+        };
+        let looks: &[Look] = if matches!(shape, Shape::Plane(_)) { &[Look::Bow] } else { &[] };
+        let followed = follow(machine, looks, &Span { step, end: setup.time.end, pictures: FRAMES })?;
+        let times = &followed.track.times;
+        let bow = followed.track.values.first().map(|v| times.iter().copied().zip(v.iter().copied()).collect());
+        let steps = times.len() - 1;
+        Ok(Self { setup, shape, pictures: followed.pictures, bow, energy: followed.energy, step, steps })
+    }
+
+    /// Points are the nodes; displacement is growth from the base, of a plane body from the middle of its left end with both ends level.
+    pub fn animation(self) -> Animation {
+        Animation { name: "body", frames: self.pictures.len(), frame: Box::new(move |i| self.frame(i)) }
+    }
+
+    fn frame(&self, i: usize) -> Frame {
+        let (time, rises) = &self.pictures[i];
+        let mut grid = match &self.shape {
+            Shape::Rod(x) => rod_grid(x, rises, self.setup.material.expansion),
+            Shape::Plane(flat) => flat.grid(rises),
+        };
+        let temperatures = rises.iter().map(|rise| self.setup.ambient + rise).collect();
+        grid.point_fields.insert(0, Field::scalar("temperature", temperatures));
+        grid.point_fields.insert(1, Field::scalar("rise", rises.clone()));
+        Frame { time: *time, grid }
+    }
+}
+
+fn rod_grid(x: &[f64], rises: &[f64], expansion: f64) -> Grid {
+    let mut grid = Grid { points: x.iter().map(|x| [*x, 0.0, 0.0]).collect(), ..Grid::default() };
+    let mut displacement = vec![[0.0; 3]];
+    let mut moved = 0.0;
+    for i in 1..x.len() {
+        moved += 0.5 * expansion * (x[i] - x[i - 1]) * (rises[i] + rises[i - 1]);
+        displacement.push([moved, 0.0, 0.0]);
+        // The two sides of a joint are two points at one place.
+        if x[i] > x[i - 1] {
+            grid.push(Cell::Line, &[i as u32 - 1, i as u32]);
+        }
+    }
+    grid.point_fields.push(Field::vector("displacement", displacement));
+    grid
+}
+
+impl Flat {
+    fn new(setup: &Setup, plane: &Plane) -> Result<Self, Failure> {
+        let mesh = plane.mesh(setup.element_size).map_err(|e| unsolvable(&e))?;
+        let law = plate::elasticity(setup, plane)?;
+        let system = ElasticSystem::free(mesh.clone(), law).map_err(|e| unsolvable(&e))?;
+        Ok(Self { plane: plane.clone(), system, mesh, law })
+    }
+
+    fn grid(&self, rises: &[f64]) -> Grid {
+        let mesh = &self.mesh;
+        let mut grid = Grid { points: mesh.nodes().iter().map(|n| [n[0], n[1], 0.0]).collect(), ..Grid::default() };
+        for element in mesh.elements() {
+            grid.push(Cell::of(element.kind), element.nodes);
+        }
+        let mut loads = Loads::none(mesh);
+        loads.add_temperature(mesh, &self.law, rises);
+        // Thermal loads are in equilibrium and finite, and the body has been factored: what is left to fail shows as not a number.
+        let solved = self.system.solve(&loads).map(|s| s.nodes);
+        let mut displacements = solved.unwrap_or_else(|_| vec![[f64::NAN; 2]; mesh.nodes().len()]);
+        self.level(&mut displacements);
+        let stresses = nodal_stresses(mesh, &self.law, &displacements, rises);
+        let stress = stresses.iter().flat_map(|[xx, yy, xy]| [*xx, *yy, 0.0, *xy, 0.0, 0.0]).collect();
+        let displacement = displacements.iter().map(|[u, v]| [*u, *v, 0.0]).collect();
+        grid.point_fields.push(Field::vector("displacement", displacement));
+        grid.point_fields.push(Field { name: "stress".into(), components: 6, values: stress });
+        grid
+    }
+
+    /// Takes the rigid motion out: the middle of the left end stays, that of the right end keeps its height.
+    fn level(&self, displacements: &mut [[f64; 2]]) {
+        let [from, to] = self.plane.extent(0);
+        let at = |x: f64| {
+            let place = self.mesh.locate([x, self.plane.middle()]);
+            let node = self.mesh.nearest_node([x, self.plane.middle()]);
+            let shares = place.map_or_else(|| vec![(node, 1.0)], |p| p.shares);
+            [0, 1].map(|axis| shares.iter().map(|(n, s)| s * displacements[*n][axis]).sum::<f64>())
+        };
+        let (left, right) = (at(from), at(to));
+        let turn = (right[1] - left[1]) / (to - from);
+        for (own, [x, y]) in displacements.iter_mut().zip(self.mesh.nodes()) {
+            own[0] -= left[0] - turn * (y - self.plane.middle());
+            own[1] -= left[1] + turn * (x - from);
+        }
+    }
+}
