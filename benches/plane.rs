@@ -1,7 +1,7 @@
 //! Large plane jobs, timed stretch by stretch, with the peak of memory: a ring pressed by three jaws, the orders of elimination, and a heated
 //! section.
 //!
-//! `cargo bench --bench plane -- ring|orders [AROUND ACROSS]` `-- chuck` or `-- heat [COLUMNS ROWS]`. Sizes default to a ring of 500 000 unknowns and a section of
+//! `cargo bench --bench plane -- ring|orders [AROUND ACROSS]` `-- chuck`, `-- rod` or `-- heat [COLUMNS ROWS]`. Sizes default to a ring of 500 000 unknowns and a section of
 //! 100 000.
 
 #![allow(missing_docs)]
@@ -26,6 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     match arguments.first().map(String::as_str) {
         Some("orders") => orders(&ring([size(1, 1440)?, size(2, 57)?])?),
         Some("chuck") => chuck(),
+        Some("rod") => rod(),
         Some("heat") => heat([size(1, 450)?, size(2, 225)?]),
         _ => whole_ring([size(1, 1440)?, size(2, 57)?]),
     }
@@ -105,6 +106,36 @@ fn chuck() -> Result<(), Box<dyn Error>> {
         model.system.equip(&effects).observe(&rows)?;
     }
     println!("a further trial {:.1} us", clock.0.elapsed().as_secs_f64() / f64::from(trials) * 1e6);
+    Ok(())
+}
+
+/// A trial of a fit: the starting model's rod with 100 elements, 360 steps and some after every switch, all effects, 160 rows.
+fn rod() -> Result<(), Box<dyn Error>> {
+    let process = fem::process::ALL.iter().find(|p| p.name() == "thermal").ok_or("no such process")?;
+    let model = Model::parse(Source::new("thermal.toml", process.starting_model()))?;
+    let mut rows = model.system.programme();
+    for column in &mut rows.columns {
+        column.truncate(160);
+    }
+    rows.observable.truncate(160);
+    rows.columns[0].iter_mut().enumerate().for_each(|(i, t)| *t = 270.0 * (1 + i / 4) as f64);
+    let effects: Vec<_> = process
+        .effects()
+        .iter()
+        .map(|e| e.typical())
+        .filter(|e| e.description.name != "extra-source" && e.description.name != "contact-resistance")
+        .collect();
+    let mut clock = Clock(Instant::now());
+    let trials = 500;
+    for _ in 0..trials {
+        model.system.equip(&effects).observe(&rows)?;
+    }
+    clock.lap("all trials");
+    let started = Instant::now();
+    for _ in 0..trials {
+        model.system.equip(&effects[..1]).observe(&rows)?;
+    }
+    println!("a trial {:.1} us", started.elapsed().as_secs_f64() / f64::from(trials) * 1e6);
     Ok(())
 }
 

@@ -9,7 +9,7 @@ use crate::process::Segment;
 use crate::units::LENGTH;
 
 /// Elements along a rod and along a plane body where nobody says.
-const USUAL: (u32, u32) = (100, 40);
+const USUAL: (u32, u32) = (60, 40);
 /// And at most.
 const MOST: (f64, f64) = (20_000.0, 2_000.0);
 /// Elements across a rectangle, at least.

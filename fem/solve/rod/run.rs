@@ -1,6 +1,6 @@
 //! A rod through time.
 
-use super::tridiagonal::Factor;
+use super::tridiagonal::{Factor, dot};
 use super::{Energy, RodError, RodSystem, Scheme};
 
 /// After a switch the first step is halved so often: what a jump starts changes as the root of time.
@@ -121,21 +121,16 @@ impl<'s> Stepper<'s> {
                     supplied += source.power;
                 }
             }
-            system.conductance.multiply_add(-1.0, &self.base, rates);
+            system.conductance.subtract_product(&self.base, rates);
             self.factor.solve(rates);
-            let lost = |((loss, base), rate): ((&f64, &f64), &f64)| loss * (base + gamma * length * rate - around);
-            let lost: f64 = system.losses.iter().zip(&self.base).zip(&*rates).map(lost).sum();
+            let lost =
+                dot(&system.losses, &self.base) + gamma * length * dot(&system.losses, rates) - around * system.loss;
             let span = weights[stage] * length;
             energy.add(0.0, span * supplied, span * lost, 0.0);
         }
-        let mut stored = 0.0;
         for (rates, weight) in self.rates.iter().zip(weights) {
-            for ((own, rate), store) in state.iter_mut().zip(rates).zip(&system.stores) {
-                let change = length * weight * rate;
-                *own += change;
-                stored += store * change;
-            }
+            state.iter_mut().zip(rates).for_each(|(own, rate)| *own += length * weight * rate);
+            energy.add(length * weight * dot(&system.stores, rates), 0.0, 0.0, 0.0);
         }
-        energy.add(stored, 0.0, 0.0, 0.0);
     }
 }

@@ -19,6 +19,8 @@ pub struct RodSystem {
     pub(super) conductance: Tridiagonal,
     /// Heat to surroundings that are 1 K colder, W/K.
     pub(super) losses: Vec<f64>,
+    /// Of all nodes.
+    pub(super) loss: f64,
     /// J/K of every node.
     pub(super) stores: Vec<f64>,
     /// Sources at their nodes.
@@ -142,9 +144,11 @@ impl Nodes {
             *own += loss;
         }
         let node = |s: &PointSource| (0..size).find(|i| near(s.at.min(self.x[size - 1]), *i)).unwrap_or(size - 1);
+        let losses = losses.row_sums();
         RodSystem {
+            loss: losses.iter().sum(),
             stores: capacity.row_sums(),
-            losses: losses.row_sums(),
+            losses,
             sources: rod.sources.iter().map(|s| (node(s), s.clone())).collect(),
             capacity,
             conductance,

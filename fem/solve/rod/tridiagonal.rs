@@ -21,30 +21,36 @@ impl Tridiagonal {
         self.beside[i] += mixed;
     }
 
-    /// to += factor · self · x
-    pub fn multiply_add(&self, factor: f64, x: &[f64], to: &mut [f64]) {
-        for ((to, d), x) in to.iter_mut().zip(&self.diagonal).zip(x) {
-            *to += factor * d * x;
+    /// to −= self · x
+    pub fn subtract_product(&self, x: &[f64], to: &mut [f64]) {
+        let last = x.len() - 1;
+        let (diagonal, beside) = (&self.diagonal[..=last], &self.beside[..last]);
+        if last == 0 {
+            to[0] -= diagonal[0] * x[0];
+            return;
         }
-        for (i, b) in self.beside.iter().enumerate() {
-            to[i] += factor * b * x[i + 1];
-            to[i + 1] += factor * b * x[i];
+        to[0] -= diagonal[0] * x[0] + beside[0] * x[1];
+        let inner = to[1..last].iter_mut().zip(&diagonal[1..last]).zip(x.windows(3)).zip(beside.windows(2));
+        for (((to, d), x), b) in inner {
+            *to -= b[0] * x[0] + d * x[1] + b[1] * x[2];
         }
+        to[last] -= diagonal[last] * x[last] + beside[last - 1] * x[last - 1];
     }
 
     /// Sums of the rows.
     pub fn row_sums(&self) -> Vec<f64> {
         let mut sums = vec![0.0; self.diagonal.len()];
-        self.multiply_add(1.0, &vec![1.0; sums.len()], &mut sums);
+        self.subtract_product(&vec![-1.0; sums.len()], &mut sums);
         sums
     }
 }
 
-/// L·D·Lᵀ of a positive definite tridiagonal matrix.
+/// A positive definite tridiagonal matrix, eliminated from both ends towards the middle: the two ways do not wait for each other.
 #[derive(Clone, Debug)]
 pub struct Factor {
-    lower: Vec<f64>,
-    /// 1/D
+    /// What is carried to the next row towards the middle.
+    carried: Vec<f64>,
+    /// 1/pivot
     inverse: Vec<f64>,
 }
 
@@ -52,29 +58,91 @@ impl Factor {
     /// Of a + factor · b, both positive semidefinite and a definite, so that no pivot vanishes.
     pub fn of_sum(a: &Tridiagonal, factor: f64, b: &Tridiagonal) -> Self {
         let size = a.diagonal.len();
-        let (mut lower, mut inverse) = (vec![0.0; size], vec![0.0; size]);
-        let mut carried = 0.0;
-        for i in 0..size {
-            let pivot = a.diagonal[i] + factor * b.diagonal[i] - carried;
-            inverse[i] = 1.0 / pivot;
-            if i + 1 < size {
-                let beside = a.beside[i] + factor * b.beside[i];
-                lower[i] = beside * inverse[i];
-                carried = lower[i] * beside;
-            }
+        let beside = |i: usize| a.beside[i] + factor * b.beside[i];
+        let mut pivot: Vec<f64> = a.diagonal.iter().zip(&b.diagonal).map(|(a, b)| a + factor * b).collect();
+        let mut carried = vec![0.0; size];
+        let middle = size / 2;
+        for i in 0..middle {
+            carried[i] = beside(i) / pivot[i];
+            pivot[i + 1] -= carried[i] * beside(i);
         }
-        Self { lower, inverse }
+        for i in (middle + 1..size).rev() {
+            carried[i] = beside(i - 1) / pivot[i];
+            pivot[i - 1] -= carried[i] * beside(i - 1);
+        }
+        Self { carried, inverse: pivot.into_iter().map(f64::recip).collect() }
     }
 
     /// Solves in place.
     pub fn solve(&self, x: &mut [f64]) {
-        for i in 1..x.len() {
-            x[i] -= self.lower[i - 1] * x[i - 1];
+        let size = x.len();
+        let middle = size / 2;
+        let (carried, inverse) = (&self.carried[..size], &self.inverse[..size]);
+        let (lower, upper) = x.split_at_mut(middle);
+        // Rows 0 .. middle and, from the other end, size − 1 .. middle.
+        let (mut below, mut above) = (0.0, 0.0);
+        let steps = lower.len().min(upper.len() - 1);
+        for i in 0..steps {
+            let j = upper.len() - 1 - i;
+            lower[i] -= below;
+            upper[j] -= above;
+            below = carried[i] * lower[i];
+            above = carried[middle + j] * upper[j];
         }
-        let last = x.len() - 1;
-        x[last] *= self.inverse[last];
-        for i in (0..last).rev() {
-            x[i] = x[i] * self.inverse[i] - self.lower[i] * x[i + 1];
+        if lower.len() > steps {
+            lower[steps] -= below;
+            below = carried[steps] * lower[steps];
+        }
+        upper[0] = (upper[0] - below - above) * inverse[middle];
+        let (mut below, mut above) = (upper[0], upper[0]);
+        let steps = lower.len().min(upper.len() - 1);
+        for i in 0..steps {
+            let (k, j) = (lower.len() - 1 - i, 1 + i);
+            lower[k] = lower[k] * inverse[k] - carried[k] * below;
+            upper[j] = upper[j] * inverse[middle + j] - carried[middle + j] * above;
+            (below, above) = (lower[k], upper[j]);
+        }
+        if lower.len() > steps {
+            lower[0] = lower[0] * inverse[0] - carried[0] * below;
+        }
+    }
+}
+
+/// Σ aᵢ·bᵢ by four sums side by side.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (fours, rest) = a.as_chunks::<4>();
+    let (others, last) = b.as_chunks::<4>();
+    for (a, b) in fours.iter().zip(others) {
+        for k in 0..4 {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    let rest: f64 = rest.iter().zip(last).map(|(a, b)| a * b).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_factor_solves_systems_of_any_size() {
+        for size in 1..12 {
+            let mut matrix = Tridiagonal::zeros(size);
+            for i in 0..size {
+                matrix.diagonal[i] = 3.0 + i as f64;
+                if i + 1 < size {
+                    matrix.beside[i] = -1.0 - 0.1 * i as f64;
+                }
+            }
+            let zero = Tridiagonal::zeros(size);
+            let exact: Vec<f64> = (0..size).map(|i| (i as f64).cos()).collect();
+            let mut x = vec![0.0; size];
+            matrix.subtract_product(&exact, &mut x);
+            x.iter_mut().for_each(|x| *x = -*x);
+            Factor::of_sum(&matrix, 1.0, &zero).solve(&mut x);
+            assert!(x.iter().zip(&exact).all(|(a, b)| (a - b).abs() < 1e-14), "{size}: {x:?} {exact:?}");
         }
     }
 }
