@@ -25,6 +25,7 @@ pub use observation::{Absent, Blind, Coordinate, Further, Holds, Misplaced, Obse
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
 pub use segment::Segment;
 pub use validation::{Case, Tolerance};
+use validation::{row, set_up};
 pub use written::{Meaning, WrittenLaw, equip};
 
 use crate::input::Reader;

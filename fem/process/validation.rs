@@ -1,5 +1,10 @@
 //! Validation cases: what a handbook, a closed form or a benchmark says, and what the program computes.
 
+use toml_edit::Document;
+
+use super::{Active, Description};
+use crate::input::Reader;
+
 /// How near the computed value must come, and never a figure fitted to the program: it follows from the precision of the
 /// source or from the discretisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,4 +54,37 @@ impl Case {
     pub fn passed(&self) -> bool {
         self.error().abs() <= self.allowed()
     }
+}
+
+/// A row of the table: (expected, computed, unit).
+pub fn row(
+    name: impl Into<String>,
+    quantity: &'static str,
+    (expected, computed, unit): (f64, f64, &'static str),
+    tolerance: Tolerance,
+    source: &'static str,
+) -> Case {
+    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
+}
+
+/// A set-up and its effects from the texts of their tables, as a model file would have them; `describe` finds an effect by its name. `None` where
+/// a text is wrong: the row that needs it then holds NaN, and cannot pass.
+pub fn set_up<T>(
+    model: &str,
+    effects: &str,
+    read: impl FnOnce(&Reader) -> T,
+    describe: impl Fn(&str) -> Option<&'static Description>,
+) -> Option<(T, Vec<Active>)> {
+    let model = Document::parse(model).ok()?;
+    let (setup, _, problems) = Reader::document(model.as_table(), read);
+    let effects = Document::parse(effects).ok()?;
+    let read = |table: &Reader| {
+        let active = |(name, _): (&str, _)| {
+            let description = describe(name)?;
+            Some(table.table(description.name, "", |t| description.read(t)))
+        };
+        effects.iter().map(active).collect::<Option<Vec<Active>>>()
+    };
+    let (active, _, more) = Reader::document(effects.as_table(), read);
+    (problems.is_empty() && more.is_empty()).then_some((setup, active?))
 }

@@ -38,6 +38,7 @@ pub fn outcome(heated: &Heated, scene: &Scene, observed: Vec<f64>) -> Result<Out
         findings,
         plots: plots(&rows, &observed, &growing, &warm),
         drawings: Vec::new(),
+        tables: Vec::new(),
         warnings: warnings(heated, scene),
         animation: None,
     })

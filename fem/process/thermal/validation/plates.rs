@@ -1,0 +1,73 @@
+//! Plates: growth and bow under a gradient, a passing strip, and a bar that is both rod and plate.
+
+use super::super::follow::Look;
+use super::rig::*;
+use crate::process::{Case, Tolerance};
+
+/// 400 × 40 × 100 mm of steel.
+const PLATE: &str = r#"
+    body = { material = "steel", rectangle = { length = "400 mm", height = "40 mm", width = "100 mm" } }
+    environment = { temperature = "20 degC" }
+    mesh = { element_size = "10 mm" }
+"#;
+
+pub fn cases() -> Vec<Case> {
+    let mut cases = gradient();
+    cases.push(strip());
+    cases.push(bar());
+    cases
+}
+
+/// Below at 20, above at 32: without stress, whatever the shape of the ends.
+fn gradient() -> Vec<Case> {
+    let held = r#"
+        boundary = [{ edge = "bottom", temperature = "20 degC" }, { edge = "top", temperature = "32 degC" }]
+        time = { end = "1e5 min", step = "1e4 min", scheme = "backward-euler" }
+    "#;
+    let plate = body(&format!("{PLATE}{held}"), "");
+    let seen = followed(&plate, &[Look::Elongation, Look::Bow], 6e5, 6e6);
+    let last = |look: usize| seen.as_ref().and_then(|f| f.track.values[look].last().copied()).unwrap_or(f64::NAN);
+    let one = |quantity, expected: f64, look: usize| {
+        let name = "plate of 400 x 40 mm, 12 K warmer above";
+        // Quadratic elements hold the gradient and the parabola exactly.
+        let tolerance = Tolerance::Relative(1e-8);
+        row(name, quantity, (1e6 * expected, 1e6 * last(look), "um"), tolerance, "beam theory, linear gradient")
+    };
+    vec![one("elongation", ALPHA * 6.0 * 0.4, 0), one("bow", ALPHA * 12.0 * 0.16 / (8.0 * 0.04), 1)]
+}
+
+/// A strip of 20 mm and 400 kW/m² passes the whole plate at 0.4 m/min.
+fn strip() -> Case {
+    let passing = r#"
+        boundary = [{ edge = "top", moving = { speed = "0.4 m/min", width = "20 mm", flux = "400 kW/m^2", from = "-10 mm" } }]
+        time = { end = "2 min", step = "0.5 s" }
+    "#;
+    let heat = followed(&body(&format!("{PLATE}{passing}"), ""), &[], 0.5, 120.0).map(|f| f.energy.supplied);
+    let exact = 4e5 * 0.02 * 0.1 * 0.4 / (0.4 / 60.0);
+    // At the ends of the plate the strip enters and leaves in steps of a sixth of its width.
+    let tolerance = Tolerance::Relative(1e-3);
+    let source = "flux*width*breadth*length/speed";
+    row("strip that passes a plate", "heat", (exact, heat.unwrap_or(f64::NAN), "J"), tolerance, source)
+}
+
+/// A square bar heated over its end section: one dimension and two must agree.
+fn bar() -> Case {
+    let (time, x) = (1200.0, 0.13);
+    let plate = body(
+        r#"
+        body = { material = "steel", rectangle = { length = "200 mm", height = "20 mm", width = "15.70796326794897 mm" } }
+        source = [{ at = "200 mm", power = "15 W" }]
+        environment = { temperature = "20 degC" }
+        time = { end = "20 min", step = "10 s" }
+        "#,
+        "",
+    );
+    // Sections of 100π mm² both; sixty linear elements along the rod.
+    row(
+        "bar heated over its end, 20 min, rod against plate",
+        "rise at 130 mm",
+        (temperature_at(&plate, [x, 0.01], time) - 20.0, rise(&rod(""), x, time), "K"),
+        Tolerance::Relative(2e-4),
+        "the plane body",
+    )
+}
