@@ -47,7 +47,7 @@ const CASES: &[(&str, &str, usize, &str, &str)] = &[
     ("length = \"300 mm\"", "length = \"300 +- -2 mm\"", 5, "standard uncertainty", "above zero"),
     ("diameter = \"40 mm\"", "diameter = \"0 mm\"", 5, "`diameter` is 0 mm", "above zero"),
     ("diameter = \"40 mm\"", "", 5, "`diameter` is missing in `workpiece.segments[0]`", "add diameter"),
-    ("bore = \"20 mm\"", "bore = \"50 mm\"", 6, "the bore is as wide as the shaft", "below the diameter"),
+    ("bore = \"20 mm\"", "bore = \"50 mm\"", 6, "the bore is as wide as the segment", "below the diameter"),
     ("stiffness = \"40 N/um\"", "stiffness = \"-40 N/um\"", 10, "`stiffness` is -40 N/um", "above zero"),
     ("at = \"250 mm\"", "at = \"700 mm\"", 10, "stands beyond the shaft", "500 mm long"),
     ("feed = \"0.2 mm/rev\"", "feed = \"0.2 mm\"", 13, "not a feed per revolution", "mm/rev"),
