@@ -21,6 +21,12 @@ fn models(process: &dyn Process) -> Vec<Model> {
     variants.into_iter().map(|text| Model::parse(Source::new("model.toml", text)).unwrap()).collect()
 }
 
+/// What must act for an effect to be felt at all: surroundings that drift are felt through what loses heat.
+fn beside(process: &dyn Process, effect: &Description) -> Vec<Active> {
+    let through = if effect.name == "ambient-drift" { "convection" } else { "" };
+    process.effects().into_iter().filter(|e| e.name == through).map(|e| e.typical()).collect()
+}
+
 /// The first model that admits an effect, without its own effects.
 fn host<'a>(models: &'a [Model], effect: &Description) -> &'a Model {
     models.iter().find(|m| m.system.admits(effect.name).is_ok()).unwrap()
@@ -36,9 +42,10 @@ fn a_neutral_effect_changes_nothing_and_a_plausible_one_something() {
         let models = models(*process);
         for effect in process.effects() {
             let model = host(&models, effect);
-            let without = predict(model, &[]);
-            let neutral = predict(model, &[effect.neutral()]);
-            let typical = predict(model, &[effect.typical()]);
+            let beside = beside(*process, effect);
+            let with = |own: Active| predict(model, &[beside.clone(), vec![own]].concat());
+            let without = predict(model, &beside);
+            let (neutral, typical) = (with(effect.neutral()), with(effect.typical()));
             let size = without.iter().fold(1e-9f64, |m, v| m.max(v.abs()));
             let change = |other: &[f64]| without.iter().zip(other).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
             assert!(change(&neutral) <= 1e-12 * size, "{}: neutral changes {:e}", effect.name, change(&neutral));

@@ -77,10 +77,10 @@ fn growth(rows: &Rows, observed: &[f64], growing: &[usize]) -> Vec<Finding> {
     let (most, last) = (largest(observed, growing), growing[growing.len() - 1]);
     let (value, end) = (1e6 * observed[most], 1e6 * observed[last]);
     let mut findings = vec![Finding {
-        key: "elongation",
-        label: "elongation",
-        text: format!("{value:+.3} um at most, after {:.1} min; {end:+.3} um in the end", minutes(most)),
-        json: json!({ "largest": value, "at": minutes(most), "end": end, "unit": "um", "at_unit": "min" }),
+        key: "largest",
+        label: "largest elongation",
+        text: format!("{value:+.3} um after {:.1} min; {end:+.3} um in the end", minutes(most)),
+        json: json!({ "value": value, "unit": "um", "at": minutes(most), "at_unit": "min", "end": end }),
     }];
     // Between two times of the programme as on a straight line.
     let share = REACHED * observed[most];

@@ -17,7 +17,7 @@ static DESCRIPTION: Description = Description {
     law: "k*A*dT/dx = conductance*A*[T] across the section at x = at",
     source: "thermal contact conductance",
     parameters: &[
-        Parameter::place("at", LENGTH, "from the base", "x", (0.0, 1000.0)),
+        Parameter::place("at", LENGTH, "from the base", "x", (1.0, 1000.0)),
         Parameter::conductance("conductance", CONVECTION, "of the joint", (100.0, 50_000.0)),
     ],
     look_alikes: &[("convection", "temperatures on both sides of the joint")],

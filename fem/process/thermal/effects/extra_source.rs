@@ -15,7 +15,7 @@ static DESCRIPTION: Description = Description {
     law: "rho*c*A*dT/dt += power*delta(x - at)",
     source: "seed 002, sources of heat in machine tools",
     parameters: &[
-        Parameter::place("at", LENGTH, "from the base", "x", (0.0, 1000.0)),
+        Parameter::place("at", LENGTH, "from the base", "x", (1.0, 1000.0)),
         Parameter::amplitude("power", POWER, "heat that it gives", (0.1, 100.0)),
     ],
     look_alikes: &[("ambient-drift", "another run, at another time of day")],
