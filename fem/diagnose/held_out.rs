@@ -17,7 +17,8 @@ pub struct Folds {
 }
 
 impl Folds {
-    /// By the first label that varies; else by stretches of the first coordinate. `None` where nothing varies.
+    /// By runs that repeat each other; else by the first number of a part or set-up that varies, by words (a direction, which as a rule the
+    /// others cannot predict), or by stretches of the first coordinate. `None` where nothing varies.
     pub fn of(trial: &Trial) -> Option<Self> {
         let measurements = trial.objective.measurements;
         let coordinates = trial.objective.model.process.coordinates();
@@ -25,9 +26,13 @@ impl Folds {
             let column = &measurements.rows.columns[*i];
             measurements.given.contains(i) && column.iter().any(|v| *v != column[0])
         };
-        let label = |i: &usize| !matches!(coordinates[*i].holds, Holds::Quantity(_));
-        let varying: Vec<usize> = (0..coordinates.len()).filter(varies).collect();
-        let chosen = varying.iter().copied().find(label).or_else(|| varying.first().copied())?;
+        let rank = |i: &usize| match coordinates[*i].holds {
+            _ if coordinates[*i].repeats => 0,
+            Holds::Number(_) => 1,
+            Holds::Word(_) => 2,
+            Holds::Quantity(_) => 3,
+        };
+        let chosen = (0..coordinates.len()).filter(varies).min_by_key(rank)?;
         let column = &measurements.rows.columns[chosen];
         let mut levels = column.clone();
         levels.sort_unstable_by(f64::total_cmp);
@@ -57,7 +62,13 @@ impl Folds {
     }
 }
 
-/// (1 − J·C·Jᵀ)⁻¹·r by Woodbury, with a system of the size of the parameters: r + J·(C⁻¹ − JᵀJ)⁻¹·Jᵀ·r.
+/// Less than this part of what all rows say of some parameters is said by those that stay: they do not tell it.
+const UNTOLD: f64 = 1e-7;
+/// Of an iteration that needs a few; what is no number has no end.
+const ROUNDS: usize = 1000;
+
+/// (1 − J·C·Jᵀ)⁻¹·r by Woodbury, with a system of the size of the parameters: r + J·(C⁻¹ − JᵀJ)⁻¹·Jᵀ·r. `None` where the rows that stay
+/// leave a parameter open.
 fn held_out(jacobian: &DMatrix<f64>, covariance: &DMatrix<f64>, own: DVector<f64>) -> Option<DVector<f64>> {
     if covariance.is_empty() {
         return Some(own);
@@ -65,6 +76,13 @@ fn held_out(jacobian: &DMatrix<f64>, covariance: &DMatrix<f64>, own: DVector<f64
     let n = covariance.nrows();
     // (C⁻¹ − JᵀJ)⁻¹ = (1 − C·JᵀJ)⁻¹·C keeps what the data do not see out of an inverse.
     let inner = DMatrix::identity(n, n) - covariance * (jacobian.transpose() * jacobian);
+    // In units of each parameter's own uncertainty, so that sizes can be compared.
+    let scale = covariance.diagonal().map(f64::sqrt);
+    let scaled = DMatrix::from_fn(n, n, |i, j| inner[(i, j)] * scale[j] / scale[i]);
+    let least = scaled.try_svd(false, false, f64::EPSILON, ROUNDS).map(|svd| svd.singular_values.min());
+    if least.is_none_or(|least| least < UNTOLD) {
+        return None;
+    }
     let right = covariance * (jacobian.transpose() * &own);
     inner.lu().solve(&right).map(|v| own + jacobian * v)
 }
