@@ -12,11 +12,13 @@
 //! mesh                  plane meshes: nodes, elements, named sides; rings, rectangles, Gmsh files
 //! series                the ring by Fourier series, which the finite elements are held against
 //! solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat; plane bodies
+//! positioning           positioning tests by ISO 230-2, compensation tables
 //! process               a process and its effects: turning, …
 //! measure               measurement files
 //! model                 a model file: process, effects, what is known; run, add, schema
 //! compare               a model against measurements
 //! fit                   what a model does not know exactly, from measurements
+//! compensate            tables for a controller, and what they cannot do
 //! diagnose              which effect is missing
 //! output                text, CSV, JSON, VTK; files that appear whole
 //! cli                   the commands
@@ -24,6 +26,7 @@
 
 pub mod cli;
 pub mod compare;
+pub mod compensate;
 pub mod diagnose;
 pub mod element;
 pub mod fit;
@@ -35,6 +38,7 @@ pub mod measure;
 pub mod mesh;
 pub mod model;
 pub mod output;
+pub mod positioning;
 pub mod process;
 pub mod progress;
 pub mod series;

@@ -6,8 +6,26 @@ use std::path::{Path, PathBuf};
 
 /// From the ground up.
 const LAYERS: &[&str] = &[
-    "units", "progress", "formula", "input", "element", "material", "joint", "mesh", "series", "solve", "process",
-    "measure", "model", "compare", "fit", "diagnose", "output", "cli",
+    "units",
+    "progress",
+    "formula",
+    "input",
+    "element",
+    "material",
+    "joint",
+    "mesh",
+    "series",
+    "solve",
+    "positioning",
+    "process",
+    "measure",
+    "model",
+    "compare",
+    "fit",
+    "compensate",
+    "diagnose",
+    "output",
+    "cli",
 ];
 
 fn sources(directory: &Path, found: &mut Vec<PathBuf>) {
@@ -54,7 +72,7 @@ fn no_layer_uses_a_higher_one() {
 fn files_and_processes_stay_apart() {
     // What is above `process` knows no process by name.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("fem");
-    for layer in ["measure", "model", "compare", "fit", "diagnose", "output", "cli", "input"] {
+    for layer in ["measure", "model", "compare", "fit", "compensate", "diagnose", "output", "cli", "input"] {
         let mut files = Vec::new();
         sources(&root.join(layer), &mut files);
         for file in files {

@@ -3,6 +3,7 @@
 //! A process is read from a model file into a [`System`]; a system with its effects acting is a [`Job`], which predicts.
 //! To add a process, write its module and one line in [`ALL`].
 
+pub mod axis;
 pub mod contour;
 mod drawing;
 mod effect;
@@ -10,6 +11,7 @@ pub mod fixture;
 mod grid;
 mod observation;
 mod outcome;
+mod positioning;
 pub mod ring;
 mod segment;
 pub mod stiffness;
@@ -23,6 +25,7 @@ pub use effect::{Active, Description, Effect, Neutral, Parameter, Values, act};
 pub use grid::{Cell, Field, Frame, Grid};
 pub use observation::{Absent, Blind, Coordinate, Further, Holds, Misplaced, Observable, Places, Rows};
 pub use outcome::{Animation, Column, Finding, Outcome, Plot, Table};
+pub use positioning::Positioning;
 pub use segment::Segment;
 pub use validation::{Case, Tolerance};
 use validation::{row, set_up};
@@ -32,8 +35,15 @@ use crate::input::Reader;
 use crate::progress::Progress;
 
 /// Every process the program knows.
-pub const ALL: &[&dyn Process] =
-    &[&turning::Turning, &ring::Ring, &thermal::Thermal, &fixture::Fixture, &stiffness::Stiffness, &contour::Contour];
+pub const ALL: &[&dyn Process] = &[
+    &turning::Turning,
+    &ring::Ring,
+    &thermal::Thermal,
+    &fixture::Fixture,
+    &stiffness::Stiffness,
+    &axis::Axis,
+    &contour::Contour,
+];
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {
@@ -96,6 +106,11 @@ pub trait System: Send + Sync {
 
     /// What else could be measured beside these rows, for causes that they cannot tell apart.
     fn menu(&self, rows: &Rows) -> Vec<Further>;
+
+    /// What the rows are as a positioning test, where they are one: then errors can be compensated.
+    fn positioning(&self) -> Option<&dyn Positioning> {
+        None
+    }
 
     /// The system with effects acting, ready to predict.
     fn equip(&self, effects: &[Active]) -> Box<dyn Job>;

@@ -2,6 +2,7 @@
 //! in a rod from a tool that travels (`heat`) and from sources that are switched (`rod`);
 //! plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
+mod bar;
 pub mod beam;
 pub mod conduction;
 pub mod elastic;
@@ -14,5 +15,6 @@ pub mod rod;
 mod shaft;
 pub mod sparse;
 
+pub use bar::Bar;
 pub use equilibrium::{Equilibrium, JointsError, solve_joints};
 pub use shaft::{Condensed, Hold, Rest, Shaft, ShaftError};

@@ -1,0 +1,169 @@
+//! The statistics of a positioning test by ISO 230-2: means and scatter of every target from either side.
+
+use super::{Approach, Direction, Quantity};
+
+/// The edition whose names are used; the formulas have been the same since 1997 (coverage factor 2, s with n − 1).
+pub const EDITION: &str = "ISO 230-2:2014";
+
+/// Targets nearer than this (m) are one.
+const SAME: f64 = 1e-9;
+
+/// The approaches to a target from one side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Side {
+    /// x̄, the mean of the deviations, m.
+    pub mean: f64,
+    /// s, their standard deviation with n − 1, m; `None` of a single approach.
+    pub scatter: Option<f64>,
+    /// n.
+    pub count: usize,
+}
+
+/// A target with what was found there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// Commanded, m.
+    pub position: f64,
+    /// Approached forwards.
+    pub forward: Option<Side>,
+    /// Approached backwards.
+    pub backward: Option<Side>,
+}
+
+/// A positioning test by its targets, in rising order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluation {
+    /// What was found at each.
+    pub targets: Vec<Target>,
+}
+
+impl Side {
+    fn of(deviations: &[f64]) -> Option<Self> {
+        let count = deviations.len();
+        let mean = deviations.iter().sum::<f64>() / count as f64;
+        let squares: f64 = deviations.iter().map(|d| (d - mean).powi(2)).sum();
+        let scatter = (count > 1).then(|| (squares / (count - 1) as f64).sqrt());
+        (count > 0).then_some(Self { mean, scatter, count })
+    }
+
+    /// Unidirectional repeatability R_i = 4 s_i, m.
+    pub fn repeatability(&self) -> Option<f64> {
+        Some(4.0 * self.scatter?)
+    }
+
+    /// x̄ − 2s and x̄ + 2s, m.
+    pub fn band(&self) -> Option<(f64, f64)> {
+        let s = self.scatter?;
+        Some((self.mean - 2.0 * s, self.mean + 2.0 * s))
+    }
+}
+
+impl Target {
+    /// What was found from one side.
+    pub fn side(&self, direction: Direction) -> Option<&Side> {
+        match direction {
+            Direction::Forward => self.forward.as_ref(),
+            Direction::Backward => self.backward.as_ref(),
+        }
+    }
+
+    /// The sides from which it was approached.
+    pub fn sides(&self) -> impl Iterator<Item = &Side> {
+        self.forward.iter().chain(&self.backward)
+    }
+
+    /// B_i = x̄_i↑ − x̄_i↓, m.
+    pub fn reversal(&self) -> Option<f64> {
+        Some(self.forward?.mean - self.backward?.mean)
+    }
+
+    /// x̄_i = (x̄_i↑ + x̄_i↓)/2, m.
+    pub fn mean(&self) -> Option<f64> {
+        Some(0.5 * (self.forward?.mean + self.backward?.mean))
+    }
+
+    /// R_i = max(2s_i↑ + 2s_i↓ + |B_i|, R_i↑, R_i↓), m.
+    pub fn repeatability(&self) -> Option<f64> {
+        let (forward, backward) = (self.forward?, self.backward?);
+        let both = 2.0 * forward.scatter? + 2.0 * backward.scatter? + self.reversal()?.abs();
+        Some(both.max(forward.repeatability()?).max(backward.repeatability()?))
+    }
+}
+
+impl Evaluation {
+    /// The evaluation of approaches and the deviation of each, in any order.
+    pub fn of(approaches: &[Approach], deviations: &[f64]) -> Self {
+        let mut order: Vec<usize> = (0..approaches.len()).collect();
+        order.sort_by(|a, b| approaches[*a].position.total_cmp(&approaches[*b].position));
+        let mut groups: Vec<(f64, [Vec<f64>; 2])> = Vec::new();
+        for row in order {
+            let Approach { position, direction, .. } = approaches[row];
+            if groups.last().is_none_or(|(at, _)| position - at > SAME) {
+                groups.push((position, Default::default()));
+            }
+            if let Some((_, sides)) = groups.last_mut() {
+                sides[usize::from(direction == Direction::Backward)].push(deviations[row]);
+            }
+        }
+        let target = |(position, [forward, backward]): &(f64, [Vec<f64>; 2])| Target {
+            position: *position,
+            forward: Side::of(forward),
+            backward: Side::of(backward),
+        };
+        Self { targets: groups.iter().map(target).collect() }
+    }
+
+    /// Its targets from one place to another, both included.
+    pub fn within(&self, from: f64, to: f64) -> Self {
+        let inside = |t: &&Target| (from - SAME..=to + SAME).contains(&t.position);
+        Self { targets: self.targets.iter().filter(inside).copied().collect() }
+    }
+
+    /// Fewest approaches to any target from any side.
+    pub fn runs(&self) -> usize {
+        self.targets.iter().flat_map(Target::sides).map(|s| s.count).min().unwrap_or(0)
+    }
+
+    /// First and last target, m.
+    pub fn ends(&self) -> (f64, f64) {
+        let at = |t: Option<&Target>| t.map_or(f64::NAN, |t| t.position);
+        (at(self.targets.first()), at(self.targets.last()))
+    }
+
+    /// Largest standard uncertainty of a mean, s/√n, m; 0 where no target was approached twice from a side.
+    pub fn uncertainty(&self) -> f64 {
+        let of = |side: &Side| Some(side.scatter? / (side.count as f64).sqrt());
+        self.targets.iter().flat_map(Target::sides).filter_map(of).fold(0.0, f64::max)
+    }
+
+    /// A = max(x̄_i + 2s_i) − min(x̄_i − 2s_i) over both directions, m.
+    pub fn accuracy(&self) -> Option<f64> {
+        Quantity::find(&self.quantities(), "A")
+    }
+
+    /// R = max R_i, m.
+    pub fn repeatability(&self) -> Option<f64> {
+        Quantity::find(&self.quantities(), "R")
+    }
+
+    /// What the standard departs from in this test, as sentences.
+    pub fn departures(&self) -> Vec<String> {
+        let mut departures = Vec::new();
+        let (from, to) = self.ends();
+        let wanted = 5.0f64.max(5.0 * (to - from).min(2.0)).ceil() as usize;
+        if self.targets.len() < wanted {
+            let given = self.targets.len();
+            departures
+                .push(format!("{given} targets: the standard asks for five a metre and five at least, here {wanted}"));
+        }
+        if self.runs() < 5 {
+            let runs = self.runs();
+            departures
+                .push(format!("{runs} approaches from a side where there are fewest: the standard asks for five"));
+        }
+        if self.targets.iter().any(|t| t.forward.is_none() || t.backward.is_none()) {
+            departures.push("some targets were approached from one side only: B and R are of the others".into());
+        }
+        departures
+    }
+}

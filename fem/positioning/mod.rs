@@ -1,0 +1,47 @@
+//! Positioning tests of a linear axis: targets that are approached again and again from both sides; their evaluation, and the tables by which
+//! a controller makes errors good. Nothing here knows a model or a file. SI units; a deviation is the actual less the commanded position.
+
+mod evaluation;
+mod pitch;
+mod quantity;
+mod table;
+mod tolerance;
+
+pub use evaluation::{EDITION, Evaluation, Side, Target};
+pub use pitch::{PitchErrors, Reversal, Step};
+pub use quantity::Quantity;
+pub use table::{Law, Node, Table};
+pub use tolerance::{Check, Tolerance};
+
+/// From which side a target is approached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Towards larger positions, `+`, ↑.
+    Forward,
+    /// Towards smaller positions, `-`, ↓.
+    Backward,
+}
+
+/// One approach to a target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Approach {
+    /// Commanded, m.
+    pub position: f64,
+    /// From which side.
+    pub direction: Direction,
+    /// Number of the run.
+    pub run: f64,
+}
+
+impl Direction {
+    /// Both, forward first.
+    pub const BOTH: [Self; 2] = [Self::Forward, Self::Backward];
+
+    /// As measurement files write it.
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Forward => "+",
+            Self::Backward => "-",
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! Compensation tables: what a controller adds to the commanded position.
+
+use super::{Approach, Direction, Evaluation, Reversal};
+
+/// How a controller goes from one entry to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// Linearly between the points.
+    Points,
+    /// In segments: each entry holds from midway to midway.
+    Segments,
+}
+
+/// What is added at a position. m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Commanded.
+    pub position: f64,
+    /// Added on the way forwards.
+    pub forward: f64,
+    /// Added on the way backwards.
+    pub backward: f64,
+}
+
+/// A compensation table. Beyond its ends the last entry holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Between the entries.
+    pub law: Law,
+    /// In rising order.
+    pub nodes: Vec<Node>,
+}
+
+impl Table {
+    /// One pitch table for both directions and one value for backlash: at each target the mean error of both sides is taken out, and what its
+    /// reversal differs from the backlash value by stays, half on either side. Entries are rounded to the controller's resolution (m; 0 for none).
+    pub fn with_backlash(evaluation: &Evaluation, law: Law, resolution: f64) -> Self {
+        let backlash = rounded(Reversal::of(evaluation).map_or(0.0, |r| r.value), resolution);
+        let node = |target: &super::Target| {
+            let forward = target.forward.map(|s| s.mean);
+            let backward = target.backward.map(|s| s.mean - backlash);
+            let error = match (forward, backward) {
+                (Some(forward), Some(backward)) => 0.5 * (forward + backward),
+                (one, other) => one.or(other).unwrap_or(0.0),
+            };
+            let forward = rounded(-error, resolution);
+            Node { position: target.position, forward, backward: forward - backlash }
+        };
+        Self { law, nodes: evaluation.targets.iter().map(node).collect() }
+    }
+
+    /// A table for each direction: at each target the mean error of either side is taken out whole.
+    pub fn both_directions(evaluation: &Evaluation, law: Law, resolution: f64) -> Self {
+        let node = |target: &super::Target| {
+            let mean = |direction| target.side(direction).map(|s| s.mean);
+            let (forward, backward) = (mean(Direction::Forward), mean(Direction::Backward));
+            let entry = |own: Option<f64>, other: Option<f64>| rounded(-own.or(other).unwrap_or(0.0), resolution);
+            Node { position: target.position, forward: entry(forward, backward), backward: entry(backward, forward) }
+        };
+        Self { law, nodes: evaluation.targets.iter().map(node).collect() }
+    }
+
+    /// The backlash value, where it is one: what is taken off on the way backwards at every entry.
+    pub fn backlash(&self) -> f64 {
+        self.nodes.first().map_or(0.0, |n| n.forward - n.backward)
+    }
+
+    /// What is added to the commanded position, m.
+    pub fn correction(&self, position: f64, direction: Direction) -> f64 {
+        let entry = |i: usize| match direction {
+            Direction::Forward => self.nodes[i].forward,
+            Direction::Backward => self.nodes[i].backward,
+        };
+        let last = match self.nodes.len() {
+            0 => return 0.0,
+            count => count - 1,
+        };
+        let next = self.nodes.partition_point(|n| n.position <= position);
+        if next == 0 || next > last {
+            return entry(next.min(last));
+        }
+        let (a, b) = (self.nodes[next - 1].position, self.nodes[next].position);
+        let part = (position - a) / (b - a);
+        match self.law {
+            Law::Points => entry(next - 1) + part * (entry(next) - entry(next - 1)),
+            Law::Segments => entry(if part < 0.5 { next - 1 } else { next }),
+        }
+    }
+
+    /// Deviations as they would be with the table in the controller.
+    pub fn applied(&self, approaches: &[Approach], deviations: &[f64]) -> Vec<f64> {
+        let of = |(a, d): (&Approach, &f64)| d + self.correction(a.position, a.direction);
+        approaches.iter().zip(deviations).map(of).collect()
+    }
+}
+
+fn rounded(value: f64, resolution: f64) -> f64 {
+    if resolution > 0.0 { (value / resolution).round() * resolution } else { value }
+}

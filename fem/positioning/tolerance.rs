@@ -1,0 +1,57 @@
+//! What an axis is allowed.
+
+use super::Evaluation;
+
+/// Limits of a machining centre by seed 001: ±0.01 mm on any 300 mm, 0.04 mm over the whole travel, ±0.005 mm of repeatability. m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// ± on any `length`.
+    pub per_length: f64,
+    /// Over which `per_length` holds.
+    pub length: f64,
+    /// Over the whole travel, from end to end of the band.
+    pub travel: f64,
+    /// ±, both directions together.
+    pub repeatability: f64,
+}
+
+/// One of them, held against a test. m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// For programs.
+    pub key: &'static str,
+    /// For people.
+    pub name: String,
+    /// Width of the band that is allowed.
+    pub limit: f64,
+    /// Width that was found; `None` where the test does not give it.
+    pub value: Option<f64>,
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self { per_length: 10e-6, length: 0.3, travel: 40e-6, repeatability: 5e-6 }
+    }
+}
+
+impl Check {
+    /// Whether the limit is kept; what is not known does not pass.
+    pub fn passed(&self) -> bool {
+        self.value.is_some_and(|v| v <= self.limit)
+    }
+}
+
+impl Tolerance {
+    /// Accuracy on any `length`, accuracy over the whole, and repeatability, by ISO 230-2's A and R against the whole width of each band.
+    pub fn checks(&self, evaluation: &Evaluation) -> Vec<Check> {
+        let windows = evaluation.targets.iter().map(|t| evaluation.within(t.position, t.position + self.length));
+        let widest = windows.filter_map(|w| w.accuracy()).reduce(f64::max);
+        let mm = |m: f64| ((m * 1e9).round() / 1e6).to_string();
+        let check = |key, name, limit, value| Check { key, name, limit, value };
+        vec![
+            check("per_length", format!("accuracy A on any {} mm", mm(self.length)), 2.0 * self.per_length, widest),
+            check("travel", "accuracy A over all targets".into(), self.travel, evaluation.accuracy()),
+            check("repeatability", "repeatability R".into(), 2.0 * self.repeatability, evaluation.repeatability()),
+        ]
+    }
+}

@@ -1,0 +1,40 @@
+//! The reference point is off.
+//!
+//! The same offset (m) everywhere: the reference switch, or where the comparison was set to zero. ISO 230-2 quantities do not see it.
+
+use super::super::Machine;
+use crate::process::{Description, Effect, Parameter, Values};
+use crate::units::MICRO;
+
+/// `reference-shift`.
+pub struct ReferenceShift;
+
+static DESCRIPTION: Description = Description {
+    name: "reference-shift",
+    about: "the reference point is off",
+    law: "deviation += offset",
+    source: "seed 001, readings from a reference point",
+    parameters: &[Parameter::signed("offset", MICRO, "of the reference point", (-100.0, 100.0))],
+    look_alikes: &[],
+};
+
+impl Effect<Machine> for ReferenceShift {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn act(&self, values: &Values, machine: &mut Machine) {
+        let offset = values["offset"];
+        machine.add(move |_| offset);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bench::*;
+
+    #[test]
+    fn everything_is_shifted() {
+        assert_eq!(both("reference-shift", &[-4.5], 123.0), [-4.5, -4.5]);
+    }
+}

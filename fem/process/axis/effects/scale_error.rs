@@ -1,0 +1,41 @@
+//! The scale is wrong: the screw's lead or the encoder's pitch is off all along.
+//!
+//! slope·x, slope in m/m. At the position 0 nothing is wrong, wherever the travel begins.
+
+use super::super::Machine;
+use crate::process::{Description, Effect, Parameter, Values};
+use crate::units::SLOPE;
+
+/// `scale-error`.
+pub struct ScaleError;
+
+static DESCRIPTION: Description = Description {
+    name: "scale-error",
+    about: "lead or scale is off all along the travel",
+    law: "deviation += slope*position",
+    source: "seed 001, pitch errors",
+    parameters: &[Parameter::signed("slope", SLOPE, "error per length", (-200.0, 200.0))],
+    look_alikes: &[("thermal-growth", "cold and warm: growth follows the time, a scale does not")],
+};
+
+impl Effect<Machine> for ScaleError {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn act(&self, values: &Values, machine: &mut Machine) {
+        let slope = values["slope"];
+        machine.add(move |at| slope * at.position);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bench::*;
+
+    #[test]
+    fn a_long_scale_overshoots_in_proportion() {
+        assert_eq!(both("scale-error", &[20.0], 250.0), [5.0, 5.0]);
+        assert_eq!(both("scale-error", &[20.0], -50.0), [-1.0, -1.0]);
+    }
+}

@@ -1,0 +1,70 @@
+//! The screw and its nut in space, target by target of a run.
+
+use std::sync::Arc;
+
+use super::job::Axis;
+use super::machine::Machine;
+use super::model::Setup;
+use super::observe;
+use crate::positioning::Direction;
+use crate::process::{Animation, Cell, Field, Frame, Grid};
+
+/// Elements of the screw that is shown.
+const ELEMENTS: usize = 100;
+/// Frames, at most.
+const MOST_FRAMES: usize = 400;
+
+/// The first run, there and back; time is the position of the nut along the way.
+///
+/// Points are the nodes of the screw on its axis (x, 0, 0), then the nut as commanded. `displacement` is along the axis: the screw's stretch under the
+/// friction of the slide, and the deviation of the nut. `force` is what the slide's friction does to them.
+pub fn animation(axis: &Axis) -> Animation {
+    let setup = &axis.machine.setup;
+    let programme = observe::programme(setup);
+    let count = (2 * setup.test.positions).min(MOST_FRAMES);
+    let one = |row: usize| {
+        let at = observe::moment(&programme, row * (2 * setup.test.positions) / count);
+        (at, axis.deviation(&at))
+    };
+    let stops: Vec<_> = (0..count).map(one).collect();
+    let machine: Arc<Machine> = axis.machine.clone();
+    let frame = move |i: usize| {
+        let (at, deviation) = stops[i];
+        let sign = if at.direction == Direction::Forward { -1.0 } else { 1.0 };
+        let force = sign * machine.lost.map_or(0.0, |l| l.friction);
+        Frame { time: i as f64, grid: grid(&machine.setup, at.position, force, deviation) }
+    };
+    Animation { name: "axis", frames: count, frame: Box::new(frame) }
+}
+
+fn grid(setup: &Setup, nut: f64, force: f64, deviation: f64) -> Grid {
+    let screw = setup.screw();
+    let ends = screw.held.iter().copied().chain([setup.from, setup.from + setup.travel, nut]);
+    let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+    let mut nodes: Vec<f64> = screw.held.clone();
+    let beside = |nodes: &[f64], x: f64| nodes.iter().all(|n| (n - x).abs() > 1e-9 * (high - low));
+    let even = (0..=ELEMENTS).map(|i| low + (high - low) * i as f64 / ELEMENTS as f64);
+    for x in std::iter::once(nut).chain(even) {
+        if beside(&nodes, x) {
+            nodes.push(x);
+        }
+    }
+    nodes.sort_unstable_by(f64::total_cmp);
+    let distance = |i: &usize| (nodes[*i] - nut).abs();
+    let loaded = (0..nodes.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
+    let stretch = screw.displacements(&nodes, loaded, force);
+    let mut grid = Grid { points: nodes.iter().map(|x| [*x, 0.0, 0.0]).collect(), ..Grid::default() };
+    for i in 1..nodes.len() as u32 {
+        grid.push(Cell::Line, &[i - 1, i]);
+    }
+    grid.push(Cell::Vertex, &[grid.points.len() as u32]);
+    grid.points.push([nut, 0.0, 0.0]);
+    let along = |x: f64| [x, 0.0, 0.0];
+    let mut forces = vec![[0.0; 3]; nodes.len()];
+    forces[loaded] = along(force);
+    grid.point_fields = vec![
+        Field::vector("displacement", stretch.into_iter().chain([deviation]).map(along).collect()),
+        Field::vector("force", forces.into_iter().chain([[0.0; 3]]).collect()),
+    ];
+    grid
+}

@@ -1,0 +1,58 @@
+//! What each effect does to a position, by hand.
+
+use super::rig::*;
+use crate::positioning::Direction::{Backward, Forward};
+use crate::process::Case;
+
+pub fn cases() -> Vec<Case> {
+    let scale = axis("[scale-error]\nslope = \"25 um/m\"");
+    let periodic = axis("[periodic-error]\namplitude = \"3 um\"\nphase = \"-40 deg\"");
+    let gap = axis("[backlash]\ngap = \"7 um\"");
+    let elastic = axis("[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"");
+    let growth = axis("[thermal-growth]\nslope = \"40 um/m\"\ntime_constant = \"15 min\"");
+    let abbe = axis("[abbe-error]\nheight = \"-9 um\"");
+    let shift = axis("[reference-shift]\noffset = \"-4.5 um\"");
+    let all = axis(
+        "[backlash]\ngap = \"7 um\"\n[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"\n[scale-error]\nslope = \"25 um/m\"",
+    );
+    let um = |name: &str, expected: f64, computed: f64, source| {
+        row(name, "deviation", (expected, computed, "um"), CANCELLED, source)
+    };
+    let stretch = |x: f64| 1e6 * 600.0 * x / rigidity();
+    let warmed = |minutes: f64| 40.0 * (1.0 - (-minutes / 15.0f64).exp());
+    let degrees = f64::to_radians;
+    let (kinematic, spring, sine) = ("seed 000, y = x - delta", "seed 000, y = x - F/C", "A sin(2 pi x/lead + phase)");
+    let lost = |axis, x| deviation(axis, x, Backward, 0.0) - deviation(axis, x, Forward, 0.0);
+    vec![
+        um("scale of 25 um/m at 400 mm", 10.0, deviation(&scale, 400.0, Forward, 0.0), "slope*x"),
+        um("scale of 25 um/m at -40 mm", -1.0, deviation(&scale, -40.0, Backward, 0.0), "slope*x"),
+        um("turn's error on a whole turn", 3.0 * degrees(-40.0).sin(), deviation(&periodic, 250.0, Forward, 0.0), sine),
+        um("turn's error a quarter on", 3.0 * degrees(50.0).sin(), deviation(&periodic, 252.5, Backward, 0.0), sine),
+        um("play, forwards", 0.0, deviation(&gap, 300.0, Forward, 0.0), kinematic),
+        um("play, backwards", 7.0, deviation(&gap, 300.0, Backward, 0.0), kinematic),
+        um("wind-up at the bearing, forwards", -3.0, deviation(&elastic, 50.0, Forward, 0.0), spring),
+        um("wind-up at the bearing, backwards", 3.0, deviation(&elastic, 50.0, Backward, 0.0), spring),
+        um("wind-up at 800 mm, forwards", -3.0 - stretch(0.75), deviation(&elastic, 800.0, Forward, 0.0), spring),
+        um("wind-up at 800 mm, backwards", 3.0 + stretch(0.75), deviation(&elastic, 800.0, Backward, 0.0), spring),
+        um("wind-up before the bearing", -3.0 - stretch(0.05), deviation(&elastic, 0.0, Forward, 0.0), spring),
+        um("lost motion of play and wind-up", 7.0 + 6.0 + 2.0 * stretch(0.35), lost(&all, 400.0), "delta + 2F/C"),
+        um("lost motion of a scale", 0.0, lost(&scale, 400.0), "a scale is the same both ways"),
+        um("cold screw", 0.0, deviation(&growth, 800.0, Forward, 0.0), "1 - exp(-t/tau)"),
+        um(
+            "screw after 15 min at 800 mm",
+            0.75 * warmed(15.0),
+            deviation(&growth, 800.0, Forward, 15.0),
+            "1 - exp(-t/tau)",
+        ),
+        um(
+            "screw after 60 min, before the bearing",
+            -0.05 * warmed(60.0),
+            deviation(&growth, 0.0, Backward, 60.0),
+            "1 - exp(-t/tau)",
+        ),
+        um("pitching slide, middle", -9.0, deviation(&abbe, 400.0, Forward, 0.0), "4 h s(1 - s)"),
+        um("pitching slide, a quarter", -6.75, deviation(&abbe, 200.0, Backward, 0.0), "4 h s(1 - s)"),
+        um("pitching slide, end", 0.0, deviation(&abbe, 800.0, Forward, 0.0), "4 h s(1 - s)"),
+        um("reference off", -4.5, deviation(&shift, 123.0, Backward, 7.0), "the same everywhere"),
+    ]
+}

@@ -1,0 +1,22 @@
+//! What a process has to tell whose observations are positioning tests, so that `compensate` need not know it by name.
+
+use super::Rows;
+use crate::positioning::{Approach, Tolerance};
+
+/// A system that moves to targets from either side.
+pub trait Positioning {
+    /// Which approach each row is, in their order.
+    fn approaches(&self, rows: &Rows) -> Vec<Approach>;
+
+    /// Rows that stand close enough to show what lies between the targets of `rows`, in both directions.
+    fn between(&self, rows: &Rows) -> Rows;
+
+    /// What is allowed.
+    fn tolerance(&self) -> Tolerance;
+
+    /// To which a controller rounds its compensation, m; 0 for none.
+    fn resolution(&self) -> f64;
+
+    /// How far the drive gives way at a position by its own length, m/N: the part of elastic lost motion that varies along the travel.
+    fn screw_compliance(&self, position: f64) -> f64;
+}
