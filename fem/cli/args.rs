@@ -38,6 +38,8 @@ pub enum Command {
     Diagnose(Diagnose),
     /// Before measuring: what could be seen, what would look alike
     Plan(Plan),
+    /// An axis: backlash value, pitch tables, what they leave, and what they cannot do
+    Compensate(Compensate),
     /// The catalogue of effects: law, parameters, units, neutral value, source
     Effects(Effects),
     /// Write a model with one more effect
@@ -153,6 +155,29 @@ pub struct Plan {
     /// Standard uncertainty of a row, where the design has no column u; once for each observable
     #[arg(long, value_name = "SIZE")]
     pub noise: Vec<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "The test is evaluated by ISO 230-2; what the model leaves open (`+-`, `?`) is fitted to it first. With -o, what is entered into a
+controller stands in points.csv, segments.csv, both-directions.csv and linuxcnc.comp, and what is left along the travel in predicted.csv.
+
+Examples:
+  fem compensate axis.toml --with test.csv
+  fem compensate axis.toml --with test.csv -o tables"
+)]
+pub struct Compensate {
+    /// The model file, of a process that moves to targets
+    pub model: PathBuf,
+    /// The positioning test
+    #[arg(long, value_name = "DATA.csv")]
+    pub with: PathBuf,
+    /// Where to write the tables; nothing is written if left out
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

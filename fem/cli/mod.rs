@@ -3,6 +3,7 @@
 mod add;
 mod args;
 mod compare;
+mod compensate;
 mod diagnose;
 mod effects;
 mod error;
@@ -31,6 +32,7 @@ pub fn main() -> ExitCode {
         Command::Compare(args) => compare::run(&args),
         Command::Fit(args) => fit::run(&args),
         Command::Diagnose(args) => diagnose::run(&args),
+        Command::Compensate(args) => compensate::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Effects(args) => effects::effects(&args),
         Command::Add(args) => add::add(&args),

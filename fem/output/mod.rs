@@ -1,6 +1,7 @@
 //! Writing results: for people, for programs, for ParaView. Files appear whole or not at all.
 
 pub mod comparison;
+pub mod compensation;
 pub mod csv;
 pub mod diagnosis;
 pub mod files;

@@ -3,8 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod add;
+mod axis;
 mod bad_input;
 mod compare;
+mod compensate;
 mod contour;
 mod fem;
 mod files;

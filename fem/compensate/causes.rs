@@ -1,0 +1,115 @@
+//! What stands in the way of a tolerance that tables do not reach, and where to look for it in the machine [seed 001].
+
+use super::Verdict;
+use crate::positioning::{Approach, Evaluation, Reversal, Side, Target};
+
+/// Where a mechanic looks first when the resistance along the travel is uneven, or the axis does not come back to the same place.
+const PLACES: &str = "gibs that fit unevenly, lubrication, the seat of the screw and its bearings";
+/// What is this large a part of the scatter is its cause.
+const MAIN: f64 = 0.5;
+/// A variance is more than another, of which it would be a draw, when it is so many times as large.
+const UNEVEN: f64 = 2.5;
+/// Fewest approaches by which a drift is judged.
+const RUNS: usize = 3;
+
+/// Something in the way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cause {
+    /// For programs.
+    pub key: &'static str,
+    /// What was found, in a sentence.
+    pub finding: String,
+    /// What to do.
+    pub remedy: String,
+}
+
+/// What keeps the axis from its tolerance. Where a table for each direction does it, the reversal is uneven; where none does, it scatters.
+pub fn causes(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation, verdict: Verdict) -> Vec<Cause> {
+    match verdict {
+        Verdict::Within | Verdict::Compensation | Verdict::Unknown => Vec::new(),
+        Verdict::BothDirections => uneven(evaluation).into_iter().collect(),
+        Verdict::Repair => {
+            let uneven = uneven(evaluation).filter(|_| varies(evaluation));
+            uneven.into_iter().chain([scatter(approaches, deviations, evaluation)]).collect()
+        }
+    }
+}
+
+fn uneven(evaluation: &Evaluation) -> Option<Cause> {
+    let rest = 1e6 * Reversal::of(evaluation)?.rest;
+    Some(Cause {
+        key: "uneven_reversal",
+        finding: format!(
+            "the reversal varies along the travel: {rest:.3} um either way stay beside any single backlash value"
+        ),
+        remedy: format!(
+            "the slide must go equally hard all along, look at {PLACES}; or enter a table for each direction"
+        ),
+    })
+}
+
+/// Whether the reversal varies by more than the means are uncertain.
+fn varies(evaluation: &Evaluation) -> bool {
+    let Some(reversal) = Reversal::of(evaluation) else { return false };
+    let n = reversal.lost.len() as f64;
+    let mean = reversal.lost.iter().map(|b| b.1).sum::<f64>() / n;
+    let variance = reversal.lost.iter().map(|b| (b.1 - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
+    let of_mean = |side: &Side| side.scatter.map_or(0.0, |s| s * s / side.count as f64);
+    let of_means = evaluation.targets.iter().flat_map(Target::sides).map(of_mean).sum::<f64>() / n;
+    variance > UNEVEN * of_means
+}
+
+/// Scatter is what no table removes. Where most of it is a drift over the runs, it is warmth.
+fn scatter(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation) -> Cause {
+    let largest = evaluation.targets.iter().flat_map(Target::sides).filter_map(Side::repeatability).fold(0.0, f64::max);
+    let drift = Drift::of(approaches, deviations);
+    let found =
+        format!("approaches from one side scatter by 4s = {:.3} um where most, which no table removes", 1e6 * largest);
+    if drift.part > MAIN {
+        let (percent, moved) = (100.0 * drift.part, 1e6 * drift.moved);
+        return Cause {
+            key: "drift",
+            finding: format!(
+                "{found}; {percent:.0} % of it is a drift over the runs, {moved:+.3} um from first to last where most"
+            ),
+            remedy: "the axis warms as it works: warm it up first, cool the screw, or compensate by temperature".into(),
+        };
+    }
+    Cause { key: "scatter", finding: found, remedy: format!("look at {PLACES}") }
+}
+
+/// How the deviations move over the runs.
+struct Drift {
+    /// Part of the scatter about the targets' means that is a straight line over the runs.
+    part: f64,
+    /// The largest rise from the first run to the last, m.
+    moved: f64,
+}
+
+impl Drift {
+    fn of(approaches: &[Approach], deviations: &[f64]) -> Self {
+        let mut rows: Vec<usize> = (0..approaches.len()).collect();
+        let place = |row: &usize| (approaches[*row].position, approaches[*row].direction.sign());
+        rows.sort_by(|a, b| place(a).0.total_cmp(&place(b).0).then(place(a).1.cmp(place(b).1)));
+        let (mut straight, mut all, mut largest) = (0.0, 0.0, 0.0f64);
+        for own in rows.chunk_by(|a, b| place(a) == place(b)).filter(|own| own.len() >= RUNS) {
+            let n = own.len() as f64;
+            let run = own.iter().map(|r| approaches[*r].run).sum::<f64>() / n;
+            let mean = own.iter().map(|r| deviations[*r]).sum::<f64>() / n;
+            let spread: f64 = own.iter().map(|r| (approaches[*r].run - run).powi(2)).sum();
+            if spread == 0.0 {
+                continue;
+            }
+            let along: f64 = own.iter().map(|r| (approaches[*r].run - run) * (deviations[*r] - mean)).sum();
+            let squares: f64 = own.iter().map(|r| (deviations[*r] - mean).powi(2)).sum();
+            // Of pure noise a line takes 1/(n − 1).
+            straight += along * along / spread - squares / (n - 1.0);
+            all += squares;
+            let runs = own.iter().map(|r| approaches[*r].run);
+            let (first, last) = runs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), r| (a.min(r), b.max(r)));
+            let moved = along / spread * (last - first);
+            largest = if moved.abs() > largest.abs() { moved } else { largest };
+        }
+        Self { part: if all > 0.0 { straight.max(0.0) / all } else { 0.0 }, moved: largest }
+    }
+}

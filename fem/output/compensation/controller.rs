@@ -1,0 +1,141 @@
+//! Tables as controllers take them.
+//!
+//! A value that is *added* goes onto the commanded position; it is what the deviation was, with the other sign.
+
+use std::fmt::Write;
+
+use crate::compensate::{Compensation, Course};
+use crate::positioning::{Direction, Table as Entries};
+use crate::process::{Column, Table};
+
+/// LinuxCNC's limit for a joint.
+const MOST_TRIPLETS: usize = 256;
+
+fn um(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    // To a thousandth of a nanometre: what is beyond is round-off of sums.
+    values.map(|m| (m * 1e12).round() / 1e6).collect()
+}
+
+fn mm(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    values.map(|m| (m * 1e12).round() / 1e9).collect()
+}
+
+/// One row a point: what is added there, from point to point linearly, and how much more that is than at the point before.
+pub fn points(table: &Entries) -> Table {
+    let added: Vec<f64> = table.nodes.iter().map(|n| n.forward).collect();
+    let steps = std::iter::once(0.0).chain(added.windows(2).map(|w| w[1] - w[0]));
+    Table {
+        columns: vec![
+            Column::numbers("position", Some("mm"), mm(table.nodes.iter().map(|n| n.position))),
+            Column::numbers("added", Some("um"), um(added.iter().copied())),
+            Column::numbers("increment", Some("um"), um(steps)),
+            Column::numbers("backlash", Some("um"), um(table.nodes.iter().map(|n| n.forward - n.backward))),
+        ],
+    }
+}
+
+/// One row a segment, from midway to midway between the targets, with what is added all along it.
+pub fn segments(table: &Entries) -> Table {
+    let places: Vec<f64> = table.nodes.iter().map(|n| n.position).collect();
+    let middles: Vec<f64> = places.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
+    let from = places.first().copied().into_iter().chain(middles.iter().copied());
+    let to = middles.iter().copied().chain(places.last().copied());
+    Table {
+        columns: vec![
+            Column::numbers("from", Some("mm"), mm(from)),
+            Column::numbers("to", Some("mm"), mm(to)),
+            Column::numbers("added", Some("um"), um(table.nodes.iter().map(|n| n.forward))),
+            Column::numbers("backlash", Some("um"), um(table.nodes.iter().map(|n| n.forward - n.backward))),
+        ],
+    }
+}
+
+/// One row a point, with what is added on either way.
+pub fn both_directions(table: &Entries) -> Table {
+    Table {
+        columns: vec![
+            Column::numbers("position", Some("mm"), mm(table.nodes.iter().map(|n| n.position))),
+            Column::numbers("added_forward", Some("um"), um(table.nodes.iter().map(|n| n.forward))),
+            Column::numbers("added_backward", Some("um"), um(table.nodes.iter().map(|n| n.backward))),
+        ],
+    }
+}
+
+/// LinuxCNC's screw compensation, `COMP_FILE` with `COMP_FILE_TYPE = 0`: lines of nominal, forward and reverse position in machine units (mm), the positions
+/// that are really reached; rising, without comments, at most 256. `None` where there are more. `BACKLASH` of the joint is not used then.
+pub fn linuxcnc(table: &Entries) -> Option<String> {
+    if table.nodes.len() > MOST_TRIPLETS {
+        return None;
+    }
+    let mut text = String::new();
+    for node in &table.nodes {
+        let [nominal, forward, reverse] =
+            [node.position, node.position - node.forward, node.position - node.backward].map(|m| 1e3 * m);
+        // Writing to a String does not fail.
+        let _ = writeln!(text, "{nominal:.6} {forward:.6} {reverse:.6}");
+    }
+    Some(text)
+}
+
+/// The modelled axis along its travel, before and after.
+pub fn predicted(compensation: &Compensation) -> Table {
+    let [points, segments, both] = &compensation.schemes;
+    let course = &points.modelled;
+    let before = course
+        .approaches
+        .iter()
+        .zip(&course.deviations)
+        .map(|(a, d)| d - points.table.correction(a.position, a.direction));
+    let after = |name, course: &Course| Column::numbers(name, Some("um"), um(course.deviations.iter().copied()));
+    let backward = |a: &crate::positioning::Approach| f64::from(u8::from(a.direction == Direction::Backward));
+    Table {
+        columns: vec![
+            Column::numbers("position", Some("mm"), mm(course.approaches.iter().map(|a| a.position))),
+            Column::words("direction", course.approaches.iter().map(backward).collect(), &["+", "-"]),
+            Column::numbers("deviation", Some("um"), um(before)),
+            after("with_points", &points.modelled),
+            after("with_segments", &segments.modelled),
+            after("with_both_directions", &both.modelled),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::positioning::{Law, Node};
+
+    /// Adds −2, −4 and 1 um, and 3 um less on the way back.
+    fn table(law: Law) -> Entries {
+        let node = |(mm, um): (f64, f64)| Node { position: 1e-3 * mm, forward: 1e-6 * um, backward: 1e-6 * (um - 3.0) };
+        Entries { law, nodes: [(0.0, -2.0), (100.0, -4.0), (250.5, 1.0)].map(node).into() }
+    }
+
+    fn lines(table: &Table) -> Vec<String> {
+        super::super::csv::table(table).lines().map(str::to_string).collect()
+    }
+
+    #[test]
+    fn tables_say_what_is_added() {
+        let points = lines(&points(&table(Law::Points)));
+        assert_eq!(
+            points,
+            ["position [mm],added [um],increment [um],backlash [um]", "0,-2,0,3", "100,-4,-2,3", "250.5,1,5,3"]
+        );
+        let segments = lines(&segments(&table(Law::Segments)));
+        assert_eq!(segments[1..], ["0,50,-2,3", "50,175.25,-4,3", "175.25,250.5,1,3"]);
+        assert_eq!(lines(&both_directions(&table(Law::Points)))[1..], ["0,-2,-5", "100,-4,-7", "250.5,1,-2"]);
+    }
+
+    #[test]
+    fn linuxcnc_is_told_where_the_axis_really_goes() {
+        // 2 um are taken off where the axis goes 2 um too far.
+        let text = linuxcnc(&table(Law::Points)).unwrap();
+        assert_eq!(
+            text,
+            "0.000000 0.002000 0.005000\n100.000000 100.004000 100.007000\n250.500000 250.499000 250.502000\n"
+        );
+        let nodes = vec![table(Law::Points).nodes[0]; 257];
+        assert_eq!(linuxcnc(&Entries { law: Law::Points, nodes }), None);
+    }
+}

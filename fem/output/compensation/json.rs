@@ -1,0 +1,112 @@
+//! `fem-compensation/1`.
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::compensate::{Compensation, LostMotion, Rules, Scheme};
+use crate::measure::Measurements;
+use crate::model::Model;
+use crate::positioning::{Check, EDITION, Evaluation, PitchErrors, Quantity, Side, Step, Target};
+
+/// Lengths along the axis in mm, everything else in um; what is not known is null.
+pub fn json(model: &Model, measurements: &Measurements, c: &Compensation) -> Json {
+    let reversal = c.reversal.as_ref().map(|r| {
+        let lost = |(position, lost): &(f64, f64)| json!({ "position": mm(*position), "b": um(-lost), "lost_motion": um(*lost) });
+        json!({
+            "targets": r.lost.iter().map(lost).collect::<Vec<_>>(),
+            "backlash_value": um(r.value),
+            "unavoidable_rest": um(r.rest),
+        })
+    });
+    json!({
+        "schema": "fem-compensation/1",
+        "model": &*model.source.name,
+        "data": measurements.name,
+        "observations": measurements.len(),
+        "unit": "um",
+        "position_unit": "mm",
+        "iso230": { "edition": EDITION, "targets": c.evaluation.targets.iter().map(target).collect::<Vec<_>>(), "quantities": quantities(&c.evaluation), "uncertainty_of_means": um(c.evaluation.uncertainty()) },
+        "reversal": reversal,
+        "lost_motion": c.lost_motion.as_ref().map(lost_motion),
+        "pitch": pitch(&c.pitch),
+        "tolerance": {
+            "per_length": um(c.tolerance.per_length),
+            "length": mm(c.tolerance.length),
+            "travel": um(c.tolerance.travel),
+            "repeatability": um(c.tolerance.repeatability),
+        },
+        "before": c.before.iter().map(check).collect::<Vec<_>>(),
+        "schemes": c.schemes.iter().map(scheme).collect::<Vec<_>>(),
+        "verdict": c.verdict.word(),
+        "causes": c.causes.iter().map(|c| json!({ "cause": c.key, "finding": c.finding, "remedy": c.remedy })).collect::<Vec<_>>(),
+        "agreement": { "rms": um(c.model.rms), "adequate": c.model.adequate, "fitted": c.model.fitted },
+        "cautions": c.cautions,
+    })
+}
+
+fn um(m: f64) -> f64 {
+    1e6 * m
+}
+
+fn mm(m: f64) -> f64 {
+    // Positions were read in mm or in another unit; a picometre is round-off.
+    (m * 1e12).round() / 1e9
+}
+
+/// By their symbols.
+fn quantities(evaluation: &Evaluation) -> Map<String, Json> {
+    let one = |q: &Quantity| {
+        let entry = json!({ "name": q.name, "formula": q.formula, "value": q.value.map(um), "at": q.at.map(mm) });
+        (q.symbol.to_string(), entry)
+    };
+    evaluation.quantities().iter().map(one).collect()
+}
+
+fn target(t: &Target) -> Json {
+    let side =
+        |s: &Side| json!({ "mean": um(s.mean), "s": s.scatter.map(um), "n": s.count, "R": s.repeatability().map(um) });
+    json!({
+        "position": mm(t.position),
+        "forward": t.forward.as_ref().map(side),
+        "backward": t.backward.as_ref().map(side),
+        "mean": t.mean().map(um),
+        "B": t.reversal().map(um),
+        "R": t.repeatability().map(um),
+    })
+}
+
+fn lost_motion(l: &LostMotion) -> Json {
+    let rules = match l.rules() {
+        Rules::Constant => "constant",
+        Rules::Elastic => "elastic",
+        Rules::Both => "both",
+    };
+    json!({
+        "constant": { "value": um(l.constant), "std": um(l.constant_std), "unit": "um" },
+        "friction": { "value": l.friction, "std": l.friction_std, "unit": "N" },
+        "screw": [um(l.screw.0), um(l.screw.1)],
+        "grows": l.grows(),
+        "rules": rules,
+    })
+}
+
+fn pitch(p: &PitchErrors) -> Json {
+    let step = |s: &Step| json!({ "from": mm(s.from), "to": mm(s.to), "forward": s.forward.map(um), "backward": s.backward.map(um), "mean": s.mean().map(um) });
+    let list = |steps: &[Step]| steps.iter().map(step).collect::<Vec<_>>();
+    json!({ "relative": list(&p.relative), "absolute": list(&p.absolute) })
+}
+
+fn check(c: &Check) -> Json {
+    json!({ "check": c.key, "name": c.name, "limit": um(c.limit), "value": c.value.map(um), "passed": c.passed() })
+}
+
+fn scheme(s: &Scheme) -> Json {
+    let entry = |n: &crate::positioning::Node| json!({ "position": mm(n.position), "added_forward": um(n.forward), "added_backward": um(n.backward) });
+    json!({
+        "scheme": s.key,
+        "name": s.name,
+        "entries": s.table.nodes.iter().map(entry).collect::<Vec<_>>(),
+        "after": quantities(&s.after),
+        "checks": s.checks.iter().map(check).collect::<Vec<_>>(),
+        "modelled_range": um(s.modelled.spread()),
+    })
+}

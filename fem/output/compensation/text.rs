@@ -1,0 +1,190 @@
+//! A compensation for people.
+
+use std::fmt::Write;
+
+use crate::compensate::{Compensation, LostMotion, Rules, Verdict};
+use crate::measure::Measurements;
+use crate::model::Model;
+use crate::positioning::{Check, EDITION, Evaluation, Quantity};
+
+/// Targets that are listed; all are in the files.
+const LISTED: usize = 24;
+
+/// From the evaluation to the verdict. Writing to a String does not fail, here and below.
+pub fn text(model: &Model, measurements: &Measurements, c: &Compensation) -> String {
+    let (targets, runs) = (c.evaluation.targets.len(), c.evaluation.runs());
+    let times = if runs == 1 { "once".into() } else { format!("{runs} times") };
+    let mut text = format!(
+        "{} against {}: {} observations, {targets} targets, from each side {times} at least\n\n{}\n",
+        model.source.name,
+        measurements.name,
+        measurements.len(),
+        verdict(c)
+    );
+    for cause in &c.causes {
+        let _ = writeln!(text, "  {}\n    {}", cause.finding, cause.remedy);
+    }
+    for caution in &c.cautions {
+        let _ = writeln!(text, "\ncaution: {caution}");
+    }
+    standard(&mut text, c);
+    let _ = writeln!(
+        text,
+        "  after is by the same readings: a new test adds what they leave of the means, s/sqrt(n) = {:.4} um where most",
+        1e6 * c.evaluation.uncertainty()
+    );
+    targets_of(&mut text, &c.evaluation);
+    reversal(&mut text, c);
+    tolerances(&mut text, c);
+    modelled(&mut text, c);
+    entries(&mut text, c);
+    text
+}
+
+fn verdict(c: &Compensation) -> &'static str {
+    match c.verdict {
+        Verdict::Within => "within tolerance as it is: compensation can only improve it",
+        Verdict::Compensation => {
+            "compensation suffices: a pitch table and one backlash value bring the axis within tolerance"
+        }
+        Verdict::BothDirections => {
+            "one backlash value does not suffice: only a table for each direction brings the axis within tolerance"
+        }
+        Verdict::Repair => "compensation cannot reach the tolerance: the mechanics must be repaired first",
+        Verdict::Unknown => {
+            "whether compensation suffices is not known: approach every target at least twice from each side"
+        }
+    }
+}
+
+fn um(m: Option<f64>) -> String {
+    m.map_or("-".into(), |m| format!("{:.4}", 1e6 * m))
+}
+
+fn standard(text: &mut String, c: &Compensation) {
+    let [points, _, both] = &c.schemes;
+    let _ = writeln!(text, "\n{EDITION:<43} {:>10} {:>10} {:>10}   um", "measured", "one value", "each way");
+    let (one, both) = (points.after.quantities(), both.after.quantities());
+    for q in c.evaluation.quantities() {
+        let after = |all: &[Quantity]| um(Quantity::find(all, q.symbol));
+        let name = if q.symbol == "B_mean" { "" } else { q.symbol };
+        let _ = writeln!(
+            text,
+            "  {name:<2} {:<38} {:>10} {:>10} {:>10}   {}",
+            q.name,
+            um(q.value),
+            after(&one),
+            after(&both),
+            q.formula
+        );
+    }
+}
+
+fn targets_of(text: &mut String, evaluation: &Evaluation) {
+    let _ = writeln!(
+        text,
+        "\n  {:>10}  {:>10} {:>8}  {:>10} {:>8}  {:>10} {:>10}",
+        "position", "mean+", "s+", "mean-", "s-", "B", "R"
+    );
+    for t in evaluation.targets.iter().take(LISTED) {
+        let side = |s: Option<crate::positioning::Side>| (um(s.map(|s| s.mean)), um(s.and_then(|s| s.scatter)));
+        let ((forward, sf), (backward, sb)) = (side(t.forward), side(t.backward));
+        let (reversal, repeatability) = (um(t.reversal()), um(t.repeatability()));
+        let _ = writeln!(
+            text,
+            "  {:>10.3}  {forward:>10} {sf:>8}  {backward:>10} {sb:>8}  {reversal:>10} {repeatability:>10}",
+            1e3 * t.position
+        );
+    }
+    let more = evaluation.targets.len().saturating_sub(LISTED);
+    if more > 0 {
+        let _ = writeln!(text, "  and {more} more (--json has them all)");
+    }
+    let _ = writeln!(text, "  in mm and um");
+}
+
+fn reversal(text: &mut String, c: &Compensation) {
+    let Some(reversal) = &c.reversal else {
+        let _ = writeln!(text, "\nno target was approached from both sides: the reversal is not known");
+        return;
+    };
+    let _ = writeln!(
+        text,
+        "\nbacklash value   {:.4} um, (b_max + b_min)/2 of the lost motion b = mean- less mean+\nnot removable    {:.4} um either way by any single value, (b_max - b_min)/2",
+        1e6 * reversal.value,
+        1e6 * reversal.rest
+    );
+    if let Some(lost) = &c.lost_motion {
+        let _ = writeln!(text, "lost motion      {}", lost_motion(lost));
+    }
+}
+
+fn lost_motion(l: &LostMotion) -> String {
+    let constant = format!("{:.4} +- {:.4} um of it are the same all along", 1e6 * l.constant, 1e6 * l.constant_std);
+    if !l.grows() {
+        return format!("{constant}; no part is seen that grows along the screw: play, or the give of nut and bearing");
+    }
+    let (low, high) = (1e6 * l.screw.0, 1e6 * l.screw.1);
+    let rules = match l.rules() {
+        Rules::Constant => "what is the same all along rules: play, or the give of nut and bearing",
+        Rules::Elastic => "the elastic part rules, as in heavy machines",
+        Rules::Both => "neither rules",
+    };
+    format!(
+        "{constant}, {low:.4} to {high:.4} um the stretch of the screw under {:.0} +- {:.0} N of friction: {rules}",
+        l.friction, l.friction_std
+    )
+}
+
+fn tolerances(text: &mut String, c: &Compensation) {
+    let width = c.before.iter().map(|check| check.name.len()).max().unwrap_or(0);
+    let _ = writeln!(
+        text,
+        "\n{:<width$}  {:>10} {:>12} {:>12} {:>12}   um",
+        "tolerances",
+        "allowed",
+        "measured",
+        "one value",
+        "each way",
+        width = width + 2
+    );
+    let cell = |c: &Check| format!("{}{}", um(c.value), if c.passed() { " " } else { "!" });
+    let [points, _, both] = &c.schemes;
+    for ((before, one), both) in c.before.iter().zip(&points.checks).zip(&both.checks) {
+        let cells = format!("{:>12} {:>12} {:>12}", cell(before), cell(one), cell(both));
+        let _ = writeln!(text, "  {:<width$}  {:>10.4} {}", before.name, 1e6 * before.limit, cells.trim_end());
+    }
+    if c.before.iter().chain(c.schemes.iter().flat_map(|s| &s.checks)).any(|c| !c.passed()) {
+        let _ = writeln!(text, "  ! out of tolerance or not known");
+    }
+}
+
+fn modelled(text: &mut String, c: &Compensation) {
+    let rms = 1e6 * c.model.rms;
+    let fitted = if c.model.fitted { "fitted to the test, " } else { "" };
+    let _ =
+        writeln!(text, "\nby the model, along the whole travel ({fitted}it misses the readings by {rms:.4} um rms)");
+    for scheme in &c.schemes {
+        let _ = writeln!(text, "  {:<30} leaves a range of {:.4} um", scheme.name, 1e6 * scheme.modelled.spread());
+    }
+}
+
+fn entries(text: &mut String, c: &Compensation) {
+    let [points, _, _] = &c.schemes;
+    let mut before = None;
+    let _ = writeln!(
+        text,
+        "\nto enter: backlash {:.4} um, and at each point (linear between)",
+        1e6 * points.table.backlash()
+    );
+    let _ = writeln!(text, "  {:>10}  {:>10} {:>10}", "position", "added", "increment");
+    for node in points.table.nodes.iter().take(LISTED) {
+        let step = before.map_or("-".into(), |b: f64| format!("{:+.4}", 1e6 * (node.forward - b)));
+        let _ = writeln!(text, "  {:>10.3}  {:>+10.4} {step:>10}", 1e3 * node.position, 1e6 * node.forward);
+        before = Some(node.forward);
+    }
+    let _ = writeln!(
+        text,
+        "  in mm and um, onto what the controller had during the test; then measure again, until the axis keeps its tolerance"
+    );
+}

@@ -1,0 +1,199 @@
+//! `fem compensate`: the evaluation of a published test, what tables leave, and what they cannot do.
+
+use serde_json::Value as Json;
+
+use super::fem::{Place, model};
+
+const AXIS: &str = r#"
+process = "axis"
+axis = { travel = "600 mm" }
+screw = { material = "steel", diameter = "32 mm", lead = "10 mm", fixed_at = "0 mm" }
+"#;
+
+/// A test of 11 targets from both sides in five runs, from its deviation (um) at x (m), forwards (1) or backwards (-1), in a run.
+fn test(deviation: impl Fn(f64, f64, usize) -> f64) -> String {
+    let mut text = String::from("run,position [mm],direction,deviation [um]\n");
+    for run in 1..=5 {
+        for (sign, name) in [(1.0, "+"), (-1.0, "-")] {
+            for i in 0..11 {
+                // Off the multiples of the lead.
+                let mm = 60.0 * f64::from(i) - 3.7 * f64::from(i % 3);
+                text.push_str(&format!("{run},{mm},{name},{}\n", deviation(1e-3 * mm, sign, run)));
+            }
+        }
+    }
+    text
+}
+
+/// Repeats as they should be: within 0.2 um.
+fn noise(run: usize) -> f64 {
+    [0.1, -0.1, 0.05, -0.05, 0.0][run - 1]
+}
+
+fn compensated(place: &Place, data: &str) -> Json {
+    place.write("axis.toml", AXIS);
+    place.write("m.csv", data);
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "m.csv", "--json"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    serde_json::from_str(&answer.out).unwrap()
+}
+
+fn published(place: &Place) {
+    place.write("stage.toml", model("stage/stage.toml"));
+    place.write("m.csv", model("stage/measured.csv"));
+}
+
+#[test]
+fn a_published_test_by_the_standard() {
+    let place = Place::new();
+    published(&place);
+    let answer = place.fem(&["compensate", "stage.toml", "--with", "m.csv"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    let readme = include_str!("../../README.md");
+    let shown = readme.split("```text\n").find(|block| block.starts_with("ISO 230-2")).unwrap();
+    for line in shown.split("```").next().unwrap().lines().filter(|l| *l != "…") {
+        assert!(answer.out.contains(line), "README shows a line that is not printed: {line}");
+    }
+    insta::assert_snapshot!(answer.out);
+    let json: Json =
+        serde_json::from_str(&place.fem(&["compensate", "stage.toml", "--with", "m.csv", "--json"]).out).unwrap();
+    assert_eq!(json["schema"], "fem-compensation/1");
+    // Printed in its report, and by the standard's formulas from its readings.
+    for (symbol, expected) in [("B", 0.0122), ("M", 0.0277), ("A", 0.0888), ("E", 0.0368), ("R", 0.0688)] {
+        let value = json["iso230"]["quantities"][symbol]["value"].as_f64().unwrap();
+        assert!((value - expected).abs() < 1e-4, "{symbol}: {value}");
+    }
+}
+
+#[test]
+fn each_verdict_has_its_axis() {
+    type Deviation = fn(f64, f64, usize) -> f64;
+    let cases: [(&str, &str, Deviation); 6] = [
+        ("within-tolerance", "", |x, _, run| 10.0 * x + noise(run)),
+        // A long scale and even play: a table and a value do it.
+        ("compensation-suffices", "", |x, s, run| 90.0 * x + if s < 0.0 { 12.0 } else { 0.0 } + noise(run)),
+        // Play worn in the middle: 30 um there, none at the ends.
+        ("needs-both-directions", "uneven_reversal", |x, s, run| {
+            (if s < 0.0 { 30.0 * (5.2 * x).sin().max(0.0) } else { 0.0 }) + noise(run)
+        }),
+        ("repair-first", "scatter", |_, _, run| [4.0, -5.0, 3.0, -4.0, 2.0][run - 1]),
+        // The axis warms: 4 um more in each run.
+        ("repair-first", "drift", |_, _, run| 4.0 * run as f64 + noise(run)),
+        ("repair-first", "uneven_reversal", |x, s, run| {
+            (if s < 0.0 { 30.0 * (5.2 * x).sin().max(0.0) } else { 0.0 }) + [4.0, -5.0, 3.0, -4.0, 2.0][run - 1]
+        }),
+    ];
+    let place = Place::new();
+    for (verdict, cause, deviation) in cases {
+        let json = compensated(&place, &test(deviation));
+        assert_eq!(json["verdict"], verdict, "{cause}: {}", json["causes"]);
+        let first = json["causes"][0]["cause"].as_str().unwrap_or_default();
+        assert_eq!(first, cause, "{verdict}");
+    }
+    // A single run has no scatter.
+    let once: String = test(|_, _, _| 3.0)
+        .lines()
+        .filter(|l| l.starts_with("run") || l.starts_with("1,"))
+        .map(|l| format!("{l}\n"))
+        .collect();
+    let json = compensated(&place, &once);
+    assert_eq!((json["verdict"].as_str(), &json["iso230"]["quantities"]["R"]["value"]), (Some("unknown"), &Json::Null));
+}
+
+/// What a table of points, each with what is added, adds at a position.
+fn linear(points: &[(f64, f64)], at: f64) -> f64 {
+    let i = points.iter().position(|p| p.0 >= at).unwrap_or(points.len() - 1).max(1);
+    let ((a, va), (b, vb)) = (points[i - 1], points[i]);
+    va + (vb - va) * (at - a) / (b - a)
+}
+
+#[test]
+fn the_tables_do_what_is_predicted_of_them() {
+    let place = Place::new();
+    let deviation =
+        |x: f64, s: f64, run| 60.0 * x - 80.0 * x * x + if s < 0.0 { 9.0 + 5.0 * x } else { 0.0 } + noise(run);
+    let json = compensated(&place, &test(deviation));
+    assert_eq!(place.fem(&["compensate", "axis.toml", "--with", "m.csv", "-o", "out"]).status, 0);
+    let written: Json = serde_json::from_str(&place.read("out/compensation.json")).unwrap();
+    assert_eq!(written, json);
+    let cells = |file: &str| -> Vec<Vec<f64>> {
+        place.read(file).lines().skip(1).map(|l| l.split(',').filter_map(|c| c.parse().ok()).collect()).collect()
+    };
+    let table = cells("out/points.csv");
+    let points: Vec<(f64, f64)> = table.iter().map(|r| (r[0], r[1])).collect();
+    let backlash = table[0][3];
+    // b = 9 to 9 + 5·0.5963: midway, and half the range.
+    let end = 9.0 + 5.0 * 0.5963;
+    assert!((backlash - 0.5 * (9.0 + end)).abs() < 1e-6, "{backlash}");
+    assert!((json["reversal"]["unavoidable_rest"].as_f64().unwrap() - 0.5 * (end - 9.0)).abs() < 1e-9);
+    // The measured means with the table, by hand, range over E after.
+    let mut left = Vec::new();
+    for (mm, added) in &points {
+        for sign in [1.0, -1.0] {
+            let with = added - if sign < 0.0 { backlash } else { 0.0 };
+            left.push(deviation(1e-3 * mm, sign, 5) + with);
+        }
+    }
+    let range = left.iter().fold(f64::MIN, |m: f64, v| m.max(*v)) - left.iter().fold(f64::MAX, |m: f64, v| m.min(*v));
+    let after = json["schemes"][0]["after"]["E"]["value"].as_f64().unwrap();
+    assert!((range - after).abs() < 1e-6, "{range} and {after}");
+    // What is written of the model is the model with the table: here an ideal axis, and the table alone.
+    for row in cells("out/predicted.csv").iter().step_by(7) {
+        if row.len() == 6 {
+            continue;
+        }
+        let added = linear(&points, row[0]);
+        assert!((row[2] - added).abs() < 1e-5 || (row[2] - added + backlash).abs() < 1e-5, "{row:?} {added}");
+    }
+    let triplets = place.read("out/linuxcnc.comp");
+    assert_eq!(triplets.lines().count(), 11);
+    for line in triplets.lines() {
+        let v: Vec<f64> = line.split(' ').map(|c| c.parse().unwrap()).collect();
+        let [forward, backward] = [1.0, -1.0].map(|s| v[0] + 1e-3 * deviation(1e-3 * v[0], s, 5));
+        assert!((v[1] - forward).abs() < 1e-6 && (v[2] - backward).abs() < 1e-6, "{line}");
+    }
+}
+
+#[test]
+fn a_controller_rounds() {
+    let place = Place::new();
+    place.write("axis.toml", format!("{AXIS}controller = {{ resolution = \"1 um\" }}\n"));
+    place.write("m.csv", test(|x, s, run| 33.3 * x + if s < 0.0 { 7.7 } else { 0.0 } + noise(run)));
+    assert_eq!(place.fem(&["compensate", "axis.toml", "--with", "m.csv", "-o", "out"]).status, 0);
+    for line in place.read("out/points.csv").lines().skip(1) {
+        let v: Vec<f64> = line.split(',').map(|c| c.parse().unwrap()).collect();
+        assert!(v[1].fract() == 0.0 && v[3] == 8.0, "{line}");
+    }
+}
+
+#[test]
+fn the_clearance_that_grows_is_friction() {
+    // EA of Ø32 steel is 1.689e8 N: 800 N stretch it by 4.737 um a metre, there and back 9.474 um.
+    let place = Place::new();
+    let ea = 210e9 * std::f64::consts::PI * 0.016f64.powi(2);
+    let deviation = move |x: f64, s: f64, run: usize| -s * 1e6 * 800.0 * x / ea + noise(run);
+    let json = compensated(&place, &test(deviation));
+    let lost = &json["lost_motion"];
+    assert_eq!((&lost["grows"], lost["rules"].as_str()), (&Json::Bool(true), Some("elastic")));
+    assert!((lost["friction"]["value"].as_f64().unwrap() - 800.0).abs() < 1e-6, "{lost}");
+}
+
+#[test]
+fn what_is_no_axis_is_refused_and_nothing_is_written_over() {
+    let place = Place::new();
+    place.write("ring.toml", model("ring.toml"));
+    place.write("m.csv", "angle [deg],deviation [um]\n0,1\n");
+    let answer = place.fem(&["compensate", "ring.toml", "--with", "m.csv", "-o", "out"]);
+    assert_eq!(answer.status, 2);
+    assert!(answer.err.contains("for axes that are tested by going to targets"), "{}", answer.err);
+    place.write("axis.toml", AXIS);
+    place.write("points.csv", test(|_, _, run| noise(run)));
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "points.csv", "-o", "."]);
+    assert_eq!(answer.status, 2);
+    assert!(answer.err.contains("is itself what is read"), "{}", answer.err);
+    // A place that is taken by a file.
+    place.write("taken", "");
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "points.csv", "-o", "taken"]);
+    assert_eq!(answer.status, 1, "{}", answer.err);
+    assert_eq!(place.files(), ["axis.toml", "m.csv", "points.csv", "ring.toml", "taken"]);
+}
