@@ -48,7 +48,7 @@ impl Reversal {
             evaluation.targets.iter().filter_map(|t| Some((t.position, -t.reversal()?))).collect();
         let high = lost.iter().map(|b| b.1).fold(f64::NEG_INFINITY, f64::max);
         let low = lost.iter().map(|b| b.1).fold(f64::INFINITY, f64::min);
-        (!lost.is_empty()).then(|| Self { value: 0.5 * (high + low), rest: 0.5 * (high - low), lost })
+        (!lost.is_empty()).then_some(Self { value: 0.5 * (high + low), rest: 0.5 * (high - low), lost })
     }
 }
 
