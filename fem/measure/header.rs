@@ -131,7 +131,7 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
         let needed = match coordinate.absent {
             Absent::Refused => true,
             Absent::NeededBy(observable) => header.seen.iter().any(|s| s.position == observable),
-            Absent::Value(_) | Absent::Model => false,
+            Absent::Value(_) | Absent::Model | Absent::ModelOf(_) => false,
         };
         if needed && !given {
             let unit = match coordinate.holds {

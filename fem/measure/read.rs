@@ -113,7 +113,7 @@ impl<'a> Builder<'a> {
             for ((column, value), coordinate) in
                 table.rows.columns.iter_mut().zip(&coordinates).zip(self.vocabulary.coordinates)
             {
-                let elsewhere = matches!(coordinate.absent, Absent::NeededBy(other) if other != o.observable);
+                let elsewhere = coordinate.absent.only_of().is_some_and(|own| own != o.observable);
                 column.push(if elsewhere { f64::NAN } else { *value });
             }
             table.rows.observable.push(o.observable);
@@ -160,10 +160,7 @@ impl<'a> Builder<'a> {
     /// What a row of a design that does not say so will observe: what needs the coordinates that are given, or the first observable.
     fn planned(&self, record: &csv::StringRecord) -> usize {
         let needs = |(cell, column): (&str, &Column)| match column {
-            Column::Coordinate(i, _) if !cell.is_empty() => match self.vocabulary.coordinates[*i].absent {
-                Absent::NeededBy(observable) => Some(observable),
-                _ => None,
-            },
+            Column::Coordinate(i, _) if !cell.is_empty() => self.vocabulary.coordinates[*i].absent.only_of(),
             _ => None,
         };
         record.iter().zip(&self.header.columns).find_map(needs).unwrap_or(0)
@@ -175,8 +172,8 @@ impl<'a> Builder<'a> {
         for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
             let Column::Coordinate(i, unit) = column else { continue };
             let coordinate = &self.vocabulary.coordinates[*i];
-            let idle =
-                matches!(coordinate.absent, Absent::NeededBy(o) if observed.iter().all(|own| own.observable != o));
+            let own = coordinate.absent.only_of();
+            let idle = own.is_some_and(|own| observed.iter().all(|o| o.observable != own));
             if idle && cell.is_empty() {
                 continue;
             }
@@ -208,7 +205,7 @@ fn uncertainty(cell: &str, name: &str, unit: Unit) -> Result<f64, Problem> {
 fn left_out(coordinate: &crate::process::Coordinate) -> f64 {
     match coordinate.absent {
         Absent::Value(value) => value,
-        Absent::Refused | Absent::Model | Absent::NeededBy(_) => f64::NAN,
+        Absent::Refused | Absent::Model | Absent::NeededBy(_) | Absent::ModelOf(_) => f64::NAN,
     }
 }
 

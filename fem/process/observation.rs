@@ -61,6 +61,18 @@ pub enum Absent {
     Model,
     /// It must be there where this observable is, by its position in the process's list, and is nothing (NaN) where another is.
     NeededBy(usize),
+    /// What the model says (NaN), of this observable; of another it is nothing.
+    ModelOf(usize),
+}
+
+impl Absent {
+    /// The observable that alone has the coordinate, if it is not for all.
+    pub fn only_of(self) -> Option<usize> {
+        match self {
+            Self::NeededBy(observable) | Self::ModelOf(observable) => Some(observable),
+            Self::Refused | Self::Value(_) | Self::Model => None,
+        }
+    }
 }
 
 /// Observations to be predicted: values of every coordinate, row by row.

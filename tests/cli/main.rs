@@ -16,4 +16,5 @@ mod pages;
 mod ring;
 mod stiffness;
 mod story;
+mod thermal;
 mod written;

@@ -32,7 +32,12 @@ pub const COORDINATES: &[Coordinate] = &[
         Holds::Quantity(LENGTH),
         Absent::NeededBy(TEMPERATURE_OF_ROW),
     ),
-    coordinate("y", "height in a plane body; half way up if left out", Holds::Quantity(LENGTH), Absent::Model),
+    coordinate(
+        "y",
+        "height in a plane body; half way up if left out",
+        Holds::Quantity(LENGTH),
+        Absent::ModelOf(TEMPERATURE_OF_ROW),
+    ),
 ];
 
 const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {

@@ -1,0 +1,218 @@
+//! Heated bodies as a user meets them: summary, two observables in one file, plates, meshes from files, bad input.
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_summary_of_the_rod_and_of_the_plate() {
+    let place = Place::new();
+    for name in ["thermal", "ground-plate"] {
+        place.write("model.toml", model(&format!("{name}.toml")));
+        let answer = place.fem(&["run", "model.toml"]);
+        assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+        insta::assert_snapshot!(format!("summary_of_{name}"), answer.out);
+    }
+    insta::assert_snapshot!("effects_thermal", place.fem(&["effects", "thermal"]).out);
+    // What came in is lost or stored, but for rounding.
+    let summary: serde_json::Value = serde_json::from_str(&place.read("out/model/summary.json")).unwrap();
+    assert!(summary["findings"]["energy"]["imbalance"].as_f64().unwrap().abs() < 1e-11);
+}
+
+#[test]
+fn a_profile_is_a_measurement_of_its_own_model() {
+    let place = Place::new();
+    for name in ["thermal", "ground-plate"] {
+        place.write("model.toml", model(&format!("{name}.toml")));
+        assert_eq!(place.fem(&["run", "model.toml", "-o", "out"]).status, 0);
+        let compared = place.fem(&["compare", "model.toml", "--with", "out/profile.csv", "--json", "-o", "c"]);
+        let json: serde_json::Value = serde_json::from_str(&compared.out).unwrap();
+        for seen in json["models"][0]["observables"].as_array().unwrap() {
+            assert!(seen["rms"].as_f64().unwrap() < 1e-9, "{name}: {seen}");
+        }
+        assert_eq!(json["noise"]["unit"], "sigma");
+        let header = place.read("c/residuals.csv").lines().next().unwrap().to_string();
+        assert!(header.ends_with(
+            "predicted_temperature [degC],residual_temperature [K],predicted_elongation [um],residual_elongation [um]"
+        ) || header.ends_with("predicted_elongation [um],residual_elongation [um]"), "{header}");
+    }
+}
+
+/// Temperatures half a kelvin too high with u = 0.25 K, elongations 3 um too low with u = 1 um.
+#[test]
+fn two_observables_are_judged_each_by_its_own_noise_and_told_together() {
+    let place = Place::new();
+    place.write("model.toml", model("thermal.toml"));
+    assert_eq!(place.fem(&["run", "model.toml", "-o", "out"]).status, 0);
+    let mut text =
+        String::from("time [min],x [mm],temperature [degC],elongation [um],u_temperature [K],u_elongation [um]\n");
+    for line in place.read("out/profile.csv").lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let off = |cell: &str, by: f64| cell.parse::<f64>().map_or(String::new(), |v| (v + by).to_string());
+        let (warm, grown) = (off(cells[2], 0.5), off(cells[3], -3.0));
+        let u = |cell: &str, u: &'static str| if cell.is_empty() { "" } else { u };
+        let (warm_u, grown_u) = (u(&warm, "0.25"), u(&grown, "1"));
+        text.push_str(&format!("{},{},{warm},{grown},{warm_u},{grown_u}\n", cells[0], cells[1]));
+    }
+    place.write("m.csv", text);
+    let answer = place.fem(&["compare", "model.toml", "--with", "m.csv", "--json", "-o", "c"]);
+    let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+    let (one, number) = (&json["models"][0], |v: &serde_json::Value| v.as_f64().unwrap());
+    assert_eq!((json["noise"]["unit"].as_str(), number(&json["noise"]["sigma"])), (Some("sigma"), 1.0));
+    // 270 temperatures off by two sigma, 90 elongations by three.
+    assert!((number(&one["rms"]) - ((270.0f64 * 4.0 + 90.0 * 9.0) / 360.0).sqrt()).abs() < 1e-6, "{one}");
+    assert!((number(&one["chi2_per_dof"]) - 5.25).abs() < 1e-5);
+    assert!((number(&one["observables"][0]["rms"]) - 0.5).abs() < 1e-6);
+    assert!((number(&one["observables"][1]["rms"]) - 3.0).abs() < 1e-6);
+    let texts: Vec<&str> = one["features"].as_array().unwrap().iter().map(|f| f["text"].as_str().unwrap()).collect();
+    for expected in
+        ["temperature: the error is off by the same amount", "elongation: the error is off by the same amount"]
+    {
+        assert!(texts.iter().any(|t| t.starts_with(expected)), "{texts:?}");
+    }
+    let first = place.read("c/residuals.csv").lines().nth(1).unwrap().to_string();
+    assert!(first.contains(",,,"), "what was not observed is empty: {first}");
+}
+
+#[test]
+fn a_plate_may_come_from_a_file() {
+    let place = Place::new();
+    std::fs::create_dir(place.path("meshes")).unwrap();
+    let mesh = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("meshes/plate.msh");
+    std::fs::copy(mesh, place.path("meshes/plate.msh")).unwrap();
+    let tables = |body: &str| {
+        format!(
+            r#"process = "thermal"
+            body = {{ material = "steel", {body} }}
+            environment = {{ temperature = "20 degC" }}
+            time = {{ end = "10 min", step = "10 s" }}
+            [[boundary]]
+            edge = "top"
+            flux = "10 kW/m^2"
+            [[boundary]]
+            edge = "bottom"
+            convection = "200 W/m^2/K"
+            "#
+        )
+    };
+    place.write("file.toml", tables("file = \"meshes/plate.msh\", width = \"30 mm\""));
+    place.write("own.toml", tables("rectangle = { length = \"200 mm\", height = \"50 mm\", width = \"30 mm\" }"));
+    assert_eq!(place.fem(&["run", "own.toml", "-o", "out"]).status, 0);
+    let compared = place.fem(&["compare", "file.toml", "--with", "out/profile.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&compared.out).unwrap();
+    // Of 30 K and some 40 um: what 6-node triangles of 3 to 8 mm and quadrilaterals of 5 x 12 mm differ by.
+    let rms = |i: usize| json["models"][0]["observables"][i]["rms"].as_f64().unwrap();
+    assert!(rms(0) < 0.05 && rms(1) < 0.05, "{}", json["models"][0]["observables"]);
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const CASES: &[(&str, &str, &str, &str)] = &[
+    ("power = \"15 W\"", "power = \"15 mm\"", "not a power", "write it in W"),
+    ("at = \"200 mm\"", "at = \"210 mm\"", "the source stands at 210 mm, beyond the body", "the body ends at 200 mm"),
+    ("[[\"0 min\", \"90 min\"]]", "[[\"90 min\", \"0 min\"]]", "ends before it begins", "the earlier end first"),
+    ("[[\"0 min\", \"90 min\"]]", "[\"0 min\", \"90 min\"]", "an entry of `on` is no interval", "write on = [["),
+    (
+        "[[\"0 min\", \"90 min\"]]",
+        "[[\"0 min\", \"9 min\"], [\"5 min\", \"20 min\"]]",
+        "intervals overlap",
+        "join them",
+    ),
+    ("\"20 degC\"", "\"20 mm\"", "not a temperature", "degC"),
+    ("step = \"30 s\"", "step = \"1 us\"", "more than 200000 steps", "longer steps"),
+    ("step = \"30 s\"", "stepp = \"30 s\"", "`stepp` is no key of `time`", "did you mean `step`?"),
+    ("\"200 mm\"] #", "\"300 mm\"] #", "300 mm is not on the body", "from 0 to 200 mm"),
+    ("diameter = \"20 mm\"", "diameter = \"20 mm\", bore = \"20 mm\"", "as wide as the segment", "below the diameter"),
+    (
+        "[environment]",
+        "[[boundary]]\nedge = \"top\"\nflux = \"1 kW/m^2\"\n[environment]",
+        "`top` is no edge",
+        "a rod has no edges",
+    ),
+    (
+        "segments = [",
+        "rectangle = { length = \"1 m\", height = \"1 m\", width = \"1 m\" }\nsegments = [",
+        "a body has one shape",
+        "give one of",
+    ),
+    (
+        "[[source]]\nat = \"200 mm\"\npower = \"15 W\"\non = [[\"0 min\", \"90 min\"]]",
+        "",
+        "nothing heats or cools",
+        "add [[source]]",
+    ),
+    (
+        "[effects.convection]\ncoefficient",
+        "[effects.convection]\ncoeficient",
+        "`coeficient`",
+        "did you mean `coefficient`?",
+    ),
+];
+
+#[test]
+fn bad_input_is_told_with_its_remedy() {
+    let good = model("thermal.toml");
+    let place = Place::new();
+    for (from, to, message, remedy) in CASES {
+        assert!(good.contains(from), "{from}");
+        place.write("model.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["run", "model.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+    assert!(!place.files().iter().any(|f| f.starts_with("out")));
+}
+
+/// (file, part of the message)
+const FILES: &[(&str, &str)] = &[
+    ("time [min],x [mm],temperature [degC],elongation [um]\n5,100,,\n", "the row observes nothing"),
+    ("time [min],x [mm],temperature [degC],elongation [um]\n5,,30,\n", "the cell of `x [mm]` is empty"),
+    ("time [min],temperature [degC]\n5,30\n", "the column `x` is missing"),
+    (
+        "time [min],x [mm],temperature [degC],elongation [um],u [K]\n5,100,30,,0.1\n",
+        "`u` does not say of which observable",
+    ),
+    (
+        "time [min],x [mm],temperature [degC],elongation [um],u_temperature [K]\n5,100,30,,0.1\n",
+        "`elongation` has no uncertainty",
+    ),
+    (
+        "time [min],elongation [um],u_temperature [K]\n5,3,0.1\n",
+        "`u_temperature` is there, but no column `temperature`",
+    ),
+    ("time [min],x [mm],temperature [degC],u_temperature [K]\n5,100,30,\n", "the cell of `u_temperature [K]` is empty"),
+    ("time [min],x [mm],temperature [degC]\n5,300,30\n", "the body reaches from 0 to 200 mm"),
+    ("time [min],x [mm],temperature [degC]\n-5,100,30\n", "before the start of the run"),
+    ("time [min],x [mm],y [mm],temperature [degC]\n5,100,3,30\n", "it has no y"),
+];
+
+#[test]
+fn measurements_that_cannot_be_are_refused() {
+    let place = Place::new();
+    place.write("model.toml", model("thermal.toml"));
+    for (file, message) in FILES {
+        place.write("m.csv", file);
+        let answer = place.fem(&["compare", "model.toml", "--with", "m.csv"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{file}: {told}");
+        assert!(told.contains(message), "{file}: {told}");
+    }
+    // Elongations alone need no x, and may have one.
+    for file in ["time [min],elongation [um]\n5,40\n9,60\n", "time [min],x [mm],elongation [um]\n5,,40\n9,100,60\n"] {
+        place.write("m.csv", file);
+        assert_eq!(place.fem(&["compare", "model.toml", "--with", "m.csv"]).status, 0, "{file}");
+    }
+}
+
+#[test]
+fn a_step_is_chosen_where_none_is_given() {
+    let place = Place::new();
+    let text = model("thermal.toml");
+    let given = text.lines().filter(|l| !l.starts_with("step =")).collect::<Vec<_>>().join("\n");
+    place.write("chosen.toml", &given);
+    place.write("fine.toml", text.replace("step = \"30 s\"", "step = \"1 s\""));
+    assert_eq!(place.fem(&["run", "fine.toml", "-o", "out"]).status, 0);
+    let compared = place.fem(&["compare", "chosen.toml", "--with", "out/profile.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&compared.out).unwrap();
+    // What was asked for is 0.01 K, of temperatures.
+    let temperatures = json["models"][0]["observables"].as_array().unwrap().iter().find(|o| o["name"] == "temperature");
+    assert!(temperatures.unwrap()["rms"].as_f64().unwrap() < 0.01, "{json}");
+}
