@@ -85,7 +85,10 @@ fn bench(c: &mut Criterion) {
         nonlinear.bench_function(format!("contacts and force feedback, {held}"), |b| {
             b.iter(|| {
                 let shaft = lathe.condense(&at).expect("the shaft is held");
-                lathe.deflections(&shaft, &fem::progress::Progress::default()).expect("there is an equilibrium").len()
+                lathe
+                    .deflections(&shaft, &at, &fem::progress::Progress::default())
+                    .expect("there is an equilibrium")
+                    .len()
             });
         });
     }

@@ -13,6 +13,7 @@ mod files;
 mod fixture;
 mod mesh_file;
 mod pages;
+mod passes;
 mod ring;
 mod stiffness;
 mod story;

@@ -1,6 +1,7 @@
 //! The deflection under the tool: shaft, supports, carriage and force in one equilibrium.
 
 use super::machine::Machine;
+use super::model::Setup;
 use crate::joint::Joint;
 use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
 
@@ -9,8 +10,10 @@ use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
 pub struct Conditions {
     /// Force at the set depth, which acts where the deflection is not fed back, N.
     pub force: f64,
-    /// Force P₀ at the model's own depth, which the feedback starts from, N.
+    /// Force P₀ at the depth t₀, which the feedback starts from, N.
     pub nominal: f64,
+    /// t₀, m: the model's own depth, or that of an earlier pass.
+    pub nominal_depth: f64,
     /// Depth t that the tool is set to there, m; below zero where the blank is smaller than the set diameter.
     pub set_depth: f64,
 }
@@ -38,16 +41,39 @@ pub struct Elastic<'a> {
     joints: [Joint; 2],
     carriage: &'a Joint,
     feedback: Option<f64>,
-    /// t₀, the depth that the nominal force belongs to, m.
-    nominal_depth: f64,
+    setup: &'a Setup,
 }
 
 impl<'a> Elastic<'a> {
     /// A machine on a shaft condensed to the positions of interest.
     pub fn new(machine: &'a Machine, shaft: &'a Condensed) -> Self {
         let joints = [machine.headstock.clone(), machine.tailstock.clone()];
-        let nominal_depth = machine.setup.cut.depth;
-        Self { shaft, joints, carriage: &machine.carriage, feedback: machine.feedback, nominal_depth }
+        Self { shaft, joints, carriage: &machine.carriage, feedback: machine.feedback, setup: &machine.setup }
+    }
+
+    /// The diameter error (m) that the passes before the last leave at x with the tool there, at position number `i`: where the force is fed back
+    /// each copies what it meets.
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn before(&self, i: usize, x: f64) -> Result<f64, JointsError> {
+        if self.feedback.is_none_or(|e| e == 0.0) {
+            return Ok(0.0);
+        }
+        let blank = self.setup.blank.error(x, self.setup.length());
+        self.setup.passes.iter().try_fold(blank, |error, pass| Ok(self.pass(i, pass.conditions(error))?.1))
+    }
+
+    /// Force (N) of a pass, and the diameter error (m) that it leaves: twice the gap, or all that it does not reach.
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn pass(&self, i: usize, at: Conditions) -> Result<(f64, f64), JointsError> {
+        if at.set_depth <= 0.0 {
+            return Ok((0.0, 2.0 * at.set_depth));
+        }
+        let deflection = self.deflect(i, at)?;
+        Ok((deflection.force, 2.0 * deflection.total))
     }
 
     /// The equilibrium with the tool at position number `i`.
@@ -82,7 +108,7 @@ impl<'a> Elastic<'a> {
         if at.set_depth <= 0.0 || at.nominal == 0.0 {
             return self.under(i, 0.0, None);
         }
-        let force = |depth: f64| at.nominal * (depth / self.nominal_depth).powf(exponent);
+        let force = |depth: f64| at.nominal * (depth / at.nominal_depth).powf(exponent);
         let (mut low, mut high) = (0.0, at.set_depth);
         let mut deflection = self.under(i, force(at.set_depth), None)?;
         let mut depth = at.set_depth / (1.0 + deflection.total / at.set_depth);

@@ -257,6 +257,12 @@ fn warnings(lathe: &Lathe, positions: &[f64], deflections: &[Deflection]) -> Res
     if idle > 0 && setup.nominal_force() > 0.0 {
         warnings.push(format!("the tool does not touch the work at {idle} of {} positions", deflections.len()));
     }
+    let is_told = !setup.passes.is_empty() || !setup.blank.is_true();
+    if is_told && machine.feedback.is_none_or(|e| e == 0.0) {
+        warnings.push(
+            "without the effect `force-feedback` nothing is copied: blank and earlier passes change nothing".into(),
+        );
+    }
     let deepest = deflections.iter().map(|d| d.total).fold(0.0, f64::max);
     if deepest > setup.cut.depth {
         warnings.push(format!(

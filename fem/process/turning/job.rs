@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::lathe::Lathe;
+use super::refinement::Refinement;
 use super::{findings, observe, shapes};
 use crate::process::{Failure, Job, Outcome, Rows};
 use crate::progress::Progress;
@@ -12,7 +13,7 @@ impl Job for Lathe {
     fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
         let positions = self.setup().sweep();
         let shaft = self.condense(&positions)?;
-        let deflections = self.deflections(&shaft, progress)?;
+        let deflections = self.deflections(&shaft, &positions, progress)?;
         let parts = self.setup().schedule.parts;
         let mut errors = vec![0.0; parts * positions.len()];
         progress.expect(parts as u64);
@@ -32,8 +33,12 @@ impl Job for Lathe {
     fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure> {
         let positions = self.setup().sweep();
         let shaft = self.condense(&positions)?;
-        let deflections = self.deflections(&shaft, &Progress::default())?;
+        let deflections = self.deflections(&shaft, &positions, &Progress::default())?;
         let mut outcome = findings::outcome(self, &positions, &deflections, prediction)?;
+        if let Some(refinement) = Refinement::of(self, &positions)? {
+            outcome.findings.push(refinement.finding());
+            outcome.tables.push(("passes", refinement.table(&positions)));
+        }
         outcome.animation = Some(shapes::animation(self)?);
         Ok(outcome)
     }

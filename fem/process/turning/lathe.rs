@@ -42,21 +42,26 @@ impl Lathe {
         self.setup().shaft(self.machine.hold).condense(positions).map_err(Failure::from)
     }
 
-    /// Force and depth at the model's own settings.
-    pub fn conditions(&self) -> Conditions {
-        let force = self.setup().nominal_force();
-        Conditions { force, nominal: force, set_depth: self.setup().cut.depth }
+    /// Force and depth of the last pass at the model's own settings, where the passes before have left an error of the diameter (m).
+    pub fn conditions(&self, error: f64) -> Conditions {
+        let (force, depth) = (self.setup().nominal_force(), self.setup().cut.depth);
+        Conditions { force, nominal: force, nominal_depth: depth, set_depth: depth + 0.5 * error }
     }
 
-    /// The equilibrium at each of the condensed positions under the model's own force.
+    /// The equilibrium of the last pass at each of the positions (m) to which the shaft is condensed.
     ///
     /// # Errors
     /// No equilibrium at some position.
-    pub fn deflections(&self, shaft: &Condensed, progress: &Progress) -> Result<Vec<Deflection>, Failure> {
+    pub fn deflections(
+        &self,
+        shaft: &Condensed,
+        positions: &[f64],
+        progress: &Progress,
+    ) -> Result<Vec<Deflection>, Failure> {
         let elastic = Elastic::new(&self.machine, shaft);
-        let conditions = self.conditions();
         let deflect = |i: usize| {
-            let deflection = elastic.deflect(i, conditions);
+            let before = elastic.before(i, positions[i]);
+            let deflection = before.and_then(|before| elastic.deflect(i, self.conditions(before)));
             progress.advance(1);
             deflection
         };

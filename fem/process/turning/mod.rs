@@ -13,6 +13,8 @@ mod machine;
 mod menu;
 mod model;
 mod observe;
+mod passes;
+mod refinement;
 mod schedule;
 mod shapes;
 mod validation;
@@ -23,6 +25,7 @@ pub use elastic::{Conditions, Deflection, Elastic};
 pub use lathe::Lathe;
 pub use machine::{Machine, Moment};
 pub use model::{Setup, Workholding};
+pub use passes::{Blank, EarlierPass};
 pub use schedule::Schedule;
 
 use std::sync::Arc;

@@ -2,6 +2,7 @@
 
 use super::Segment;
 use super::cut::{Cut, Force};
+use super::passes::{Blank, EarlierPass};
 use super::schedule::{Pause, Schedule};
 use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
@@ -49,8 +50,12 @@ pub struct Setup {
     pub steady_rests: Vec<Rest>,
     /// Compliance of the tool holder, m/N; 0 without `[tool]`.
     pub holder_compliance: f64,
-    /// Depth and force.
+    /// Depth and force of the last pass.
     pub cut: Cut,
+    /// The passes before it, in their order.
+    pub passes: Vec<EarlierPass>,
+    /// Error of the blank along the shaft.
+    pub blank: Blank,
     /// Pass, parts, pauses.
     pub schedule: Schedule,
     /// Positions at which the profile is predicted.
@@ -86,11 +91,11 @@ impl Workholding {
 impl Setup {
     /// Reads every table of a turning model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let (material, segments) = model.table("workpiece", "the finished shaft", |t| {
-            (
-                Material::read(t, "material"),
-                t.list("segments", "uniform lengths of the shaft, from the headstock", Segment::read),
-            )
+        let (material, segments, blank) = model.table("workpiece", "the finished shaft", |t| {
+            let material = Material::read(t, "material");
+            let segments = t.list("segments", "uniform lengths of the shaft, from the headstock", Segment::read);
+            let blank = Blank::read(t, segments.iter().map(|s: &Segment| s.length).sum());
+            (material, segments, blank)
         });
         let length: f64 = segments.iter().map(|s| s.length).sum();
         if segments.is_empty() {
@@ -104,13 +109,15 @@ impl Setup {
         let holder_compliance =
             model.optional_table("tool", "the tool holder, a cantilever", read_holder).unwrap_or(0.0);
         let (cut, pass) = Cut::read(model, length);
+        let passes = EarlierPass::read_all(model, &cut, &pass);
+        let earlier: f64 = passes.iter().map(|p| p.duration((pass.to - pass.from).abs())).sum();
         let positions = model
             .optional_table("sweep", "where the profile is predicted", |t| {
                 t.count("positions", "evenly spaced tool positions along the pass").between(2, 1_000_000).or(101)
             })
             .unwrap_or(101);
-        let (parts, cycle_time, pauses) = read_batch(model, pass.duration());
-        let schedule = Schedule::new(pass, parts, cycle_time, pauses, &segments);
+        let (parts, cycle_time, pauses) = read_batch(model, earlier + pass.duration());
+        let schedule = Schedule::new(pass, earlier, (parts, cycle_time), pauses, &segments);
         if positions.saturating_mul(parts) > MOST_POINTS {
             let message = format!("{positions} positions on {parts} parts are more than {MOST_POINTS} points");
             model.problem("batch", message, "take fewer positions or parts");
@@ -128,6 +135,8 @@ impl Setup {
             steady_rests,
             holder_compliance,
             cut,
+            passes,
+            blank,
             schedule,
             positions,
             element_size,

@@ -92,7 +92,11 @@ pub fn observe(lathe: &Lathe, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let x = at(row);
         let diameter = setup.diameter(x);
         let i = positions.partition_point(|p| *p < x);
-        let deflection = elastic.deflect(i, conditions(setup, rows, row, diameter)).map_err(Failure::from)?;
+        let mut at_row = conditions(setup, rows, row, diameter);
+        if rows.get(BLANK, row).is_none() {
+            at_row.set_depth += 0.5 * elastic.before(i, x).map_err(Failure::from)?;
+        }
+        let deflection = elastic.deflect(i, at_row).map_err(Failure::from)?;
         let part = rows.get(PART, row).unwrap_or(1.0) as usize;
         let moment = Moment {
             x,
@@ -168,6 +172,7 @@ fn conditions(setup: &Setup, rows: &Rows, row: usize, diameter: f64) -> Conditio
     Conditions {
         force: given.unwrap_or_else(|| nominal(depth)),
         nominal: given.unwrap_or_else(|| nominal(setup.cut.depth)),
+        nominal_depth: setup.cut.depth,
         set_depth,
     }
 }

@@ -48,14 +48,21 @@ pub struct Schedule {
     pub pass: Pass,
     /// How many parts.
     pub parts: usize,
-    /// Start of each part, s since the start of the batch.
+    /// Start of the last pass of each part, s since the start of the batch.
     starts: Vec<f64>,
     /// (x, ∫₀ˣ D/2 dx) at the ends of the segments.
     swept: Vec<(f64, f64)>,
 }
 
 impl Schedule {
-    pub(super) fn new(pass: Pass, parts: usize, cycle_time: f64, mut pauses: Vec<Pause>, segments: &[Segment]) -> Self {
+    /// `earlier` is how long the passes before take on each part, s.
+    pub(super) fn new(
+        pass: Pass,
+        earlier: f64,
+        (parts, cycle_time): (usize, f64),
+        mut pauses: Vec<Pause>,
+        segments: &[Segment],
+    ) -> Self {
         pauses.sort_by_key(|p| p.after);
         let mut pauses = pauses.into_iter().peekable();
         let mut rested = 0.0;
@@ -63,7 +70,7 @@ impl Schedule {
             while let Some(pause) = pauses.next_if(|p| p.after < part) {
                 rested += pause.duration;
             }
-            (part - 1) as f64 * cycle_time + rested
+            (part - 1) as f64 * cycle_time + rested + earlier
         };
         let starts = (1..=parts).map(start).collect();
         let mut swept = vec![(0.0, 0.0)];
@@ -76,13 +83,13 @@ impl Schedule {
         Self { pass, parts, starts, swept }
     }
 
-    /// Start of `part` (from 1), s; parts beyond the batch start with its last.
+    /// Start of the last pass of `part` (from 1), s; parts beyond the batch start with its last.
     pub fn start(&self, part: usize) -> f64 {
         let last = self.starts.len().saturating_sub(1);
         self.starts.get(part.saturating_sub(1).min(last)).copied().unwrap_or(0.0)
     }
 
-    /// Starts of all parts in order, s.
+    /// Starts of the last pass of all parts in order, s.
     pub fn starts(&self) -> &[f64] {
         &self.starts
     }

@@ -26,7 +26,7 @@ pub fn animation(lathe: &Lathe) -> Result<Animation, Failure> {
     let all: Vec<f64> = tools.iter().chain(&nodes).copied().chain(setup.steady_rests.iter().map(|r| r.at)).collect();
     let shaft = lathe.condense(&all)?;
     let at_tools = lathe.condense(&tools)?;
-    let deflections = lathe.deflections(&at_tools, &Progress::default())?;
+    let deflections = lathe.deflections(&at_tools, &tools, &Progress::default())?;
     let rests = rest_forces(lathe, &tools, &deflections)?;
     let scene = Scene { setup, nodes, tools, shaft, deflections, rests };
     Ok(Animation { name: "shaft", frames: scene.tools.len(), frame: Box::new(move |i| scene.frame(i)) })

@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use toml_edit::Document;
-
 use super::super::{Driven, Moment, Setup, effect};
-use crate::input::Reader;
 use crate::positioning::{Approach, Direction, Evaluation};
-use crate::process::{Case, Tolerance};
+pub(super) use crate::process::row;
+use crate::process::{Tolerance, set_up};
 
 /// What sums of doubles leave.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
@@ -25,32 +23,11 @@ pub fn rigidity() -> f64 {
     210e9 * std::f64::consts::PI * 0.02 * 0.02
 }
 
-/// A row of the table.
-pub fn row(
-    name: impl Into<String>,
-    quantity: &'static str,
-    (expected, computed, unit): (f64, f64, &'static str),
-    tolerance: Tolerance,
-    source: &'static str,
-) -> Case {
-    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
-}
-
 /// The axis with one effect given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
-pub fn axis(effect_text: &str) -> Option<Driven> {
-    let document = Document::parse(AXIS).ok()?;
-    let (setup, _, problems) = Reader::document(document.as_table(), Setup::read);
-    let effects = Document::parse(effect_text).ok()?;
-    let read = |model: &Reader| {
-        let mut active = Vec::new();
-        for (name, _) in effects.iter() {
-            let description = effect(name)?.description();
-            active.push(model.table(description.name, "", |t| description.read(t)));
-        }
-        Some(active)
-    };
-    let (active, _, more) = Reader::document(effects.as_table(), read);
-    (problems.is_empty() && more.is_empty()).then(|| Driven::equip(Arc::new(setup), &active.unwrap_or_default()))
+pub fn axis(effects: &str) -> Option<Driven> {
+    let describe = |name: &str| Some(effect(name)?.description());
+    let (setup, active) = set_up(AXIS, effects, Setup::read, describe)?;
+    Some(Driven::equip(Arc::new(setup), &active))
 }
 
 /// Deviation in um at a position (mm), forwards or backwards, after minutes.

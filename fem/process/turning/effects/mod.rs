@@ -80,7 +80,7 @@ mod bench {
     /// Gap between tool and work at x (m) under the nominal force, in um.
     pub fn gap(lathe: &Lathe, x: f64) -> f64 {
         let shaft = lathe.condense(&[x]).unwrap();
-        1e6 * lathe.deflections(&shaft, &Default::default()).unwrap()[0].total
+        1e6 * lathe.deflections(&shaft, &[x], &Default::default()).unwrap()[0].total
     }
 
     /// On part 2 at x = 0.15 m: 3.75 min into the cut.

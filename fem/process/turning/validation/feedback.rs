@@ -11,7 +11,7 @@ pub fn cases() -> Vec<Case> {
     let (j, c, t) = (20e6, 0.8e6, 0.5e-3);
     let feedback = |e: f64| uniform("centres", &format!("{CARRIAGE}\n[force-feedback]\nexponent = {e}"));
     let root = |j: f64, e: f64| bisect(0.0, t, |y| y - 400.0 * ((t - y) / t).max(0.0).powf(e) / j);
-    let conditions = |set_depth| Some(Conditions { force: 400.0, nominal: 400.0, set_depth });
+    let conditions = |set_depth| Some(Conditions { force: 400.0, nominal: 400.0, nominal_depth: t, set_depth });
     let linear = feedback(1.0);
     let copied = gap_under(&linear, 0.5, conditions(0.7e-3)) - gap_under(&linear, 0.5, conditions(0.4e-3));
     let mut cases = vec![
@@ -95,6 +95,6 @@ fn force_law() -> Case {
         .replace("HELD", "centres")
         .replace("radial_force = \"400 N\"", "force = { C = 243.0, x = 0.9, y = 0.6, n = 0.3, HB = 200.0 }");
     // 0.2^0.6·0.5^0.9·200^0.3 = (0.2²·0.5³·200)^0.3 = 1, so that P = C.
-    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.conditions().force);
+    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.conditions(0.0).force);
     row("force law, s = 0.2 mm/rev, t = 0.5 mm", "radial force", (243.0, computed, "N"), ROUND_OFF, "seed 002 (16)")
 }

@@ -7,6 +7,7 @@ mod feedback;
 mod geometry;
 mod heating;
 mod joints;
+mod passes;
 mod rig;
 mod time;
 
@@ -19,6 +20,7 @@ pub fn cases() -> Vec<Case> {
         benchmark::cases(),
         joints::cases(),
         feedback::cases(),
+        passes::cases(),
         geometry::cases(),
         time::cases(),
         heating::cases(),

@@ -64,7 +64,7 @@ pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) 
     let solve = |lathe: &Lathe| {
         let shaft = lathe.condense(&[x]).ok()?;
         let elastic = Elastic::new(&lathe.machine, &shaft);
-        elastic.deflect(0, conditions.unwrap_or(lathe.conditions())).ok().map(|d| d.total)
+        elastic.deflect(0, conditions.unwrap_or(lathe.conditions(0.0))).ok().map(|d| d.total)
     };
     lathe.as_ref().and_then(solve).unwrap_or(f64::NAN)
 }

@@ -1,0 +1,143 @@
+//! Several passes: each copies, smaller, the error that the one before has left [seed 000; seed 002 (17)-(28)].
+//!
+//! `[[pass]]` are the passes before that of `[cut]`, in their order. A pass is set to a depth t; where the work is too large by e (of the diameter) it is set
+//! to t + e/2, and leaves e' = 2y, y the deflection under the force of the depth that is really cut. What moves the tool alike in every pass (a guideway,
+//! a setting) copies nothing. The shaft is the finished one throughout, and stiffer than that while it is still thick.
+
+use std::f64::consts::TAU;
+
+use super::cut::{Cut, Force};
+use super::elastic::Conditions;
+use super::schedule::Pass;
+use crate::input::Reader;
+use crate::units::{ANGLE, FEED, FORCE, LENGTH, SPINDLE_SPEED};
+
+/// Most passes: more than any shaft gets.
+const MOST: usize = 100;
+
+/// A pass before the last.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EarlierPass {
+    /// Set depth t, m.
+    pub depth: f64,
+    /// m per radian of the spindle.
+    pub feed: f64,
+    /// rad/s.
+    pub spindle_speed: f64,
+    /// A force (N) and the depth that it belongs to (m).
+    pub force: (f64, f64),
+}
+
+/// The diameter error of the blank along the shaft.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Blank {
+    waves: Vec<Wave>,
+    /// (x, error), rising, linear between; m.
+    points: Vec<(f64, f64)>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Wave {
+    /// Along the whole shaft.
+    waves: f64,
+    /// m.
+    amplitude: f64,
+    /// rad.
+    phase: f64,
+}
+
+impl EarlierPass {
+    /// Reads `[[pass]]`. Without a force of its own a pass has that of `[cut]`, by its force law or at the same feed.
+    pub fn read_all(model: &Reader, cut: &Cut, last: &Pass) -> Vec<Self> {
+        let all =
+            model.list("pass", "the passes before that of [cut], in their order", |t, _| Self::read(t, cut, last));
+        if all.len() > MOST {
+            model.problem(
+                "pass",
+                format!("{} passes are more than {MOST}", all.len()),
+                "leave out what is cut away again",
+            );
+        }
+        all
+    }
+
+    fn read(t: &Reader, cut: &Cut, last: &Pass) -> Self {
+        let depth = t.quantity("depth", LENGTH, "set depth of cut").positive().required();
+        let feed = t.quantity("feed", FEED, "feed per revolution; that of [cut] if left out").positive().or(last.feed);
+        let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed; that of [cut] if left out").positive();
+        let spindle_speed = speed.or(last.spindle_speed);
+        let given =
+            t.quantity("radial_force", FORCE, "radial force at that depth; by [cut] if left out").not_negative();
+        let force = match (given.optional(), cut.force) {
+            (Some(force), _) => (force, depth),
+            (None, Force::Law(law)) => (law.force(depth, feed), depth),
+            (None, Force::Given(force)) => {
+                if feed != last.feed {
+                    let help = "add radial_force = \"800 N\" to this pass, or a force law to [cut]";
+                    t.problem("feed", "what the force is at another feed is not known", help);
+                }
+                (force, cut.depth)
+            }
+        };
+        Self { depth, feed, spindle_speed, force }
+    }
+
+    /// How long it takes over a length (m), s.
+    pub fn duration(&self, length: f64) -> f64 {
+        length / (self.feed * self.spindle_speed)
+    }
+
+    /// What sets its force where the work is too large by `error` of the diameter.
+    pub fn conditions(&self, error: f64) -> Conditions {
+        let (nominal, nominal_depth) = self.force;
+        Conditions { force: nominal, nominal, nominal_depth, set_depth: self.depth + 0.5 * error }
+    }
+}
+
+impl Blank {
+    /// Reads the blank's error from `[workpiece]`.
+    pub fn read(t: &Reader, length: f64) -> Self {
+        let waves =
+            t.list("blank", "waves of the blank's diameter along the shaft, which force-feedback copies", |t, _| {
+                Wave {
+                    waves: t
+                        .quantity("waves", crate::units::NUMBER, "waves along the whole shaft")
+                        .not_negative()
+                        .required(),
+                    amplitude: t.quantity("amplitude", LENGTH, "half of peak to valley of the diameter").required(),
+                    phase: t.quantity("phase", ANGLE, "of the crest from the headstock, in the wave").or(0.0),
+                }
+            });
+        let points = t.list("blank_points", "the blank's diameter error at places, linear between", |t, _| {
+            let at = t.quantity("at", LENGTH, "distance from the headstock").not_negative().required();
+            if at > length * (1.0 + 1e-12) {
+                t.problem("at", "the place lies beyond the shaft", format!("the shaft is {} mm long", 1e3 * length));
+            }
+            (at, t.quantity("error", LENGTH, "how much larger the diameter is than set").required())
+        });
+        if points.windows(2).any(|w| w[1].0 <= w[0].0) {
+            t.problem("blank_points", "the places do not rise", "give them from the headstock on, each once");
+        }
+        Self { waves, points }
+    }
+
+    /// Whether there is none.
+    pub fn is_true(&self) -> bool {
+        self.waves.is_empty() && self.points.is_empty()
+    }
+
+    /// Diameter error at x on a shaft of `length`, m.
+    pub fn error(&self, x: f64, length: f64) -> f64 {
+        let wave = |w: &Wave| w.amplitude * (TAU * w.waves * x / length - w.phase).cos();
+        let between = match self.points.partition_point(|p| p.0 <= x) {
+            _ if self.points.is_empty() => 0.0,
+            0 => self.points[0].1,
+            next if next == self.points.len() => self.points[next - 1].1,
+            next => {
+                let ((a, before), (b, after)) = (self.points[next - 1], self.points[next]);
+                before + (after - before) * (x - a) / (b - a)
+            }
+        };
+        self.waves.iter().map(wave).sum::<f64>() + between
+    }
+}

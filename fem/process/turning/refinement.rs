@@ -1,0 +1,196 @@
+//! What the passes make of the blank's error, one after the other, and what that says of allowance and stiffness.
+//!
+//! Refinement goes by two names that are each other's reciprocal: K = after/before [seed 000], q = before/after [seed 002 (28), whose divisor is the error
+//! of the part]. Errors are the whole spread of the diameter along the pass. Of what is inherited, apart from what each pass bends anew, a system of stiffness j
+//! leaves C/(j + C), C the force per depth [seed 002 (27)].
+
+use serde_json::json;
+
+use super::elastic::Elastic;
+use super::lathe::Lathe;
+use crate::process::{Column, Failure, Finding, Table};
+
+/// What is left of an inherited error is followed down to this part.
+const NOTHING: f64 = 1e-9;
+
+/// A pass and what it makes of the error that it meets.
+struct Report {
+    /// Set depth, m.
+    depth: f64,
+    /// Smallest and largest radial force along it, N.
+    force: (f64, f64),
+    /// Diameter errors before and after along the pass, m.
+    before: Vec<f64>,
+    after: Vec<f64>,
+}
+
+/// The passes of a lathe along positions.
+pub struct Refinement {
+    passes: Vec<Report>,
+    /// Part of the blank's error, or of any other, that is left after all passes.
+    pub inherited: f64,
+}
+
+impl Refinement {
+    /// Follows the error through all passes. `None` where there is one pass and a true blank, or where nothing is copied.
+    ///
+    /// # Errors
+    /// No equilibrium at some position.
+    pub fn of(lathe: &Lathe, positions: &[f64]) -> Result<Option<Self>, Failure> {
+        let setup = lathe.setup();
+        let single = setup.passes.is_empty() && setup.blank.is_true();
+        if single || lathe.machine.feedback.is_none_or(|e| e == 0.0) {
+            return Ok(None);
+        }
+        let shaft = lathe.condense(positions)?;
+        let elastic = Elastic::new(&lathe.machine, &shaft);
+        let length = setup.length();
+        let mut passes: Vec<Report> = Vec::new();
+        let mut errors: Vec<f64> = positions.iter().map(|x| setup.blank.error(*x, length)).collect();
+        // A small error more, which each pass copies smaller: by its ratio, what is inherited.
+        let nudge = 1e-4 * setup.cut.depth;
+        let mut nudged: Vec<f64> = errors.iter().map(|e| e + nudge).collect();
+        for number in 0..=setup.passes.len() {
+            let conditions = |error: f64| match setup.passes.get(number) {
+                Some(pass) => pass.conditions(error),
+                None => lathe.conditions(error),
+            };
+            let mut report = Report {
+                depth: conditions(0.0).set_depth,
+                force: (f64::INFINITY, 0.0),
+                before: errors.clone(),
+                after: Vec::new(),
+            };
+            for i in 0..positions.len() {
+                let (force, after) = elastic.pass(i, conditions(errors[i]))?;
+                report.force = (report.force.0.min(force), report.force.1.max(force));
+                nudged[i] = elastic.pass(i, conditions(nudged[i]))?.1;
+                errors[i] = after;
+            }
+            report.after.clone_from(&errors);
+            passes.push(report);
+        }
+        let inherited = nudged.iter().zip(&errors).map(|(n, e)| (n - e) / nudge).fold(0.0, f64::max);
+        Ok(Some(Self { passes, inherited }))
+    }
+
+    /// One finding for all passes.
+    pub fn finding(&self) -> Finding {
+        let mut lines =
+            vec!["   depth mm    force N   before um    after um   K = after/before   q = before/after".to_string()];
+        let mut list = Vec::new();
+        for (number, pass) in self.passes.iter().enumerate() {
+            let (before, after) = (spread(&pass.before), spread(&pass.after));
+            let force = 0.5 * (pass.force.0 + pass.force.1);
+            lines.push(format!(
+                "{:>2} {:>8.4} {force:>10.1} {:>11.3} {:>11.3} {:>18} {:>18}",
+                number + 1,
+                1e3 * pass.depth,
+                1e6 * before,
+                1e6 * after,
+                shown(ratio(after, before)),
+                shown(ratio(before, after))
+            ));
+            list.push(json!({
+                "pass": number + 1,
+                "depth": 1e3 * pass.depth,
+                "depth_unit": "mm",
+                "force": [pass.force.0, pass.force.1],
+                "force_unit": "N",
+                "before": 1e6 * before,
+                "after": 1e6 * after,
+                "unit": "um",
+                "K": ratio(after, before),
+                "q": ratio(before, after),
+            }));
+        }
+        let (before, after) = (self.first(), self.last());
+        let (k, q) = (ratio(after, before), ratio(before, after));
+        lines.push(format!(
+            "all                    {:>11.3} {:>11.3} {:>18} {:>18}",
+            1e6 * before,
+            1e6 * after,
+            shown(k),
+            shown(q)
+        ));
+        lines.push(format!("of an error that is only inherited {:.4} % is left", 100.0 * self.inherited));
+        lines.extend(self.advice());
+        Finding {
+            key: "passes",
+            label: "passes",
+            text: lines.join(&format!("\n{}", " ".repeat(27))),
+            json: json!({ "list": list, "K": k, "q": q, "inherited": self.inherited, "stiffer": self.stiffer() }),
+        }
+    }
+
+    /// Smaller allowances in later passes, and fewer passes of a stiffer system [seed 000].
+    fn advice(&self) -> Vec<String> {
+        let mut advice = Vec::new();
+        if let Some(number) = (1..self.passes.len()).find(|i| self.passes[*i].depth > self.passes[i - 1].depth) {
+            advice.push(format!(
+                "pass {} takes more than the one before it: the smaller the later allowances, the less each bends anew",
+                number + 1
+            ));
+        }
+        let own = self.last() - self.inherited * self.first();
+        if own > self.inherited * self.first() {
+            advice.push(format!(
+                "most of what is left, {:.3} um, the last pass bends anew: another pass as deep would leave as much, a shallower one less",
+                1e6 * own
+            ));
+        }
+        if let Some(passes) = self.stiffer() {
+            let given = self.passes.len();
+            advice.push(match passes {
+                p if p < given => format!("at twice the stiffness {p} passes of {given} would leave no more of what is inherited"),
+                _ => format!("even at twice the stiffness no fewer than {given} passes would leave as little of what is inherited"),
+            });
+        }
+        advice
+    }
+
+    /// How many passes at twice the stiffness leave no more of an inherited error. With K = C/(j + C) for each, K/(2 − K) is that of 2j.
+    fn stiffer(&self) -> Option<usize> {
+        let each = self.inherited.max(NOTHING).powf(1.0 / self.passes.len() as f64);
+        let stiff = each / (2.0 - each);
+        let needed = (self.inherited.max(NOTHING).ln() / stiff.ln() - 1e-9).ceil();
+        (self.passes.len() > 1 && needed.is_finite()).then_some(needed.max(1.0) as usize)
+    }
+
+    fn first(&self) -> f64 {
+        self.passes.first().map_or(0.0, |p| spread(&p.before))
+    }
+
+    fn last(&self) -> f64 {
+        self.passes.last().map_or(0.0, |p| spread(&p.after))
+    }
+
+    /// The errors before and after each pass, position by position.
+    pub fn table(&self, positions: &[f64]) -> Table {
+        let all = || self.passes.iter().enumerate();
+        let um = |of: fn(&Report) -> &Vec<f64>| all().flat_map(|(_, p)| of(p).iter().map(|e| 1e6 * e)).collect();
+        Table {
+            columns: vec![
+                Column::numbers("pass", None, all().flat_map(|(i, p)| vec![(i + 1) as f64; p.after.len()]).collect()),
+                Column::numbers("x", Some("mm"), all().flat_map(|_| positions.iter().map(|x| 1e3 * x)).collect()),
+                Column::numbers("before", Some("um"), um(|p| &p.before)),
+                Column::numbers("after", Some("um"), um(|p| &p.after)),
+            ],
+        }
+    }
+}
+
+fn spread(errors: &[f64]) -> f64 {
+    let high = errors.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    high - errors.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+/// `None` where there is nothing to divide by.
+fn ratio(a: f64, b: f64) -> Option<f64> {
+    // Below a picometre a spread is round-off.
+    (b > 1e-12).then(|| a / b)
+}
+
+fn shown(ratio: Option<f64>) -> String {
+    ratio.map_or("-".into(), |r| format!("{r:.4}"))
+}

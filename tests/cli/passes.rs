@@ -1,0 +1,92 @@
+//! Several passes as a user meets them: refinement under both names, what is left, and passes that cannot be.
+
+use serde_json::Value as Json;
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_summary_of_three_passes() {
+    let place = Place::new();
+    place.write("passes.toml", model("passes.toml"));
+    let answer = place.fem(&["run", "passes.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    let json: Json = serde_json::from_str(&place.read("out/passes/summary.json")).unwrap();
+    let passes = &json["findings"]["passes"];
+    let list = passes["list"].as_array().unwrap();
+    assert_eq!(list.len(), 3);
+    let of = |entry: &Json, key: &str| entry[key].as_f64().unwrap();
+    for pair in list.windows(2) {
+        assert_eq!(of(&pair[0], "after"), of(&pair[1], "before"));
+    }
+    // Both names of refinement, of each pass and of all.
+    for entry in list.iter().chain([passes]) {
+        assert!((of(entry, "K") * of(entry, "q") - 1.0).abs() < 1e-12);
+    }
+    let product: f64 = list.iter().map(|p| of(p, "K")).product();
+    assert!((product - of(passes, "K")).abs() < 1e-12);
+    // The table's last pass is the profile.
+    let table = place.read("out/passes/passes.csv");
+    let last: f64 = table.lines().last().unwrap().rsplit(',').next().unwrap().parse().unwrap();
+    let profile = place.read("out/passes/profile.csv");
+    let error: f64 = profile.lines().last().unwrap().split(',').nth(4).unwrap().parse().unwrap();
+    assert!((last - error).abs() < 1e-9, "{last} and {error}");
+}
+
+#[test]
+fn a_profile_is_a_measurement_of_its_own_model() {
+    let place = Place::new();
+    place.write("passes.toml", model("passes.toml"));
+    assert_eq!(place.fem(&["run", "passes.toml", "-o", "out"]).status, 0);
+    let compared = place.fem(&["compare", "passes.toml", "--with", "out/profile.csv", "--json"]).out;
+    let json: Json = serde_json::from_str(&compared).unwrap();
+    assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");
+}
+
+#[test]
+fn what_copies_nothing_is_warned_of() {
+    let place = Place::new();
+    place.write("passes.toml", model("passes.toml").split("[effects.force-feedback]").next().unwrap());
+    let answer = place.fem(&["run", "passes.toml"]);
+    assert_eq!(answer.status, 0);
+    assert!(answer.err.contains("without the effect `force-feedback` nothing is copied"), "{}", answer.err);
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const CASES: &[(&str, &str, &str, &str)] = &[
+    ("depth = \"2 mm\"", "dept = \"2 mm\"", "`dept` is no key of `pass[0]`", "did you mean `depth`?"),
+    ("depth = \"0.8 mm\"", "depth = \"-0.8 mm\"", "`depth` is -0.8 mm", "above zero"),
+    (
+        "force = { C = 950.0, x = 0.9, y = 0.75 }",
+        "radial_force = \"300 N\"",
+        "what the force is at another feed is not known",
+        "add radial_force",
+    ),
+    ("waves = 3", "waves = -3", "`waves` is -3", "zero or more"),
+    (
+        "# blank_points = [{ at = \"0 mm\", error = \"0.1 mm\" }, { at = \"400 mm\"",
+        "blank_points = [{ at = \"0 mm\", error = \"0.1 mm\" }, { at = \"401 mm\"",
+        "the place lies beyond the shaft",
+        "400 mm long",
+    ),
+    (
+        "# blank_points = [{ at = \"0 mm\", error = \"0.1 mm\" }, { at = \"400 mm\"",
+        "blank_points = [{ at = \"10 mm\", error = \"0.1 mm\" }, { at = \"5 mm\"",
+        "the places do not rise",
+        "each once",
+    ),
+];
+
+#[test]
+fn bad_input_is_told_with_its_remedy() {
+    let good = model("passes.toml");
+    let place = Place::new();
+    for (from, to, message, remedy) in CASES {
+        assert!(good.contains(from), "{from}");
+        place.write("passes.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["run", "passes.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+}
