@@ -4,6 +4,7 @@
 //! To add a process, write its module and one line in [`ALL`].
 
 pub mod axis;
+pub mod cam;
 pub mod contour;
 mod drawing;
 mod effect;
@@ -43,6 +44,7 @@ pub const ALL: &[&dyn Process] = &[
     &stiffness::Stiffness,
     &axis::Axis,
     &contour::Contour,
+    &cam::CamGrinding,
 ];
 
 /// A way in which the system makes or moves something.

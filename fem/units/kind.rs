@@ -56,6 +56,7 @@ kinds! {
     FEED_RATE = "a feed rate" in "mm/min", as "1000";
     GAIN = "a servo gain" in "/s", as "50";
     SHORT_TIME = "a short time" in "ms", as "100";
+    FORCE_PER_RATE = "a force per removal rate" in "N/(mm^2/s)", as "10";
     SPECIFIC_HEAT = "a specific heat" in "J/kg/K", as "470";
 }
 

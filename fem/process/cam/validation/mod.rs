@@ -1,0 +1,14 @@
+//! The validation table of cams: what the source prints, and what closed forms say of simple profiles.
+
+mod circles;
+mod effects;
+mod flanks;
+mod printed;
+mod rig;
+
+use crate::process::Case;
+
+/// All cases, simple ones first.
+pub fn cases() -> Vec<Case> {
+    [circles::cases(), flanks::cases(), effects::cases(), printed::cases()].concat()
+}
