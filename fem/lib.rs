@@ -20,10 +20,12 @@
 //! fit                   what a model does not know exactly, from measurements
 //! compensate            tables for a controller, and what they cannot do
 //! diagnose              which effect is missing
+//! budget                errors added up by rules and by drawing
 //! output                text, CSV, JSON, VTK; files that appear whole
 //! cli                   the commands
 //! ```
 
+pub mod budget;
 pub mod cli;
 pub mod compare;
 pub mod compensate;

@@ -24,6 +24,7 @@ const LAYERS: &[&str] = &[
     "fit",
     "compensate",
     "diagnose",
+    "budget",
     "output",
     "cli",
 ];
@@ -72,7 +73,7 @@ fn no_layer_uses_a_higher_one() {
 fn files_and_processes_stay_apart() {
     // What is above `process` knows no process by name.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("fem");
-    for layer in ["measure", "model", "compare", "fit", "compensate", "diagnose", "output", "cli", "input"] {
+    for layer in ["measure", "model", "compare", "fit", "compensate", "diagnose", "budget", "output", "cli", "input"] {
         let mut files = Vec::new();
         sources(&root.join(layer), &mut files);
         for file in files {

@@ -40,6 +40,8 @@ pub enum Command {
     Plan(Plan),
     /// An axis: backlash value, pitch tables, what they leave, and what they cannot do
     Compensate(Compensate),
+    /// Add errors up, by the handbook's rules and by Monte Carlo
+    Budget(Budget),
     /// The catalogue of effects: law, parameters, units, neutral value, source
     Effects(Effects),
     /// Write a model with one more effect
@@ -184,6 +186,20 @@ pub struct Compensate {
 }
 
 #[derive(Debug, clap::Args)]
+#[command(after_help = "The file lists errors, or names a model whose inputs vary; `fem new budget` explains it.
+
+Examples:
+  fem budget budget.toml
+  fem budget budget.toml --json | jq .handbook.total")]
+pub struct Budget {
+    /// The budget file
+    pub file: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   fem effects
   fem effects turning
@@ -218,7 +234,7 @@ pub struct Add {
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  fem new turning -o shaft.toml")]
 pub struct New {
-    /// The process to model
+    /// The process to model, or `budget`
     pub process: String,
     /// The file to write; it must not exist. Printed if left out
     #[arg(short, long, value_name = "FILE")]

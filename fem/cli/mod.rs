@@ -2,6 +2,7 @@
 
 mod add;
 mod args;
+mod budget;
 mod compare;
 mod compensate;
 mod diagnose;
@@ -34,6 +35,7 @@ pub fn main() -> ExitCode {
         Command::Diagnose(args) => diagnose::run(&args),
         Command::Compensate(args) => compensate::run(&args),
         Command::Plan(args) => plan::run(&args),
+        Command::Budget(args) => budget::run(&args),
         Command::Effects(args) => effects::effects(&args),
         Command::Add(args) => add::add(&args),
         Command::New(args) => new::new(&args),

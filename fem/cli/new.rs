@@ -3,22 +3,31 @@
 use super::args;
 use super::error::Error;
 use super::print;
+use crate::budget;
 use crate::input::{Problem, did_you_mean};
 use crate::output::files;
 use crate::process;
 
+/// What a file to begin with is called, the file, and the command that reads it.
+type Start = (&'static str, &'static str, &'static str);
+
 pub fn new(args: &args::New) -> Result<(), Error> {
-    let Some(process) = process::ALL.iter().find(|p| p.name() == args.process) else {
-        let names: Vec<&str> = process::ALL.iter().map(|p| p.name()).collect();
+    let starts: Vec<Start> = process::ALL
+        .iter()
+        .map(|p| (p.name(), p.starting_model(), "run"))
+        .chain([("budget", budget::STARTING, "budget")])
+        .collect();
+    let Some((_, text, command)) = starts.iter().find(|s| s.0 == args.process) else {
+        let names: Vec<&str> = starts.iter().map(|s| s.0).collect();
         let meant = did_you_mean(&args.process, names.iter().copied(), '`');
         let problem = Problem::new(format!("`{}` is no process known here", args.process));
         return Err(Error::Request(problem.help(format!("{meant}known are {}", names.join(", ")))));
     };
-    let Some(path) = &args.output else { return print(process.starting_model()) };
+    let Some(path) = &args.output else { return print(text) };
     if path.exists() {
         let problem = Problem::new(format!("{} exists already", path.display()));
         return Err(Error::Request(problem.help("name a new file with -o")));
     }
-    files::write(path, process.starting_model().as_bytes())?;
-    print(&format!("written {}; next: fem run {}\n", path.display(), path.display()))
+    files::write(path, text.as_bytes())?;
+    print(&format!("written {}; next: fem {command} {}\n", path.display(), path.display()))
 }

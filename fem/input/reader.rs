@@ -4,7 +4,7 @@
 //! values and notes every problem, so that all of them are reported together; on no file at all it records what was
 //! asked, and the record is the JSON Schema. What is read and what is documented can thus never differ.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -94,6 +94,8 @@ pub struct Reader<'a> {
     /// Keys that should be there, until it is known whether one of them is only misspelt.
     absent: RefCell<Vec<(String, Problem)>>,
     shape: RefCell<Shape>,
+    /// Whether keys that nobody asks for are let pass.
+    is_open: Cell<bool>,
 }
 
 impl<'a> Reader<'a> {
@@ -136,6 +138,7 @@ impl<'a> Reader<'a> {
             asked: RefCell::default(),
             absent: RefCell::default(),
             shape: RefCell::default(),
+            is_open: Cell::default(),
         }
     }
 
@@ -392,6 +395,11 @@ impl<'a> Reader<'a> {
         self.refuse(Problem::new(message).help(help).at(span));
     }
 
+    /// Takes every key of the table for known: what it should hold cannot be told, for what it depends on is wrong.
+    pub fn accept_any(&self) {
+        self.is_open.set(true);
+    }
+
     /// Whether there is no file, and what is asked is only recorded.
     pub fn is_described(&self) -> bool {
         matches!(self.ground, Ground::Described)
@@ -483,10 +491,10 @@ impl<'a> Reader<'a> {
         let mut absent = self.absent.take();
         let asked = self.asked.borrow();
         for (key, item) in table.iter() {
-            if asked.contains(&key) {
+            if asked.contains(&key) || self.is_open.get() {
                 continue;
             }
-            let place = if self.path.is_empty() { "a model file".to_string() } else { format!("`{}`", self.path) };
+            let place = if self.path.is_empty() { "this file".to_string() } else { format!("`{}`", self.path) };
             let near = nearest(key, asked.iter().copied().filter(|a| !table.contains_key(a)));
             let help = match near {
                 Some(near) => format!("did you mean `{near}`?"),

@@ -1,5 +1,6 @@
 //! Writing results: for people, for programs, for ParaView. Files appear whole or not at all.
 
+pub mod budget;
 pub mod comparison;
 pub mod compensation;
 pub mod csv;

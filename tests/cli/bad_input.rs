@@ -33,7 +33,7 @@ n = 0.5
 /// (in the good model, replaced by, line of the error, part of the message, part of the remedy)
 const CASES: &[(&str, &str, usize, &str, &str)] = &[
     ("depth =", "dept =", 12, "`dept` is no key of `cut`", "did you mean `depth`?"),
-    ("[sweep]", "[sweeep]", 16, "`sweeep` is no key of a model file", "did you mean `sweep`?"),
+    ("[sweep]", "[sweeep]", 16, "`sweeep` is no key of this file", "did you mean `sweep`?"),
     ("length = \"300 mm\"", "length = \"300 kg\"", 5, "not a length", "write it in mm"),
     ("length = \"300 mm\"", "length = \"300 mmm\"", 5, "`mmm` is no unit", "did you mean `mm`?"),
     ("length = \"300 mm\"", "length = \"300\"", 5, "the unit is missing", "write it in mm"),

@@ -5,6 +5,7 @@
 mod add;
 mod axis;
 mod bad_input;
+mod budget;
 mod cam;
 mod compare;
 mod compensate;

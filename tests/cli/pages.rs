@@ -22,7 +22,7 @@ fn the_readme_shows_what_the_program_prints() {
         assert!(printed.contains(line), "README shows a line that is not printed: {line}");
     }
     assert!(shown.lines().count() > 10);
-    let cases: usize = fem::process::ALL.iter().map(|p| p.validation().len()).sum();
+    let cases = fem::process::ALL.iter().map(|p| p.validation().len()).sum::<usize>() + fem::budget::validation().len();
     assert!(readme.contains(&format!("computes {cases} cases")), "there are {cases} cases");
 }
 

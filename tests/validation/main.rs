@@ -9,6 +9,11 @@ fn cases(process: &str) -> Vec<Case> {
     process.map(|p| p.validation()).unwrap_or_default()
 }
 
+/// Every table: those of the processes, and that of budgets.
+fn tables() -> Vec<(&'static str, Vec<Case>)> {
+    ALL.iter().map(|p| (p.name(), p.validation())).chain([("budget", fem::budget::validation())]).collect()
+}
+
 /// The same row with an expected value that is off by three tolerances (or by the smallest difference that exists).
 fn shifted(case: &Case) -> Case {
     let shift = match case.tolerance {
@@ -20,16 +25,16 @@ fn shifted(case: &Case) -> Case {
 
 #[test]
 fn every_row_is_within_its_tolerance() {
-    for process in ALL {
-        let failed: Vec<Case> = process.validation().into_iter().filter(|c| !c.passed()).collect();
+    for (_, cases) in tables() {
+        let failed: Vec<Case> = cases.into_iter().filter(|c| !c.passed()).collect();
         assert!(failed.is_empty(), "{failed:#?}");
     }
 }
 
 #[test]
 fn no_row_passes_with_another_expected_value() {
-    for process in ALL {
-        for case in process.validation() {
+    for (_, cases) in tables() {
+        for case in cases {
             let twin = shifted(&case);
             assert!(!twin.passed(), "{}: {} passes for {}", case.name, case.computed, twin.expected);
         }
@@ -44,9 +49,8 @@ fn a_row_that_is_no_number_fails() {
 
 #[test]
 fn rows_have_names_of_their_own_and_sources() {
-    for process in ALL {
-        let cases = process.validation();
-        assert!(cases.len() >= 40, "{} has {} rows", process.name(), cases.len());
+    for (table, cases) in tables() {
+        assert!(cases.len() >= 40, "{table} has {} rows", cases.len());
         for (i, case) in cases.iter().enumerate() {
             assert!(!case.source.is_empty(), "{}", case.name);
             let same = |other: &&Case| (&other.name, other.quantity) == (&case.name, case.quantity);

@@ -1,0 +1,133 @@
+//! A budget by drawing: every error and every input from its law, the laws and the model themselves, sample by sample.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use rayon::prelude::*;
+
+use super::{Budget, Stream};
+use crate::process::Failure;
+use crate::progress::Progress;
+
+/// A figure and its standard error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// The figure.
+    pub value: f64,
+    /// What another seed would change it by.
+    pub error: f64,
+}
+
+/// Parts beyond the tolerance, as parts of one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rejects {
+    /// Of the samples.
+    pub drawn: Measured,
+    /// By a normal law of the same mean and standard deviation.
+    pub normal: f64,
+}
+
+/// What the samples give. m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// How many.
+    pub samples: usize,
+    /// Mean.
+    pub mean: Measured,
+    /// Standard deviation.
+    pub std: Measured,
+    /// The ends between which all but the risk lies, half of it on either side.
+    pub interval: [Measured; 2],
+    /// The end that lies further from zero, without its sign.
+    pub extent: f64,
+    /// Beyond the tolerance, if there is one.
+    pub rejects: Option<Rejects>,
+    /// Draws that fell where there is no model, and were drawn again.
+    pub redrawn: u64,
+}
+
+/// Draws the budget.
+///
+/// # Errors
+/// The model cannot be computed at a draw.
+pub fn draw(budget: &Budget, progress: &Progress) -> Result<Drawn, Failure> {
+    progress.expect(budget.samples as u64);
+    let redrawn = AtomicU64::new(0);
+    let sample = |i: usize| {
+        let result = one(budget, &Stream::new(budget.seed, i as u64), &redrawn);
+        progress.advance(1);
+        result
+    };
+    let mut results: Vec<f64> =
+        (0..budget.samples).into_par_iter().with_min_len(64).map(sample).collect::<Result<_, Failure>>()?;
+    // Sums in the order of the samples, so that threads change no digit.
+    let count = results.len() as f64;
+    let mean = results.iter().sum::<f64>() / count;
+    let moment = |power: i32| results.iter().map(|r| (r - mean).powi(power)).sum::<f64>() / count;
+    let variance = moment(2) * count / (count - 1.0);
+    let std = variance.sqrt();
+    // The variance of a sample's variance is (μ₄ − σ⁴)/N.
+    let std_error = ((moment(4) - variance * variance).max(0.0) / count).sqrt() / (2.0 * std).max(f64::MIN_POSITIVE);
+    let rejects = budget.tolerance.map(|(lower, upper)| {
+        let part = results.iter().filter(|r| **r < lower || **r > upper).count() as f64 / count;
+        Rejects {
+            drawn: Measured { value: part, error: (part * (1.0 - part) / count).sqrt() },
+            normal: beyond(mean, std, lower, upper),
+        }
+    });
+    results.sort_unstable_by(f64::total_cmp);
+    let risk = budget.risk();
+    let interval = [0.5 * risk, 1.0 - 0.5 * risk].map(|p| quantile(&results, p));
+    Ok(Drawn {
+        samples: results.len(),
+        mean: Measured { value: mean, error: std / count.sqrt() },
+        std: Measured { value: std, error: std_error },
+        interval,
+        extent: interval[0].value.abs().max(interval[1].value.abs()),
+        rejects,
+        redrawn: redrawn.into_inner(),
+    })
+}
+
+/// The total on one part, m.
+fn one(budget: &Budget, stream: &Stream, redrawn: &AtomicU64) -> Result<f64, Failure> {
+    let (mut total, mut dimension) = (0.0, 0);
+    for error in &budget.errors {
+        total += error.draw(stream, dimension);
+        dimension += error.dimensions();
+    }
+    let Some(model) = &budget.model else { return Ok(total) };
+    let mut values = Vec::with_capacity(model.inputs.len());
+    for input in &model.inputs {
+        let Some((value, again)) = input.draw(stream, dimension) else {
+            return Err(Failure {
+                message: format!("hardly any draw of {} is a possible value", input.name),
+                help: "narrow its field, or move its middle".into(),
+            });
+        };
+        redrawn.fetch_add(u64::from(again), Ordering::Relaxed);
+        values.push(value);
+        dimension += 1;
+    }
+    Ok(total + model.result(&values)?)
+}
+
+/// The value below which a part p of the sorted samples lies; its error from those a standard deviation of the binomial law before and after it.
+fn quantile(sorted: &[f64], p: f64) -> Measured {
+    let count = sorted.len() as f64;
+    let at = |part: f64| {
+        let position = (part * count - 0.5).clamp(0.0, count - 1.0);
+        let (below, share) = (position.floor() as usize, position.fract());
+        sorted[below] + share * (sorted[(below + 1).min(sorted.len() - 1)] - sorted[below])
+    };
+    let spread = (p * (1.0 - p) / count).sqrt();
+    Measured { value: at(p), error: 0.5 * (at(p + spread) - at(p - spread)) }
+}
+
+/// The part of a normal law outside a tolerance.
+fn beyond(mean: f64, std: f64, lower: f64, upper: f64) -> f64 {
+    if std == 0.0 {
+        return f64::from(u8::from(mean < lower || mean > upper));
+    }
+    let tail = |distance: f64| 0.5 * statrs::function::erf::erfc(distance / std / std::f64::consts::SQRT_2);
+    tail(mean - lower) + tail(upper - mean)
+}

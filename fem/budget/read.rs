@@ -1,0 +1,203 @@
+//! The tables of a budget file.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::path::Path;
+
+use toml_edit::Document;
+
+use super::{Budget, Contribution, Drill, Group, Kind, Law, Source, part, rules};
+use crate::input::{InputError, Problem, Reader, Source as File, nearest};
+use crate::units::{CONTACT_COEFFICIENT, FORCE, MICRO, NUMBER};
+
+/// Largest budget file, bytes.
+const LARGEST: u64 = 1_000_000;
+/// Draws where nothing is said: of laws alone, and through a model.
+const SAMPLES: usize = 200_000;
+const MODEL_SAMPLES: usize = 20_000;
+
+/// Reads a budget file, and the model that it names.
+///
+/// # Errors
+/// Everything that is wrong with either file, with places and remedies.
+pub fn load(path: &Path) -> Result<Budget, InputError> {
+    parse(File::read(path, LARGEST)?)
+}
+
+/// Reads a budget from its text.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub(super) fn parse(file: File) -> Result<Budget, InputError> {
+    let document = Document::parse(file.text.to_string()).map_err(|e| {
+        let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
+        InputError::one(file.clone(), problem.help("a budget file is TOML: [table], key = \"value\", # comment"))
+    })?;
+    // A model that is wrong is told of by itself: its problems lie in another file.
+    let broken = RefCell::new(None);
+    let (budget, mut found) =
+        Reader::of_file(document.as_table(), file.folder(), HashMap::new(), |reader| read(reader, &file, &broken));
+    if let Some(error) = broken.take() {
+        return Err(error);
+    }
+    found.problems.extend(found.parameters.iter().map(|parameter| {
+        Problem::new(format!("`{}` is written with `+-` or `?`", parameter.path))
+            .help("a budget takes fields: write a random error of its own, or let a model's input vary")
+            .at(parameter.span.clone())
+    }));
+    if found.problems.is_empty() { Ok(budget) } else { Err(InputError::new(file, found.problems)) }
+}
+
+fn read(reader: &Reader, file: &File, broken: &RefCell<Option<InputError>>) -> Budget {
+    let title = reader.text("title", "what is added up, for people");
+    let groups = reader.list("group", "sets of errors that enter the total as one random error", |t, _| Group {
+        name: named(t),
+        law: t.choice("distribution", "law of the set's total", Law::WORDS).or_first(Law::Normal),
+    });
+    let errors = reader.list("error", "errors that are given", |t, _| read_error(t, &groups));
+    let model = part::read(reader, broken);
+    let rest = reader.optional_table("budget", "how the errors are added up", |t| read_rules(t, model.is_some()));
+    let (t, tolerance, samples, seed) =
+        rest.unwrap_or((3.0, None, if model.is_some() { MODEL_SAMPLES } else { SAMPLES }, 1));
+    let drill = reader.optional_table("drill", "a hole made by a tool of its size", read_drill).flatten();
+    for key in ["error", "model", "drill"] {
+        if reader.has(key) {
+            return Budget { file: file.clone(), title, t, tolerance, samples, seed, errors, groups, model, drill };
+        }
+    }
+    reader.problem("", "the budget is empty", "add an [[error]], a [model] or a [drill]; `fem new budget` shows all");
+    Budget { file: file.clone(), title, t, tolerance, samples, seed, errors, groups, model, drill }
+}
+
+fn named(t: &Reader) -> String {
+    let name = t.text("name", "what people call it");
+    if name.is_none() && !t.has("name") {
+        t.problem("", "`name` is missing", "add name = \"…\"");
+    }
+    name.unwrap_or_default()
+}
+
+fn read_rules(t: &Reader, has_model: bool) -> (f64, Option<(f64, f64)>, usize, u64) {
+    let about = "of the random total: 1, 2 or 3 for a risk of 32, 4.5 or 0.27 %";
+    let coefficient = t.quantity("t", NUMBER, about).within(0.0, 6.0).or(3.0);
+    let tolerance = t.optional_table("tolerance", "what the total may be", |t| {
+        let lower = t.quantity("lower", MICRO, "least total that is accepted").required();
+        let upper = t.quantity("upper", MICRO, "largest total that is accepted").required();
+        if upper <= lower {
+            t.problem("upper", "the tolerance is empty", "let `upper` be above `lower`");
+        }
+        (lower, upper)
+    });
+    let usual = if has_model { MODEL_SAMPLES } else { SAMPLES };
+    let samples = t.count("samples", "draws of the Monte Carlo").between(100, 100_000_000).or(usual);
+    let seed = t.count("seed", "what the draws begin from").between(0, usize::MAX).or(1);
+    (coefficient, tolerance, samples, seed as u64)
+}
+
+fn read_error(t: &Reader, groups: &[Group]) -> Contribution {
+    let name = named(t);
+    let kind = t.choice("kind", "how the error adds", Kind::WORDS).required(Kind::Random);
+    let law = t.choice("distribution", "law of a random error over its field; uniform if unknown", Law::WORDS);
+    let law = if t.has("distribution") {
+        Some(law.or_first(Law::Uniform))
+    } else {
+        law.or_first(Law::Uniform);
+        None
+    };
+    let sizes = [
+        read_value(t, kind, law),
+        t.optional_table("trial_parts", "setting by trial parts", |t| read_trial_parts(t, law)),
+        t.optional_table("template", "setting by a template", |t| read_template(t, law)),
+        t.optional_table("clamping", "contact under a clamping force that varies", |t| read_clamping(t, law)),
+        t.optional_table("locating", "locating elements, their wear, and the fixture's mounting", |t| {
+            read_locating(t, law)
+        }),
+    ];
+    let given = sizes.iter().flatten().count();
+    if given != 1 && !t.is_described() {
+        let message = if given == 0 { "the error has no size" } else { "the error has several sizes" };
+        t.problem("", message, "give one of `value`, `trial_parts`, `template`, `clamping` and `locating`");
+    }
+    let (value, law, source) = sizes.into_iter().flatten().next().unwrap_or((0.0, Law::Uniform, Source::Given));
+    let group = t.text("group", "the set that it belongs to");
+    if let Some(unknown) = group.as_ref().filter(|g| !groups.iter().any(|known| known.name == **g)) {
+        let near = nearest(unknown, groups.iter().map(|g| g.name.as_str()));
+        let help = near.map_or(format!("add [[group]] with name = \"{unknown}\""), |n| format!("did you mean `{n}`?"));
+        t.problem("group", format!("`{unknown}` is no group of this budget"), help);
+    }
+    Contribution { name, kind, value, law, source, group }
+}
+
+type Size = Option<(f64, Law, Source)>;
+
+fn read_value(t: &Reader, kind: Kind, law: Option<Law>) -> Size {
+    let about = "size with its sign if systematic, half of the field if random";
+    let field = t.quantity("value", MICRO, about);
+    let value = if kind == Kind::Random { field.not_negative() } else { field }.optional()?;
+    Some((value, law.unwrap_or(Law::Uniform), Source::Given))
+}
+
+/// (33), (34), (44)–(46).
+fn read_trial_parts(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
+    let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
+    let measuring = half("measuring", "error of measuring a trial part, Δ_meas");
+    let adjusting = half("adjusting", "error of adjusting the tool, Δ_adj");
+    let field = half("field", "field over which the process scatters, T = 6σ");
+    let parts = t.count("parts", "trial parts, usually 5 to 10").between(1, 1000).required();
+    let parts = [measuring, adjusting, rules::calculation(field, parts)].map(|half| (Law::Uniform, half));
+    of_parts(law.unwrap_or(Law::Normal), parts.to_vec())
+}
+
+fn read_template(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
+    let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
+    let template = half("making", "error of the template, usually 10 to 20 um");
+    let mounting = half("mounting", "error of bringing the tool to it, usually 2 to 50 um");
+    of_parts(law.unwrap_or(Law::Normal), vec![(Law::Uniform, template), (Law::Uniform, mounting)])
+}
+
+/// (47).
+fn read_clamping(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
+    let coefficient = |key, about| t.quantity(key, CONTACT_COEFFICIENT, about).not_negative().required();
+    let force = |key, about| t.quantity(key, FORCE, about).not_negative().required();
+    let c = (coefficient("c_min", "least coefficient"), coefficient("c_max", "largest coefficient"));
+    let force = (force("force_min", "least force"), force("force_max", "largest force"));
+    let exponent = t.quantity("n", NUMBER, "exponent of the force").within(0.0, 1.0).required();
+    for (key, (low, high)) in [("c_max", c), ("force_max", force)] {
+        if high < low {
+            t.problem(key, "the largest is below the least", "exchange the two");
+        }
+    }
+    let [y1, y2] = rules::clamping_ends(c, force, exponent);
+    let law = law.unwrap_or(Law::Normal);
+    let value = Contribution::of_parts(law, &[(Law::Normal, y1), (Law::Normal, y2)]);
+    (value, law, Source::Clamping { c, force, exponent })
+}
+
+/// (48).
+fn read_locating(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
+    let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
+    let locators = half("locators", "error of the locating elements");
+    let wear = half("wear", "their wear");
+    let mounting = half("mounting", "error of the fixture's place on the machine");
+    let parts = vec![(Law::Normal, locators), (Law::Uniform, wear), (Law::Normal, mounting)];
+    of_parts(law.unwrap_or(Law::Normal), parts)
+}
+
+fn of_parts(law: Law, parts: Vec<(Law, f64)>) -> (f64, Law, Source) {
+    (Contribution::of_parts(law, &parts), law, Source::Parts(parts))
+}
+
+fn read_drill(t: &Reader) -> Option<Drill> {
+    let required = |key, about| t.quantity(key, MICRO, about).required();
+    let widening_max = required("widening_max", "by how much the hole is wider than the largest drill, a_max");
+    let widening_min = required("widening_min", "by how much it is wider than the smallest worn drill, a_min");
+    let optional = |key, about| t.quantity(key, MICRO, about).not_negative().optional();
+    let drill = optional("drill_tolerance", "tolerance of the drill, T_i");
+    let wear = optional("wear", "wear that is allowed");
+    let tolerance = optional("tolerance", "tolerance of the hole, T");
+    let found = Drill::new((widening_max, widening_min), drill, wear, tolerance);
+    if found.is_none() {
+        t.problem("", "too little is known of the drill", "give two of `drill_tolerance`, `wear` and `tolerance`");
+    }
+    found
+}

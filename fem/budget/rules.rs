@@ -1,0 +1,61 @@
+//! The handbook's rules for adding errors up [seed 002 (33)–(52)], with its misprints mended: (47) without the stray Q_maxⁿ, (49) with ε on the left.
+
+use super::Law;
+
+/// (40): systematic errors add with their signs.
+pub fn systematic(errors: &[f64]) -> f64 {
+    errors.iter().sum()
+}
+
+/// (42): Δ = t·√Σ λᵢΔᵢ² of random errors with half-fields Δᵢ.
+pub fn random(t: f64, errors: &[(Law, f64)]) -> f64 {
+    t * errors.iter().map(|(law, half)| law.lambda() * half * half).sum::<f64>().sqrt()
+}
+
+/// (33), (34): what the mean of `parts` trial parts is uncertain by, σ/√n, where the process scatters over a field T: σ = T/6.
+pub fn calculation(field: f64, parts: usize) -> f64 {
+    field / 6.0 / (parts as f64).sqrt()
+}
+
+/// (44): setting by trial parts, from measuring, adjusting and calculating, each of them uniform or of unknown law.
+pub fn setting(t: f64, components: &[f64]) -> f64 {
+    random(t, &components.iter().map(|half| (Law::Uniform, *half)).collect::<Vec<_>>())
+}
+
+/// (45): the same where the setting error is taken for normal, t = 3: √3·√(Δ₁² + Δ₂² + Δ₃²).
+pub fn setting_normal(components: &[f64]) -> f64 {
+    setting(3.0, components)
+}
+
+/// (46): the same where it is taken for uniform: √(Δ₁² + Δ₂² + Δ₃²).
+pub fn setting_uniform(components: &[f64]) -> f64 {
+    setting(3f64.sqrt(), components)
+}
+
+/// (47): y₁ = c_min·(Q_maxⁿ − Q_minⁿ) and y₂ = c_max·(Q_maxⁿ − Q_minⁿ); ε_з is the root of their squares.
+pub fn clamping_ends(c: (f64, f64), force: (f64, f64), exponent: f64) -> [f64; 2] {
+    let rise = force.1.powf(exponent) - force.0.powf(exponent);
+    [c.0 * rise, c.1 * rise]
+}
+
+/// (48): ε_пр = √(ε_уэ² + 3ε_и² + ε_с²) of locating elements, wear and mounting, t = 3.
+pub fn fixture(locators: f64, wear: f64, mounting: f64) -> f64 {
+    random(3.0, &[(Law::Normal, locators), (Law::Uniform, wear), (Law::Normal, mounting)])
+}
+
+/// (49): ε = √(ε_б² + ε_з² + ε_пр²) of basing, clamping and fixture, all normal.
+pub fn setup(basing: f64, clamping: f64, fixture: f64) -> f64 {
+    random(3.0, &[(Law::Normal, basing), (Law::Normal, clamping), (Law::Normal, fixture)])
+}
+
+/// (52): the same in one fixture, whose error is systematic: ε = ε_пр + √(ε_б² + ε_з²).
+pub fn setup_in_one_fixture(basing: f64, clamping: f64, fixture: f64) -> f64 {
+    fixture + random(3.0, &[(Law::Normal, basing), (Law::Normal, clamping)])
+}
+
+/// (50), (51): a batch in one fixture on one machine at one setting, Δ = √(Δ_γ² + ε² + 3Δ_и² + 3Δ_т²) + Δ_н + ΣΔ_ф. As printed ε stands under the root with the
+/// systematic part that (52) gives it, against the rule that the two add arithmetically.
+pub fn batch(inherited: f64, setup: f64, wear: f64, thermal: f64, setting: f64, form: f64) -> f64 {
+    let scattering = [(Law::Normal, inherited), (Law::Normal, setup), (Law::Uniform, wear), (Law::Uniform, thermal)];
+    random(3.0, &scattering) + setting + form
+}

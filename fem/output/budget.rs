@@ -1,0 +1,259 @@
+//! A budget, as text and JSON.
+
+use std::fmt::Write;
+
+use serde_json::{Value as Json, json};
+
+use crate::budget::{Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, Share, Unknown};
+
+/// Lengths are told in micrometres.
+const UNIT: &str = "um";
+/// Fewer samples than this beyond either end of the interval do not tell where it is.
+const LEAST_BEYOND: f64 = 10.0;
+/// Widest bar of the tornado, in characters.
+const BAR: f64 = 28.0;
+
+fn um(si: f64) -> f64 {
+    1e6 * si
+}
+
+/// `fem budget --json`: `fem-budget/1`.
+pub fn json(budget: &Budget, estimate: Option<&Estimate>) -> Json {
+    json!({
+        "schema": "fem-budget/1",
+        "budget": &*budget.file.name,
+        "title": budget.title,
+        "model": budget.model.as_ref().map(|m| m.model.source.name.to_string()),
+        "unit": UNIT,
+        "t": budget.t,
+        "risk": budget.risk(),
+        "tolerance": budget.tolerance.map(|(lower, upper)| [um(lower), um(upper)]),
+        "handbook": estimate.map(|e| handbook_json(&e.handbook)),
+        "monte_carlo": estimate.map(|e| drawn_json(budget, &e.monte_carlo)),
+        "pessimism": estimate.and_then(pessimism),
+        "contributions": estimate.map(|e| e.shares.iter().map(share_json).collect::<Vec<_>>()),
+        "drill": budget.drill.as_ref().map(drill_json),
+        "warnings": warnings(budget, estimate),
+    })
+}
+
+fn handbook_json(handbook: &Handbook) -> Json {
+    let groups: Vec<Json> =
+        handbook.groups.iter().map(|(name, total)| json!({ "name": name, "total": um(*total) })).collect();
+    json!({
+        "systematic": um(handbook.systematic),
+        "random": um(handbook.random),
+        "total": um(handbook.total),
+        "one_by_one": handbook.one_by_one.map(um),
+        "groups": groups,
+    })
+}
+
+fn drawn_json(budget: &Budget, drawn: &Drawn) -> Json {
+    let measured = |m: Measured| json!({ "value": um(m.value), "standard_error": um(m.error) });
+    let [low, high] = drawn.interval;
+    json!({
+        "samples": drawn.samples,
+        "seed": budget.seed,
+        "mean": measured(drawn.mean),
+        "std": measured(drawn.std),
+        "interval": [measured(low), measured(high)],
+        "extent": um(drawn.extent),
+        "rejects": drawn.rejects.map(|r| json!({ "share": r.drawn.value, "standard_error": r.drawn.error, "by_normal_law": r.normal })),
+        "redrawn": drawn.redrawn,
+    })
+}
+
+fn share_json(share: &Share) -> Json {
+    json!({
+        "name": share.name,
+        "kind": share.kind.word(),
+        "distribution": (share.kind == Kind::Random).then(|| share.law.word()),
+        "from": um(share.swing.0),
+        "to": um(share.swing.1),
+        "variance_share": share.variance_share,
+    })
+}
+
+fn drill_json(drill: &Drill) -> Json {
+    json!({
+        "tolerance": um(drill.tolerance),
+        "drill_tolerance": um(drill.drill_tolerance),
+        "wear": um(drill.wear),
+        "widening_max": um(drill.widening_max),
+        "widening_min": um(drill.widening_min),
+        "total": um(drill.total()),
+        "left": um(drill.left()),
+        "computed": drill.unknown.map(unknown),
+    })
+}
+
+fn unknown(unknown: Unknown) -> &'static str {
+    match unknown {
+        Unknown::Tolerance => "tolerance",
+        Unknown::DrillTolerance => "drill_tolerance",
+        Unknown::Wear => "wear",
+    }
+}
+
+/// By how much the handbook's total is larger than what the draws reach at the same risk.
+fn pessimism(estimate: &Estimate) -> Option<f64> {
+    let ratio = estimate.handbook.total / estimate.monte_carlo.extent;
+    ratio.is_finite().then_some(ratio)
+}
+
+/// What should not be overlooked.
+pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if let Some(drill) = budget.drill.filter(|d| d.drill_tolerance < 0.0 || d.wear < 0.0 || d.left() < -1e-15) {
+        let lacking = (-drill.left()).max(-drill.drill_tolerance).max(-drill.wear);
+        warnings.push(format!(
+            "the tolerance of the hole does not suffice for its drill: {:.3} um are lacking",
+            um(lacking)
+        ));
+    }
+    let Some(estimate) = estimate else { return warnings };
+    let drawn = &estimate.monte_carlo;
+    if 0.5 * budget.risk() * (drawn.samples as f64) < LEAST_BEYOND {
+        warnings.push(format!(
+            "{} samples are too few for a risk of {:.2} %: take {:.0} or more",
+            drawn.samples,
+            100.0 * budget.risk(),
+            2.0 * LEAST_BEYOND / budget.risk()
+        ));
+    }
+    if drawn.redrawn > 0 {
+        warnings.push(format!(
+            "{} draws fell where the model has no value, and were drawn again: laws are cut off there",
+            drawn.redrawn
+        ));
+    }
+    for (group, _) in &estimate.handbook.groups {
+        let member = |e: &&crate::budget::Contribution| e.group.as_ref() == Some(group) && e.kind == Kind::Systematic;
+        if let Some(error) = budget.errors.iter().find(member) {
+            warnings.push(format!(
+                "`{}` is systematic, and stands under the root with its group `{group}`; the rule adds it arithmetically: see the total one by one",
+                error.name
+            ));
+        }
+    }
+    warnings
+}
+
+/// The budget for people. Writing to a String does not fail.
+pub fn text(budget: &Budget, estimate: Option<&Estimate>) -> String {
+    let title = budget.title.as_deref().unwrap_or(&budget.file.name).replace(|c: char| c.is_control(), " ");
+    let mut text = format!("{title}\nbudget: errors added up by the handbook's rules and by Monte Carlo\n\n");
+    if let Some(estimate) = estimate {
+        handbook_text(&mut text, budget, &estimate.handbook);
+        drawn_text(&mut text, budget, &estimate.monte_carlo);
+        if let Some(pessimism) = pessimism(estimate) {
+            line(&mut text, "handbook over drawn", &format!("{pessimism:.3}"));
+        }
+        tornado(&mut text, &estimate.shares);
+    }
+    if let Some(drill) = &budget.drill {
+        if estimate.is_some() {
+            text.push('\n');
+        }
+        drill_text(&mut text, drill);
+    }
+    text
+}
+
+fn line(text: &mut String, label: &str, told: &str) {
+    let _ = writeln!(text, "  {label:<24} {told}");
+}
+
+fn handbook_text(text: &mut String, budget: &Budget, handbook: &Handbook) {
+    let (systematic, random) = (um(handbook.systematic), um(handbook.random));
+    line(text, "systematic", &format!("{systematic:+.3} um, added with their signs"));
+    let risk = 100.0 * budget.risk();
+    line(
+        text,
+        "random",
+        &format!("+-{random:.3} um by the root of squares, t = {} for a risk of {risk:.2} %", budget.t),
+    );
+    for (name, total) in &handbook.groups {
+        line(text, "", &format!("{name}: {:.3} um as one", um(*total)));
+    }
+    let total = um(handbook.total);
+    let (low, high) = (systematic - random, systematic + random);
+    line(text, "total by the handbook", &format!("{total:.3} um: from {low:+.3} to {high:+.3} um"));
+    if let Some(total) = handbook.one_by_one {
+        line(text, "total, one by one", &format!("{:.3} um, every error of a group by itself", um(total)));
+    }
+}
+
+fn drawn_text(text: &mut String, budget: &Budget, drawn: &Drawn) {
+    let told = |m: Measured| format!("{:+.3} ({:.3})", um(m.value), um(m.error));
+    let (mean, std, std_error) = (told(drawn.mean), um(drawn.std.value), um(drawn.std.error));
+    let told_std = format!("standard deviation {std:.3} ({std_error:.3}) um (standard errors)");
+    line(text, "Monte Carlo", &format!("mean {mean}, {told_std}, {} samples", drawn.samples));
+    let [low, high] = drawn.interval.map(told);
+    let share = 100.0 * (1.0 - budget.risk());
+    line(text, "", &format!("{share:.2} % from {low} to {high} um"));
+    if let (Some((lower, upper)), Some(rejects)) = (budget.tolerance, drawn.rejects) {
+        let [drawn, error, normal] =
+            [rejects.drawn.value, rejects.drawn.error, rejects.normal].map(|part| 100.0 * part);
+        let within = format!("{:+.3} to {:+.3} um", um(lower), um(upper));
+        line(text, "tolerance", &format!("{within}: {drawn:.3} ({error:.3}) % rejects, {normal:.3} % by a normal law"));
+    }
+}
+
+/// Every error with what it alone does, the widest first; a mark stands where nothing is changed.
+fn tornado(text: &mut String, shares: &[Share]) {
+    let width = shares.iter().map(|s| s.name.chars().count()).max().unwrap_or(0).max(13);
+    let low = shares.iter().map(|s| s.swing.0.min(s.swing.1)).fold(0.0, f64::min);
+    let high = shares.iter().map(|s| s.swing.0.max(s.swing.1)).fold(0.0, f64::max);
+    let scale = BAR / (high - low).max(f64::MIN_POSITIVE);
+    let column = |value: f64| ((value - low) * scale).round() as usize;
+    let _ = writeln!(
+        text,
+        "\n  {:<width$}  {:<10} {:>9} {:>9}  {:>8}",
+        "contributions", "", "from um", "to um", "variance"
+    );
+    for share in shares {
+        let (from, to) = (share.swing.0.min(share.swing.1), share.swing.0.max(share.swing.1));
+        let mark = |i: usize| match i {
+            i if i == column(0.0) => '│',
+            i if i >= column(from) && i <= column(to) && to > from => '█',
+            _ => ' ',
+        };
+        let bar: String = (0..=column(high)).map(mark).collect();
+        let law = if share.kind == Kind::Systematic { "systematic" } else { share.law.word() };
+        let _ = writeln!(
+            text,
+            "  {:<width$}  {law:<10} {:>+9.3} {:>+9.3}  {:>6.1} %  {}",
+            share.name,
+            um(from),
+            um(to),
+            100.0 * share.variance_share,
+            bar.trim_end()
+        );
+    }
+}
+
+fn drill_text(text: &mut String, drill: &Drill) {
+    let Drill { widening_max, widening_min, drill_tolerance, wear, tolerance, .. } = *drill;
+    let follows = |of: Unknown| if drill.unknown == Some(of) { ", which follows" } else { "" };
+    line(
+        text,
+        "hole by its drill",
+        &format!(
+            "{:.3} um = {:.3} + {:.3} + {:.3} - {:.3} um",
+            um(drill.total()),
+            um(widening_max),
+            um(drill_tolerance),
+            um(wear),
+            um(widening_min)
+        ),
+    );
+    line(
+        text,
+        "tolerance of the hole",
+        &format!("{:.3} um{}, {:+.3} um left", um(tolerance), follows(Unknown::Tolerance), um(drill.left())),
+    );
+    line(text, "tolerance of the drill", &format!("{:.3} um{}", um(drill_tolerance), follows(Unknown::DrillTolerance)));
+    line(text, "wear of the drill", &format!("{:.3} um{}", um(wear), follows(Unknown::Wear)));
+}

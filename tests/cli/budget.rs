@@ -1,0 +1,186 @@
+//! Budgets as a user meets them: the page, JSON, bad input, draws that no number of threads changes, and models whose scatter is known.
+
+use serde_json::Value as Json;
+
+use super::fem::{Place, model};
+
+fn json(place: &Place, file: &str) -> Json {
+    let answer = place.fem(&["budget", file, "--json"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    serde_json::from_str(&answer.out).unwrap()
+}
+
+#[test]
+fn the_page_of_the_budget() {
+    let place = Place::new();
+    for name in ["budget.toml", "budget-lathe.toml", "lathe.toml"] {
+        place.write(name, model(name));
+    }
+    let answer = place.fem(&["budget", "budget.toml"]);
+    assert_eq!(answer.status, 0);
+    assert!(answer.err.contains("`fixture` is systematic, and stands under the root"), "{}", answer.err);
+    insta::assert_snapshot!(answer.out);
+    insta::assert_snapshot!("budget_of_a_model", place.fem(&["budget", "budget-lathe.toml"]).out);
+}
+
+#[test]
+fn a_starting_budget_adds_up() {
+    let place = Place::new();
+    assert!(place.fem(&["new", "budget", "-o", "b.toml"]).out.contains("next: fem budget b.toml"));
+    let answer = place.fem(&["budget", "b.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+}
+
+#[test]
+fn digits_do_not_depend_on_threads_but_on_the_seed() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    place.write("budget.toml", model("budget-lathe.toml").replace("samples = 20000", "samples = 3000"));
+    let on = |threads: &str| {
+        let mut command = place.command(&["budget", "budget.toml", "--json"]);
+        super::fem::answer(command.env("RAYON_NUM_THREADS", threads).output().unwrap()).out
+    };
+    assert_eq!(on("1"), on("5"));
+    place.write("budget.toml", model("budget-lathe.toml").replace("samples = 20000", "samples = 3000\nseed = 2"));
+    assert_ne!(on("1"), json(&place, "budget.toml")["monte_carlo"]["mean"].to_string());
+}
+
+#[test]
+fn json_has_the_keys_that_are_documented() {
+    let place = Place::new();
+    place.write("budget.toml", model("budget.toml"));
+    let found = json(&place, "budget.toml");
+    assert_eq!(found["schema"], "fem-budget/1");
+    for key in ["t", "risk", "unit", "handbook", "monte_carlo", "pessimism", "contributions", "drill", "warnings"] {
+        assert!(!found[key].is_null(), "{key}");
+    }
+    assert_eq!(found["drill"]["computed"], "wear");
+    assert!((found["drill"]["wear"].as_f64().unwrap() - 22.0).abs() < 1e-9);
+    let shares: f64 =
+        found["contributions"].as_array().unwrap().iter().map(|c| c["variance_share"].as_f64().unwrap()).sum();
+    assert!((shares - 1.0).abs() < 1e-9);
+}
+
+/// A spring whose stiffness is 80 ± 8 N/um gives way by F/k: not normal, and more on the mean than F/80.
+#[test]
+fn a_model_is_drawn_through_its_own_law() {
+    let place = Place::new();
+    let spring = "process = \"stiffness\"\njoint = { stiffness = \"80 +- 8 N/um\" }\ntest = { max_force = \"1 kN\" }\n";
+    place.write("spring.toml", spring);
+    let text = "budget = { samples = 20000 }\n[model]\nfile = \"spring.toml\"\nat = { force = \"800 N\" }\n";
+    place.write("budget.toml", text);
+    let found = json(&place, "budget.toml");
+    // E[1/k] and E[1/k²] by the trapezoidal rule over six standard deviations.
+    let (mut first, mut second, mut weight) = (0.0, 0.0, 0.0);
+    for i in 0..=6000 {
+        let z = -6.0 + 12.0 * f64::from(i) / 6000.0;
+        let (w, y) = ((-0.5 * z * z).exp(), 800.0 / (80.0 + 8.0 * z));
+        (first, second, weight) = (first + w * y, second + w * y * y, weight + w);
+    }
+    let (mean, std) = (first / weight, (second / weight - (first / weight).powi(2)).sqrt());
+    for (key, expected) in [("mean", mean), ("std", std)] {
+        let figure = |name: &str| found["monte_carlo"][key][name].as_f64().unwrap();
+        let (value, error) = (figure("value"), figure("standard_error"));
+        assert!((value - expected).abs() < 3.0 * error, "{key}: {value} for {expected}, {error}");
+    }
+    // What three standard deviations do: 800/56 and 800/104 less 10 um.
+    let swing = &found["contributions"].as_array().unwrap().iter().find(|c| c["kind"] == "random").unwrap();
+    let end = |key: &str| swing[key].as_f64().unwrap();
+    assert!((end("from") - (800.0 / 56.0 - 10.0)).abs() < 1e-9 && (end("to") - (800.0 / 104.0 - 10.0)).abs() < 1e-9);
+    // Taken as uniform with the same standard deviation, and a coordinate that varies with it.
+    let inputs = "[[input]]\nparameter = \"joint.stiffness\"\ndistribution = \"uniform\"\n[[input]]\ncoordinate = \"force\"\nhalf_field = \"60 N\"\n";
+    place.write("budget.toml", format!("{text}{inputs}"));
+    let found = json(&place, "budget.toml");
+    let figure = |name: &str| found["monte_carlo"]["std"][name].as_f64().unwrap();
+    // k uniform over 80 ± 8√3, Q normal with 20 N: E[Q²]·E[1/k²] − (E[Q]·E[1/k])².
+    let half = 8.0 * 3f64.sqrt();
+    let inverse = ((80.0 + half) / (80.0 - half)).ln() / (2.0 * half);
+    let square = 1.0 / (80.0 * 80.0 - half * half);
+    let expected = ((800.0 * 800.0 + 400.0) * square - (800.0 * inverse).powi(2)).sqrt();
+    assert!((figure("value") - expected).abs() < 3.0 * figure("standard_error"), "{} for {expected}", figure("value"));
+}
+
+#[test]
+fn draws_without_a_model_are_drawn_again_and_told() {
+    let place = Place::new();
+    let spring = "process = \"stiffness\"\njoint = { stiffness = \"8 +- 4 N/um\" }\ntest = { max_force = \"1 kN\" }\n";
+    place.write("spring.toml", spring);
+    place.write("budget.toml", "[model]\nfile = \"spring.toml\"\nat = { force = \"1 N\" }\n");
+    let answer = place.fem(&["budget", "budget.toml"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(answer.err.contains("draws fell where the model has no value"), "{}", answer.err);
+}
+
+/// (in the budget, replaced by, part of the message, part of the remedy)
+const CASES: &[(&str, &str, &str, &str)] = &[
+    ("kind = \"random\"", "kind = \"rondom\"", "`kind` is", "did you mean \"random\"?"),
+    ("value = \"9 um\"", "value = \"9 N\"", "not a small length", "write it in um"),
+    ("value = \"9 um\"", "value = \"-9 um\"", "`value` is -9 um", "zero or more"),
+    ("value = \"9 um\"", "value = \"9 +- 1 um\"", "is written with `+-` or `?`", "a budget takes fields"),
+    ("value = \"9 um\"\n", "", "the error has no size", "give one of `value`"),
+    (
+        "value = \"9 um\"\n",
+        "value = \"9 um\"\ntemplate = { making = \"1 um\", mounting = \"1 um\" }\n",
+        "several sizes",
+        "give one of",
+    ),
+    ("group = \"setup\"", "group = \"setap\"", "`setap` is no group", "did you mean `setup`?"),
+    ("c_max = \"0.24 um/N^n\"", "c_max = \"0.1 um/N^n\"", "the largest is below the least", "exchange the two"),
+    ("upper = \"60 um\"", "upper = \"-70 um\"", "the tolerance is empty", "above `lower`"),
+    ("drill_tolerance = \"18 um\"\n", "", "too little is known of the drill", "give two of"),
+    ("t = 3.0", "t = 0.0", "`t` is 0", "above 0 and at most 6"),
+    ("[drill]", "[dril]", "`dril` is no key of this file", "did you mean `drill`?"),
+];
+
+#[test]
+fn bad_input_is_told_with_its_remedy() {
+    let place = Place::new();
+    for (from, to, message, remedy) in CASES {
+        let good = model("budget.toml");
+        assert!(good.contains(from), "{from}");
+        place.write("budget.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["budget", "budget.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+    place.write("budget.toml", "title = \"nothing\"\n");
+    assert!(place.fem(&["budget", "budget.toml"]).err.contains("the budget is empty"));
+}
+
+/// (in the budget of a model, replaced by, part of the message, part of the remedy)
+const MODEL_CASES: &[(&str, &str, &str, &str)] = &[
+    ("file = \"lathe.toml\"", "file = \"lath.toml\"", "cannot be read", "relative to the folder"),
+    ("x = \"300 mm\"", "x = \"3000 mm\"", "not on the shaft", "let the model cover it"),
+    ("x = \"300 mm\", ", "", "`x` is missing in `model.at`", "add x"),
+    ("part = 12", "prt = 12", "`prt` is no key of `model.at`", "did you mean `part`?"),
+    ("\"radial_force\"", "\"radial_farce\"", "is no quantity under which `turning` is observed", "radial_force"),
+    ("half_field = \"90 N\"", "half_field = \"900 N\"", "`radial_force` is below zero", "narrow the field"),
+    (
+        "coordinate = \"radial_force\"",
+        "parameter = \"effects.tool-wear.rate\"",
+        "does not mark `effects.tool-wear.rate`",
+        "write it there as",
+    ),
+    ("[model]", "[model]\nobservable = \"height\"", "observes no such length", "known are"),
+];
+
+#[test]
+fn what_is_wrong_with_a_model_in_a_budget_is_told() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    for (from, to, message, remedy) in MODEL_CASES {
+        let good = model("budget-lathe.toml");
+        assert!(good.contains(from), "{from}");
+        place.write("budget.toml", good.replacen(from, to, 1));
+        let answer = place.fem(&["budget", "budget.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{to}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+    }
+    // A model that is wrong is told of in its own file.
+    place.write("lathe.toml", model("lathe.toml").replace("\"60 +- 10 N/um\"", "\"60 +- 10 mm\""));
+    place.write("budget.toml", model("budget-lathe.toml"));
+    let answer = place.fem(&["budget", "budget.toml"]);
+    assert!(answer.status == 2 && answer.err.contains("lathe.toml:45"), "{}", answer.err);
+}
