@@ -241,12 +241,11 @@ pub fn without<'a>(base: &Trial<'a>, candidates: &[Candidate], set: &Trial<'a>, 
     Some(trial)
 }
 
-/// Exchanges one effect of a set for another as long as the set becomes better by it.
+/// Exchanges one effect of a set for another, or for itself in another shape, as long as the set becomes better by it.
 fn exchange<'a>(base: &Trial<'a>, candidates: &[Candidate], mut best: Trial<'a>, breadth: Breadth) -> Trial<'a> {
     for _ in 0..EXCHANGES {
         let smaller: Vec<Trial> = best.members.iter().filter_map(|m| without(base, candidates, &best, *m)).collect();
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
-        leads.retain(|lead| !best.members.contains(&lead.added));
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
         leads.truncate(breadth.refitted);
         let fitted: Vec<Trial> = leads.par_iter().filter_map(|lead| refit(lead, candidates)).collect();

@@ -98,9 +98,10 @@ pub fn fit(model: &Model, measurements: &Measurements) -> Result<Fit, Failure> {
     if !known {
         // The noise is judged by what the best model leaves, and priors are weighed against it: twice settles both.
         for _ in 0..2 {
-            let noise = Noise::of(measurements, &repeats, &residuals(measurements, &solution.predicted));
-            let noise = if noise.source == NoiseSource::Estimated { objective.left_over(&solution) } else { noise };
-            objective.noise = noise;
+            objective.noise = Noise::of(measurements, &repeats, &residuals(measurements, &solution.predicted));
+            if objective.noise.source == NoiseSource::Estimated {
+                objective.noise = objective.left_over(&solution);
+            }
             solution = least_squares::solve(&mut objective, &solution.position)?;
         }
     }

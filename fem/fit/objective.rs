@@ -147,16 +147,14 @@ impl<'a> Objective<'a> {
         DVector::from_iterator(position.len(), self.axes.iter().zip(position.iter()).map(written))
     }
 
-    /// σ from what a solution leaves, all rows of an observable alike; each has its share of the degrees of freedom.
+    /// σ from what a solution leaves: all rows by one factor. How the observables of a file compare, their neighbouring rows tell better than what
+    /// a wrong model leaves in each.
     pub fn left_over(&self, solution: &Solution) -> Noise {
-        let left = |row: &usize| (self.measurements.observed[*row] - solution.predicted[*row]).powi(2);
-        let share = self.freedom().max(1.0) / self.measurements.len() as f64;
-        let own = |rows: &Vec<usize>| {
-            let square: f64 = rows.iter().map(left).sum();
-            (square / (share * rows.len() as f64)).sqrt().max(1e-15)
-        };
-        let sigma: Vec<f64> = self.measurements.rows_by_observable().iter().map(own).collect();
-        Noise::alike(self.measurements, &sigma, NoiseSource::Estimated)
+        let rows = self.measurements.observed.iter().zip(&solution.predicted).zip(&self.noise.sigma);
+        let square: f64 = rows.map(|((y, p), s)| ((y - p) / s).powi(2)).sum();
+        let factor = (square / self.freedom().max(1.0)).sqrt();
+        let sigma = self.noise.sigma.iter().map(|s| (factor * s).max(1e-15));
+        Noise { sigma: sigma.collect(), source: NoiseSource::Estimated }
     }
 
     /// The values of all parameters, SI.
