@@ -53,7 +53,7 @@ impl Mesh {
                 (off[1] * j[0][0] - off[0] * j[1][0]) / determinant,
             ];
             at = [at[0] - step[0], at[1] - step[1]];
-            if !(step[0].hypot(step[1]) > 1e-13) {
+            if step[0].hypot(step[1]).is_nan() || step[0].hypot(step[1]) <= 1e-13 {
                 break;
             }
         }

@@ -36,7 +36,7 @@ impl Job for Heated {
         progress.advance(1);
         /// Steel boils.
         const HOTTEST: f64 = 5000.0;
-        match observed.iter().find(|v| !(v.abs() < HOTTEST)) {
+        match observed.iter().find(|v| v.is_nan() || v.abs() >= HOTTEST) {
             None => Ok(observed),
             Some(value) => Err(Failure {
                 message: format!("a temperature becomes {value:.3e} K: no body stands that"),

@@ -35,7 +35,7 @@ pub struct Scene {
 enum Shape {
     /// Nodes along the rod, m.
     Rod(Vec<f64>),
-    Plane(Flat),
+    Plane(Box<Flat>),
 }
 
 /// A plane body that is free to grow.
@@ -60,7 +60,7 @@ impl Scene {
                 let system = RodSystem::new(&rod::rod(machine, segments), setup.element_size);
                 Shape::Rod(system.map_err(|e| unsolvable(&e))?.x)
             }
-            Body::Plane(plane) => Shape::Plane(Flat::new(&setup, plane)?),
+            Body::Plane(plane) => Shape::Plane(Box::new(Flat::new(&setup, plane)?)),
         };
         let looks: &[Look] = if matches!(shape, Shape::Plane(_)) { &[Look::Bow] } else { &[] };
         let followed = follow(machine, looks, &Span { step, end: setup.time.end, pictures: FRAMES })?;

@@ -2,27 +2,15 @@
 
 use std::sync::Arc;
 
-use toml_edit::Document;
-
 use super::super::machine::Pass;
 use super::super::report::{Report, report};
 use super::super::{Cam, Setup, effect};
 use crate::input::Reader;
-use crate::process::{Case, Tolerance};
+pub(super) use crate::process::row;
+use crate::process::{Tolerance, set_up};
 
 /// Round-off of positions of some decimetres, in um.
 pub const ROUND_OFF: Tolerance = Tolerance::Absolute(1e-8);
-
-/// A row of the table.
-pub fn row(
-    name: impl Into<String>,
-    quantity: &'static str,
-    (expected, computed, unit): (f64, f64, &'static str),
-    tolerance: Tolerance,
-    source: &'static str,
-) -> Case {
-    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
-}
 
 /// A circle of `radius` about (`beside`, 0), both in mm, from its point on the x axis where it is farthest from the cam's axis, or nearest.
 pub fn circle(radius: f64, beside: f64, from_farthest: bool) -> String {
@@ -62,27 +50,14 @@ pub fn cam(profile: &str, wheel: f64, program: &str, effects: &str) -> Option<Ca
 
 /// The same of a whole model.
 pub fn of_text(text: &str, effects: &str) -> Option<Cam> {
-    let document = Document::parse(text).ok()?;
-    let (setup, _, problems) = Reader::document(document.as_table(), |model| {
+    let read = |model: &Reader| {
         for key in ["title", "process"] {
             model.text(key, "");
         }
         Setup::read(model)
-    });
-    let effects = Document::parse(effects).ok()?;
-    let read = |model: &Reader| {
-        let mut active = Vec::new();
-        for (name, _) in effects.iter() {
-            let description = effect(name)?.description();
-            active.push(model.table(description.name, "", |t| description.read(t)));
-        }
-        Some(active)
     };
-    let (active, _, more) = Reader::document(effects.as_table(), read);
-    if !(problems.is_empty() && more.is_empty()) {
-        return None;
-    }
-    Some(Cam::equip(Arc::new(setup?), &active?))
+    let (setup, active) = set_up(text, effects, read, |name| effect(name).map(|e| e.description()))?;
+    Some(Cam::equip(Arc::new(setup?), &active))
 }
 
 /// Deviation at a polar angle (deg), um, in a pass with this part of the programme's speed.

@@ -2,13 +2,11 @@
 
 use std::sync::Arc;
 
-use toml_edit::Document;
-
 use super::super::machine::Lap;
 use super::super::path::Direction;
 use super::super::{Contouring, Setup, effect};
-use crate::input::Reader;
-use crate::process::{Case, Job, Tolerance};
+pub(super) use crate::process::row;
+use crate::process::{Case, Job, Tolerance, set_up};
 use crate::progress::Progress;
 
 pub const CCW: Direction = Direction::CounterClockwise;
@@ -18,17 +16,6 @@ pub const WAYS: [Direction; 2] = [CCW, CW];
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
 /// Servos that follow at once, 1/s: what they leave of a circle of 150 mm at 1000 mm/min is below 1e-9 um.
 pub const STIFF: f64 = 1e6;
-
-/// A row of the table.
-pub fn row(
-    name: impl Into<String>,
-    quantity: &'static str,
-    (expected, computed, unit): (f64, f64, &'static str),
-    tolerance: Tolerance,
-    source: &'static str,
-) -> Case {
-    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
-}
 
 /// A deviation in um, met within `allowed` um.
 pub fn micro(name: String, (expected, computed): (f64, f64), allowed: f64, source: &'static str) -> Case {
@@ -53,19 +40,8 @@ pub fn rectangle(angle: f64, gain: f64) -> String {
 
 /// The machine of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
 pub fn machine(text: &str, effects: &str) -> Option<Contouring> {
-    let document = Document::parse(text).ok()?;
-    let (setup, _, problems) = Reader::document(document.as_table(), Setup::read);
-    let effects = Document::parse(effects).ok()?;
-    let read = |model: &Reader| {
-        let mut active = Vec::new();
-        for (name, _) in effects.iter() {
-            let description = effect(name)?.description();
-            active.push(model.table(description.name, "", |t| description.read(t)));
-        }
-        Some(active)
-    };
-    let (active, _, more) = Reader::document(effects.as_table(), read);
-    (problems.is_empty() && more.is_empty()).then(|| Contouring::equip(Arc::new(setup), &active.unwrap_or_default()))
+    let (setup, active) = set_up(text, effects, Setup::read, |name| effect(name).map(|e| e.description()))?;
+    Some(Contouring::equip(Arc::new(setup), &active))
 }
 
 /// What is read of a lap at the model's feed; NaN where there is no machine.

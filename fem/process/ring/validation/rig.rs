@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use toml_edit::Document;
-
 use super::super::observe::{ANGLE_OF_ROW, COORDINATES, JAW_FORCE, RUN, SPEED, STATE};
 use super::super::{Chucked, Setup, effect};
-use crate::input::Reader;
-use crate::process::{Case, Job, Rows, Tolerance};
+pub(super) use crate::process::row;
+use crate::process::{Job, Rows, Tolerance, set_up};
 
 /// What sums of doubles leave.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
@@ -21,17 +19,6 @@ pub const RING: &str = r#"
     measurement = { reference = "absolute" }
 "#;
 
-/// A row of the table.
-pub fn row(
-    name: impl Into<String>,
-    quantity: &'static str,
-    (expected, computed, unit): (f64, f64, &'static str),
-    tolerance: Tolerance,
-    source: &'static str,
-) -> Case {
-    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
-}
-
 /// The text of a ring of this bore (mm) in so many jaws.
 pub fn ring(bore: f64, jaws: usize) -> String {
     RING.replace("BORE", &bore.to_string()).replace("JAWS", &jaws.to_string())
@@ -39,19 +26,8 @@ pub fn ring(bore: f64, jaws: usize) -> String {
 
 /// The chuck of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
 pub fn chuck(text: &str, effects: &str) -> Option<Chucked> {
-    let document = Document::parse(text).ok()?;
-    let (setup, _, problems) = Reader::document(document.as_table(), Setup::read);
-    let effects = Document::parse(effects).ok()?;
-    let read = |model: &Reader| {
-        let mut active = Vec::new();
-        for (name, _) in effects.iter() {
-            let description = effect(name)?.description();
-            active.push(model.table(description.name, "", |t| description.read(t)));
-        }
-        Some(active)
-    };
-    let (active, _, more) = Reader::document(effects.as_table(), read);
-    (problems.is_empty() && more.is_empty()).then(|| Chucked::equip(Arc::new(setup), &active.unwrap_or_default()))
+    let (setup, active) = set_up(text, effects, Setup::read, |name| effect(name).map(|e| e.description()))?;
+    Some(Chucked::equip(Arc::new(setup), &active))
 }
 
 /// Rows of one set-up at angles (rad), in the model's own conditions but for some columns.

@@ -2,44 +2,20 @@
 
 use std::sync::Arc;
 
-use toml_edit::Document;
-
 use super::super::observe::UNLOAD;
 use super::super::{Pushed, Setup, effect};
-use crate::input::Reader;
-use crate::process::{Case, Job, Rows, Tolerance};
+pub(super) use crate::process::row;
+use crate::process::{Job, Rows, Tolerance, set_up};
 
 /// What sums of doubles leave.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
-
-/// A row of the table.
-pub fn row(
-    name: impl Into<String>,
-    quantity: &'static str,
-    (expected, computed, unit): (f64, f64, &'static str),
-    tolerance: Tolerance,
-    source: &'static str,
-) -> Case {
-    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
-}
 
 /// A spring of 80 N/um, loaded up to 1000 N, with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can
 /// pass by it.
 pub fn joint(effects: &str) -> Option<Pushed> {
     let text = "joint = { stiffness = \"80 N/um\" }\ntest = { max_force = \"1000 N\", steps = 20 }";
-    let document = Document::parse(text).ok()?;
-    let (setup, _, problems) = Reader::document(document.as_table(), Setup::read);
-    let effects = Document::parse(effects).ok()?;
-    let read = |model: &Reader| {
-        let mut active = Vec::new();
-        for (name, _) in effects.iter() {
-            let description = effect(name)?.description();
-            active.push(model.table(description.name, "", |t| description.read(t)));
-        }
-        Some(active)
-    };
-    let (active, _, more) = Reader::document(effects.as_table(), read);
-    (problems.is_empty() && more.is_empty()).then(|| Pushed::equip(Arc::new(setup), &active.unwrap_or_default()))
+    let (setup, active) = set_up(text, effects, Setup::read, |name| effect(name).map(|e| e.description()))?;
+    Some(Pushed::equip(Arc::new(setup), &active))
 }
 
 /// y under a force (N) on loading, um.

@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use toml_edit::Document;
-
 use super::super::elastic::{Conditions, Elastic};
 use super::super::{Lathe, Setup, effect};
-use crate::input::Reader;
-use crate::process::{Case, Tolerance};
+pub(super) use crate::process::row;
+use crate::process::{Tolerance, set_up};
 use crate::progress::Progress;
 
 /// Agreement of two exact calculations: a thousand rounding errors.
@@ -21,32 +19,10 @@ pub const UNIFORM: &str = r#"
     mesh = { beam = "euler-bernoulli" }
 "#;
 
-/// A row of the table.
-pub fn row(
-    name: impl Into<String>,
-    quantity: &'static str,
-    (expected, computed, unit): (f64, f64, &'static str),
-    tolerance: Tolerance,
-    source: &'static str,
-) -> Case {
-    Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
-}
-
 /// The lathe of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
 pub fn lathe(text: &str, effects: &str) -> Option<Lathe> {
-    let document = Document::parse(text).ok()?;
-    let (setup, _, problems) = Reader::document(document.as_table(), Setup::read);
-    let effects = Document::parse(effects).ok()?;
-    let read = |model: &Reader| {
-        let mut active = Vec::new();
-        for (name, _) in effects.iter() {
-            let description = effect(name)?.description();
-            active.push(model.table(description.name, "", |t| description.read(t)));
-        }
-        Some(active)
-    };
-    let (active, _, more) = Reader::document(effects.as_table(), read);
-    (problems.is_empty() && more.is_empty()).then(|| Lathe::equip(Arc::new(setup), &active.unwrap_or_default()))
+    let (setup, active) = set_up(text, effects, Setup::read, |name| effect(name).map(|e| e.description()))?;
+    Some(Lathe::equip(Arc::new(setup), &active))
 }
 
 /// The uniform shaft held by `held`, with effects.
