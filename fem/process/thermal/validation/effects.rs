@@ -11,7 +11,7 @@ const SETTLED: Tolerance = Tolerance::Relative(1e-6);
 const FOR_EVER: &str = "end = \"1e7 min\", step = \"2e5 min\", scheme = \"backward-euler\"";
 
 pub fn cases() -> Vec<Case> {
-    [lumped(), steady(), sources_and_sensors()].concat()
+    [lumped(), schemes(), steady(), shapes(), sources_and_sensors()].concat()
 }
 
 /// The elongation is that of a lumped body wherever the heat comes in: C·m′ = P − hπDL·(m − a).
@@ -45,6 +45,51 @@ fn lumped() -> Vec<Case> {
             (grown(response), 1e6 * (elongation(&swinging, time) - elongation(&cooled, time)), "um"),
             Tolerance::Relative((10.0 * omega).powi(2) + (10.0 / tau).powi(2)),
             "lumped body, sinusoid",
+        ),
+    ]
+}
+
+/// Both one-stage schemes on the same lumped body.
+fn schemes() -> Vec<Case> {
+    let tau = RHO_C * AREA / (25.0 * PI * 0.02);
+    let time = 3000.0;
+    let exact = -1e6 * ALPHA * POWER / (25.0 * PI * 0.02) * (-time / tau).exp_m1();
+    let one = |scheme: &str, allowed: f64| {
+        let text = ROD.replace("step = \"10 s\"", &format!("step = \"10 s\", scheme = \"{scheme}\""));
+        let computed = 1e6 * elongation(&body(&text, "[convection]\ncoefficient = \"25 W/m^2/K\""), time);
+        let name = format!("rod that loses 25 W/m^2/K, 50 min, {scheme}");
+        row(name, "elongation", (exact, computed, "um"), Tolerance::Relative(allowed), "lumped body, 1 - exp(-t/tau)")
+    };
+    // Steps of 10 s, of second and of first order.
+    vec![one("crank-nicolson", (10.0 / tau).powi(2)), one("backward-euler", 10.0 / tau)]
+}
+
+/// Steps of the diameter and bores.
+fn shapes() -> Vec<Case> {
+    let stepped = ROD.replace(
+        "{ length = \"200 mm\", diameter = \"20 mm\" }",
+        "{ length = \"120 mm\", diameter = \"30 mm\" }, { length = \"80 mm\", diameter = \"20 mm\", bore = \"10 mm\" }",
+    );
+    let still = stepped.replace("end = \"180 min\", step = \"10 s\"", FOR_EVER);
+    let held = body(&still, "[base-conductance]\nconductance = \"0.5 W/K\"");
+    let (thick, hollow) = (PI / 4.0 * 0.03 * 0.03, PI / 4.0 * (0.02 * 0.02 - 0.01 * 0.01));
+    let at_step = POWER / 0.5 + POWER * 0.12 / (K * thick);
+    let name = "stepped rod, Ø30 × 120 and Ø20/10 × 80 mm, steady";
+    let one = |place, expected: f64, x: f64| {
+        row(name, place, (expected, rise(&held, x, 6e8), "K"), SETTLED, "resistances in series")
+    };
+    let grown = 1e6
+        * elongation(&body(&ROD.replace("diameter = \"20 mm\"", "diameter = \"20 mm\", bore = \"12 mm\""), ""), 3600.0);
+    let expected = 1e6 * ALPHA * POWER * 3600.0 / (RHO_C * PI / 4.0 * (0.02 * 0.02 - 0.012 * 0.012));
+    vec![
+        one("rise at the step", at_step, 0.12),
+        one("rise of the heated end", at_step + POWER * 0.08 / (K * hollow), 0.2),
+        row(
+            "hollow rod, insulated, 60 min",
+            "elongation",
+            (expected, grown, "um"),
+            Tolerance::Relative(1e-9),
+            "all heat stays inside",
         ),
     ]
 }

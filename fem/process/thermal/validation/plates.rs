@@ -13,6 +13,7 @@ const PLATE: &str = r#"
 
 pub fn cases() -> Vec<Case> {
     let mut cases = gradient();
+    cases.extend(through());
     cases.push(strip());
     cases.push(bar());
     cases
@@ -34,6 +35,45 @@ fn gradient() -> Vec<Case> {
         row(name, quantity, (1e6 * expected, 1e6 * last(look), "um"), tolerance, "beam theory, linear gradient")
     };
     vec![one("elongation", ALPHA * 6.0 * 0.4, 0), one("bow", ALPHA * 12.0 * 0.16 / (8.0 * 0.04), 1)]
+}
+
+/// 10 kW/m² in above, held at 20 below; and 15 W over the right end into a base of 0.5 W/K.
+fn through() -> Vec<Case> {
+    let heated = r#"
+        boundary = [{ edge = "bottom", temperature = "20 degC" }, { edge = "top", flux = "10 kW/m^2" }]
+        time = { end = "1e5 min", step = "1e4 min", scheme = "backward-euler" }
+    "#;
+    let plate = body(&format!("{PLATE}{heated}"), "");
+    let bow = followed(&plate, &[Look::Bow], 6e5, 6e6).and_then(|f| f.track.values[0].last().copied());
+    let ended = r#"
+        source = [{ at = "400 mm", power = "15 W" }]
+        time = { end = "1e7 min", step = "2e5 min", scheme = "backward-euler" }
+    "#;
+    let held = body(&format!("{PLATE}{ended}"), "[base-conductance]\nconductance = \"0.5 W/K\"");
+    let exact = Tolerance::Relative(1e-8);
+    vec![
+        row(
+            "plate of 40 mm, 10 kW/m^2 through it, steady",
+            "rise of the top",
+            (1e4 * 0.04 / K, temperature_at(&plate, [0.2, 0.04], 6e6) - 20.0, "K"),
+            exact,
+            "q*H/k",
+        ),
+        row(
+            "plate of 40 mm, 10 kW/m^2 through it, steady",
+            "bow",
+            (1e6 * ALPHA * 1e4 / K * 0.16 / 8.0, 1e6 * bow.unwrap_or(f64::NAN), "um"),
+            exact,
+            "alpha*q/k*L^2/8",
+        ),
+        row(
+            "plate on a base of 0.5 W/K, 15 W over its end, steady",
+            "rise of the end",
+            (30.0 + 15.0 * 0.4 / (K * 0.004), temperature_at(&held, [0.4, 0.02], 6e8) - 20.0, "K"),
+            Tolerance::Relative(1e-6),
+            "resistances in series",
+        ),
+    ]
 }
 
 /// A strip of 20 mm and 400 kW/m² passes the whole plate at 0.4 m/min.
