@@ -45,28 +45,25 @@ impl Leg {
         leg
     }
 
-    /// The unit vector along the slide, and where the slide stands.
-    fn state(&self, t: f64) -> (Vector, f64) {
-        (direction(self.turn.0 + self.turn.1 * t), self.slide.0 + self.slide.1 * t)
+    /// The wheel's centre and its first two derivatives by t, m.
+    pub fn motion(&self, t: f64) -> [Vector; 3] {
+        let (e, x) = (direction(self.turn.0 + self.turn.1 * t), self.slide.0 + self.slide.1 * t);
+        let (across, rate, rise) = (left(&e), self.turn.1, self.slide.1);
+        [
+            e * x + across * self.height,
+            e * (rise - self.height * rate) + across * (x * rate),
+            across * ((2.0 * rise - self.height * rate) * rate) - e * (x * rate * rate),
+        ]
     }
 
     /// The wheel's centre, m.
     pub fn centre(&self, t: f64) -> Vector {
-        let (e, x) = self.state(t);
-        e * x + left(&e) * self.height
+        self.motion(t)[0]
     }
 
     /// Its derivative by t, m.
     pub fn velocity(&self, t: f64) -> Vector {
-        let (e, x) = self.state(t);
-        e * (self.slide.1 - self.height * self.turn.1) + left(&e) * (x * self.turn.1)
-    }
-
-    /// Its second derivative by t, m.
-    pub fn acceleration(&self, t: f64) -> Vector {
-        let (e, x) = self.state(t);
-        let rate = self.turn.1;
-        -e * (x * rate * rate) + left(&e) * ((2.0 * self.slide.1 - self.height * rate) * rate)
+        self.motion(t)[1]
     }
 
     fn greatest_slide(&self) -> f64 {
@@ -122,7 +119,8 @@ impl Leg {
     /// centre beside the ray and sin β = b/R, and neither term can change by more than its bound.
     fn bend(&self, ray: &Ray, radius: f64, middle: f64, half: f64) -> Bend {
         let (speed, acceleration) = (self.greatest_speed(), self.greatest_acceleration());
-        let beside = ray.beside(&self.centre(middle));
+        let [centre, velocity, accelerated] = self.motion(middle);
+        let beside = ray.beside(&centre);
         let widest = (beside.abs() + speed * half) / radius;
         if widest >= 1.0 {
             return Bend::Open;
@@ -132,8 +130,8 @@ impl Leg {
         let swing = speed / (radius * cosine);
         let sine = beside / radius;
         let u = ray.normal * (1.0 - sine * sine).sqrt() + ray.across() * sine;
-        let b = ray.across().dot(&self.velocity(middle));
-        let bend = u.dot(&self.acceleration(middle)) + b * b / (radius * (1.0 - sine * sine));
+        let b = ray.across().dot(&velocity);
+        let bend = u.dot(&accelerated) + b * b / (radius * (1.0 - sine * sine));
         let of_first = swing * acceleration + self.greatest_jerk();
         let of_second = 2.0 * speed * acceleration / (radius * cosine * cosine)
             + 2.0 * speed * speed * widest * swing / (radius * cosine.powi(3));
@@ -149,14 +147,14 @@ impl Leg {
     fn lowest(&self, ray: &Ray, radius: f64, from: f64, to: f64) -> f64 {
         // (W'·u, its derivative by t)
         let slope = |t: f64| {
-            let sine = ray.beside(&self.centre(t)) / radius;
+            let [centre, velocity, acceleration] = self.motion(t);
+            let sine = ray.beside(&centre) / radius;
             let cosine = (1.0 - sine * sine).max(0.0).sqrt();
             let (along, across) = (ray.normal, ray.across());
             let u = along * cosine + across * sine;
-            let velocity = self.velocity(t);
             let b = across.dot(&velocity);
             let swing = b / (radius * cosine);
-            let bend = u.dot(&self.acceleration(t)) + velocity.dot(&(across * cosine - along * sine)) * swing;
+            let bend = u.dot(&acceleration) + velocity.dot(&(across * cosine - along * sine)) * swing;
             (velocity.dot(&u), bend)
         };
         if slope(from).0 >= 0.0 {
@@ -192,10 +190,10 @@ impl Leg {
 
     /// By how much the grinding point moves along the envelope per t, forwards positive, m.
     pub fn grinding_speed(&self, t: f64, radius: f64, sense: f64) -> f64 {
-        let velocity = self.velocity(t);
+        let [_, velocity, acceleration] = self.motion(t);
         let speed = velocity.norm();
         // Curvature of the path, positive where it is convex.
-        let curvature = sense * velocity.perp(&self.acceleration(t)) / speed.powi(3);
+        let curvature = sense * velocity.perp(&acceleration) / speed.powi(3);
         speed * (1.0 - radius * curvature)
     }
 

@@ -70,6 +70,23 @@ impl Curve {
         }
     }
 
+    /// x of the point in a direction (a unit vector) from the origin, by a closed form; beyond the ends where there is none. `None` for a curve that has no closed form.
+    pub fn towards(&self, direction: &Vector, sense: f64) -> Option<f64> {
+        match &self.shape {
+            Shape::Line { from, along } => Some(-direction.perp(from) / direction.perp(along)),
+            Shape::Arc { centre, radius, from, way } => {
+                // |d·e − c| = r; of the two the one on whose side the curve faces away from the origin.
+                let beside = direction.perp(centre);
+                let half = (radius * radius - beside * beside).max(0.0).sqrt();
+                let point = direction * (direction.dot(centre) + sense * way * half) - centre;
+                let ahead = way * (point.y.atan2(point.x) - from);
+                // Just before the beginning rather than nearly a turn behind it.
+                Some(radius * ((ahead + 0.5 * PI).rem_euclid(2.0 * PI) - 0.5 * PI))
+            }
+            Shape::Lift { .. } => None,
+        }
+    }
+
     /// Largest −curvature, 1/m.
     pub fn most_hollow(&self, sense: f64) -> f64 {
         match &self.shape {

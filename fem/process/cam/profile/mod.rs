@@ -152,6 +152,9 @@ impl Profile {
         let i = self.stretches.partition_point(|s| self.sense * (s.angle - first) <= ahead).max(1) - 1;
         let stretch = &self.stretches[i];
         let target = direction(angle);
+        if let Some(x) = stretch.curve.towards(&target, self.sense) {
+            return stretch.start + x.clamp(0.0, stretch.curve.length);
+        }
         // How far ahead of x the angle is, which falls along the stretch.
         let ahead_of = |x: f64| self.sense * turn(&stretch.curve.point(x), &target);
         let (mut low, mut high) = (0.0, stretch.curve.length);
@@ -228,3 +231,6 @@ impl Profile {
 
 /// Longest arc in one stretch, rad.
 pub const LONGEST_ARC: f64 = 0.25 * PI;
+
+#[cfg(test)]
+mod tests;
