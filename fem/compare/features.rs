@@ -9,7 +9,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use super::chance::Chance;
 use super::noise::{Noise, NoiseSource};
-use super::waves::Waves;
+use super::waves::{Largest, Waves};
 use super::{SIGNIFICANCE, Shape};
 use crate::measure::Measurements;
 use crate::process::{Coordinate, Holds, Process};
@@ -18,12 +18,14 @@ use crate::units::Kind;
 /// Bins along one coordinate, and along each of a pair.
 const BINS: usize = 12;
 const PAIR_BINS: usize = 6;
-/// Levels along a coordinate that waves run over.
-const LEVELS: usize = 16;
+/// Levels along a coordinate that waves run over; and cells of a pair, of which a coordinate with few levels leaves more to the other.
+const LEVELS: usize = 64;
+const PAIR_LEVELS: usize = 16;
+const CELLS: usize = PAIR_LEVELS * PAIR_LEVELS;
 /// Beyond this many rows the estimated noise is as good as known, and shuffles would take long.
 const MANY: usize = 20_000;
-/// Shuffles of the residuals where the noise is estimated; the smallest p-value is 1/400.
-const SHUFFLES: usize = 399;
+/// Shuffles of the residuals where the noise is estimated; the smallest p-value is 2/1000.
+const SHUFFLES: usize = 999;
 
 /// Along which coordinates, by their position in the process's list: none (everywhere alike), one, or a pair.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -125,7 +127,10 @@ fn of_one(process: &dyn Process, measurements: &Measurements, residuals: &[f64],
 /// Everywhere, every coordinate that varies, and every pair of those.
 fn axes(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<Binned> {
     let bins = |i: usize, most| bins(&measurements.rows.columns[i], most);
-    let levels = |i: usize| bins(i, LEVELS);
+    let together = |i: usize, j: usize| {
+        let beside = |other: usize| LEVELS.min(CELLS / bins(other, PAIR_LEVELS).1);
+        [bins(i, beside(j)), bins(j, beside(i))]
+    };
     let varying: Vec<usize> = (0..coordinates.len())
         .filter(|i| !coordinates[*i].repeats && measurements.given.contains(i) && bins(*i, BINS).1 > 1)
         .collect();
@@ -136,7 +141,7 @@ fn axes(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<Binned> 
             axis: Axis(vec![i]),
             bins: vec![of_rows],
             counts: vec![count],
-            waves: Some(Waves::new(&[levels(i)])),
+            waves: Some(Waves::new(&[bins(i, LEVELS)])),
         });
         for &j in &varying[k + 1..] {
             let ((a, m), (b, n)) = (bins(i, PAIR_BINS), bins(j, PAIR_BINS));
@@ -144,7 +149,7 @@ fn axes(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<Binned> 
                 axis: Axis(vec![i, j]),
                 bins: vec![a, b],
                 counts: vec![m, n],
-                waves: Some(Waves::new(&[levels(i), levels(j)])),
+                waves: Some(Waves::new(&together(i, j))),
             });
         }
     }
@@ -198,11 +203,13 @@ impl Score {
 impl Binned {
     fn score(&self, z: &[f64]) -> Score {
         let mean = z.iter().sum::<f64>() / z.len() as f64;
-        let waves = self.waves.as_ref().and_then(|waves| {
-            let (sum, among, wave) = waves.largest(z, mean)?;
-            let alone = Score::of(sum, 1.0);
-            Some(Score { p_value: (alone.p_value * among as f64).min(1.0), wave: Some(wave), ..alone })
-        });
+        let wave = |largest: Largest| {
+            let alone = Score::of(largest.square, largest.freedom);
+            let p_value = (alone.p_value * largest.among as f64).min(1.0);
+            Score { p_value, wave: Some(largest.halves), ..alone }
+        };
+        let waves = self.waves.iter().flat_map(|waves| waves.largest(z, mean)).map(wave);
+        let waves = waves.min_by(|a, b| a.p_value.total_cmp(&b.p_value));
         self.bins_score(z, mean).or(waves)
     }
 
@@ -268,8 +275,9 @@ fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &
 enum Limit {
     /// Number of places looked at.
     Places(f64),
-    /// The smallest p-value of each shuffle, rising, and the number of rows.
-    Shuffled(Vec<f64>, usize),
+    /// The smallest p-values of each shuffle along single coordinates and along pairs, rising, and the number of rows. A few residuals that are far
+    /// larger than the rest make cells of pairs look striking by chance, and would drown what stands along one coordinate.
+    Shuffled([Vec<f64>; 2], usize),
 }
 
 impl Limit {
@@ -279,28 +287,33 @@ impl Limit {
         }
         let mut shuffled = z.to_vec();
         let mut random = Chance::new(0x5EED);
-        let mut smallest = |_| {
+        let mut smallest = [Vec::new(), Vec::new()];
+        for _ in 0..SHUFFLES {
             for i in (1..shuffled.len()).rev() {
                 shuffled.swap(i, random.below(i + 1));
             }
             // A shuffle cannot change the mean, which is no finding without a known noise.
-            axes.iter().skip(1).map(|a| a.score(&shuffled).p_value).fold(1.0, f64::min)
-        };
-        let mut smallest: Vec<f64> = (0..SHUFFLES).map(&mut smallest).collect();
-        smallest.sort_unstable_by(f64::total_cmp);
+            for (coordinates, smallest) in (1..).zip(&mut smallest) {
+                let own = axes.iter().filter(|a| a.axis.0.len() == coordinates);
+                smallest.push(own.map(|a| a.score(&shuffled).p_value).fold(1.0, f64::min));
+            }
+        }
+        smallest.iter_mut().for_each(|s| s.sort_unstable_by(f64::total_cmp));
         Self::Shuffled(smallest, z.len())
     }
 
     fn p_value(&self, axis: &Binned, score: &Score) -> f64 {
-        match self {
-            Self::Places(places) => (score.p_value * places).min(1.0),
+        match (self, axis.axis.0.len()) {
+            (Self::Places(places), _) => (score.p_value * places).min(1.0),
             // A shuffle does not change the mean. The noise, from second differences, is known to a third of its rows.
-            Self::Shuffled(_, rows) if axis.axis.0.is_empty() => {
+            (Self::Shuffled(_, rows), 0) => {
                 FisherSnedecor::new(1.0, (*rows as f64 / 3.0).max(1.0)).map_or(1.0, |d| d.sf(score.sum))
             }
-            Self::Shuffled(smallest, _) => {
-                let below = smallest.partition_point(|p| *p <= score.p_value);
-                (below + 1) as f64 / (smallest.len() + 1) as f64
+            (Self::Shuffled(smallest, _), coordinates) => {
+                let own = &smallest[coordinates - 1];
+                let below = own.partition_point(|p| *p <= score.p_value);
+                // Singles and pairs are both looked at.
+                (2.0 * (below + 1) as f64 / (own.len() + 1) as f64).min(1.0)
             }
         }
     }

@@ -1,4 +1,5 @@
-//! Waves along a coordinate or along both of a pair: what goes up and down from level to level, which bins average out.
+//! Waves along a coordinate or along both of a pair: what goes up and down from level to level, which bins average out. Half waves from end to end, whole
+//! waves of any phase, and whole waves at a single level of the other coordinate.
 
 /// cos(πk(i + ½)/m) over the levels i of a coordinate with m of them, k = 1 … m − 1; along a pair the products of two such.
 pub struct Waves {
@@ -6,6 +7,21 @@ pub struct Waves {
     cell: Vec<usize>,
     cells: usize,
     waves: Vec<Wave>,
+    /// Cosine and sine of the same whole wave, orthonormal.
+    whole: Vec<[Wave; 2]>,
+}
+
+/// A wave that shows most.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Largest {
+    /// The square of its coefficient, or of both: χ² by chance.
+    pub square: f64,
+    /// With so many degrees of freedom.
+    pub freedom: f64,
+    /// Among so many waves.
+    pub among: usize,
+    /// Half periods along each coordinate.
+    pub halves: Vec<usize>,
 }
 
 struct Wave {
@@ -14,6 +30,11 @@ struct Wave {
     /// Over the cells, of length one over the rows.
     values: Vec<f64>,
 }
+
+/// Whole waves are looked for at single levels of a coordinate that has no more.
+const FEW: usize = 6;
+/// Of a wave less than this length is left when another is taken out of it: the rows do not tell them apart.
+const DEPENDENT: f64 = 1e-3;
 
 impl Waves {
     /// Over the levels of each row and how many levels there are, along one coordinate or two.
@@ -49,17 +70,75 @@ impl Waves {
                 Wave { halves, values }
             })
         };
-        Self { cell, cells, waves: halves.into_iter().filter_map(wave).collect() }
+        let waves = halves.into_iter().filter_map(wave).collect();
+        Self { whole: whole(along, &counts), cell, cells, waves }
     }
 
-    /// The square of the largest coefficient, among how many, and its half periods; χ² with one degree of freedom by chance.
-    pub fn largest(&self, z: &[f64], mean: f64) -> Option<(f64, usize, Vec<usize>)> {
+    /// The largest half wave and the largest whole wave.
+    pub fn largest(&self, z: &[f64], mean: f64) -> impl Iterator<Item = Largest> {
         let mut sums = vec![0.0; self.cells];
         self.cell.iter().zip(z).for_each(|(c, z)| sums[*c] += z - mean);
         let square = |wave: &Wave| wave.values.iter().zip(&sums).map(|(v, s)| v * s).sum::<f64>().powi(2);
-        let largest = self.waves.iter().map(|w| (square(w), w)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some((largest.0, self.waves.len(), largest.1.halves.clone()))
+        let halves = self.waves.iter().map(|w| (square(w), w)).max_by(|a, b| a.0.total_cmp(&b.0));
+        let whole = self.whole.iter().map(|[c, s]| (square(c) + square(s), c)).max_by(|a, b| a.0.total_cmp(&b.0));
+        let among = self.waves.len() + self.whole.len();
+        [(halves, 1.0), (whole, 2.0)].into_iter().filter_map(move |(largest, freedom)| {
+            let (square, wave) = largest?;
+            Some(Largest { square, freedom, among, halves: wave.halves.clone() })
+        })
     }
+}
+
+/// Whole waves along every coordinate, wherever the other stands; and at each level of the other where that has few.
+fn whole(along: &[(Vec<usize>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
+    let levels: Vec<usize> = along.iter().map(|a| a.1).collect();
+    let level = |cell: usize, i: usize| cell / levels[i + 1..].iter().product::<usize>() % levels[i];
+    let mut found = Vec::new();
+    for i in 0..levels.len() {
+        // Along a pair what goes along one alone is that one's own affair.
+        let others: Vec<Option<(usize, usize)>> = match levels.len() {
+            1 => vec![None],
+            _ if levels[1 - i] > FEW => continue,
+            _ => (0..levels[1 - i]).map(|l| Some((1 - i, l))).collect(),
+        };
+        for other in others {
+            let here = |cell: usize| other.is_none_or(|(j, l)| level(cell, j) == l);
+            // At least two levels to a period.
+            for periods in 1..=(levels[i] - 1) / 2 {
+                let angle = |cell: usize| std::f64::consts::TAU * (periods * level(cell, i)) as f64 / levels[i] as f64;
+                let one = |part: fn(f64) -> f64| -> Vec<f64> {
+                    (0..counts.len()).map(|c| if here(c) { part(angle(c)) } else { 0.0 }).collect()
+                };
+                let within: Vec<f64> = (0..counts.len()).map(|c| f64::from(here(c))).collect();
+                let mut halves = vec![0; levels.len()];
+                halves[i] = 2 * periods;
+                if let Some([_, cosine, sine]) = orthonormal([within, one(f64::cos), one(f64::sin)], counts) {
+                    let wave = |values| Wave { halves: halves.clone(), values };
+                    found.push([wave(cosine), wave(sine)]);
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Gram and Schmidt over the rows; `None` where the rows do not tell them apart.
+fn orthonormal<const N: usize>(mut vectors: [Vec<f64>; N], counts: &[f64]) -> Option<[Vec<f64>; N]> {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(counts).map(|((a, b), n)| a * b * n).sum::<f64>();
+    for i in 0..N {
+        let whole = dot(&vectors[i], &vectors[i]).sqrt();
+        let (before, rest) = vectors.split_at_mut(i);
+        for other in before.iter() {
+            let along = dot(other, &rest[0]);
+            rest[0].iter_mut().zip(other).for_each(|(v, o)| *v -= along * o);
+        }
+        let length = dot(&rest[0], &rest[0]).sqrt();
+        if length <= DEPENDENT * whole {
+            return None;
+        }
+        rest[0].iter_mut().for_each(|v| *v /= length);
+    }
+    Some(vectors)
 }
 
 #[cfg(test)]
@@ -72,18 +151,35 @@ mod tests {
         let first: Vec<usize> = (0..72).map(|r| r / 9).collect();
         let second: Vec<usize> = (0..72).map(|r| r % 9).collect();
         let z: Vec<f64> = first.iter().map(|i| if i % 2 == 0 { 1.0 } else { -1.0 }).collect();
-        let along = Waves::new(&[(first.clone(), 8)]).largest(&z, 0.0).unwrap();
-        assert_eq!(along.2, [7]);
-        assert!(along.0 > 0.75 * 72.0, "{}", along.0);
-        assert!(Waves::new(&[(second.clone(), 9)]).largest(&z, 0.0).unwrap().0 < 1e-20);
+        let along = Waves::new(&[(first.clone(), 8)]).largest(&z, 0.0).next().unwrap();
+        assert_eq!(along.halves, [7]);
+        assert!(along.square > 0.75 * 72.0, "{}", along.square);
+        assert!(Waves::new(&[(second.clone(), 9)]).largest(&z, 0.0).next().unwrap().square < 1e-20);
         // A wave along both is seen by neither alone.
         let both: Vec<f64> = z
             .iter()
             .zip(&second)
             .map(|(z, j)| z * (std::f64::consts::PI * 3.0 * (*j as f64 + 0.5) / 9.0).cos())
             .collect();
-        assert!(Waves::new(&[(first.clone(), 8)]).largest(&both, 0.0).unwrap().0 < 1e-20);
-        let found = Waves::new(&[(first, 8), (second, 9)]).largest(&both, 0.0).unwrap();
-        assert_eq!(found.2, [7, 3]);
+        assert!(Waves::new(&[(first.clone(), 8)]).largest(&both, 0.0).next().unwrap().square < 1e-20);
+        let found = Waves::new(&[(first, 8), (second, 9)]).largest(&both, 0.0).next().unwrap();
+        assert_eq!(found.halves, [7, 3]);
+    }
+
+    #[test]
+    fn a_whole_wave_is_seen_at_any_phase_and_at_one_level() {
+        // Five waves around 24 places, at any phase, on all of three runs or on one of them.
+        let (run, place): (Vec<usize>, Vec<usize>) = (0..72).map(|r| (r / 24, r % 24)).unzip();
+        for phase in [0.0, 0.7, 1.5] {
+            let wave: Vec<f64> =
+                place.iter().map(|i| (std::f64::consts::TAU * 5.0 * *i as f64 / 24.0 - phase).cos()).collect();
+            let seen = Waves::new(&[(place.clone(), 24)]).largest(&wave, 0.0).nth(1).unwrap();
+            assert_eq!(seen.halves, [10]);
+            assert!((seen.square - 36.0).abs() < 1e-9);
+            let one: Vec<f64> = wave.iter().zip(&run).map(|(w, r)| if *r == 1 { *w } else { 0.0 }).collect();
+            let seen = Waves::new(&[(place.clone(), 24), (run.clone(), 3)]).largest(&one, 0.0).nth(1).unwrap();
+            assert_eq!(seen.halves, [10, 0]);
+            assert!((seen.square - 12.0).abs() < 1e-9);
+        }
     }
 }
