@@ -12,9 +12,9 @@ use super::gain::Gain;
 use super::ground::Ground;
 use super::pairs;
 use super::price::{Price, Yardstick};
-use super::signature::Candidate;
+use super::signature::{Candidate, Variant};
 use super::trial::{self, Trial};
-use crate::fit::{Patience, Solution, minimise};
+use crate::fit::{Objective, Patience, Solution, minimise};
 use crate::progress::Progress;
 
 /// A set grows when chance alone gives so much in fewer searches than this.
@@ -39,6 +39,8 @@ impl Breadth {
 const STARTS: usize = 2;
 /// Rounds in which an effect of a set is exchanged, at most.
 const EXCHANGES: usize = 4;
+/// How often a start that cannot be computed is brought nearer.
+const HALVINGS: usize = 5;
 /// χ² of the priors above which a re-fit also starts from what is written.
 const BENT: f64 = 9.0;
 /// Far enough to tell sets apart; the last one is fitted to the bottom.
@@ -258,6 +260,25 @@ fn exchange<'a>(base: &Trial<'a>, candidates: &[Candidate], mut best: Trial<'a>,
     best
 }
 
+/// A start that can be computed: what the columns promise may lie where there is no model, and half of it, or a quarter, where there is one.
+fn nearer(
+    objective: &mut Objective,
+    mut start: DVector<f64>,
+    (first, variant): (usize, &Variant),
+) -> Option<DVector<f64>> {
+    for _ in 0..HALVINGS {
+        if objective.predict(&start).is_some() {
+            return Some(start);
+        }
+        for switch in &variant.switches {
+            let neutral = variant.position[switch.parameter];
+            let place = &mut start[first + switch.parameter];
+            *place = neutral + 0.5 * (*place - neutral);
+        }
+    }
+    None
+}
+
 /// Fits a set from its starts.
 fn refit<'a>(lead: &Lead<'_, 'a>, candidates: &[Candidate]) -> Option<Trial<'a>> {
     fit_with(lead.parent, lead.added, &candidates[lead.added], &lead.starts)
@@ -286,7 +307,8 @@ pub fn fit_with<'a>(
         let bent = objective.pull(&start) > BENT;
         let written = bent.then(|| objective.as_written(&start));
         for start in std::iter::once(start).chain(written) {
-            let found = minimise(&mut objective, &start, &[], SEARCHING);
+            let found = nearer(&mut objective, start, (first, variant))
+                .and_then(|start| minimise(&mut objective, &start, &[], SEARCHING));
             best = best.into_iter().chain(found).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
         }
     }

@@ -16,6 +16,9 @@ const ALONE: usize = 10;
 const PLACE: usize = 16;
 const TOGETHER: usize = 6;
 
+/// An effect is a square that differs from one by less than this part.
+const SQUARE: f64 = 0.1;
+
 /// An effect that the model does not have, with its signatures.
 #[derive(Clone)]
 pub struct Candidate {
@@ -47,14 +50,14 @@ pub struct Switch {
     pub parameter: usize,
     /// The size at which its column was computed, in the search variable.
     pub size: f64,
-    /// Whether the effect is the same for either sign of it, and grows with its square.
-    is_even: bool,
+    /// Whether the effect grows with its square, the same for either sign of it.
+    is_square: bool,
 }
 
 impl Switch {
     /// The search variable, from neutral, that gives this amplitude of the column.
     pub fn value(&self, amplitude: f64) -> f64 {
-        if self.is_even { (amplitude.max(0.0) * self.size).sqrt() } else { amplitude }
+        if self.is_square { (amplitude.max(0.0) * self.size).sqrt() } else { amplitude }
     }
 }
 
@@ -102,7 +105,12 @@ impl Probe<'_, '_> {
                 None if alone => ALONE,
                 None => TOGETHER,
             };
-            (*i, self.axes[*i].grid(count))
+            let axis = &self.axes[*i];
+            // What comes round is tried once around.
+            match effect.parameters[*i].period.map(|p| 0.5 * effect.parameters[*i].kind.to_si(p)) {
+                Some(half) => (*i, axis.grid_within(-half, half, count)),
+                None => (*i, axis.grid(count)),
+            }
         };
         let grids: Vec<(usize, Vec<f64>)> = shapes.iter().map(grid).collect();
         let points = combinations(&grids, &neutral);
@@ -117,12 +125,13 @@ impl Probe<'_, '_> {
         let axis = &self.axes[parameter];
         let (neutral, size) = (axis.neutral(), axis.unit.min(axis.high - axis.neutral()));
         let both = axis.low <= neutral - size;
-        let is_even = both
-            && match (self.column(at, parameter, size), self.column(at, parameter, -size)) {
-                (Some(forth), Some(back)) => (&forth + &back).norm() < 0.1 * forth.norm(),
-                _ => false,
-            };
-        Switch { parameter, size, is_even }
+        // Per unit: the same from the other side for what is linear, the opposite for a square; from half as far the same, or half.
+        let (other, sign) = if both { (-size, -1.0) } else { (0.5 * size, 2.0) };
+        let is_square = match (self.column(at, parameter, size), self.column(at, parameter, other)) {
+            (Some(far), Some(near)) => (&far - sign * &near).norm() < SQUARE * far.norm(),
+            _ => false,
+        };
+        Switch { parameter, size, is_square }
     }
 
     fn variant(&mut self, effect: &'static Description, position: Vec<f64>, switches: &[Switch]) -> Option<Variant> {
@@ -130,7 +139,7 @@ impl Probe<'_, '_> {
             switches.iter().map(|s| self.column(&position, s.parameter, s.size)).collect::<Option<_>>()?;
         let signed = switches.iter().map(|s| {
             let entry = &effect.parameters[s.parameter];
-            entry.neutral != Neutral::Infinity && entry.bounds == Bounds::Any && !s.is_even
+            entry.neutral != Neutral::Infinity && entry.bounds == Bounds::Any && !s.is_square
         });
         (!columns.is_empty()).then(|| Variant {
             signed: signed.collect(),

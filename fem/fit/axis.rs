@@ -140,8 +140,13 @@ impl Axis {
 
     /// Evenly spaced search variables over the bounds, both of which are finite.
     pub fn grid(&self, count: usize) -> Vec<f64> {
+        self.grid_within(self.low, self.high, count)
+    }
+
+    /// The same between two search variables.
+    pub fn grid_within(&self, low: f64, high: f64, count: usize) -> Vec<f64> {
         let part = |i: usize| (i as f64 + 0.5) / count as f64;
-        (0..count).map(|i| self.low + (self.high - self.low) * part(i)).collect()
+        (0..count).map(|i| (low + (high - low) * part(i)).clamp(self.low, self.high)).collect()
     }
 
     /// The search variable at which the effect is switched off, for a parameter that switches it.
