@@ -10,7 +10,7 @@ mod table;
 
 use std::path::Path;
 
-use generator::{Case, EFFECTS, nothing, outside, several, single};
+use generator::{Case, Process, RING, TURNING};
 use score::{Score, score};
 use table::Table;
 
@@ -36,44 +36,50 @@ fn keep(directory: &Path, case: &Case) {
     }
 }
 
-fn singles(lambda: f64, seeds: std::ops::Range<u64>) -> impl Iterator<Item = (String, Case)> {
+fn singles(process: &Process, lambda: f64, seeds: std::ops::Range<u64>) -> impl Iterator<Item = (String, Case)> {
     let of = move |effect: &'static str| {
-        seeds.clone().filter_map(move |s| Some((format!("{effect} {s}"), single(effect, lambda, s)?)))
+        seeds.clone().filter_map(move |s| Some((format!("{effect} {s}"), process.single(effect, lambda, s)?)))
     };
-    EFFECTS.iter().copied().flat_map(of)
+    process.laws.iter().map(|law| law.0).flat_map(of)
 }
 
 fn numbered(seeds: std::ops::Range<u64>, make: impl Fn(u64) -> Case) -> impl Iterator<Item = (String, Case)> {
     seeds.map(move |s| (s.to_string(), make(s)))
 }
 
-/// The whole of it; some minutes in a release build.
-#[test]
-#[ignore = "minutes long; prints the table of README.md"]
-fn the_whole() {
+/// All kinds of cases of a process, each effect alone `each` times.
+fn whole(process: &Process, each: u64) {
     let mut table = Table::default();
-    run(&mut table, "nothing hidden", numbered(1000..1200, nothing));
+    run(&mut table, "nothing hidden", numbered(1000..1200, |s| process.nothing(s)));
     for &lambda in SIZES {
-        run(&mut table, &format!("one, λ = {lambda}"), singles(lambda, 1000..1004));
+        run(&mut table, &format!("one, λ = {lambda}"), singles(process, lambda, 1000..1000 + each));
     }
     for lambda in [8.0, 15.0, 40.0] {
-        run(&mut table, &format!("two, λ ≥ {lambda}"), numbered(1000..1060, |s| several(2, lambda, s)));
-        run(&mut table, &format!("three, λ ≥ {lambda}"), numbered(1000..1030, |s| several(3, lambda, s)));
+        run(&mut table, &format!("two, λ ≥ {lambda}"), numbered(1000..1060, |s| process.several(2, lambda, s)));
+        run(&mut table, &format!("three, λ ≥ {lambda}"), numbered(1000..1030, |s| process.several(3, lambda, s)));
     }
     for lambda in [8.0, 15.0, 40.0] {
-        run(&mut table, &format!("outside, λ = {lambda}"), numbered(1000..1060, |s| outside(lambda, s)));
+        run(&mut table, &format!("outside, λ = {lambda}"), numbered(1000..1060, |s| process.outside(lambda, s)));
     }
     println!("{table}");
 }
 
+#[test]
+#[ignore = "minutes long; prints the table of README.md"]
+fn the_whole_of_turning() {
+    whole(&TURNING, 4);
+}
+
+#[test]
+#[ignore = "minutes long; prints the table of README.md"]
+fn the_whole_of_ring() {
+    whole(&RING, 10);
+}
+
 /// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than one seed of a hundred.
 #[test]
-fn a_sample() {
-    let mut table = Table::default();
-    run(&mut table, "nothing", numbered(0..24, nothing));
-    run(&mut table, "one", singles(15.0, 0..1));
-    run(&mut table, "two", numbered(0..8, |s| several(2, 40.0, s)));
-    run(&mut table, "outside", numbered(0..10, |s| outside(15.0, s)));
+fn a_sample_of_turning() {
+    let table = sample(&TURNING, 1);
     let count = |group: &str, is: fn(&Score) -> bool| table.scores(group).iter().filter(|s| is(s)).count();
     assert!(count("nothing", |s| s.right) >= 22, "{table}");
     assert!(count("one", |s| s.first) >= 16, "{table}");
@@ -81,4 +87,13 @@ fn a_sample() {
     assert!(count("outside", |s| s.right) >= 8, "{table}");
     let covered = table.scores("one").iter().fold((0, 0), |(a, b), s| (a + s.covered.0, b + s.covered.1));
     assert!(covered.0 as f64 >= 0.8 * covered.1 as f64, "{table}");
+}
+
+fn sample(process: &Process, each: u64) -> Table {
+    let mut table = Table::default();
+    run(&mut table, "nothing", numbered(0..24, |s| process.nothing(s)));
+    run(&mut table, "one", singles(process, 15.0, 0..each));
+    run(&mut table, "two", numbered(0..8, |s| process.several(2, 40.0, s)));
+    run(&mut table, "outside", numbered(0..10, |s| process.outside(15.0, s)));
+    table
 }

@@ -51,8 +51,10 @@ pub fn score(case: &Case) -> Score {
         Kind::Outside => matches!(diagnosis.verdict, Verdict::Unexplained | Verdict::PartlyExplained),
         Kind::Effects => all_named && classes.len() == hidden.len() && diagnosis.verdict == Verdict::MissingEffect,
     };
-    let squares =
-        fresh.observed.iter().zip(&diagnosis.after.predicted).map(|(y, p)| (1e6 * (y - p) / case.truth.sigma).powi(2));
+    let mut differences: Vec<f64> = fresh.observed.iter().zip(&diagnosis.after.predicted).map(|(y, p)| y - p).collect();
+    let blind = model.system.blind(&model.system.resolved(&fresh.rows));
+    blind.iter().for_each(|direction| direction.take_out(&mut differences));
+    let squares = differences.iter().zip(&case.truth.noise_of_rows).map(|(d, sigma)| (d / sigma).powi(2));
     Score {
         right,
         hides_effects: case.truth.kind == Kind::Effects,
@@ -60,7 +62,7 @@ pub fn score(case: &Case) -> Score {
         all_named,
         covered: coverage(case, &diagnosis),
         classes: classes.iter().map(Vec::len).collect(),
-        fresh: squares.sum::<f64>() / fresh.len() as f64,
+        fresh: squares.sum::<f64>() / (fresh.len() - blind.len()) as f64,
         seconds,
         said: said(case, &diagnosis, &hidden, &classes),
     }
@@ -81,7 +83,10 @@ fn coverage(case: &Case, diagnosis: &Diagnosis) -> (usize, usize) {
             };
             let shown = |si: f64| e.parameter.kind.from_si(si);
             let (low, high) = (e.interval.low.map(shown), e.interval.high.map(shown));
-            covered.0 += usize::from(low.is_none_or(|l| l <= *value) && high.is_none_or(|h| *value <= h));
+            let holds = |value: f64| low.is_none_or(|l| l <= value) && high.is_none_or(|h| value <= h);
+            // A phase comes round.
+            let period = missing.effect.parameters.iter().find(|p| p.name == *name).and_then(|p| p.period);
+            covered.0 += usize::from([-1.0, 0.0, 1.0].iter().any(|turns| holds(value + turns * period.unwrap_or(0.0))));
             covered.1 += 1;
         }
     }

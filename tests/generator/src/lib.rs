@@ -1,35 +1,48 @@
-//! Practice cases with a hidden physical effect for the process `turning`, made by other code and other numerics than the program
-//! under test: unit-load integrals instead of finite elements, the force method and a bracketing root search instead of a Newton
-//! iteration, a fine implicit finite-volume rod for the heat. Laws, signs and units are those that `fem effects turning` states.
+//! Practice cases with a hidden physical effect, made by other code and other numerics than the program under test: see [`turning`], [`ring`] and
+//! [`thermal`]. Laws, signs and units are those that `fem effects` states.
 //!
 //! Every case is decided by its seed. lambda is the length of an effect's signature, in standard deviations, after projection onto
 //! the tangent of all `+-` parameters of the written model with their prior rows appended.
 
-pub mod additive;
-pub mod catalogue;
 pub mod dense;
-pub mod design;
-pub mod equilibrium;
 pub mod foreign;
-pub mod heat;
 pub mod job;
+pub mod law;
 pub mod random;
-pub mod shaft;
-pub mod story;
+pub mod ring;
+pub mod thermal;
 pub mod tuning;
+pub mod turning;
 pub mod visibility;
 pub mod writing;
 
-pub use catalogue::{Cause as Hidden, EFFECTS};
 pub use job::NoiseKind;
+pub use law::Cause as Hidden;
+pub use ring::RING;
+pub use thermal::THERMAL;
+pub use turning::{TURNING, story};
 
-use catalogue::draw;
-use design::draw_job;
-use foreign::{draw_shape, what_catalogue_leaves};
+use foreign::what_catalogue_leaves;
 use job::Job;
+use law::Law;
 use random::{Random, figures};
-use tuning::{SIGMA, Tuned, apart, tune};
-use visibility::{Nuisance, predict};
+use tuning::{Tuned, apart, tune};
+use visibility::Nuisance;
+
+/// Draws a job that admits some effects and does not show them.
+pub type DrawJob = fn(&[&'static str], &mut Random) -> Option<Box<dyn Job>>;
+
+/// A process of which cases can be made.
+pub struct Process {
+    /// Before the label of a stream of random numbers, so that processes do not share draws.
+    pub name: &'static str,
+    /// Its effects.
+    pub laws: &'static [Law],
+    /// A job that admits these effects and does not show them; None where there is none, or the draw was not lucky.
+    pub draw_job: DrawJob,
+    /// Effects that no measurement tells apart.
+    pub never_together: &'static [[&'static str; 2]],
+}
 
 /// What sort of thing is hidden.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,10 +62,12 @@ pub struct Truth {
     pub kind: Kind,
     /// The hidden effects with their true parameters.
     pub hidden: Vec<Hidden>,
-    /// Standard deviation of the noise, um.
+    /// Standard deviation of the noise, in the unit of the job.
     pub sigma: f64,
     /// Visibility of every hidden effect, or of the outside structure.
     pub lambda: Vec<f64>,
+    /// Standard deviation of the noise of each row, SI.
+    pub noise_of_rows: Vec<f64>,
     /// What is left of each lambda when the other hidden effects are re-fitted too; for outside structure, when the best three
     /// effects of the catalogue are fitted to it.
     pub apart: Vec<f64>,
@@ -79,7 +94,7 @@ pub struct Case {
     pub fresh: String,
     /// The model file with everything known and the hidden effects added: what a perfect diagnosis would arrive at.
     pub revealed: String,
-    /// The observable without noise, um, row by row.
+    /// The observables without noise, row by row.
     pub exact: Vec<f64>,
     /// What is hidden.
     pub truth: Truth,
@@ -88,96 +103,113 @@ pub struct Case {
 /// How many draws of job and effect are tried before a wish is given up.
 const ATTEMPTS: usize = 60;
 
-/// A case in which nothing is missing.
-pub fn nothing(seed: u64) -> Case {
-    let mut random = Random::new("nothing", seed);
-    loop {
-        if let Some(job) = draw_job(&[], &mut random) {
-            let causes = job.causes(&true_values(&job, &mut random));
-            let sigma = figures(random.log_uniform(0.3, 3.0), 6);
-            let tuned = Tuned { hidden: Vec::new(), sigma, lambda: Vec::new(), in_rows: Vec::new(), free: Vec::new() };
-            return finish(&job, &causes, tuned, Vec::new(), None, &mut random);
-        }
-    }
-}
+/// Smallest and largest noise where nothing of the catalogue is hidden, as parts of the smallest and largest that a workshop has.
+const PLAIN_NOISE: (f64, f64) = (6.0, 0.5);
 
-/// A case with one hidden effect at the given lambda; None if no draw of job and size reaches it.
-pub fn single(effect: &str, lambda: f64, seed: u64) -> Option<Case> {
-    let effect = EFFECTS.iter().find(|e| **e == effect)?;
-    let mut random = Random::new(effect, seed);
-    (0..ATTEMPTS).find_map(|_| attempt(&[effect], lambda, &mut random))
-}
-
-/// A case with `count` different hidden effects, the weakest at the given lambda, the others up to four times that.
-/// Pairs that differ by nothing in diameters are avoided, and so are sets of which a member vanishes behind the others.
-pub fn several(count: usize, lambda: f64, seed: u64) -> Case {
-    let mut random = Random::new("several", seed);
-    loop {
-        let mut effects: Vec<&'static str> = Vec::new();
-        while effects.len() < count.min(EFFECTS.len()) {
-            let effect = random.pick(EFFECTS);
-            if !effects.contains(&effect) {
-                effects.push(effect);
+impl Process {
+    /// A case in which nothing is missing.
+    pub fn nothing(&self, seed: u64) -> Case {
+        let mut random = self.random("nothing", seed);
+        loop {
+            if let Some(job) = (self.draw_job)(&[], &mut random) {
+                let causes = job.causes(&true_values(&*job, &mut random));
+                let sigma = plain_noise(&*job, &mut random);
+                let tuned =
+                    Tuned { hidden: Vec::new(), sigma, lambda: Vec::new(), in_rows: Vec::new(), free: Vec::new() };
+                return finish(&*job, &causes, tuned, Vec::new(), None, &mut random);
             }
         }
-        if effects.contains(&"guideway-taper") && effects.contains(&"tailstock-offset") {
-            continue;
+    }
+
+    /// A case with one hidden effect at the given lambda; None if no draw of job and size reaches it.
+    pub fn single(&self, effect: &str, lambda: f64, seed: u64) -> Option<Case> {
+        let effect = self.laws.iter().find(|law| law.0 == effect)?.0;
+        let mut random = self.random(effect, seed);
+        (0..ATTEMPTS).find_map(|_| self.attempt(&[effect], lambda, &mut random))
+    }
+
+    /// A case with `count` different hidden effects, the weakest at the given lambda, the others up to four times that.
+    /// Pairs that nothing tells apart are avoided, and so are sets of which a member vanishes behind the others.
+    pub fn several(&self, count: usize, lambda: f64, seed: u64) -> Case {
+        let mut random = self.random("several", seed);
+        let names: Vec<&'static str> = self.laws.iter().map(|law| law.0).collect();
+        loop {
+            let mut effects: Vec<&'static str> = Vec::new();
+            while effects.len() < count.min(names.len()) {
+                let effect = random.pick(&names);
+                if !effects.contains(&effect) {
+                    effects.push(effect);
+                }
+            }
+            if self.never_together.iter().any(|pair| pair.iter().all(|e| effects.contains(e))) {
+                continue;
+            }
+            if let Some(case) = self.attempt(&effects, lambda, &mut random) {
+                return case;
+            }
         }
-        if let Some(case) = attempt(&effects, lambda, &mut random) {
-            return case;
+    }
+
+    /// A case whose structure no effect of the catalogue can make, at the given lambda after the nuisance is projected out.
+    pub fn outside(&self, lambda: f64, seed: u64) -> Case {
+        let mut random = self.random("outside", seed);
+        loop {
+            let Some(job) = (self.draw_job)(&[], &mut random) else { continue };
+            let causes = job.causes(&true_values(&*job, &mut random));
+            let nuisance = Nuisance::new(&*job, &causes);
+            let sigma = plain_noise(&*job, &mut random);
+            let (name, mut shape) = job.shape(&mut random);
+            let size = nuisance.lambda(&shape, sigma);
+            shape.iter_mut().for_each(|s| *s *= lambda / size);
+            let left = what_catalogue_leaves(&*job, &causes, &nuisance, &shape, sigma, &mut random);
+            // At least half of the excess must stay unexplained, else naming the effect would be right.
+            if left * left > 0.5 * lambda * lambda {
+                let in_rows = vec![nuisance.in_rows(&shape, sigma)];
+                let free = vec![nuisance.free_lambda(&shape, sigma)];
+                let tuned = Tuned { hidden: Vec::new(), sigma, lambda: vec![lambda], in_rows, free };
+                return finish(&*job, &causes, tuned, vec![left], Some((name, shape)), &mut random);
+            }
         }
+    }
+
+    fn random(&self, label: &str, seed: u64) -> Random {
+        Random::new(&format!("{}{label}", self.name), seed)
+    }
+
+    /// One draw of job, true values and effects, brought to the wanted lambda.
+    fn attempt(&self, effects: &[&'static str], lambda: f64, random: &mut Random) -> Option<Case> {
+        let job = (self.draw_job)(effects, random)?;
+        let shown = job.causes(&true_values(&*job, random));
+        let drawn: Vec<Hidden> = effects.iter().map(|e| job.draw(e, random)).collect();
+        let tuned = tune(&*job, &shown, drawn, lambda, random)?;
+        // What only contradicts the priors could be any of many causes.
+        if tuned.free.iter().zip(&tuned.lambda).any(|(free, lambda)| *free < 0.5 * lambda) {
+            return None;
+        }
+        let apart = apart(&*job, &shown, &tuned);
+        // Behind the others' freedom less than 4 sigma is left: no method could name it.
+        if apart.iter().any(|a| *a < 4.0) {
+            return None;
+        }
+        Some(finish(&*job, &shown, tuned, apart, None, random))
     }
 }
 
-/// A case whose structure no effect of the catalogue can make, at the given lambda after the nuisance is projected out.
-pub fn outside(lambda: f64, seed: u64) -> Case {
-    let mut random = Random::new("outside", seed);
-    loop {
-        let Some(job) = draw_job(&[], &mut random) else { continue };
-        let causes = job.causes(&true_values(&job, &mut random));
-        let nuisance = Nuisance::new(&job, &causes);
-        let sigma = figures(random.log_uniform(SIGMA.0.max(0.3), 3.0), 6);
-        let (name, mut shape) = draw_shape(&job, &mut random);
-        let size = nuisance.lambda(&shape, sigma);
-        shape.iter_mut().for_each(|s| *s *= lambda / size);
-        let left = what_catalogue_leaves(&job, &causes, &nuisance, &shape, sigma, &mut random);
-        // At least half of the excess must stay unexplained, else naming the effect would be right.
-        if left * left > 0.5 * lambda * lambda {
-            let in_rows = vec![nuisance.in_rows(&shape, sigma)];
-            let free = vec![nuisance.free_lambda(&shape, sigma)];
-            let tuned = Tuned { hidden: Vec::new(), sigma, lambda: vec![lambda], in_rows, free };
-            return finish(&job, &causes, tuned, vec![left], Some((name, shape)), &mut random);
-        }
-    }
+/// Noise where no effect has to be brought to a size.
+fn plain_noise(job: &dyn Job, random: &mut Random) -> f64 {
+    let (least, most) = job.noise_range();
+    figures(random.log_uniform(PLAIN_NOISE.0 * least, PLAIN_NOISE.1 * most), 6)
 }
 
 /// True values of the shown parameters, drawn from what is written about them.
-fn true_values(job: &Job, random: &mut Random) -> Vec<f64> {
+fn true_values(job: &dyn Job, random: &mut Random) -> Vec<f64> {
     let truth = |s: &job::Shown| if s.written > 0.0 { 0.3 * s.written } else { f64::NEG_INFINITY };
-    job.shown.iter().map(|s| (s.written + s.std * random.normal()).max(truth(s))).collect()
-}
-
-/// One draw of job, true values and effects, brought to the wanted lambda.
-fn attempt(effects: &[&'static str], lambda: f64, random: &mut Random) -> Option<Case> {
-    let job = draw_job(effects, random)?;
-    let shown = job.causes(&true_values(&job, random));
-    let drawn: Vec<Hidden> = effects.iter().map(|e| draw(e, job.shaft.length(), random)).collect();
-    let tuned = tune(&job, &shown, drawn, lambda, random)?;
-    // What only contradicts the priors could be any of many causes.
-    if tuned.free.iter().zip(&tuned.lambda).any(|(free, lambda)| *free < 0.5 * lambda) {
-        return None;
-    }
-    let apart = apart(&job, &shown, &tuned);
-    // Behind the others' freedom less than 4 sigma is left: no method could name it.
-    if apart.iter().any(|a| *a < 4.0) {
-        return None;
-    }
-    Some(finish(&job, &shown, tuned, apart, None, random))
+    job.shown().iter().map(|s| (s.written + s.std * random.normal()).max(truth(s))).collect()
 }
 
 /// Adds the noise and writes the files.
 fn finish(
-    job: &Job,
+    job: &dyn Job,
     shown: &[Hidden],
     tuned: Tuned,
     apart: Vec<f64>,
@@ -186,12 +218,13 @@ fn finish(
 ) -> Case {
     let mut causes = shown.to_vec();
     causes.extend(tuned.hidden.iter().cloned());
-    let mut exact = predict(job, &causes);
+    let mut exact = job.predict(&causes);
     let (shape, structure) = foreign.unwrap_or(("", vec![0.0; exact.len()]));
     exact.iter_mut().zip(structure).for_each(|(e, s)| *e += s);
     let mut measured = || {
-        let observed: Vec<f64> = exact.iter().map(|e| e + tuned.sigma * random.normal()).collect();
-        writing::data(job, &observed, tuned.sigma)
+        let noise = job.scales().into_iter().map(|scale| tuned.sigma * scale * random.normal());
+        let observed: Vec<f64> = exact.iter().zip(noise).map(|(e, noise)| e + noise).collect();
+        job.data(&observed, tuned.sigma)
     };
     let (data, fresh) = (measured(), measured());
     let values: Vec<f64> = shown.iter().map(|c| c.parameters[0].1).collect();
@@ -210,13 +243,14 @@ fn finish(
             kind,
             hidden: tuned.hidden,
             sigma: tuned.sigma,
+            noise_of_rows: job.scales().iter().zip(job.si()).map(|(scale, si)| tuned.sigma * scale * si).collect(),
             lambda: tuned.lambda,
             apart,
             in_rows: tuned.in_rows,
             free: tuned.free,
             shown: shown.to_vec(),
             shape,
-            noise: job.noise,
+            noise: job.noise(),
         },
     }
 }

@@ -1,12 +1,9 @@
 //! Brings drawn effects to a wanted visibility: first by the noise, and where that would be absurd by the effects' sizes.
 
-use crate::catalogue::{Cause, least_factor, scaled};
 use crate::job::Job;
+use crate::law::{Cause, scaled};
 use crate::random::{Random, figures};
-use crate::visibility::{Nuisance, signature, tangent};
-
-/// Noise a workshop has, um.
-pub const SIGMA: (f64, f64) = (0.05, 6.0);
+use crate::visibility::Nuisance;
 
 /// How much stronger than the weakest another hidden effect may be.
 const SPREAD: f64 = 4.0;
@@ -28,23 +25,24 @@ pub struct Tuned {
 
 /// Solves for the noise at which the weakest of `drawn` has the wanted lambda; scales down effects more than `SPREAD` times as
 /// visible, and all of them when the noise would be larger than plausible. None when that fails.
-pub fn tune(job: &Job, shown: &[Cause], drawn: Vec<Cause>, lambda: f64, random: &mut Random) -> Option<Tuned> {
+pub fn tune(job: &dyn Job, shown: &[Cause], drawn: Vec<Cause>, lambda: f64, random: &mut Random) -> Option<Tuned> {
     let mut factors = vec![1.0; drawn.len()];
     let goals: Vec<f64> = drawn.iter().map(|_| random.log_uniform(1.0, SPREAD) * lambda).collect();
-    let most = random.uniform(0.4 * SIGMA.1, SIGMA.1);
+    let (least, largest) = job.noise_range();
+    let most = random.uniform(0.4 * largest, largest);
     for _ in 0..12 {
-        let hidden: Vec<Cause> = drawn.iter().zip(&factors).map(|(c, f)| scaled(c, *f)).collect();
+        let hidden: Vec<Cause> = drawn.iter().zip(&factors).map(|(c, f)| scaled(job.laws(), c, *f)).collect();
         let mut causes = shown.to_vec();
         causes.extend(hidden.iter().cloned());
-        let signatures: Vec<Vec<f64>> = (0..hidden.len()).map(|i| signature(job, &causes, shown.len() + i)).collect();
+        let signatures: Vec<Vec<f64>> = (0..hidden.len()).map(|i| job.signature(&causes, shown.len() + i)).collect();
         let nuisance = Nuisance::new(job, &causes);
         let sigma = figures(nuisance.sigma_for(&signatures, lambda)?, 6);
-        if sigma < SIGMA.0 {
+        if sigma < least {
             return None;
         }
         let lambdas: Vec<f64> = signatures.iter().map(|s| nuisance.lambda(s, sigma)).collect();
         let too_strong: Vec<usize> = (0..lambdas.len()).filter(|&i| lambdas[i] > 1.02 * SPREAD * lambda).collect();
-        if sigma <= SIGMA.1 && too_strong.is_empty() {
+        if sigma <= largest && too_strong.is_empty() {
             let in_rows = signatures.iter().map(|s| nuisance.in_rows(s, sigma)).collect();
             let free = signatures.iter().map(|s| nuisance.free_lambda(s, sigma)).collect();
             return Some(Tuned { hidden, sigma, lambda: lambdas, in_rows, free });
@@ -52,10 +50,10 @@ pub fn tune(job: &Job, shown: &[Cause], drawn: Vec<Cause>, lambda: f64, random: 
         for i in too_strong {
             factors[i] *= goals[i] / lambdas[i];
         }
-        if sigma > SIGMA.1 {
+        if sigma > largest {
             factors.iter_mut().for_each(|f| *f *= most / sigma);
         }
-        if factors.iter().zip(&drawn).any(|(f, c)| *f < least_factor(c.effect)) {
+        if factors.iter().zip(&drawn).any(|(f, c)| *f < job.least_factor(c.effect)) {
             return None;
         }
     }
@@ -63,7 +61,7 @@ pub fn tune(job: &Job, shown: &[Cause], drawn: Vec<Cause>, lambda: f64, random: 
 }
 
 /// What is left of each effect's lambda when the parameters of the other hidden effects are free as well.
-pub fn apart(job: &Job, shown: &[Cause], tuned: &Tuned) -> Vec<f64> {
+pub fn apart(job: &dyn Job, shown: &[Cause], tuned: &Tuned) -> Vec<f64> {
     let mut causes = shown.to_vec();
     causes.extend(tuned.hidden.iter().cloned());
     let nuisance = Nuisance::new(job, &causes);
@@ -71,10 +69,10 @@ pub fn apart(job: &Job, shown: &[Cause], tuned: &Tuned) -> Vec<f64> {
         let mut basis = nuisance.basis(tuned.sigma);
         for other in (shown.len()..causes.len()).filter(|&k| k != i) {
             for parameter in 0..causes[other].parameters.len() {
-                basis.add(&nuisance.standardised(&tangent(job, &causes, other, parameter), tuned.sigma));
+                basis.add(&nuisance.standardised(&job.tangent(&causes, other, parameter), tuned.sigma));
             }
         }
-        let own = nuisance.standardised(&signature(job, &causes, i), tuned.sigma);
+        let own = nuisance.standardised(&job.signature(&causes, i), tuned.sigma);
         crate::dense::norm(&basis.remainder(&own))
     };
     (shown.len()..causes.len()).map(left).collect()

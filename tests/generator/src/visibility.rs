@@ -1,72 +1,42 @@
 //! lambda: how many standard deviations of an effect remain after the nuisance parameters have imitated what they can.
 
-use crate::additive::additive_error;
-use crate::catalogue::{Cause, in_equilibrium};
 use crate::dense::{Basis, norm};
-use crate::equilibrium::force_error;
 use crate::job::Job;
+use crate::law::Cause;
 
-/// Diameter error at every row from all causes, um.
-pub fn predict(job: &Job, causes: &[Cause]) -> Vec<f64> {
-    let (mut errors, added) = (force_error(job, causes), additive_error(job, causes));
-    errors.iter_mut().zip(added).for_each(|(e, a)| *e += a);
-    errors
-}
-
-/// The difference that `causes[index]` makes with all others present, um. Additive causes need no second equilibrium.
-pub fn signature(job: &Job, causes: &[Cause], index: usize) -> Vec<f64> {
-    if !in_equilibrium(causes[index].effect) {
-        return additive_error(job, &causes[index..=index]);
-    }
-    let mut without = causes.to_vec();
-    without.remove(index);
-    difference(&force_error(job, causes), &force_error(job, &without), 1.0)
-}
-
-/// Derivative of the prediction with respect to one parameter of one cause, by a central difference.
-pub fn tangent(job: &Job, causes: &[Cause], index: usize, parameter: usize) -> Vec<f64> {
-    let at = causes[index].parameters[parameter].1;
-    let step = if at == 0.0 { 1e-3 } else { 1e-3 * at.abs() };
-    let moved = |by: f64| {
-        let mut moved = causes.to_vec();
-        moved[index].parameters[parameter].1 = at + by;
-        if in_equilibrium(moved[index].effect) {
-            force_error(job, &moved)
-        } else {
-            additive_error(job, &moved[index..=index])
-        }
-    };
-    difference(&moved(step), &moved(-step), 2.0 * step)
-}
-
-fn difference(a: &[f64], b: &[f64], over: f64) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| (a - b) / over).collect()
-}
-
-/// Tangents of the `+-` parameters at the truth, with their prior rows: the directions in which a fit can bend the model.
+/// Tangents of the `+-` parameters at the truth, with their prior rows, and what cannot be measured: the directions in which a fit can bend
+/// the model. Rows are told in the noise of each at a noise of one.
 #[derive(Debug, Clone)]
 pub struct Nuisance {
     tangents: Vec<Vec<f64>>,
     weights: Vec<f64>,
+    blind: Vec<Vec<f64>>,
+    scales: Vec<f64>,
 }
 
 impl Nuisance {
-    /// `causes` begins with the shown effects, in the order of `job.shown`.
-    pub fn new(job: &Job, causes: &[Cause]) -> Self {
+    /// `causes` begins with the shown effects, in the order of `job.shown()`.
+    pub fn new(job: &dyn Job, causes: &[Cause]) -> Self {
         Self {
-            tangents: (0..job.shown.len()).map(|i| tangent(job, causes, i, 0)).collect(),
-            weights: job.shown.iter().map(|s| 1.0 / s.std).collect(),
+            tangents: (0..job.shown().len()).map(|i| job.tangent(causes, i, 0)).collect(),
+            weights: job.shown().iter().map(|s| 1.0 / s.std).collect(),
+            blind: job.blind(),
+            scales: job.scales(),
         }
     }
 
     /// A direction in the standardised residual space: rows/sigma, then the prior rows (untouched by anything but the nuisance).
     pub fn standardised(&self, rows: &[f64], sigma: f64) -> Vec<f64> {
-        rows.iter().map(|r| r / sigma).chain(self.weights.iter().map(|_| 0.0)).collect()
+        let rows = rows.iter().zip(&self.scales).map(|(r, scale)| r / (sigma * scale));
+        rows.chain(self.weights.iter().map(|_| 0.0)).collect()
     }
 
     /// Basis of the nuisance parameters' tangents in the standardised space.
     pub fn basis(&self, sigma: f64) -> Basis {
         let mut basis = Basis::default();
+        for blind in &self.blind {
+            basis.add(&self.standardised(blind, sigma));
+        }
         for (i, rows) in self.tangents.iter().enumerate() {
             let mut column = self.standardised(rows, sigma);
             column[rows.len() + i] = self.weights[i];
@@ -82,7 +52,9 @@ impl Nuisance {
 
     /// lambda of a signature when the priors are not counted.
     pub fn free_lambda(&self, signature: &[f64], sigma: f64) -> f64 {
-        norm(&Basis::of(&self.tangents).remainder(signature)) / sigma
+        let scaled = |rows: &Vec<f64>| rows.iter().zip(&self.scales).map(|(r, scale)| r / scale).collect::<Vec<f64>>();
+        let columns: Vec<Vec<f64>> = self.blind.iter().chain(&self.tangents).map(scaled).collect();
+        norm(&Basis::of(&columns).remainder(&scaled(&signature.to_vec()))) / sigma
     }
 
     /// Share of lambda squared that stands in the measured rows; the rest is a contradiction of the priors.

@@ -1,11 +1,12 @@
 //! Closed forms of statics and of the laws, and the heated rod against its Green's function.
 
-use generator::catalogue::Cause;
-use generator::design::STEEL;
-use generator::equilibrium::force_error;
-use generator::heat::tool_temperature;
-use generator::job::{Holding, Job, NoiseKind, Row};
-use generator::shaft::{Material, Segment, Shaft};
+use generator::job::NoiseKind;
+use generator::law::Cause;
+use generator::turning::design::STEEL;
+use generator::turning::equilibrium::force_error;
+use generator::turning::heat::tool_temperature;
+use generator::turning::job::{Holding, Job, Row};
+use generator::turning::shaft::{Material, Segment, Shaft};
 use std::f64::consts::PI;
 
 fn job(holding: Holding, modulus: f64, shear: bool, x: f64) -> Job {

@@ -1,8 +1,8 @@
 //! The causes that simply add to the diameter, each by its formula in the physics page's table.
 
-use crate::catalogue::{Cause, value};
-use crate::heat::tool_temperature;
-use crate::job::{Holding, Job};
+use super::heat::tool_temperature;
+use super::job::{Holding, Job};
+use crate::law::{Cause, value};
 
 /// Finer cell of the heat grid, mm: a ninth of the kink ahead of the tool, k/(rho c v); the error is then below 4e-4.
 fn cell(job: &Job) -> f64 {

@@ -1,9 +1,10 @@
 //! Draws the jobs: shafts, workholdings, cuts, schedules and measuring designs, as varied as a workshop's.
 
-use crate::catalogue::admits;
-use crate::job::{Holding, Job, NoiseKind, Row, Shown};
+use super::catalogue::admits;
+use super::job::{Holding, Job, Row};
+use super::shaft::{Material, Segment, Shaft};
+use crate::job::{NoiseKind, Shown};
 use crate::random::{Random, decimals, figures};
-use crate::shaft::{Material, Segment, Shaft};
 use std::f64::consts::TAU;
 
 /// Structural steel.
@@ -44,7 +45,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
         let mut job = skeleton(holding, random);
         job.shown = shown(holding, hidden, random);
         measure(&mut job, random);
-        let bends = crate::equilibrium::force_error(&job, &[]).into_iter().fold(0.0, f64::max);
+        let bends = super::equilibrium::force_error(&job, &[]).into_iter().fold(0.0, f64::max);
         // Slimmer than this nobody would turn it, and the finish cut would vanish under force-feedback.
         if bends < 0.35e3 * job.depth.min(0.6) && (60..=300).contains(&job.rows.len()) {
             return Some(job);

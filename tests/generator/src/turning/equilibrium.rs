@@ -1,8 +1,8 @@
 //! Where the tool, the joints and the shaft come to rest: the one place where causes do not simply add.
 
-use crate::catalogue::{Cause, value};
+use super::job::{Holding, Job, Row};
 use crate::dense::root;
-use crate::job::{Holding, Job, Row};
+use crate::law::{Cause, value};
 
 /// A spring in series with a contact, either of which may be rigid: gap = q/k + c q^n, pressing only [002 (29)].
 #[derive(Debug, Clone, Copy, Default)]

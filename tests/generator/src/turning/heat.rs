@@ -4,7 +4,7 @@
 //! Finite volumes on a grid fine against the length k/(rho c v) of the kink ahead of the tool, stepped by an L-stable
 //! second-order diagonally implicit Runge-Kutta method (the source feeds the shortest waves, which Crank-Nicolson would keep).
 
-use crate::shaft::Shaft;
+use super::shaft::Shaft;
 use std::f64::consts::PI;
 
 /// The finite-volume shaft: nodes with capacities (J/K) and losses (W/K), cells with conductances (W/K); metres inside.

@@ -1,7 +1,7 @@
 //! The job: what is turned, how it is held, in what order, and where it is measured.
 
-use crate::catalogue::Cause;
-use crate::shaft::Shaft;
+use super::shaft::Shaft;
+use crate::job::{NoiseKind, Shown};
 
 /// How the workpiece is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,17 +12,6 @@ pub enum Holding {
     Chuck,
     /// Clamped, pinned.
     ChuckAndCentre,
-}
-
-/// Where the standard uncertainty of a row is to be learnt from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NoiseKind {
-    /// Column `u`.
-    Column,
-    /// Two rows per point.
-    Repeats,
-    /// Nowhere.
-    Neither,
 }
 
 /// One measured row's coordinates.
@@ -36,19 +25,6 @@ pub struct Row {
     pub force: f64,
     /// Diameter before the cut, mm, when the design measures it.
     pub blank: Option<f64>,
-}
-
-/// A parameter written with `+-`: what the user believes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shown {
-    /// Effect whose table is in the model.
-    pub effect: &'static str,
-    /// Its only parameter.
-    pub parameter: &'static str,
-    /// Value as written.
-    pub written: f64,
-    /// Standard uncertainty as written.
-    pub std: f64,
 }
 
 /// A turning job with its measuring design.
@@ -112,11 +88,5 @@ impl Job {
         let length = self.shaft.length();
         let this = if self.forward { self.shaft.unrolled(0.0, x) } else { self.shaft.unrolled(x, length) };
         1e-3 * ((part - 1) as f64 * self.shaft.unrolled(0.0, length) + this) / self.feed
-    }
-
-    /// The effects the written model has, at the given values.
-    pub fn causes(&self, values: &[f64]) -> Vec<Cause> {
-        let cause = |(s, &v): (&Shown, &f64)| Cause { effect: s.effect, parameters: vec![(s.parameter, v)] };
-        self.shown.iter().zip(values).map(cause).collect()
     }
 }

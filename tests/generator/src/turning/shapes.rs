@@ -1,10 +1,7 @@
-//! Structure that no effect of the catalogue can make, and the check that it really cannot.
+//! Structure that no effect of the catalogue can make.
 
-use crate::catalogue::{Cause, EFFECTS, admits, draw};
-use crate::dense::{Basis, dot, norm};
-use crate::job::Job;
+use super::job::Job;
 use crate::random::Random;
-use crate::visibility::{Nuisance, signature};
 use std::f64::consts::TAU;
 
 /// Names of the shapes, for the truth.
@@ -49,43 +46,4 @@ pub fn draw_shape(job: &Job, random: &mut Random) -> (&'static str, Vec<f64>) {
         }
     };
     (name, job.rows.iter().map(|r| shape(r.part, r.x / length)).collect())
-}
-
-/// Size of what three effects of the catalogue, the best of many draws, leave of the (standardised) shape; negative amplitudes
-/// are allowed to them, which makes the check stricter than physics.
-pub fn what_catalogue_leaves(
-    job: &Job,
-    causes: &[Cause],
-    nuisance: &Nuisance,
-    shape: &[f64],
-    sigma: f64,
-    random: &mut Random,
-) -> f64 {
-    let mut pool = Vec::new();
-    for effect in EFFECTS.iter().filter(|e| admits(job.holding, e) && causes.iter().all(|c| c.effect != **e)) {
-        let draws = match *effect {
-            "workpiece-heating" => 2,
-            "guideway-wear" | "tool-thermal-growth" | "tool-wear" => 30,
-            _ => 6,
-        };
-        for _ in 0..draws {
-            let mut with = causes.to_vec();
-            with.push(draw(effect, job.shaft.length(), random));
-            pool.push(nuisance.standardised(&signature(job, &with, causes.len()), sigma));
-        }
-    }
-    let mut basis = nuisance.basis(sigma);
-    let mut rest = basis.remainder(&nuisance.standardised(shape, sigma));
-    for _ in 0..3 {
-        let gain = |s: &Vec<f64>, basis: &Basis| {
-            let own = basis.remainder(s);
-            let size = norm(&own);
-            if size > 1e-6 * norm(s) { dot(&own, &rest).abs() / size } else { 0.0 }
-        };
-        let gains: Vec<f64> = pool.iter().map(|s| gain(s, &basis)).collect();
-        let Some(best) = (0..pool.len()).max_by(|&i, &j| gains[i].total_cmp(&gains[j])) else { break };
-        basis.add(&pool[best]);
-        rest = basis.remainder(&rest);
-    }
-    norm(&rest)
 }

@@ -1,12 +1,12 @@
 //! The measurements of the story in `models/story`: a batch of shafts from a machine that its owner believes to be rigid.
 
-use crate::catalogue::Cause;
-use crate::design::STEEL;
-use crate::job::{Holding, Job, NoiseKind, Row};
+use super::design::STEEL;
+use super::job::{Holding, Job, Row};
+use super::shaft::{Segment, Shaft};
+use super::writing;
+use crate::job::{Job as _, NoiseKind};
+use crate::law::Cause;
 use crate::random::Random;
-use crate::shaft::{Segment, Shaft};
-use crate::visibility::predict;
-use crate::writing;
 
 /// Noise of the micrometer, um.
 pub const SIGMA: f64 = 1.0;
@@ -49,7 +49,7 @@ pub fn job() -> Job {
 pub fn measured() -> String {
     let job = job();
     let mut random = Random::new("story", 1);
-    let observed: Vec<f64> = predict(&job, &causes()).iter().map(|e| e + SIGMA * random.normal()).collect();
+    let observed: Vec<f64> = job.predict(&causes()).iter().map(|e| e + SIGMA * random.normal()).collect();
     let rows = writing::data(&job, &observed, SIGMA);
     format!("# Twelve shafts, each measured at nine places; turned with 450, 225 and 112 N in turn.\n{rows}")
 }

@@ -1,30 +1,12 @@
 //! The files of a case: the model as the user believes it, and the measured rows.
 
-use crate::catalogue::{Cause, unit};
-use crate::job::{Holding, Job, NoiseKind};
+use super::job::{Holding, Job};
+use crate::job::NoiseKind;
 use std::fmt::Write as _;
 
-/// The model file; `values` (one per shown parameter) replaces the `+-` by known values, and `more` are further effects.
-/// The user's file is `model(job, None, &[])`.
-pub fn model(job: &Job, values: Option<&[f64]>, more: &[Cause]) -> String {
-    let mut text = String::from("title = \"case\"\nprocess = \"turning\"\n\n");
-    text += &workpiece(job);
-    text += &cut(job);
-    for (i, s) in job.shown.iter().enumerate() {
-        let known = values.map_or(format!("{} +- {}", s.written, s.std), |v| format!("{:.15e}", v[i]));
-        let _ =
-            write!(text, "\n[effects.{}]\n{} = \"{known} {}\"\n", s.effect, s.parameter, unit(s.effect, s.parameter));
-    }
-    for cause in more {
-        let _ = write!(text, "\n[effects.{}]\n", cause.effect);
-        for &(parameter, value) in &cause.parameters {
-            let _ = match unit(cause.effect, parameter) {
-                "" => writeln!(text, "{parameter} = {value:?}"),
-                unit => writeln!(text, "{parameter} = \"{value} {unit}\""),
-            };
-        }
-    }
-    text
+/// The tables of the model file but `[effects]`.
+pub fn tables(job: &Job) -> String {
+    workpiece(job) + &cut(job)
 }
 
 fn workpiece(job: &Job) -> String {

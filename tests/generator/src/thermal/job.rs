@@ -1,0 +1,44 @@
+//! The job: which rod, what heats it, and what is measured when.
+
+use crate::job::{NoiseKind, Shown};
+
+/// What a row observes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Seen {
+    /// Temperature of this sensor, degC.
+    Temperature(usize),
+    /// Elongation of the free end, um.
+    Elongation,
+}
+
+/// One measured row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// min.
+    pub time: f64,
+    /// What.
+    pub seen: Seen,
+}
+
+/// A rod with its measuring design.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    /// (length, diameter) from the base, mm.
+    pub segments: Vec<(f64, f64)>,
+    /// (x mm, W, on from, to min).
+    pub source: (f64, f64, f64, f64),
+    /// Of the start and, without drift, of the surroundings, degC.
+    pub ambient: f64,
+    /// min.
+    pub end: f64,
+    /// Places of the sensors, mm.
+    pub sensors: Vec<f64>,
+    /// Measured rows, by time.
+    pub rows: Vec<Row>,
+    /// Noise of temperatures where that of elongations is one, K/um.
+    pub kelvin: f64,
+    /// Where the noise is to be learnt from.
+    pub noise: NoiseKind,
+    /// What the model shows with `+-`.
+    pub shown: Vec<Shown>,
+}

@@ -1,0 +1,113 @@
+//! Turned shafts, by other numerics than the program under test: unit-load integrals instead of finite elements, the force method and a
+//! bracketing root search instead of a Newton iteration, a fine implicit finite-volume rod for the heat.
+
+pub mod additive;
+pub mod catalogue;
+pub mod design;
+pub mod equilibrium;
+pub mod heat;
+pub mod job;
+pub mod shaft;
+pub mod shapes;
+pub mod story;
+pub mod writing;
+
+use additive::additive_error;
+use catalogue::{LAWS, admits, in_equilibrium};
+use equilibrium::force_error;
+use job::Job;
+
+use crate::Process;
+use crate::job::{NoiseKind, Shown, difference};
+use crate::law::{Cause, Law};
+use crate::random::Random;
+
+/// Diameters of turned shafts, um.
+pub const TURNING: Process = Process {
+    name: "",
+    laws: LAWS,
+    draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
+    // The same in diameters.
+    never_together: &[["guideway-taper", "tailstock-offset"]],
+};
+
+impl crate::job::Job for Job {
+    fn process(&self) -> &'static str {
+        "turning"
+    }
+
+    fn laws(&self) -> &'static [Law] {
+        LAWS
+    }
+
+    fn shown(&self) -> &[Shown] {
+        &self.shown
+    }
+
+    fn noise(&self) -> NoiseKind {
+        self.noise
+    }
+
+    fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn noise_range(&self) -> (f64, f64) {
+        (0.05, 6.0)
+    }
+
+    fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
+        admits(self.holding, effect)
+    }
+
+    fn length(&self) -> f64 {
+        self.shaft.length()
+    }
+
+    fn least_factor(&self, effect: &str) -> f64 {
+        catalogue::least_factor(effect)
+    }
+
+    fn draws(&self, effect: &str) -> usize {
+        match effect {
+            "workpiece-heating" => 2,
+            "guideway-wear" | "tool-thermal-growth" | "tool-wear" => 30,
+            _ => 6,
+        }
+    }
+
+    fn predict(&self, causes: &[Cause]) -> Vec<f64> {
+        let (mut errors, added) = (force_error(self, causes), additive_error(self, causes));
+        errors.iter_mut().zip(added).for_each(|(e, a)| *e += a);
+        errors
+    }
+
+    /// Additive causes need no second equilibrium.
+    fn signature(&self, causes: &[Cause], index: usize) -> Vec<f64> {
+        if !in_equilibrium(causes[index].effect) {
+            return additive_error(self, &causes[index..=index]);
+        }
+        let mut without = causes.to_vec();
+        without.remove(index);
+        difference(&force_error(self, causes), &force_error(self, &without), 1.0)
+    }
+
+    fn moved(&self, causes: &[Cause], index: usize) -> Vec<f64> {
+        match in_equilibrium(causes[index].effect) {
+            true => force_error(self, causes),
+            false => additive_error(self, &causes[index..=index]),
+        }
+    }
+
+    fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {
+        shapes::draw_shape(self, random)
+    }
+
+    fn tables(&self) -> String {
+        writing::tables(self)
+    }
+
+    fn data(&self, observed: &[f64], sigma: f64) -> String {
+        writing::data(self, observed, sigma)
+    }
+}

@@ -1,0 +1,91 @@
+//! The heated rod against closed forms.
+
+use std::f64::consts::PI;
+
+use generator::thermal::rod::{Rod, histories};
+
+/// A steel rod of 200 mm and Ø20, heated by 5 W at its end.
+fn rod() -> Rod {
+    Rod {
+        segments: vec![(0.2, 0.02)],
+        conductivity: 50.0,
+        capacity: 7850.0 * 470.0,
+        convection: 0.0,
+        base: 0.0,
+        joint: None,
+        sources: vec![(0.2, 5.0, 0.0, 3000.0)],
+        surroundings: (0.0, 1.0, 0.0),
+    }
+}
+
+const AREA: f64 = PI * 1e-4;
+
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() < tolerance, "{a} against {b}");
+}
+
+/// Carslaw and Jaeger: an insulated bar with a constant flux F at one end, T = F/(kL)[κt + (3x²−L²)/6 − (2L²/π²) Σ (−1)ⁿ/n² e^(−κn²π²t/L²) cos(nπx/L)].
+#[test]
+fn flux_into_an_insulated_bar() {
+    let (l, k, kappa, flux) = (0.2, 50.0, 50.0 / (7850.0 * 470.0), 5.0 / AREA);
+    let exact = |x: f64, t: f64| {
+        let term = |n: f64| {
+            (-1f64).powi(n as i32) / (n * n) * (-kappa * (n * PI / l).powi(2) * t).exp() * (n * PI * x / l).cos()
+        };
+        let series: f64 = (1..400).map(|n| term(f64::from(n))).sum();
+        flux / (k * l) * (kappa * t + (3.0 * x * x - l * l) / 6.0 - 2.0 * l * l / (PI * PI) * series)
+    };
+    let (at, times) = ([0.04, 0.12, 0.19], [300.0, 600.0, 1800.0]);
+    for ((places, integral), t) in histories(&rod(), &at, &times).iter().zip(times) {
+        at.iter().zip(places).for_each(|(x, found)| close(*found, exact(*x, t), 2e-3));
+        // All heat is in the rod.
+        close(integral * 7850.0 * 470.0 * AREA, 5.0 * t, 1e-9 * 5.0 * t);
+    }
+    // The source is switched off.
+    let after = &histories(&rod(), &at, &[20_000.0])[0];
+    close(after.0[0], 15_000.0 / (7850.0 * 470.0 * AREA * 0.2), 1e-3);
+}
+
+/// A fin: T = Q cosh(mx)/(kAm sinh(mL)), m² = hp/(kA), long after.
+#[test]
+fn a_fin_in_the_steady_state() {
+    let mut rod = rod();
+    (rod.convection, rod.sources[0].3) = (20.0, f64::INFINITY);
+    let m = (20.0 * PI * 0.02 / (50.0 * AREA)).sqrt();
+    for (found, x) in histories(&rod, &[0.05, 0.15], &[60_000.0])[0].0.iter().zip([0.05, 0.15]) {
+        close(*found, 5.0 * (m * x).cosh() / (50.0 * AREA * m * (m * 0.2).sinh()), 2e-3);
+    }
+}
+
+/// Long after, all the heat goes through joint and base: steps of Q/(hA) and Q/G, and a slope of Q/(kA).
+#[test]
+fn a_joint_and_a_base() {
+    let mut rod = rod();
+    (rod.base, rod.joint, rod.sources[0].3) = (0.2, Some((0.1, 3000.0)), f64::INFINITY);
+    let found = &histories(&rod, &[0.03, 0.17], &[200_000.0])[0].0;
+    let slope = 5.0 / (50.0 * AREA);
+    close(found[0], 5.0 / 0.2 + 0.03 * slope, 1e-3);
+    close(found[1], 5.0 / 0.2 + 0.17 * slope + 5.0 / (3000.0 * AREA), 1e-3);
+}
+
+/// A short stout rod is a lump: C T' = G (T_a − T), T_a = A [sin(ωt + φ) − sin φ], solved by variation of constants.
+#[test]
+fn surroundings_that_drift() {
+    let mut rod = rod();
+    rod.segments = vec![(0.02, 0.05)];
+    (rod.convection, rod.sources) = (10.0, Vec::new());
+    rod.surroundings = (3.0, 1e-3, 0.7);
+    let tau = 7850.0 * 470.0 * 0.05 / 4.0 / 10.0;
+    let (omega, phase) = (1e-3, 0.7f64);
+    let steady = |t: f64| {
+        3.0 * ((omega * t + phase).sin() - omega * tau * (omega * t + phase).cos()) / (1.0 + (omega * tau).powi(2))
+    };
+    let exact = |t: f64| {
+        let settled = 3.0 * phase.sin();
+        steady(t) - settled + (settled - steady(0.0)) * (-t / tau).exp()
+    };
+    let times = [600.0, 3000.0, 9000.0];
+    for ((places, _), t) in histories(&rod, &[0.01], &times).iter().zip(times) {
+        close(places[0], exact(t), 2e-3);
+    }
+}
