@@ -10,7 +10,7 @@ mod table;
 
 use std::path::Path;
 
-use generator::{Case, Process, RING, TURNING};
+use generator::{Case, Process, RING, THERMAL, TURNING};
 use score::{Score, score};
 use table::Table;
 
@@ -76,24 +76,53 @@ fn the_whole_of_ring() {
     whole(&RING, 10);
 }
 
-/// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than one seed of a hundred.
 #[test]
-fn a_sample_of_turning() {
-    let table = sample(&TURNING, 1);
+#[ignore = "minutes long; prints the table of README.md"]
+fn the_whole_of_thermal() {
+    whole(&THERMAL, 12);
+}
+
+/// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than one seed of a hundred; the effects that are hidden alone
+/// are all but one named first, or their class.
+fn sample(process: &Process) {
+    let mut table = Table::default();
+    run(&mut table, "nothing", numbered(0..24, |s| process.nothing(s)));
+    run(&mut table, "one", singles(process, 15.0, 0..1));
+    run(&mut table, "two", numbered(0..8, |s| process.several(2, 40.0, s)));
+    run(&mut table, "outside", numbered(0..10, |s| process.outside(15.0, s)));
     let count = |group: &str, is: fn(&Score) -> bool| table.scores(group).iter().filter(|s| is(s)).count();
     assert!(count("nothing", |s| s.right) >= 22, "{table}");
-    assert!(count("one", |s| s.first) >= 16, "{table}");
+    assert!(count("one", |s| s.first) + 1 >= process.laws.len(), "{table}");
     assert!(count("two", |s| s.all_named) >= 7, "{table}");
     assert!(count("outside", |s| s.right) >= 8, "{table}");
     let covered = table.scores("one").iter().fold((0, 0), |(a, b), s| (a + s.covered.0, b + s.covered.1));
-    assert!(covered.0 as f64 >= 0.8 * covered.1 as f64, "{table}");
+    assert!(covered.0 as f64 >= 0.75 * covered.1 as f64, "{table}");
 }
 
-fn sample(process: &Process, each: u64) -> Table {
-    let mut table = Table::default();
-    run(&mut table, "nothing", numbered(0..24, |s| process.nothing(s)));
-    run(&mut table, "one", singles(process, 15.0, 0..each));
-    run(&mut table, "two", numbered(0..8, |s| process.several(2, 40.0, s)));
-    run(&mut table, "outside", numbered(0..10, |s| process.outside(15.0, s)));
-    table
+#[test]
+fn a_sample_of_turning() {
+    sample(&TURNING);
+}
+
+#[test]
+fn a_sample_of_ring() {
+    sample(&RING);
+}
+
+#[test]
+fn a_sample_of_thermal() {
+    sample(&THERMAL);
+}
+
+/// What the program predicts of the revealed model and what the generator made differ by less than the noise could ever show: 0.5 standard uncertainties in
+/// the length of all rows together, at the largest effects of the suite.
+#[test]
+fn the_program_and_the_generator_agree() {
+    for process in [&TURNING, &RING, &THERMAL] {
+        for (name, case) in singles(process, 40.0, 0..2).chain(numbered(0..6, |s| process.several(3, 40.0, s))) {
+            let apart = score::apart(&case);
+            println!("{name}: {apart:.3}");
+            assert!(apart < 0.5, "{name}: {apart}\n{}", case.revealed);
+        }
+    }
 }

@@ -111,3 +111,16 @@ fn said(case: &Case, diagnosis: &Diagnosis, hidden: &[&str], classes: &[Vec<&str
         diagnosis.after.misfit,
     )
 }
+
+/// Length of the difference between the prediction of the revealed model and what the case was made from, in standard uncertainties.
+pub fn apart(case: &Case) -> f64 {
+    let model = Model::parse(Source::new("revealed.toml", case.revealed.clone())).expect("the model is right");
+    let exact = Source::new("exact.csv", case.exact.clone());
+    let exact = Measurements::parse(exact, model.process).expect("so are the data");
+    let rows = model.system.resolved(&exact.rows);
+    let predicted = model.job().observe(&rows).expect("the model can be computed");
+    let mut differences: Vec<f64> = predicted.iter().zip(&exact.observed).map(|(p, e)| p - e).collect();
+    model.system.blind(&rows).iter().for_each(|direction| direction.take_out(&mut differences));
+    let squares = differences.iter().zip(&case.truth.noise_of_rows).map(|(d, sigma)| (d / sigma).powi(2));
+    squares.sum::<f64>().sqrt()
+}

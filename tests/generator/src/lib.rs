@@ -94,8 +94,8 @@ pub struct Case {
     pub fresh: String,
     /// The model file with everything known and the hidden effects added: what a perfect diagnosis would arrive at.
     pub revealed: String,
-    /// The observables without noise, row by row.
-    pub exact: Vec<f64>,
+    /// The measurement file without noise.
+    pub exact: String,
     /// What is hidden.
     pub truth: Truth,
 }
@@ -238,7 +238,7 @@ fn finish(
         data,
         fresh,
         revealed: writing::model(job, Some(&values), &tuned.hidden),
-        exact,
+        exact: job.data(&exact, tuned.sigma),
         truth: Truth {
             kind,
             hidden: tuned.hidden,
