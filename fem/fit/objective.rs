@@ -105,8 +105,11 @@ impl<'a> Objective<'a> {
         more
     }
 
-    /// Where along its coordinate a place has been measured, SI.
+    /// Where along its coordinate a place has been measured, or can be felt from, SI.
     fn extent(&self, entry: &process::Parameter) -> Option<(f64, f64)> {
+        if let Some(reach) = entry.along.and_then(|along| self.model.system.reach(along)) {
+            return Some(reach);
+        }
         let coordinates = self.model.process.coordinates();
         let column = coordinates.iter().position(|c| Some(c.name) == entry.along)?;
         let values = || self.measurements.rows.columns[column].iter().copied().filter(|v| v.is_finite());

@@ -106,6 +106,12 @@ pub trait System: Send + Sync {
         Vec::new()
     }
 
+    /// Where along a coordinate a cause may stand though no row is measured there: on the body, where its warmth is felt. As a rule what stands where nothing is
+    /// measured cannot be seen.
+    fn reach(&self, _coordinate: &str) -> Option<(f64, f64)> {
+        None
+    }
+
     /// What else could be measured beside these rows, for causes that they cannot tell apart.
     fn menu(&self, rows: &Rows) -> Vec<Further>;
 

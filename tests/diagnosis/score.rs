@@ -41,8 +41,12 @@ pub fn score(case: &Case) -> Score {
     };
     let (data, fresh) = (read(&case.data), read(&case.fresh));
     let start = Instant::now();
-    let diagnosis = diagnose(&model, &data, MOST_EFFECTS, &Progress::default()).expect("the model can be computed");
+    let diagnosis = diagnose(&model, &data, MOST_EFFECTS, &Progress::default());
     let seconds = start.elapsed().as_secs_f64();
+    let diagnosis = match diagnosis {
+        Ok(diagnosis) => diagnosis,
+        Err(failure) => return Score { seconds, said: failure.to_string(), ..Score::default() },
+    };
     let hidden: Vec<&str> = case.truth.hidden.iter().map(|h| h.effect).collect();
     let classes: Vec<Vec<&str>> = diagnosis.missing.iter().map(class).collect();
     let all_named = hidden.iter().all(|h| classes.iter().any(|c| c.contains(h)));

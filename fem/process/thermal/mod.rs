@@ -91,6 +91,14 @@ impl System for Bench {
         None
     }
 
+    fn reach(&self, coordinate: &str) -> Option<(f64, f64)> {
+        match (&self.0.body, coordinate) {
+            (Body::Plane(plane), "x") => Some(plane.extent(0).into()),
+            (rod, "x") => Some((0.0, rod.length())),
+            _ => None,
+        }
+    }
+
     fn menu(&self, rows: &Rows) -> Vec<Further> {
         observe::menu(&self.0, rows)
     }
