@@ -11,15 +11,14 @@ use crate::output::compensation;
 
 pub fn run(args: &args::Compensate) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
-    if model.system.positioning().is_none() {
+    let Some(axis) = model.system.positioning() else {
         let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
-        return Err(Error::Request(
-            problem.help("compensation is for axes that are tested by going to targets from both sides"),
-        ));
-    }
+        let help = "compensation is for axes that are tested by going to targets from both sides";
+        return Err(Error::Request(problem.help(help)));
+    };
     let measurements = Measurements::load(&args.with, model.process)?;
     check_places(&model, &measurements, &args.with)?;
-    let found = compensate(&model, &measurements)?;
+    let found = compensate(&model, axis, &measurements)?;
     let mut written = Vec::new();
     if let Some(directory) = &args.output {
         for name in compensation::FILES {

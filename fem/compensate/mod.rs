@@ -14,7 +14,7 @@ use crate::fit::fit;
 use crate::measure::Measurements;
 use crate::model::Model;
 use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Table, Tolerance};
-use crate::process::{Failure, Job};
+use crate::process::{Failure, Job, Positioning};
 
 /// Everything that is said of an axis and its compensation. SI units.
 #[derive(Clone, Debug)]
@@ -116,17 +116,11 @@ impl Course {
     }
 }
 
-/// Evaluates and compensates.
+/// Evaluates and compensates; `axis` is the model's system as one that moves to targets.
 ///
 /// # Errors
-/// The model is no axis that moves to targets, or cannot be computed or fitted.
-pub fn compensate(model: &Model, measurements: &Measurements) -> Result<Compensation, Failure> {
-    let Some(axis) = model.system.positioning() else {
-        return Err(Failure {
-            message: format!("{} models {}, which moves to no targets", model.source.name, model.process.about()),
-            help: "compensation is for axes that are tested by going to targets from both sides".into(),
-        });
-    };
+/// The model cannot be computed or fitted.
+pub fn compensate(model: &Model, axis: &dyn Positioning, measurements: &Measurements) -> Result<Compensation, Failure> {
     let approaches = axis.approaches(&measurements.rows);
     let evaluation = Evaluation::of(&approaches, &measurements.observed);
     let (job, agreement) = known(model, measurements)?;

@@ -14,7 +14,7 @@ use crate::compensate::Compensation;
 use crate::measure::Measurements;
 use crate::model::Model;
 
-/// What [`write`] may write.
+/// What may be written.
 pub const FILES: [&str; 6] =
     ["points.csv", "segments.csv", "both-directions.csv", "linuxcnc.comp", "predicted.csv", "compensation.json"];
 
