@@ -6,7 +6,7 @@ use super::compare::check_places;
 use super::error::Error;
 use super::{args, print, watch};
 use crate::diagnose::{Diagnosis, diagnose};
-use crate::fit::fitted_text;
+use crate::fit::{fitted_before, fitted_text};
 use crate::input::Source;
 use crate::measure::Measurements;
 use crate::model::{Model, add_effect};
@@ -19,8 +19,9 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         super::add::refuse_itself(&args.model, new)?;
         super::add::refuse_itself(&args.with, new)?;
     }
-    let measurements = Measurements::load(&args.with, model.process)?;
+    let mut measurements = Measurements::load(&args.with, model.process)?;
     check_places(&model, &measurements, &args.with)?;
+    measurements.notes.extend(fitted_before(&model, &measurements));
     let progress = Arc::new(Progress::default());
     let bar = watch::show(&progress);
     let diagnosis = diagnose(&model, &measurements, usize::from(args.max_effects), &progress);
@@ -34,7 +35,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         files::write(&directory.join("diagnosis.json"), format!("{json:#}\n").as_bytes())?;
     }
     if let Some(new) = &args.add_to {
-        let better = completed(&model, &diagnosis)?;
+        let better = completed(&model, &measurements, &diagnosis)?;
         files::write(new, better.text_at(new).as_bytes())?;
         super::say!("written {}", new.display());
         let own = diagnosis.fit.estimates.iter().take(model.parameters.len());
@@ -52,8 +53,8 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
 }
 
 /// The model with the missing effects and every fitted value.
-fn completed(model: &Model, diagnosis: &Diagnosis) -> Result<Model, Error> {
-    let text = fitted_text(model, &diagnosis.fit);
+fn completed(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> Result<Model, Error> {
+    let text = fitted_text(model, measurements, &diagnosis.fit);
     let mut better = Model::parse(Source::new(model.source.name.to_string(), text))?;
     for missing in &diagnosis.missing {
         better = add_effect(&better, missing.effect.name, &output::diagnosis::settings(missing, &diagnosis.fit))?;

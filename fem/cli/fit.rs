@@ -3,7 +3,7 @@
 use super::compare::check_places;
 use super::error::Error;
 use super::{args, print};
-use crate::fit::{fit, fitted_text};
+use crate::fit::{fit, fitted_before, fitted_text};
 use crate::input::{Problem, Source};
 use crate::measure::Measurements;
 use crate::model::Model;
@@ -19,11 +19,12 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
         return Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")));
     }
-    let measurements = Measurements::load(&args.with, model.process)?;
+    let mut measurements = Measurements::load(&args.with, model.process)?;
     check_places(&model, &measurements, &args.with)?;
+    measurements.notes.extend(fitted_before(&model, &measurements));
     let fit = fit(&model, &measurements)?;
     if let Some(new) = &args.add_to {
-        let text = fitted_text(&model, &fit);
+        let text = fitted_text(&model, &measurements, &fit);
         // A fitted value outside its bounds would make a file that cannot be read: better none.
         let fitted = Model::parse(Source::new(model.source.name.clone(), text))?;
         files::write(new, fitted.text_at(new).as_bytes())?;

@@ -58,8 +58,10 @@ impl Axis {
             |e| e.kind.to_si(e.example()),
         );
         let shapes = entry.is_some_and(|e| e.neutral == Neutral::Shape);
+        let written = parameter.quantity.value;
         let starts = match (prior, range) {
             (Some((value, _)), _) => vec![value],
+            _ if !written.is_nan() => vec![written],
             (None, Some((low, high))) if shapes => spread(low, high),
             // Of what belongs to no effect only the kind is known.
             (None, None) => vec![usual, 0.1 * usual, 10.0 * usual],
@@ -84,7 +86,7 @@ impl Axis {
         let parameter = Parameter {
             path: String::new(),
             kind: entry.kind,
-            quantity: Quantity { value: 0.0, knowledge: Knowledge::Free },
+            quantity: Quantity { value: f64::NAN, knowledge: Knowledge::Free },
             bounds: entry.bounds,
             span: None,
         };
@@ -152,6 +154,16 @@ impl Axis {
     /// The search variable at which the effect is switched off, for a parameter that switches it.
     pub fn neutral(&self) -> f64 {
         0f64.clamp(self.low, self.high)
+    }
+
+    /// The bounds, of a positive quantity of unknown size no more than a factor of some hundred thousand away: further off it is as good as zero or
+    /// infinite.
+    pub fn within_reach(&self, of: f64) -> (f64, f64) {
+        const REACH: f64 = 12.0;
+        match self.scale {
+            Scale::Logarithm => (self.low.max(of - REACH), self.high.min(of + REACH)),
+            Scale::Plain | Scale::Reciprocal => (self.low, self.high),
+        }
     }
 
     /// Whether values fall where the search variable rises.

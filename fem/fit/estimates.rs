@@ -9,6 +9,8 @@ use super::objective::{Objective, Solution};
 /// A parameter moves the prediction so little that the data cannot see it: less than this many standard deviations, all rows
 /// together, over the whole of its usual size.
 const UNSEEN: f64 = 0.3;
+/// A value so many of its own standard uncertainties from what was written contradicts that.
+const CONTRADICTED: f64 = 4.0;
 /// A prior is hardly sharpened by the data when its uncertainty stays above this part.
 const UNSHARPENED: f64 = 0.95;
 
@@ -25,7 +27,10 @@ pub fn estimates(
         let turn = objective.catalogue(i).map_or(0.0, |entry| entry.turn(axis.value(position)));
         let value = axis.value(position) + turn;
         let interval = Interval { low: found.low.map(|v| v + turn), high: found.high.map(|v| v + turn) };
-        let std = spread(covariance[(i, i)].sqrt() * axis.rate(position), &interval);
+        let curvature = covariance[(i, i)].sqrt();
+        let (low, high) = axis.within_reach(position);
+        let std =
+            if curvature < high - low { spread(curvature * axis.rate(position), &interval) } else { f64::INFINITY };
         let mut warnings = Vec::new();
         let at_bound = position <= axis.low || position >= axis.high;
         if at_bound {
@@ -35,6 +40,10 @@ pub fn estimates(
             warnings.push("the data leave its interval open".into());
         }
         match axis.prior {
+            Some((written, prior)) if (value - written).abs() > CONTRADICTED * prior => {
+                let times = (value - written).abs() / prior;
+                warnings.push(format!("{times:.0} of its standard uncertainties from what is written"));
+            }
             Some((_, prior)) if std > UNSHARPENED * prior => {
                 warnings.push("the data hardly add to what was known".into());
             }

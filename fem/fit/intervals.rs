@@ -1,20 +1,30 @@
 //! 95 % intervals from the profile of χ²: how far a parameter can be moved, all others following, before χ² has risen by the
 //! quantile. Curvature alone misjudges time constants, exponents and whatever is near a bound.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::least_squares::{Patience, minimise};
 use super::objective::{Objective, Solution};
 use crate::compare::NoiseSource;
+use crate::process::Failure;
 
 /// 95 % point of χ² with one degree of freedom.
 const QUANTILE: f64 = 3.841_458_820_694_124;
 /// Distance from the quantile, in √χ², at which an end is found.
 const PRECISION: f64 = 0.02;
 
+/// A minimum is another one when χ² is lower by more than this.
+const DEEPER: f64 = 0.01;
+/// So many deeper ones are gone to; each lies in another valley, or further down one that is long and flat.
+const MOST: usize = 6;
+
 /// How the other parameters follow one that is held.
-const FOLLOW: Patience = Patience { steps: 8, fall: 1e-10 };
+const FOLLOW: Patience = Patience { steps: 15, fall: 1e-6 };
+/// How many places an end is looked for at.
+const TRIALS: usize = 24;
+/// So much further out than the end, in terms of its distance, a valley is looked for.
+const BESIDE: [f64; 2] = [0.1, 0.3];
 
 /// A 95 % interval, SI; an open end is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,14 +35,57 @@ pub struct Interval {
     pub high: Option<f64>,
 }
 
-/// The interval of every parameter.
-pub fn profile(objective: &mut Objective, best: &Solution, covariance: &DMatrix<f64>) -> Vec<Interval> {
-    let quantile = quantile(objective);
-    (0..objective.axes.len())
-        .map(|i| {
-            let std = covariance[(i, i)].sqrt();
+/// A minimum from which no parameter can be moved to a deeper one, all others following.
+pub struct Settled {
+    /// The minimum.
+    pub solution: Solution,
+    /// The covariance of its search variables.
+    pub covariance: DMatrix<f64>,
+    /// The interval of every parameter.
+    pub intervals: Vec<Interval>,
+}
+
+/// The intervals about a minimum; where their profiles come upon a deeper one, that and its intervals.
+///
+/// # Errors
+/// The model cannot be computed beside a minimum.
+pub fn settle(objective: &mut Objective, mut solution: Solution) -> Result<Settled, Failure> {
+    for tried in 1.. {
+        let covariance = objective.covariance(&solution)?;
+        let mut profile =
+            Profile { best: &solution, quantile: quantile(objective), deeper: None, goes_on: tried > MOST };
+        let intervals = profile.intervals(objective, &covariance);
+        match profile.deeper {
+            Some(deeper) => {
+                solution = minimise(objective, &deeper.position, &[], Patience::FULL).unwrap_or(deeper);
+            }
+            None => return Ok(Settled { solution, covariance, intervals }),
+        }
+    }
+    unreachable!()
+}
+
+/// A walk along every parameter.
+struct Profile<'a> {
+    best: &'a Solution,
+    quantile: f64,
+    /// What lies deeper than the best: the walk ends there.
+    deeper: Option<Solution>,
+    /// The walk does not end there.
+    goes_on: bool,
+}
+
+impl Profile<'_> {
+    fn intervals(&mut self, objective: &mut Objective, covariance: &DMatrix<f64>) -> Vec<Interval> {
+        let count = self.best.position.len();
+        let interval = |i: usize| {
+            let walk = Walk {
+                along: i,
+                std: covariance[(i, i)].sqrt(),
+                others: covariance.column(i) / covariance[(i, i)].max(f64::MIN_POSITIVE),
+            };
             let mut end = |direction: f64| {
-                let found = end(objective, best, i, direction * std, quantile);
+                let found = self.end(objective, &walk, direction);
                 found.map(|s| objective.axes[i].value(s)).filter(|v| v.is_finite())
             };
             let (down, up) = (end(-1.0), end(1.0));
@@ -41,8 +94,172 @@ pub fn profile(objective: &mut Objective, best: &Solution, covariance: &DMatrix<
             } else {
                 Interval { low: down, high: up }
             }
-        })
-        .collect()
+        };
+        (0..count).map(interval).collect()
+    }
+
+    /// The outermost end in one direction: where χ² has several valleys, those that are deep enough are inside too.
+    fn end(&mut self, objective: &mut Objective, walk: &Walk, direction: f64) -> Option<f64> {
+        let i = walk.along;
+        let origin = self.best.position[i];
+        let mut end =
+            self.end_from(objective, walk, direction, Point { position: self.best.position.clone(), rise: 0.0 })?;
+        let axis = &objective.axes[i];
+        let mut valleys = Vec::new();
+        if axis.starts.len() > 1 {
+            for s in axis.starts.iter().map(|start| axis.position(*start)) {
+                valleys.push(self.at(i, s));
+                valleys.extend(self.reshaped(objective, i, s));
+            }
+        }
+        for beside in BESIDE {
+            valleys.extend(self.unparked(objective, i, end + beside * (end - origin)));
+        }
+        valleys.sort_by(|a, b| (direction * b[i]).total_cmp(&(direction * a[i])));
+        for valley in valleys {
+            let s = valley[i];
+            if direction * (s - end) <= 0.0 || self.deeper.is_some() {
+                continue;
+            }
+            let there = self.follow(objective, i, valley);
+            if let Some(there) = there.filter(|p| p.rise < self.quantile.sqrt()) {
+                end = self.end_from(objective, walk, direction, there)?;
+            }
+        }
+        Some(end)
+    }
+
+    /// The best position, with one variable moved.
+    fn at(&self, i: usize, s: f64) -> DVector<f64> {
+        let mut position = self.best.position.clone();
+        position[i] = s;
+        position
+    }
+
+    /// The same with all other shapes as usual.
+    fn reshaped(&self, objective: &Objective, i: usize, s: f64) -> Option<DVector<f64>> {
+        let mut position = self.at(i, s);
+        let mut reshaped = false;
+        for (j, axis) in objective.axes.iter().enumerate() {
+            if j != i && axis.starts.len() > 1 {
+                reshaped = true;
+                position[j] = axis.position(axis.starts[axis.starts.len() / 2]);
+            }
+        }
+        reshaped.then_some(position)
+    }
+
+    /// The same with what stands at a bound moved to its usual value: where it stands nothing pulls it back, though there may be a valley.
+    fn unparked(&self, objective: &Objective, i: usize, s: f64) -> Option<DVector<f64>> {
+        let mut position = self.at(i, s.clamp(objective.axes[i].low, objective.axes[i].high));
+        let mut parked = false;
+        for (j, axis) in objective.axes.iter().enumerate().filter(|(j, _)| *j != i) {
+            if position[j] <= axis.low || position[j] >= axis.high {
+                parked = true;
+                position[j] = axis.starts.get(axis.starts.len() / 2).map_or(position[j], |usual| axis.position(*usual));
+            }
+        }
+        parked.then_some(position)
+    }
+
+    /// The end of the valley that a point lies in, in one direction, in the search variable: √Δχ² is nearly linear in it, so that secants find it in
+    /// a few steps. The others begin where they were last, moved on as they moved before.
+    fn end_from(&mut self, objective: &mut Objective, walk: &Walk, direction: f64, from: Point) -> Option<f64> {
+        let (i, target) = (walk.along, self.quantile.sqrt());
+        let origin = from.position[i];
+        let (low, high) = objective.axes[i].within_reach(origin);
+        let std = walk.std.min(high - low);
+        let (mut inner, mut others) = (from, walk.others.clone());
+        let mut outer: Option<(f64, f64)> = None;
+        // How often in a row a secant has stayed inside.
+        let mut inside = 0;
+        let mut next = origin + direction * std * target;
+        for _ in 0..TRIALS {
+            let s = next.clamp(low, high);
+            let gap = s - inner.position[i];
+            if gap.abs() <= 1e-3 * outer.map_or(0.0, |o| (o.0 - origin).abs()) {
+                break;
+            }
+            let mut start = inner.position.clone() + gap * &others;
+            start.iter_mut().zip(&objective.axes).for_each(|(s, axis)| *s = s.clamp(axis.low, axis.high));
+            start[i] = s;
+            let mut still = inner.position.clone();
+            still[i] = s;
+            let start = self.lower(objective, start, still);
+            let moved = start.and_then(|start| self.follow(objective, i, start));
+            if self.deeper.is_some() {
+                return None;
+            }
+            let risen = moved.as_ref().map_or(f64::INFINITY, |p| p.rise);
+            match moved {
+                Some(_) if (risen - target).abs() <= PRECISION => return Some(s),
+                Some(moved) if risen <= target => {
+                    others = (&moved.position - &inner.position) / gap;
+                    inner = moved;
+                    inside += 1;
+                    if outer.is_none() && (s == low || s == high) {
+                        // The bound itself is still inside: the end is open there.
+                        return None;
+                    }
+                }
+                _ => {
+                    outer = Some((s, risen));
+                    inside = 0;
+                }
+            }
+            let reached = inner.position[i];
+            next = match outer {
+                Some((s, risen)) => {
+                    // A valley that is long and flat and then steep holds every secant back.
+                    let part = if inside > 1 { 0.5 } else { (target - inner.rise) / (risen - inner.rise) };
+                    reached + (s - reached) * part.clamp(0.1, 0.9)
+                }
+                None => {
+                    let slope = (inner.rise / (reached - origin)).abs().max(1e-3 / std);
+                    let far = (target * 1.05 / slope).min(4.0 * (reached - origin).abs());
+                    origin + far.max(1.3 * (reached - origin).abs()) * direction
+                }
+            };
+        }
+        outer.map(|o| o.0)
+    }
+
+    /// That of two positions at which χ² is lower; `None` where the model can be computed at neither.
+    fn lower(&self, objective: &mut Objective, a: DVector<f64>, b: DVector<f64>) -> Option<DVector<f64>> {
+        let mut chi2 = |position: &DVector<f64>| {
+            let predicted = objective.predict(position)?;
+            Some(objective.residuals(position, &predicted).norm_squared())
+        };
+        match (chi2(&a), chi2(&b)) {
+            (Some(of_a), Some(of_b)) => Some(if of_a < of_b { a } else { b }),
+            (Some(_), None) => Some(a),
+            (None, of_b) => of_b.map(|_| b),
+        }
+    }
+
+    /// Lets all variables but one settle.
+    fn follow(&mut self, objective: &mut Objective, held: usize, start: DVector<f64>) -> Option<Point> {
+        let settled = minimise(objective, &start, &[held], FOLLOW)?;
+        let rise = (settled.chi2 - self.best.chi2).max(0.0).sqrt();
+        if settled.chi2 < self.best.chi2 - DEEPER && !self.goes_on {
+            self.deeper = Some(settled);
+            return None;
+        }
+        Some(Point { position: settled.position, rise })
+    }
+}
+
+/// Along a search variable: its standard uncertainty from the curvature, and how all move per unit of it.
+struct Walk {
+    along: usize,
+    std: f64,
+    others: DVector<f64>,
+}
+
+/// Where all but one have settled, and √Δχ² there.
+struct Point {
+    position: DVector<f64>,
+    rise: f64,
 }
 
 /// With an estimated noise χ² is measured by what the fit leaves, and the quantile is that of F.
@@ -54,58 +271,4 @@ fn quantile(objective: &Objective) -> f64 {
             FisherSnedecor::new(1.0, freedom).map_or(QUANTILE, |f| f.inverse_cdf(0.95))
         }
     }
-}
-
-/// The end in one direction, in the search variable: √Δχ² is nearly linear in it, so that secants find it in a few steps.
-fn end(objective: &mut Objective, best: &Solution, i: usize, std: f64, quantile: f64) -> Option<f64> {
-    let target = quantile.sqrt();
-    let axis = objective.axes[i].clone();
-    let origin = best.position[i];
-    let mut follow = best.position.clone();
-    let mut rise = |s: f64| {
-        let mut start = follow.clone();
-        start[i] = s;
-        let moved = minimise(objective, &start, &[i], FOLLOW)?;
-        follow = moved.position.clone();
-        Some((moved.chi2 - best.chi2).max(0.0).sqrt())
-    };
-    let (mut inner, mut inner_rise) = (origin, 0.0);
-    let mut outer: Option<(f64, f64)> = None;
-    // How often in a row a secant has stayed inside.
-    let mut inside = 0;
-    let mut next = origin + std * target;
-    for _ in 0..16 {
-        let s = next.clamp(axis.low, axis.high);
-        if s == inner {
-            return None;
-        }
-        let risen = rise(s)?;
-        if (risen - target).abs() <= PRECISION {
-            return Some(s);
-        }
-        if risen > target {
-            outer = Some((s, risen));
-            inside = 0;
-        } else {
-            (inner, inner_rise) = (s, risen);
-            inside += 1;
-            if outer.is_none() && (s == axis.low || s == axis.high) {
-                // The bound itself is still inside: the end is open there.
-                return None;
-            }
-        }
-        next = match outer {
-            Some((s, risen)) => {
-                // A valley that is long and flat and then steep holds every secant back.
-                let part = if inside > 1 { 0.5 } else { (target - inner_rise) / (risen - inner_rise) };
-                inner + (s - inner) * part.clamp(0.1, 0.9)
-            }
-            None => {
-                let slope = (inner_rise / (inner - origin)).abs().max(1e-3 / std.abs());
-                let far = (target * 1.05 / slope).min(4.0 * (inner - origin).abs());
-                origin + far.max(1.3 * (inner - origin).abs()) * std.signum()
-            }
-        };
-    }
-    outer.map(|o| o.0)
 }

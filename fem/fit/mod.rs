@@ -9,11 +9,11 @@ mod starts;
 mod write;
 
 pub use axis::Axis;
-pub use intervals::Interval;
+pub use intervals::{Interval, Settled, settle};
 pub use least_squares::{Patience, minimise};
 pub use objective::{Objective, Solution};
 pub use starts::best;
-pub use write::{fitted_text, uncertain};
+pub use write::{fitted_before, fitted_text, uncertain};
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
@@ -105,7 +105,8 @@ pub fn fit(model: &Model, measurements: &Measurements) -> Result<Fit, Failure> {
             solution = least_squares::solve(&mut objective, &solution.position)?;
         }
     }
-    report(&mut objective, solution, &repeats)
+    let settled = settle(&mut objective, solution)?;
+    Ok(report(&objective, settled, &repeats))
 }
 
 fn residuals(measurements: &Measurements, predicted: &[f64]) -> Vec<f64> {
@@ -113,20 +114,16 @@ fn residuals(measurements: &Measurements, predicted: &[f64]) -> Vec<f64> {
 }
 
 /// Everything that is said of a minimum.
-///
-/// # Errors
-/// The model cannot be computed beside it.
-pub fn report(objective: &mut Objective, solution: Solution, repeats: &Repeats) -> Result<Fit, Failure> {
+pub fn report(objective: &Objective, settled: Settled, repeats: &Repeats) -> Fit {
+    let Settled { solution, covariance, intervals } = settled;
     let residuals = residuals(objective.measurements, &solution.predicted);
-    let covariance = objective.covariance(&solution)?;
-    let intervals = intervals::profile(objective, &solution, &covariance);
     let (misfit, p_value) = judge(objective, &solution, repeats);
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
     let rms = rms(&objective.measurements.together(&residuals, &objective.noise.sigma));
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
-    Ok(Fit {
+    Fit {
         correlated: strong.collect(),
         estimates,
         predicted: solution.predicted,
@@ -136,7 +133,7 @@ pub fn report(objective: &mut Objective, solution: Solution, repeats: &Repeats) 
         p_value,
         failures: objective.failures,
         evaluations: objective.evaluations,
-    })
+    }
 }
 
 /// χ²/ν and how often chance alone gives more: for a known noise; lack of fit over pure error by F with repeats; without a p-value where the

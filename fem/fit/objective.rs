@@ -52,14 +52,18 @@ impl<'a> Objective<'a> {
     pub fn new(model: &'a Model, measurements: &'a Measurements) -> Result<Self, Failure> {
         let mut axes: Vec<Axis> = model.parameters.iter().map(|p| Axis::new(p, model.catalogue(&p.path))).collect();
         for (axis, parameter) in axes.iter_mut().zip(&model.parameters) {
-            if axis.prior.is_none() && model.is_written(&parameter.path) {
+            if parameter.quantity.value.is_nan() && model.is_written(&parameter.path) {
                 let starts = starts_beside(model, measurements, parameter);
                 axis.starts = if starts.is_empty() { std::mem::take(&mut axis.starts) } else { starts };
             }
         }
         let free = axes.iter().filter(|a| a.prior.is_none()).count();
         if measurements.len() < free + 1 + measurements.blind.len() {
-            let message = format!("{} rows cannot fix {free} free parameters", measurements.len());
+            let circle = match measurements.blind.len() {
+                0 => String::new(),
+                blind => format!(" beside {blind} directions that the way of measuring takes out"),
+            };
+            let message = format!("{} rows cannot fix {free} free parameters{circle}", measurements.len());
             let help = "measure more, or give some of them a value with `+-`".into();
             return Err(Failure { message, help });
         }

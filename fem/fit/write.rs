@@ -1,12 +1,13 @@
 //! The model with fitted values and their uncertainties in place, every comment kept.
 
 use crate::fit::Fit;
+use crate::measure::Measurements;
 use crate::model::Model;
 use crate::units::unit_text;
 
 /// The text of the fitted model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the unit that stood there. What the
-/// data leave open stays as it was: a value would look better known than it is.
-pub fn fitted_text(model: &Model, fit: &Fit) -> String {
+/// data leave open stays as it was: a value would look better known than it is. A comment at the top says what it was fitted to.
+pub fn fitted_text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
     let text = &model.source.text;
     let mut places: Vec<(std::ops::Range<usize>, String)> = Vec::new();
     for estimate in &fit.estimates {
@@ -24,7 +25,10 @@ pub fn fitted_text(model: &Model, fit: &Fit) -> String {
         ));
     }
     places.sort_by_key(|p| p.0.start);
-    let mut fitted = String::with_capacity(text.len() + 16 * places.len());
+    let end = if text.contains("\r\n") { "\r\n" } else { "\n" };
+    let name = measurements.name.replace(['\n', '\r'], " ");
+    let mut fitted =
+        format!("# Fitted to {name}, {}: what is known from it stands after `+-`.{end}", mark(measurements));
     let mut from = 0;
     for (span, value) in places {
         fitted.push_str(&text[from..span.start]);
@@ -33,6 +37,22 @@ pub fn fitted_text(model: &Model, fit: &Fit) -> String {
     }
     fitted.push_str(&text[from..]);
     fitted
+}
+
+/// What tells these rows from others, in the comment of a fitted model.
+fn mark(measurements: &Measurements) -> String {
+    format!("{} rows, mark {:016x}", measurements.len(), measurements.digest())
+}
+
+/// What must be said where a model is fitted to the rows that its values come from.
+pub fn fitted_before(model: &Model, measurements: &Measurements) -> Option<String> {
+    let mark = mark(measurements);
+    let known = model.source.text.lines().any(|line| line.starts_with('#') && line.contains(&mark));
+    known.then(|| {
+        "the model's values were fitted to these very rows: as prior knowledge they count them twice, and intervals come out \
+         too narrow; fit the model from before"
+            .into()
+    })
 }
 
 /// `59.2 +- 1.1`: the uncertainty with two digits, the value to the same place.

@@ -4,7 +4,7 @@ use serde_json::json;
 use toml_edit::{Item, Value};
 
 use super::{Problem, Reader, did_you_mean};
-use crate::units::{Kind, Knowledge, Quantity};
+use crate::units::{Kind, Quantity};
 
 /// Where a value must lie, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,7 +134,8 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     fn check(&self, quantity: Quantity) -> Result<Quantity, Problem> {
-        if quantity.knowledge == Knowledge::Free {
+        // Of what is unknown nothing need be said; where a search for it begins must be possible.
+        if quantity.value.is_nan() {
             return Ok(quantity);
         }
         let value = quantity.value;

@@ -101,6 +101,12 @@ impl Measurements {
         read::read(source, process, Purpose::Measured)
     }
 
+    /// A number that tells what was observed from anything else (Fowler, Noll and Vo's hash, 1a).
+    pub fn digest(&self) -> u64 {
+        let bytes = self.observed.iter().flat_map(|y| y.to_bits().to_le_bytes());
+        bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    }
+
     /// The rows that `keep` chooses by their number, as a file of their own.
     #[must_use]
     pub fn some(&self, keep: impl Fn(usize) -> bool) -> Self {

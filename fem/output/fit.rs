@@ -76,7 +76,9 @@ pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
     for e in &fit.estimates {
         let k = e.parameter.kind;
         let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.5}", Short(k.from_si(v))));
-        let value = crate::fit::uncertain(k.from_si(e.value), e.std / k.canonical().factor);
+        let (value, std) = (k.from_si(e.value), e.std / k.canonical().factor);
+        let value =
+            if std.is_finite() { crate::fit::uncertain(value, std) } else { format!("{:.4} +- ?", Short(value)) };
         let _ = writeln!(
             text,
             "  {:<width$} {value:>24}   {} to {} {}",
@@ -95,7 +97,7 @@ pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
     }
     let verdict = match adequate(fit) {
         Some(true) => "the noise explains what is left",
-        Some(false) => "more is left than the noise explains: something is missing",
+        Some(false) => "more is left than the noise explains: something is missing, or what is written is wrong",
         None => "whether that is noise cannot be told without repeats or a column u",
     };
     let _ = writeln!(text, "\n  rms {:.3} {}, chi2/dof {:.3}: {verdict}", kind.from_si(fit.rms), kind.unit, fit.misfit);
@@ -112,6 +114,9 @@ pub(super) struct Short(pub f64);
 impl std::fmt::Display for Short {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let digits = f.precision().unwrap_or(5) as i32;
+        if self.0.abs() >= 1e12 || (self.0 != 0.0 && self.0.abs() < 1e-9) {
+            return write!(f, "{:.*e}", digits as usize - 1, self.0);
+        }
         let place = if self.0 == 0.0 { 0 } else { (digits - 1 - self.0.abs().log10().floor() as i32).clamp(0, 12) };
         write!(f, "{:.*}", place as usize, self.0)
     }

@@ -9,11 +9,12 @@ pub enum Knowledge {
     Known,
     /// `"60 +- 15 N/um"`: known with this standard uncertainty (SI), a prior for a fit.
     Rough(f64),
-    /// `"? N/um"`: unknown, to be fitted.
+    /// `"? N/um"`, or `"? near 60 N/um"` where a search begins: unknown, to be fitted.
     Free,
 }
 
-/// A value in SI units and how well it is known. The value of a [`Knowledge::Free`] quantity is NaN until it is fitted.
+/// A value in SI units and how well it is known. The value of a [`Knowledge::Free`] quantity is where a search for it
+/// begins, NaN where nothing is said of that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
     /// In SI units.
@@ -22,21 +23,29 @@ pub struct Quantity {
     pub knowledge: Knowledge,
 }
 
+/// After `?`: where a search begins.
+const NEAR: &str = "near ";
+
 impl Quantity {
     /// A value that is known.
     pub fn known(value: f64) -> Self {
         Self { value, knowledge: Knowledge::Known }
     }
 
-    /// Reads `NUMBER UNIT`, `NUMBER +- NUMBER UNIT` (or `±`) or `? UNIT`.
+    /// Reads `NUMBER UNIT`, `NUMBER +- NUMBER UNIT` (or `±`), `? UNIT` or `? near NUMBER UNIT`.
     ///
     /// # Errors
     /// Not a finite number, a unit of another kind, or a standard uncertainty that is not positive.
     pub fn parse(text: &str, kind: &Kind) -> Result<Self, UnitError> {
         let text = text.trim();
-        if let Some(unit) = text.strip_prefix('?') {
-            kind.unit_of(unit)?;
-            return Ok(Self { value: f64::NAN, knowledge: Knowledge::Free });
+        if let Some(rest) = text.strip_prefix('?') {
+            let Some(near) = rest.trim_start().strip_prefix(NEAR) else {
+                kind.unit_of(rest)?;
+                return Ok(Self { value: f64::NAN, knowledge: Knowledge::Free });
+            };
+            let (value, rest) = number(near.trim_start(), kind)?;
+            let unit = kind.unit_of(rest)?;
+            return Ok(Self { value: finite(value * unit.factor + unit.offset)?, knowledge: Knowledge::Free });
         }
         let (value, rest) = number(text, kind)?;
         let uncertain = rest.strip_prefix("+-").or_else(|| rest.strip_prefix("±")).or_else(|| rest.strip_prefix("+/-"));
@@ -59,6 +68,7 @@ impl Quantity {
 pub fn unit_text(written: &str) -> &str {
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '±' | '?' | ' ' | '/');
     let mut rest = written.trim();
+    rest = rest.strip_prefix('?').and_then(|r| r.trim_start().strip_prefix(NEAR)).unwrap_or(rest);
     loop {
         rest = rest.trim_start_matches(number);
         // An exponent, not a unit: `1.5e3 N/um`.
@@ -155,6 +165,9 @@ mod tests {
         }
         assert_eq!(Quantity::parse("? N/um", &STIFFNESS).unwrap().knowledge, Knowledge::Free);
         assert_eq!(Quantity::parse("?", &NUMBER).unwrap().knowledge, Knowledge::Free);
+        let near = Quantity::parse("? near 60 N/um", &STIFFNESS).unwrap();
+        assert_eq!(near, Quantity { value: 60e6, knowledge: Knowledge::Free });
+        assert_eq!(unit_text("? near 60 N/um"), "N/um");
     }
 
     #[test]

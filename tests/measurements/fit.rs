@@ -40,7 +40,7 @@ fn a_fitted_model_reads_back_and_leaves_the_same() {
     let (name, truth) = truths().swap_remove(0);
     let hidden = case_with_effects(&name, &truth);
     let fitted = fit(&hidden.model, &hidden.measurements).unwrap();
-    let text = fitted_text(&hidden.model, &fitted);
+    let text = fitted_text(&hidden.model, &hidden.measurements, &fitted);
     let model = Model::parse(Source::new("fitted.toml", text.clone())).unwrap();
     assert!(model.require_values().is_ok());
     assert_eq!(model.parameters.len(), hidden.model.parameters.len(), "uncertainties stand in the file");
