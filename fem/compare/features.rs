@@ -89,9 +89,9 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
 fn of_one(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
     let coordinates = process.coordinates();
     let axes = axes(coordinates, measurements);
-    let z: Vec<f64> = residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
+    let mut z: Vec<f64> = residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
+    let limit = Limit::new(noise, &axes, &mut z);
     let scores: Vec<Score> = axes.iter().map(|axis| axis.score(&z)).collect();
-    let limit = Limit::new(noise, &axes, &z);
     let total: f64 = z.iter().map(|z| z * z).sum();
     let kind = measurements.kind();
     let mut features: Vec<Feature> = axes
@@ -275,16 +275,28 @@ fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &
 enum Limit {
     /// Number of places looked at.
     Places(f64),
-    /// The smallest p-values of each shuffle along single coordinates and along pairs, rising, and the number of rows. A few residuals that are far
+    /// The smallest p-values of each shuffle, rising. A few residuals that are far
     /// larger than the rest make cells of pairs look striking by chance, and would drown what stands along one coordinate.
-    Shuffled([Vec<f64>; 2], usize),
+    Shuffled {
+        /// Along single coordinates, and along pairs.
+        smallest: [Vec<f64>; 2],
+        /// How many rows there are.
+        rows: usize,
+        /// Their mean square in terms of the noise.
+        square: f64,
+    },
 }
 
 impl Limit {
-    fn new(noise: &Noise, axes: &[Binned], z: &[f64]) -> Self {
+    /// Of standardised residuals. Those that are shuffled are brought to a mean square of one: measured by a noise that is a small part of them every
+    /// shuffle would be too surprising to be told from what they show.
+    fn new(noise: &Noise, axes: &[Binned], z: &mut [f64]) -> Self {
         if noise.source != NoiseSource::Estimated || z.len() > MANY {
             return Self::Places(axes.len() as f64);
         }
+        let square = (z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64).max(1.0);
+        let scale = square.sqrt();
+        z.iter_mut().for_each(|z| *z /= scale);
         let mut shuffled = z.to_vec();
         let mut random = Chance::new(0x5EED);
         let mut smallest = [Vec::new(), Vec::new()];
@@ -299,17 +311,17 @@ impl Limit {
             }
         }
         smallest.iter_mut().for_each(|s| s.sort_unstable_by(f64::total_cmp));
-        Self::Shuffled(smallest, z.len())
+        Self::Shuffled { smallest, rows: z.len(), square }
     }
 
     fn p_value(&self, axis: &Binned, score: &Score) -> f64 {
         match (self, axis.axis.0.len()) {
             (Self::Places(places), _) => (score.p_value * places).min(1.0),
             // A shuffle does not change the mean. The noise, from second differences, is known to a third of its rows.
-            (Self::Shuffled(_, rows), 0) => {
-                FisherSnedecor::new(1.0, (*rows as f64 / 3.0).max(1.0)).map_or(1.0, |d| d.sf(score.sum))
+            (Self::Shuffled { rows, square, .. }, 0) => {
+                FisherSnedecor::new(1.0, (*rows as f64 / 3.0).max(1.0)).map_or(1.0, |d| d.sf(square * score.sum))
             }
-            (Self::Shuffled(smallest, _), coordinates) => {
+            (Self::Shuffled { smallest, .. }, coordinates) => {
                 let own = &smallest[coordinates - 1];
                 let below = own.partition_point(|p| *p <= score.p_value);
                 // Singles and pairs are both looked at.

@@ -50,7 +50,13 @@ pub struct Comparison {
 impl Comparison {
     /// Whether the noise explains what the model leaves.
     pub fn adequate(&self) -> bool {
-        self.p_value.is_none_or(|p| p >= SIGNIFICANCE) && self.features.is_empty()
+        self.p_value.is_none_or(|p| p >= SIGNIFICANCE) && self.features.is_empty() && !self.is_rougher()
+    }
+
+    /// Whether far more is left than neighbouring rows scatter by, where the noise is known from nothing else: though it follows no coordinate.
+    pub fn is_rougher(&self) -> bool {
+        const ROUGHER: f64 = 25.0;
+        self.noise.source == NoiseSource::Estimated && self.misfit > ROUGHER
     }
 }
 

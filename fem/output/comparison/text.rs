@@ -26,6 +26,9 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
         let verdict = match (c.adequate(), c.p_value) {
             (true, Some(_)) => "adequate: nothing is left but the noise",
+            (false, None) if c.is_rougher() && c.features.is_empty() => {
+                "fails: far more is left than neighbouring rows scatter by, though along no coordinate"
+            }
             (true, None) => "no structure is left; whether the rest is noise needs repeats or a column u",
             (false, _) => "fails",
         };
