@@ -10,7 +10,7 @@ use super::signature::{Candidate, Variant};
 use super::trial::Trial;
 
 /// Sets of one size are equally good when χ² differs by no more than this.
-const EQUAL: f64 = 6.0;
+pub const EQUAL: f64 = 6.0;
 /// Squared separation, in standard uncertainties, below which the noise mixes two sets up in more than one case of twenty:
 /// (1.645 + 1.645)².
 pub const SEPARATE: f64 = 11.0;

@@ -1,6 +1,7 @@
 //! From what the search found to what is said.
 
 use super::classes::{self, Place};
+use super::contradiction::Contradiction;
 use super::ground::Ground;
 use super::held_out::Folds;
 use super::price::Yardstick;
@@ -17,12 +18,14 @@ use crate::process::Failure;
 ///
 /// # Errors
 /// The model cannot be computed beside its best values.
-pub fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
+pub fn conclude(found: Found, repeats: &Repeats, contradictions: &[Contradiction]) -> Result<Diagnosis, Failure> {
     let yardstick = yardstick(&found.base.objective.noise, repeats);
     let folds = Folds::of(&found.base);
     let mut best = found.best().clone();
     best.solution =
         minimise(&mut best.objective, &best.solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
+    let mut settled = fit::settle(&mut best.objective, best.solution)?;
+    best.solution = settled.solution.clone();
     let state = |trial: &Trial| State::of(trial, repeats, folds.as_ref());
     let (before, mut after) = (state(&found.base), state(&best));
     let features = verdict::features(&found.base);
@@ -30,11 +33,11 @@ pub fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
     let verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
     if verdict == Verdict::Unexplained {
         best = found.base.clone();
+        settled = fit::settle(&mut best.objective, best.solution.clone())?;
         after = before.clone();
         remaining = features.clone();
     }
-    let mut fitting = best.objective.clone();
-    let fit = fit::report(&mut fitting, best.solution.clone(), repeats)?;
+    let fit = fit::report(&best.objective, settled, repeats);
     let places = if best.members.is_empty() { Vec::new() } else { classes::places(&found) };
     let missing = missing(&found, &best, &fit, yardstick, &places, &state);
     let next = next::next(&found, &best, &places);
@@ -43,7 +46,7 @@ pub fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
     let candidates = outlooks(&found, &best, yardstick);
     Ok(Diagnosis {
         rows: found.base.objective.measurements.len(),
-        cautions: cautions(&found, repeats, verdict),
+        cautions: cautions(&found, repeats, verdict, contradictions),
         noise: found.base.objective.noise.level(found.base.objective.measurements),
         before,
         features,
@@ -60,7 +63,7 @@ pub fn conclude(found: Found, repeats: &Repeats) -> Result<Diagnosis, Failure> {
 }
 
 /// What limits any diagnosis of these data.
-fn cautions(found: &Found, repeats: &Repeats, verdict: Verdict) -> Vec<String> {
+fn cautions(found: &Found, repeats: &Repeats, verdict: Verdict, contradictions: &[Contradiction]) -> Vec<String> {
     let base = &found.base;
     let measurements = base.objective.measurements;
     let coordinates = base.objective.model.process.coordinates();
@@ -68,7 +71,7 @@ fn cautions(found: &Found, repeats: &Repeats, verdict: Verdict) -> Vec<String> {
         let column = &measurements.rows.columns[*i];
         !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
     };
-    let mut cautions = Vec::new();
+    let mut cautions: Vec<String> = contradictions.iter().map(Contradiction::text).collect();
     if !measurements.given.iter().any(varies) {
         cautions
             .push("every row stands at the same place under the same conditions: causes cannot be told apart".into());

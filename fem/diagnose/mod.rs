@@ -5,6 +5,7 @@
 
 mod classes;
 mod conclude;
+mod contradiction;
 mod gain;
 mod ground;
 mod held_out;
@@ -136,22 +137,41 @@ fn diagnose_all(
     let mut solution = fit::best(&mut objective)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&solution.predicted).map(|(y, p)| y - p).collect();
     objective.noise = Noise::of(measurements, repeats, &residuals);
-    let mut found = look(&mut objective, &mut solution, &absent, repeats, (most, progress))?;
+    let mut found = look_until_settled(&mut objective, &mut solution, &absent, repeats, (most, progress))?;
+    let mut contradictions = Vec::new();
+    while let Some((parameter, contradiction)) = contradiction::contradicted(&found, repeats) {
+        objective.axes[parameter].prior = None;
+        contradictions.push(contradiction);
+        found = look_until_settled(&mut objective, &mut solution, &absent, repeats, (most, progress))?;
+    }
+    let diagnosis = conclude::conclude(found, repeats, &contradictions);
+    progress.advance(1);
+    diagnosis
+}
+
+/// One search after the other, until what the best set leaves is the noise that it was found with.
+fn look_until_settled<'a>(
+    objective: &mut Objective<'a>,
+    solution: &mut Solution,
+    absent: &[&'static Description],
+    repeats: &Repeats,
+    (most, progress): (usize, &Progress),
+) -> Result<Found<'a>, Failure> {
+    /// Searches after the first.
+    const MOST: usize = 4;
+    let mut found = look(objective, solution, absent, repeats, (most, progress))?;
     if objective.noise.source == NoiseSource::Estimated {
-        for _ in 0..4 {
-            // What the best set leaves is the noise, until a better set is found with it.
+        for _ in 0..MOST {
             let left = found.best().objective.left_over(&found.best().solution);
             let settled = left.is_about(&objective.noise, SETTLED);
             objective.noise = left;
-            found = look(&mut objective, &mut solution, &absent, repeats, (most, progress))?;
+            found = look(objective, solution, absent, repeats, (most, progress))?;
             if settled {
                 break;
             }
         }
     }
-    let diagnosis = conclude::conclude(found, repeats);
-    progress.advance(1);
-    diagnosis
+    Ok(found)
 }
 
 /// The effects of the process that the model does not have and that could act in it.
@@ -172,12 +192,21 @@ fn look<'a>(
     let candidates = signature::candidates(objective, solution, absent);
     let base = Trial { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let yardstick = yardstick(&objective.noise, repeats);
-    let found = search::search(base.clone(), candidates.clone(), yardstick, (most, Breadth::USUAL), progress)
+    let mut found = search::search(base.clone(), candidates.clone(), yardstick, (most, Breadth::USUAL), progress)
         .ok_or_else(unsolvable)?;
-    let best = found.best();
-    let state = State::of(best, repeats, None);
-    if best.members.is_empty() || verdict::is_noise(&state, &verdict::features(best)) {
+    let explains = |best: &Trial| {
+        let state = State::of(best, repeats, None);
+        best.members.is_empty() || verdict::is_noise(&state, &verdict::features(best))
+    };
+    if explains(found.best()) {
         return Ok(found);
+    }
+    if let Some(best) = found.steps.last_mut() {
+        // It may stand in a shallow minimum.
+        best.solution = fit::settle(&mut best.objective, best.solution.clone())?.solution;
+        if explains(best) {
+            return Ok(found);
+        }
     }
     search::search(base, candidates, yardstick, (most, Breadth::WIDE), progress).ok_or_else(unsolvable)
 }

@@ -1,9 +1,11 @@
 //! All pairs of effects at a glance: what each promises to take away, to first order, with the best shapes of both.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::gain::gain;
+use super::gain::{Gain, gain};
 use super::ground::Ground;
 use super::signature::{Candidate, Variant};
 
@@ -22,8 +24,8 @@ impl<'a> Projected<'a> {
         Self { columns, gram, along, signed: &variant.signed }
     }
 
-    /// The fall of χ² with both.
-    fn with(&self, other: &Self) -> f64 {
+    /// What χ² gains with both.
+    fn with(&self, other: &Self) -> Gain {
         let (m, n) = (self.columns.ncols(), other.columns.ncols());
         let cross = self.columns.transpose() * &other.columns;
         let mut gram = DMatrix::zeros(m + n, m + n);
@@ -33,25 +35,43 @@ impl<'a> Projected<'a> {
         gram.view_mut((m, 0), (n, m)).copy_from(&cross.transpose());
         let along = DVector::from_iterator(m + n, self.along.iter().chain(other.along.iter()).copied());
         let signed = [self.signed, other.signed].concat();
-        gain(&gram, &along, &signed).fall
+        gain(&gram, &along, &signed)
     }
 }
 
-/// How much χ² each pair of candidates promises to fall; symmetric.
-pub fn falls(ground: &Ground, candidates: &[Candidate]) -> DMatrix<f64> {
+/// Two candidates in the shapes that promise most together.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// Variants of the one with the lower number and of the other.
+    variants: [usize; 2],
+    /// The amplitudes of both in the same order.
+    gain: Gain,
+}
+
+impl Pair {
+    /// How much χ² promises to fall.
+    pub fn fall(&self) -> f64 {
+        self.gain.fall
+    }
+
+    /// Variant and amplitudes of the candidate that has the lower number (0), or the higher (1).
+    pub fn of(&self, candidates: [&Candidate; 2], which: usize) -> (usize, &[f64]) {
+        let (first, second) = self.gain.amplitudes.split_at(candidates[0].variants[self.variants[0]].switches.len());
+        (self.variants[which], [first, second][which])
+    }
+}
+
+/// Every pair of candidates that promises something, by their numbers in rising order.
+pub fn pairs(ground: &Ground, candidates: &[&Candidate]) -> BTreeMap<(usize, usize), Pair> {
     let all: Vec<Vec<Projected>> =
         candidates.iter().map(|c| c.variants.iter().map(|v| Projected::new(ground, v)).collect()).collect();
-    let n = candidates.len();
-    let pairs: Vec<(usize, usize)> = (0..n).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
-    let best = |(i, j): &(usize, usize)| {
-        let both = all[*i].iter().flat_map(|a| all[*j].iter().map(move |b| a.with(b)));
-        both.fold(0.0, f64::max)
+    let pairs: Vec<(usize, usize)> = (0..candidates.len()).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
+    let best = |(i, j): (usize, usize)| {
+        let both = all[i].iter().enumerate().flat_map(|(a, one)| {
+            all[j].iter().enumerate().map(move |(b, other)| Pair { variants: [a, b], gain: one.with(other) })
+        });
+        let best = both.filter(|p| p.fall() > 0.0).max_by(|p, q| p.fall().total_cmp(&q.fall()))?;
+        Some(((i, j), best))
     };
-    let falls: Vec<f64> = pairs.par_iter().map(best).collect();
-    let mut matrix = DMatrix::zeros(n, n);
-    for ((i, j), fall) in pairs.into_iter().zip(falls) {
-        matrix[(i, j)] = fall;
-        matrix[(j, i)] = fall;
-    }
-    matrix
+    pairs.into_par_iter().filter_map(best).collect()
 }

@@ -10,11 +10,11 @@ use rayon::prelude::*;
 
 use super::gain::Gain;
 use super::ground::Ground;
-use super::pairs;
+use super::pairs::{self, Pair};
 use super::price::{Price, Yardstick};
 use super::signature::{Candidate, Variant};
 use super::trial::{self, Trial};
-use crate::fit::{Objective, Patience, Solution, minimise};
+use crate::fit::{Axis, Objective, Patience, Solution, minimise};
 use crate::progress::Progress;
 
 /// A set grows when chance alone gives so much in fewer searches than this.
@@ -79,8 +79,34 @@ struct Lead<'t, 'a> {
     added: usize,
     /// Variants of the added effect, with the gain that each promises.
     starts: Vec<(usize, Gain)>,
+    /// Where the shapes of a pair that promise most together begin.
+    together: Option<Start>,
     /// χ² that the best of them promises.
     promised: f64,
+}
+
+/// Where a re-fit begins.
+#[derive(Clone)]
+struct Start {
+    position: DVector<f64>,
+    /// Search variables that switch what was added, with their neutral values.
+    switches: Vec<(usize, f64)>,
+}
+
+impl Start {
+    /// What `values` say of the model's own, and then nothing yet.
+    fn own(values: &DVector<f64>) -> Self {
+        Self { position: values.clone(), switches: Vec::new() }
+    }
+
+    /// With one effect more, whose variables come next among `axes`.
+    fn with(mut self, variant: &Variant, amplitudes: &[f64], axes: &[Axis]) -> Self {
+        let first = self.position.len();
+        let own = variant.position(amplitudes, &axes[first..]);
+        self.switches.extend(variant.switches.iter().map(|s| (first + s.parameter, variant.position[s.parameter])));
+        self.position = DVector::from_iterator(first + own.len(), self.position.iter().copied().chain(own));
+        self
+    }
 }
 
 /// Searches sets of up to `most` effects. `None` where the model cannot be computed beside its own best values.
@@ -104,10 +130,9 @@ pub fn search<'a>(
     for size in 1..=most.max(1) {
         let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
         if size == 2 {
-            let falls = pairs::falls(&ground, &candidates);
+            let pairs = pairs::pairs(&ground, &everyone);
             for lead in &mut leads {
-                let first = lead.parent.members.first().copied().unwrap_or(lead.added);
-                lead.promised = lead.promised.min(ground.residual.norm_squared() - falls[(first, lead.added)]);
+                lead.look_at(&pairs, &base, ground.residual.norm_squared(), &candidates);
             }
         }
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
@@ -192,7 +217,7 @@ fn leads<'t, 'a>(parent: &'t Trial<'a>, candidates: &[Candidate]) -> Vec<Lead<'t
     let lead = |added: usize| {
         let starts = starts(&ground, &candidates[added]);
         let fall = starts.first().map_or(0.0, |s| s.1.fall);
-        Lead { parent, added, starts, promised: parent.solution.chi2 - fall }
+        Lead { parent, added, starts, together: None, promised: parent.solution.chi2 - fall }
     };
     (0..candidates.len()).filter(|i| !parent.members.contains(i)).map(lead).filter(|l| !l.starts.is_empty()).collect()
 }
@@ -243,14 +268,17 @@ pub fn without<'a>(base: &Trial<'a>, candidates: &[Candidate], set: &Trial<'a>, 
     Some(trial)
 }
 
-/// Exchanges one effect of a set for another, or for itself in another shape, as long as the set becomes better by it.
+/// Exchanges one effect of a set for another, or for itself in another shape, or two for themselves in other shapes, as long as the set becomes better by it.
 fn exchange<'a>(base: &Trial<'a>, candidates: &[Candidate], mut best: Trial<'a>, breadth: Breadth) -> Trial<'a> {
     for _ in 0..EXCHANGES {
         let smaller: Vec<Trial> = best.members.iter().filter_map(|m| without(base, candidates, &best, *m)).collect();
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
         leads.truncate(breadth.refitted);
-        let fitted: Vec<Trial> = leads.par_iter().filter_map(|lead| refit(lead, candidates)).collect();
+        let mut fitted: Vec<Trial> = leads.par_iter().filter_map(|lead| refit(lead, candidates)).collect();
+        if best.members.len() > 2 {
+            fitted.extend(reseated(base, candidates, &best));
+        }
         let Some(better) = fitted.into_iter().min_by(|a, b| a.score().total_cmp(&b.score())) else { break };
         if better.score() >= best.score() {
             break;
@@ -260,28 +288,71 @@ fn exchange<'a>(base: &Trial<'a>, candidates: &[Candidate], mut best: Trial<'a>,
     best
 }
 
+/// A set with every two of its effects in the shapes that promise most together beside the rest of it.
+fn reseated<'a>(base: &Trial<'a>, candidates: &[Candidate], set: &Trial<'a>) -> Vec<Trial<'a>> {
+    let members = set.key();
+    let twos: Vec<[usize; 2]> =
+        (0..members.len()).flat_map(|j| (0..j).map(move |i| [i, j])).map(|two| two.map(|i| members[i])).collect();
+    let reseat = |two: &[usize; 2]| {
+        let rest = without(base, candidates, &without(base, candidates, set, two[0])?, two[1])?;
+        let ground = Ground::new(&mut rest.objective.clone(), &rest.solution)?;
+        let pairs = pairs::pairs(&ground, &two.map(|i| &candidates[i]));
+        let start = together(&rest, pairs.get(&(0, 1))?, *two, candidates);
+        let objective = rest.objective.with(candidates[two[0]].effect).with(candidates[two[1]].effect);
+        fit_from(&rest, two, objective, [start])
+    };
+    twos.par_iter().filter_map(reseat).collect()
+}
+
 /// A start that can be computed: what the columns promise may lie where there is no model, and half of it, or a quarter, where there is one.
-fn nearer(
-    objective: &mut Objective,
-    mut start: DVector<f64>,
-    (first, variant): (usize, &Variant),
-) -> Option<DVector<f64>> {
+fn nearer(objective: &mut Objective, mut start: Start) -> Option<DVector<f64>> {
     for _ in 0..HALVINGS {
-        if objective.predict(&start).is_some() {
-            return Some(start);
+        if objective.predict(&start.position).is_some() {
+            return Some(start.position);
         }
-        for switch in &variant.switches {
-            let neutral = variant.position[switch.parameter];
-            let place = &mut start[first + switch.parameter];
+        for (variable, neutral) in &start.switches {
+            let place = &mut start.position[*variable];
             *place = neutral + 0.5 * (*place - neutral);
         }
     }
     None
 }
 
+impl<'a> Lead<'_, 'a> {
+    /// Looks at the two effects of a pair together: what the first made its own while it was alone may be the second's.
+    fn look_at(
+        &mut self,
+        pairs: &BTreeMap<(usize, usize), Pair>,
+        base: &Trial<'a>,
+        left: f64,
+        candidates: &[Candidate],
+    ) {
+        let two = [self.parent.members[0], self.added];
+        let Some(pair) = pairs.get(&(two[0].min(two[1]), two[0].max(two[1]))) else { return };
+        self.promised = self.promised.min(left - pair.fall());
+        self.together = Some(together(base, pair, two, candidates));
+        self.starts.truncate(STARTS - 1);
+    }
+}
+
+/// Where a fit of a set with two effects more begins; they are added in the order of `two`.
+fn together(rest: &Trial, pair: &Pair, two: [usize; 2], candidates: &[Candidate]) -> Start {
+    let axes = two.iter().fold(rest.objective.clone(), |o, i| o.with(candidates[*i].effect)).axes;
+    let rising = [two[0].min(two[1]), two[0].max(two[1])];
+    let mut start = Start::own(&rest.solution.position);
+    for number in two {
+        let (variant, amplitudes) = pair.of(rising.map(|i| &candidates[i]), usize::from(number == rising[1]));
+        start = start.with(&candidates[number].variants[variant], amplitudes, &axes);
+    }
+    start
+}
+
 /// Fits a set from its starts.
 fn refit<'a>(lead: &Lead<'_, 'a>, candidates: &[Candidate]) -> Option<Trial<'a>> {
-    fit_with(lead.parent, lead.added, &candidates[lead.added], &lead.starts)
+    let candidate = &candidates[lead.added];
+    let objective = lead.parent.objective.with(candidate.effect);
+    let starts = one_by_one(lead.parent, candidate, &lead.starts, &objective.axes);
+    fit_from(lead.parent, &[lead.added], objective, starts.into_iter().chain(lead.together.clone()))
 }
 
 /// A set with one candidate more, fitted from the given starts.
@@ -291,29 +362,38 @@ pub fn fit_with<'a>(
     candidate: &Candidate,
     starts: &[(usize, Gain)],
 ) -> Option<Trial<'a>> {
-    let mut objective = parent.objective.with(candidate.effect);
+    let objective = parent.objective.with(candidate.effect);
+    let starts = one_by_one(parent, candidate, starts, &objective.axes);
+    fit_from(parent, &[added], objective, starts)
+}
+
+/// Starts where the set stands, with the new effect in each of its shapes.
+fn one_by_one(parent: &Trial, candidate: &Candidate, starts: &[(usize, Gain)], axes: &[Axis]) -> Vec<Start> {
+    let own = Start::own(&parent.solution.position);
+    starts.iter().map(|(v, gain)| own.clone().with(&candidate.variants[*v], &gain.amplitudes, axes)).collect()
+}
+
+fn fit_from<'a>(
+    parent: &Trial<'a>,
+    added: &[usize],
+    mut objective: Objective<'a>,
+    starts: impl IntoIterator<Item = Start>,
+) -> Option<Trial<'a>> {
     if objective.freedom() < 1.0 {
         // As many parameters as rows fit anything.
         return None;
     }
-    let first = parent.objective.axes.len();
     let mut best: Option<Solution> = None;
-    for (variant, gain) in starts {
-        let variant = &candidate.variants[*variant];
-        let own = variant.position(&gain.amplitudes, &objective.axes[first..]);
-        let all = parent.solution.position.iter().copied().chain(own);
-        let start = DVector::from_iterator(first + variant.position.len(), all);
+    for start in starts {
         // A model that lacks an effect has bent what it knows; from there the way back may be barred.
-        let bent = objective.pull(&start) > BENT;
-        let written = bent.then(|| objective.as_written(&start));
+        let bent = objective.pull(&start.position) > BENT;
+        let written = bent.then(|| Start { position: objective.as_written(&start.position), ..start.clone() });
         for start in std::iter::once(start).chain(written) {
-            let found = nearer(&mut objective, start, (first, variant))
-                .and_then(|start| minimise(&mut objective, &start, &[], SEARCHING));
+            let found =
+                nearer(&mut objective, start).and_then(|start| minimise(&mut objective, &start, &[], SEARCHING));
             best = best.into_iter().chain(found).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
         }
     }
     let solution = best?;
-    let mut members = parent.members.clone();
-    members.push(added);
-    Some(Trial { members, objective, solution })
+    Some(Trial { members: [&parent.members, added].concat(), objective, solution })
 }

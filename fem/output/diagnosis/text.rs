@@ -10,11 +10,8 @@ use crate::model::{Model, Setting};
 use crate::output::comparison;
 use crate::output::fit::Short;
 use crate::output::plot;
-use crate::process::{Description, Neutral, Plot};
-use crate::units::Kind;
-
-/// How a cause that is not in the catalogue is written.
-const OWN_EFFECT: &str = "    [effects.my-cause]\n    formula = \"a*sin(2*pi*x/p)\"   # over coordinates and these parameters\n    a = \"? um\"\n    p = \"? mm\"";
+use crate::process::{Description, Holds, Neutral, Plot};
+use crate::units::{Kind, Knowledge};
 
 /// The story. Writing to a String does not fail, here and below.
 pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> String {
@@ -35,9 +32,13 @@ pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         cause(&mut text, i + 1, missing);
     }
     errors(&mut text, model, d, kind);
-    if matches!(d.verdict, Verdict::PartlyExplained | Verdict::Unexplained) {
+    if structure_remains(d) {
+        if !d.missing.is_empty() {
+            let _ =
+                writeln!(text, "\nthe intervals count the noise alone: what remains may have bent the values further");
+        }
         let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(d));
-        let _ = writeln!(text, "  if you know the cause, write it into the model and diagnose again:\n{OWN_EFFECT}");
+        own_effect(&mut text, model, measurements, d);
     }
     not_seen(&mut text, d);
     measure_next(&mut text, d);
@@ -46,6 +47,10 @@ pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
         let _ = writeln!(text, "\nthe model could not be computed at {} of {} trial values", d.trials.0, d.trials.1);
     }
     text
+}
+
+fn structure_remains(d: &Diagnosis) -> bool {
+    matches!(d.verdict, Verdict::PartlyExplained | Verdict::Unexplained)
 }
 
 fn verdict(d: &Diagnosis) -> String {
@@ -146,6 +151,24 @@ pub fn unexplained(d: &Diagnosis) -> String {
     }
 }
 
+/// How a cause that is not in the catalogue is written: over a coordinate along which something remains, or else over any of the file's.
+fn own_effect(text: &mut String, model: &Model, measurements: &Measurements, d: &Diagnosis) {
+    let coordinates = model.process.coordinates();
+    let kind = |i: usize| match coordinates[i].holds {
+        Holds::Quantity(kind) => Some((coordinates[i].name, kind)),
+        Holds::Number(_) | Holds::Word(_) => None,
+    };
+    let remaining = d.remaining.iter().flat_map(|f| f.axis.0.iter().copied());
+    let Some((name, along)) = remaining.chain(measurements.given.iter().copied()).find_map(kind) else { return };
+    let unit = measurements.seen[0].kind.unit;
+    let _ = writeln!(
+        text,
+        "  if you know the cause, write it into the model and diagnose again:\n    [effects.my-cause]\n    formula = \
+         \"a*sin(2*pi*{name}/p)\"   # over coordinates and these parameters\n    a = \"? {unit}\"\n    p = \"? {}\"",
+        along.unit
+    );
+}
+
 /// What else the data say of an effect.
 pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
     if d.missing.iter().any(|m| m.effect == outlook.effect) {
@@ -156,6 +179,9 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
         return format!("cannot be told from {} here", missing.effect.name);
     }
     let Some(v) = &outlook.visibility else { return "it cannot be computed here".into() };
+    if structure_remains(d) && v.visible {
+        return "not judged while structure remains".into();
+    }
     match v.smallest.filter(|_| v.visible) {
         Some(smallest) => format!("would have been seen from {} on", bound(outlook.effect, v.parameter, smallest)),
         None => "cannot be seen in these data".into(),
@@ -177,7 +203,8 @@ fn not_seen(text: &mut String, d: &Diagnosis) {
     };
     let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
     let seen = |c: &&&Outlook| c.visibility.as_ref().is_some_and(|v| v.visible);
-    if rest.iter().any(|c| seen(&c)) {
+    // While structure remains nobody knows what it hides.
+    if rest.iter().any(|c| seen(&c)) && !structure_remains(d) {
         let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, at a usual shape, from");
         let width = rest.iter().map(|c| c.effect.name.len()).max().unwrap_or(0);
         for c in rest.iter().filter(seen) {
@@ -241,17 +268,24 @@ fn commands(text: &mut String, model: &Model, measurements: &Measurements, d: &D
         );
         from = to;
     }
-    if !model.parameters.is_empty() {
-        // What the model knew roughly was bent by what was missing, and is fitted again.
-        let to = format!("{}-fitted.toml", Path::new(&from).file_stem().unwrap_or_default().to_string_lossy());
-        let _ = writeln!(text, "  fem fit {} --with {data} --add-to {}", quoted(&from), quoted(&to));
-        from = to;
+    if model.parameters.is_empty() {
+        let _ = writeln!(text, "  fem compare {} --with {data}", quoted(&from));
+        let _ = writeln!(
+            text,
+            "  or all at once, every value re-fitted: fem diagnose {file} --with {data} --add-to better.toml"
+        );
+        return;
     }
-    let _ = writeln!(text, "  fem compare {} --with {data}", quoted(&from));
+    // A fit with the effects' values in place would take them for known before, from data that it then counts twice.
     let _ = writeln!(
         text,
-        "  or all at once, every value re-fitted: fem diagnose {file} --with {data} --add-to better.toml"
+        "  what the model knew roughly was bent by what was missing; all at once, every value re-fitted:\n  fem diagnose {file} --with {data} --add-to better.toml"
     );
+    // What stays unknown can be fitted, but not compared.
+    let mut own = d.fit.estimates.iter().take(model.parameters.len());
+    if own.all(|e| e.is_closed() || e.parameter.quantity.knowledge != Knowledge::Free) {
+        let _ = writeln!(text, "  fem compare better.toml --with {data}");
+    }
 }
 
 /// A word as a shell takes it.
