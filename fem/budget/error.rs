@@ -66,6 +66,11 @@ pub struct Group {
 }
 
 impl Contribution {
+    /// Whether more than its size is known.
+    pub fn has_sign(&self) -> bool {
+        self.source == Source::Given
+    }
+
     /// How many draws it takes.
     pub fn dimensions(&self) -> u32 {
         match (&self.kind, &self.source) {

@@ -57,9 +57,10 @@ pub fn estimate(budget: &Budget, progress: &Progress) -> Result<Option<Estimate>
         Some(model) => model.linearised()?,
         None => (0.0, Vec::new()),
     };
-    let handbook = by_rules(budget, nominal, &inputs);
-    let shares = shares(budget, nominal, &inputs);
-    let monte_carlo = monte_carlo::draw(budget, progress)?;
+    let errors = with_signs(budget, nominal);
+    let handbook = by_rules(budget, &errors, nominal, &inputs);
+    let shares = shares(budget, &errors, nominal, &inputs);
+    let monte_carlo = monte_carlo::draw(budget, &errors, progress)?;
     Ok(Some(Estimate { handbook, monte_carlo, shares }))
 }
 
@@ -70,7 +71,18 @@ fn half(swing: (f64, f64)) -> f64 {
     0.5 * (swing.1 - swing.0).abs()
 }
 
-fn by_rules(budget: &Budget, nominal: f64, inputs: &[Swing]) -> Handbook {
+/// The errors, those systematic ones of which only the size is known on the side that is worse: that of what is known with its sign.
+fn with_signs(budget: &Budget, nominal: f64) -> Vec<Contribution> {
+    let known = budget.errors.iter().filter(|e| e.kind == Kind::Systematic && e.has_sign());
+    let is_below = known.map(|e| e.value).sum::<f64>() + nominal < 0.0;
+    let worse = |e: &Contribution| {
+        let turned = is_below && e.kind == Kind::Systematic && !e.has_sign();
+        Contribution { value: if turned { -e.value } else { e.value }, ..e.clone() }
+    };
+    budget.errors.iter().map(worse).collect()
+}
+
+fn by_rules(budget: &Budget, errors: &[Contribution], nominal: f64, inputs: &[Swing]) -> Handbook {
     let sum_of = |errors: &[&Contribution]| {
         let of = |kind: Kind| errors.iter().filter(move |e| e.kind == kind);
         let systematic: Vec<f64> = of(Kind::Systematic).map(|e| e.value).collect();
@@ -79,14 +91,13 @@ fn by_rules(budget: &Budget, nominal: f64, inputs: &[Swing]) -> Handbook {
     };
     let of_model = inputs.iter().map(|(_, law, swing)| (*law, half(*swing)));
     let is_grouped = |e: &&Contribution| budget.groups.iter().any(|g| Some(&g.name) == e.group.as_ref());
-    let loose: Vec<&Contribution> = budget.errors.iter().filter(|e| !is_grouped(e)).collect();
+    let loose: Vec<&Contribution> = errors.iter().filter(|e| !is_grouped(e)).collect();
     let (mut systematic, mut scattering) = sum_of(&loose);
     systematic += nominal;
     scattering.extend(of_model.clone());
     let mut groups = Vec::new();
     for group in &budget.groups {
-        let members: Vec<&Contribution> =
-            budget.errors.iter().filter(|e| e.group.as_ref() == Some(&group.name)).collect();
+        let members: Vec<&Contribution> = errors.iter().filter(|e| e.group.as_ref() == Some(&group.name)).collect();
         let (own, random) = sum_of(&members);
         // The group's own total, at the risk for which its law has its field.
         let total = own.abs() + rules::random(1.0 / group.law.lambda().sqrt(), &random);
@@ -95,7 +106,7 @@ fn by_rules(budget: &Budget, nominal: f64, inputs: &[Swing]) -> Handbook {
     }
     let random = rules::random(budget.t, &scattering);
     let total = systematic.abs() + random;
-    let all: Vec<&Contribution> = budget.errors.iter().collect();
+    let all: Vec<&Contribution> = errors.iter().collect();
     let (every, mut each) = sum_of(&all);
     each.extend(of_model);
     let one_by_one = (every + nominal).abs() + rules::random(budget.t, &each);
@@ -103,9 +114,8 @@ fn by_rules(budget: &Budget, nominal: f64, inputs: &[Swing]) -> Handbook {
     Handbook { systematic, random, total, one_by_one: differs.then_some(one_by_one), groups }
 }
 
-fn shares(budget: &Budget, nominal: f64, inputs: &[Swing]) -> Vec<Share> {
-    let mut shares: Vec<Share> = budget
-        .errors
+fn shares(budget: &Budget, errors: &[Contribution], nominal: f64, inputs: &[Swing]) -> Vec<Share> {
+    let mut shares: Vec<Share> = errors
         .iter()
         .map(|e| Share {
             name: e.name.clone(),

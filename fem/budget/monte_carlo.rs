@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
-use super::{Budget, Stream};
+use super::{Budget, Contribution, Stream};
 use crate::process::Failure;
 use crate::progress::Progress;
 
@@ -45,15 +45,15 @@ pub struct Drawn {
     pub redrawn: u64,
 }
 
-/// Draws the budget.
+/// Draws the budget, its errors with the signs that they have here.
 ///
 /// # Errors
 /// The model cannot be computed at a draw.
-pub fn draw(budget: &Budget, progress: &Progress) -> Result<Drawn, Failure> {
+pub fn draw(budget: &Budget, errors: &[Contribution], progress: &Progress) -> Result<Drawn, Failure> {
     progress.expect(budget.samples as u64);
     let redrawn = AtomicU64::new(0);
     let sample = |i: usize| {
-        let result = one(budget, &Stream::new(budget.seed, i as u64), &redrawn);
+        let result = one(budget, errors, &Stream::new(budget.seed, i as u64), &redrawn);
         progress.advance(1);
         result
     };
@@ -89,9 +89,9 @@ pub fn draw(budget: &Budget, progress: &Progress) -> Result<Drawn, Failure> {
 }
 
 /// The total on one part, m.
-fn one(budget: &Budget, stream: &Stream, redrawn: &AtomicU64) -> Result<f64, Failure> {
+fn one(budget: &Budget, errors: &[Contribution], stream: &Stream, redrawn: &AtomicU64) -> Result<f64, Failure> {
     let (mut total, mut dimension) = (0.0, 0);
-    for error in &budget.errors {
+    for error in errors {
         total += error.draw(stream, dimension);
         dimension += error.dimensions();
     }

@@ -1,6 +1,7 @@
 //! The tables of a budget file.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -54,7 +55,14 @@ fn read(reader: &Reader, file: &File, broken: &RefCell<Option<InputError>>) -> B
         name: named(t),
         law: t.choice("distribution", "law of the set's total", Law::WORDS).or_first(Law::Normal),
     });
-    let errors = reader.list("error", "errors that are given", |t, _| read_error(t, &groups));
+    let taken = RefCell::new(BTreeSet::new());
+    let errors = reader.list("error", "errors that are given", |t, _| {
+        let error = read_error(t, &groups);
+        if !error.name.is_empty() && !taken.borrow_mut().insert(error.name.clone()) {
+            t.problem("name", format!("two errors are called `{}`", error.name), "call one of them otherwise");
+        }
+        error
+    });
     let model = part::read(reader, broken);
     let rest = reader.optional_table("budget", "how the errors are added up", |t| read_rules(t, model.is_some()));
     let (t, tolerance, samples, seed) =
@@ -191,6 +199,9 @@ fn read_drill(t: &Reader) -> Option<Drill> {
     let required = |key, about| t.quantity(key, MICRO, about).required();
     let widening_max = required("widening_max", "by how much the hole is wider than the largest drill, a_max");
     let widening_min = required("widening_min", "by how much it is wider than the smallest worn drill, a_min");
+    if widening_max < widening_min {
+        t.problem("widening_max", "the largest is below the least", "exchange the two");
+    }
     let optional = |key, about| t.quantity(key, MICRO, about).not_negative().optional();
     let drill = optional("drill_tolerance", "tolerance of the drill, T_i");
     let wear = optional("wear", "wear that is allowed");

@@ -9,7 +9,8 @@ pub fn systematic(errors: &[f64]) -> f64 {
 
 /// (42): Δ = t·√Σ λᵢΔᵢ² of random errors with half-fields Δᵢ.
 pub fn random(t: f64, errors: &[(Law, f64)]) -> f64 {
-    t * errors.iter().map(|(law, half)| law.lambda() * half * half).sum::<f64>().sqrt()
+    // The sum of nothing is a zero below zero.
+    t * errors.iter().map(|(law, half)| law.lambda() * half * half).sum::<f64>().abs().sqrt()
 }
 
 /// (33), (34): what the mean of `parts` trial parts is uncertain by, σ/√n, where the process scatters over a field T: σ = T/6.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
-use crate::budget::{Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, Share, Unknown};
+use crate::budget::{Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, Share, Source, Unknown};
 
 /// Lengths are told in micrometres.
 const UNIT: &str = "um";
@@ -127,6 +127,22 @@ pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
             "{} draws fell where the model has no value, and were drawn again: laws are cut off there",
             drawn.redrawn
         ));
+    }
+    for error in &budget.errors {
+        if let Source::Clamping { c, force, exponent } = error.source {
+            /// Nearer than this the rule says what there is.
+            const CLOSE: std::ops::Range<f64> = 0.8..1.25;
+            let half = 0.5 * (c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent));
+            if CLOSE.contains(&(error.value.abs() / half)) || error.value.abs() == half {
+                continue;
+            }
+            warnings.push(format!(
+                "`{}` moves by {:.3} um either way from least to largest; (47) makes {:.3} um of it, from whole ranges of the force at either c",
+                error.name,
+                um(half),
+                um(error.value)
+            ));
+        }
     }
     for (group, _) in &estimate.handbook.groups {
         let member = |e: &&crate::budget::Contribution| e.group.as_ref() == Some(group) && e.kind == Kind::Systematic;

@@ -15,6 +15,15 @@ pub fn cases() -> Vec<Case> {
 
 /// The budget of a text, added up. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
 fn budget(text: &str) -> Option<Estimate> {
+    // Rows that call their errors alike mean several of them.
+    let mut text = text.to_string();
+    for number in 1.. {
+        let numbered = text.replacen("name = \"e\"", &format!("name = \"e{number}\""), 1);
+        if numbered == text {
+            break;
+        }
+        text = numbered;
+    }
     let read = super::read::parse(Source::new("budget.toml", text)).ok()?;
     estimate(&read, &Progress::default()).ok().flatten()
 }
