@@ -25,6 +25,9 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
             super::add::refuse_itself(&args.with, &directory.join(name))?;
         }
         written = compensation::write(&model, &measurements, &found, directory)?;
+        if !written.iter().any(|f| f.ends_with(compensation::LINUXCNC)) {
+            super::say!("note: no {}: it takes fewer targets than these", compensation::LINUXCNC);
+        }
     }
     for note in &measurements.notes {
         super::say!("note: {note}");

@@ -27,6 +27,12 @@ pub struct Cause {
 pub fn causes(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation, verdict: Verdict) -> Vec<Cause> {
     match verdict {
         Verdict::Within | Verdict::Compensation | Verdict::Unknown => Vec::new(),
+        Verdict::Resolution => vec![Cause {
+            key: "resolution",
+            finding: "the entries of the controller are too coarse: exact ones would do".into(),
+            remedy: "enter the tables in a finer unit; `resolution` in [compensation] says which the controller takes"
+                .into(),
+        }],
         Verdict::BothDirections => uneven(evaluation).into_iter().collect(),
         Verdict::Repair => {
             let uneven = uneven(evaluation).filter(|_| varies(evaluation));

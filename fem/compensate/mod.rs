@@ -9,12 +9,15 @@ mod reversal;
 pub use causes::Cause;
 pub use reversal::{LostMotion, Rules};
 
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
 use crate::compare::{SIGNIFICANCE, compare};
 use crate::fit::fit;
 use crate::measure::Measurements;
 use crate::model::Model;
-use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Table, Tolerance};
+use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Table, Target, Tolerance};
 use crate::process::{Failure, Job, Positioning};
+use crate::progress::Progress;
 
 /// Everything that is said of an axis and its compensation. SI units.
 #[derive(Clone, Debug)]
@@ -39,6 +42,8 @@ pub struct Compensation {
     pub causes: Vec<Cause>,
     /// How well the model itself agrees with the measurements.
     pub model: Agreement,
+    /// What a model that agrees with them says of the lost motion.
+    pub modelled_lost_motion: Option<String>,
     /// What should not be overlooked.
     pub cautions: Vec<String>,
 }
@@ -89,6 +94,8 @@ pub enum Verdict {
     Compensation,
     /// Only a table for each direction does it.
     BothDirections,
+    /// Tables would do it if the controller took finer entries.
+    Resolution,
     /// No table does it: the mechanics must be repaired first.
     Repair,
     /// The test does not tell: repeated approaches are missing.
@@ -102,6 +109,7 @@ impl Verdict {
             Self::Within => "within-tolerance",
             Self::Compensation => "compensation-suffices",
             Self::BothDirections => "needs-both-directions",
+            Self::Resolution => "needs-finer-resolution",
             Self::Repair => "repair-first",
             Self::Unknown => "unknown",
         }
@@ -123,7 +131,7 @@ impl Course {
 pub fn compensate(model: &Model, axis: &dyn Positioning, measurements: &Measurements) -> Result<Compensation, Failure> {
     let approaches = axis.approaches(&measurements.rows);
     let evaluation = Evaluation::of(&approaches, &measurements.observed);
-    let (job, agreement) = known(model, measurements)?;
+    let (job, agreement) = known(model, measurements, &approaches)?;
     let (tolerance, resolution) = (axis.tolerance(), axis.resolution());
     let between = axis.between(&measurements.rows);
     let course = Course { approaches: axis.approaches(&between), deviations: job.observe(&between)? };
@@ -141,13 +149,16 @@ pub fn compensate(model: &Model, axis: &dyn Positioning, measurements: &Measurem
         scheme("both_directions", "point table each way", both),
     ];
     let before = tolerance.checks(&evaluation);
-    let verdict = verdict(&before, &schemes);
+    let fine = Table::both_directions(&evaluation, Law::Points, 0.0);
+    let fine = tolerance.checks(&Evaluation::of(&approaches, &fine.applied(&approaches, &measurements.observed)));
+    let verdict = verdict(&before, &schemes, &fine);
     Ok(Compensation {
         reversal: Reversal::of(&evaluation),
         pitch: PitchErrors::of(&evaluation),
         lost_motion: LostMotion::of(&evaluation, |x| axis.screw_compliance(x)),
         causes: causes::causes(&approaches, &measurements.observed, &evaluation, verdict),
         cautions: cautions(&evaluation, &schemes[0].modelled, agreement, &tolerance),
+        modelled_lost_motion: if agreement.adequate { lost_motion_of(&*job) } else { None },
         model: agreement,
         evaluation,
         tolerance,
@@ -158,24 +169,57 @@ pub fn compensate(model: &Model, axis: &dyn Positioning, measurements: &Measurem
 }
 
 /// The model with a value for everything, ready to predict: fitted where it leaves something open.
-fn known(model: &Model, measurements: &Measurements) -> Result<(Box<dyn Job>, Agreement), Failure> {
-    if model.parameters.is_empty() {
+fn known(
+    model: &Model,
+    measurements: &Measurements,
+    approaches: &[Approach],
+) -> Result<(Box<dyn Job>, Agreement), Failure> {
+    let (job, agreement) = if model.parameters.is_empty() {
         let comparison = compare(model, measurements)?;
-        let agreement = Agreement { rms: comparison.rms, adequate: comparison.adequate(), fitted: false };
-        return Ok((model.job(), agreement));
-    }
-    let fit = fit(model, measurements)?;
-    let values: Vec<f64> = fit.estimates.iter().map(|e| e.value).collect();
-    let adequate = fit.p_value.is_none_or(|p| p >= SIGNIFICANCE);
-    Ok((model.job_at(&values)?, Agreement { rms: fit.rms, adequate, fitted: true }))
+        (model.job(), Agreement { rms: comparison.rms, adequate: comparison.adequate(), fitted: false })
+    } else {
+        let fit = fit(model, measurements)?;
+        let values: Vec<f64> = fit.estimates.iter().map(|e| e.value).collect();
+        let adequate = fit.p_value.is_none_or(|p| p >= SIGNIFICANCE);
+        (model.job_at(&values)?, Agreement { rms: fit.rms, adequate, fitted: true })
+    };
+    let predicted = job.observe(&measurements.rows)?;
+    let left: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
+    let adequate = agreement.adequate && scatter_explains(approaches, &left, model.parameters.len());
+    Ok((job, Agreement { adequate, ..agreement }))
 }
 
-fn verdict(before: &[Check], [points, _, both]: &[Scheme; 3]) -> Verdict {
+/// Whether the means that a model leaves at the targets, each from one side, are such as the scatter about them leaves. Runs at other times or
+/// temperatures repeat each other here too: what the model knows of those has been taken out. `parameters` were fitted.
+fn scatter_explains(approaches: &[Approach], left: &[f64], parameters: usize) -> bool {
+    let evaluation = Evaluation::of(approaches, left);
+    let sides = || evaluation.targets.iter().flat_map(Target::sides);
+    let groups = sides().count();
+    let within = (approaches.len() - groups) as f64;
+    let between = groups.saturating_sub(parameters) as f64;
+    let of_scatter: f64 = sides().filter_map(|s| Some((s.count - 1) as f64 * s.scatter?.powi(2))).sum();
+    let of_means: f64 = sides().map(|s| s.count as f64 * s.mean.powi(2)).sum();
+    match FisherSnedecor::new(between, within) {
+        Ok(chance) if of_scatter > 0.0 => chance.sf((of_means / between) / (of_scatter / within)) >= SIGNIFICANCE,
+        // Without repeats nothing tells.
+        _ => true,
+    }
+}
+
+/// What a model finds of the lost motion, where it finds any.
+fn lost_motion_of(job: &dyn Job) -> Option<String> {
+    let outcome = job.outcome(job.predict(&Progress::default()).ok()?).ok()?;
+    outcome.findings.into_iter().find(|f| f.key == "lost_motion").map(|f| f.text)
+}
+
+/// From the tolerances before, those with each scheme, and those with entries as fine as can be.
+fn verdict(before: &[Check], [points, _, both]: &[Scheme; 3], fine: &[Check]) -> Verdict {
     let passed = |checks: &[Check]| checks.iter().all(Check::passed);
     match () {
         () if passed(before) => Verdict::Within,
         () if passed(&points.checks) => Verdict::Compensation,
         () if passed(&both.checks) => Verdict::BothDirections,
+        () if passed(fine) => Verdict::Resolution,
         // What is known may be too wide already.
         () if both.checks.iter().any(|c| c.value.is_some_and(|v| v > c.limit)) => Verdict::Repair,
         () => Verdict::Unknown,

@@ -119,6 +119,31 @@ impl Evaluation {
         Self { targets: self.targets.iter().filter(inside).copied().collect() }
     }
 
+    /// The same with what lies between targets at both ends, as on straight lines.
+    pub fn stretch(&self, from: f64, to: f64) -> Self {
+        let inside = self.within(from, to).targets;
+        let mut targets: Vec<Target> = self.between(from).into_iter().chain(inside).collect();
+        targets.extend(self.between(to));
+        Self { targets }
+    }
+
+    /// What would be found at a place between two targets, as on straight lines from one to the other; `None` at a target and beyond the last.
+    fn between(&self, position: f64) -> Option<Target> {
+        let pair =
+            self.targets.windows(2).find(|p| p[0].position + SAME < position && position < p[1].position - SAME)?;
+        let part = (position - pair[0].position) / (pair[1].position - pair[0].position);
+        let straight = |a: f64, b: f64| a + part * (b - a);
+        let side = |direction: Direction| {
+            let (a, b) = (pair[0].side(direction)?, pair[1].side(direction)?);
+            Some(Side {
+                mean: straight(a.mean, b.mean),
+                scatter: a.scatter.zip(b.scatter).map(|(a, b)| straight(a, b)),
+                count: a.count.min(b.count),
+            })
+        };
+        Some(Target { position, forward: side(Direction::Forward), backward: side(Direction::Backward) })
+    }
+
     /// Fewest approaches to any target from any side.
     pub fn runs(&self) -> usize {
         self.targets.iter().flat_map(Target::sides).map(|s| s.count).min().unwrap_or(0)
@@ -161,7 +186,10 @@ impl Evaluation {
             departures
                 .push(format!("{runs} approaches from a side where there are fewest: the standard asks for five"));
         }
-        if self.targets.iter().any(|t| t.forward.is_none() || t.backward.is_none()) {
+        let one_sided = self.targets.iter().filter(|t| t.forward.is_none() || t.backward.is_none()).count();
+        if one_sided == self.targets.len() {
+            departures.push("all targets were approached from one side only: there is neither B nor R".into());
+        } else if one_sided > 0 {
             departures.push("some targets were approached from one side only: B and R are of the others".into());
         }
         departures

@@ -16,7 +16,10 @@ use crate::model::Model;
 
 /// What may be written.
 pub const FILES: [&str; 6] =
-    ["points.csv", "segments.csv", "both-directions.csv", "linuxcnc.comp", "predicted.csv", "compensation.json"];
+    ["points.csv", "segments.csv", "both-directions.csv", LINUXCNC, "predicted.csv", "compensation.json"];
+
+/// The table of LinuxCNC's compensation.
+pub const LINUXCNC: &str = "linuxcnc.comp";
 
 /// Writes `compensation.json`, the tables `points.csv`, `segments.csv`, `both-directions.csv` and, where it takes them, `linuxcnc.comp`, and
 /// `predicted.csv`, what is left along the travel. Gives the files.

@@ -50,6 +50,9 @@ fn verdict(c: &Compensation) -> &'static str {
         Verdict::BothDirections => {
             "one backlash value does not suffice: only a table for each direction brings the axis within tolerance"
         }
+        Verdict::Resolution => {
+            "compensation would reach the tolerance, but the controller's entries are too coarse for it"
+        }
         Verdict::Repair => "compensation cannot reach the tolerance: the mechanics must be repaired first",
         Verdict::Unknown => {
             "whether compensation suffices is not known: approach every target at least twice from each side"
@@ -116,6 +119,9 @@ fn reversal(text: &mut String, c: &Compensation) {
     );
     if let Some(lost) = &c.lost_motion {
         let _ = writeln!(text, "lost motion      {}", lost_motion(lost));
+    }
+    if let Some(told) = c.modelled_lost_motion.as_ref().filter(|told| *told != "none") {
+        let _ = writeln!(text, "                 the model, which agrees with the test, has it {told}");
     }
 }
 

@@ -70,7 +70,7 @@ impl System for Slide {
     }
 
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
-        observe::misplaced(rows)
+        observe::misplaced(&self.0, rows)
     }
 
     fn programme(&self) -> Rows {

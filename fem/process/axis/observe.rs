@@ -50,11 +50,19 @@ pub fn moment(rows: &Rows, row: usize) -> Moment {
     Moment { position: rows.columns[POSITION][row], direction, time: rows.columns[TIME_OF_ROW][row] }
 }
 
-/// Rows that no test can give.
-pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
-    let early = |row: &usize| rows.columns[TIME_OF_ROW][*row] < 0.0;
-    let told = |row| Misplaced { row, coordinate: TIME_OF_ROW, message: "`time` is below zero".into() };
-    (0..rows.len()).filter(early).map(told).collect()
+/// Rows that no test of this axis can give.
+pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+    let [from, to] = [setup.from, setup.from + setup.travel];
+    let slack = 1e-9 * setup.travel;
+    let told = |row: usize| {
+        if rows.columns[TIME_OF_ROW][row] < 0.0 {
+            return Some(Misplaced { row, coordinate: TIME_OF_ROW, message: "`time` is below zero".into() });
+        }
+        let at = rows.columns[POSITION][row];
+        let message = || format!("the axis travels from {} to {} mm", 1e3 * from, 1e3 * to);
+        (at < from - slack || at > to + slack).then(|| Misplaced { row, coordinate: POSITION, message: message() })
+    };
+    (0..rows.len()).filter_map(told).collect()
 }
 
 /// Rows of approaches (position, direction, run, time).
