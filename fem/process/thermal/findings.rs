@@ -13,6 +13,8 @@ use crate::units::TEMPERATURE;
 
 /// 1 − 1/e, what a first-order body has reached after its time constant.
 const REACHED: f64 = 1.0 - 1.0 / std::f64::consts::E;
+/// Errors above this part of the largest rise are warned of.
+const COARSE: f64 = 0.01;
 /// Above this Biot number a section is not at one temperature, and a rod no longer one-dimensional (Incropera, lumped capacitance).
 const LARGEST_BIOT: f64 = 0.1;
 
@@ -26,22 +28,43 @@ pub fn outcome(heated: &Heated, scene: &Scene, observed: Vec<f64>) -> Result<Out
     let mut findings = Vec::new();
     let of = |observable: usize| (0..rows.len()).filter(|r| rows.observable[*r] == observable).collect::<Vec<usize>>();
     let (growing, warm) = (of(ELONGATION), of(TEMPERATURE_OF_ROW));
-    if !growing.is_empty() {
-        findings.extend(growth(&rows, &observed, &growing));
-    }
-    findings.push(hottest(&rows, &observed, &warm));
+    findings.extend(scene.elongation.iter().flat_map(|values| growth(&scene.times, values)));
+    findings.extend(hottest(setup, scene));
     findings.extend(bow(scene));
     findings.push(energy(&scene.energy));
     findings.push(steps(setup, scene));
+    let left = left_by_elements(heated, scene, &rows, &observed)?;
+    findings.push(Finding {
+        key: "discretisation",
+        label: "elements and steps",
+        text: format!("leave some {:.1e} K, by what twice as long ones change", left),
+        json: json!({ "error": left, "unit": "K" }),
+    });
+    let mut warnings = warnings(heated, scene);
+    let warmest = warm.iter().map(|row| (observed[*row] - setup.ambient).abs()).fold(0.0, f64::max);
+    if left > setup.time.tolerance.max(COARSE * warmest) {
+        warnings.push(format!(
+            "elements and steps leave errors of some {left:.2} K: take a smaller element_size in [mesh], and shorter steps"
+        ));
+    }
     Ok(Outcome {
         profile: profile(setup, &rows, &observed),
         findings,
         plots: plots(&rows, &observed, &growing, &warm),
         drawings: Vec::new(),
         tables: Vec::new(),
-        warnings: warnings(heated, scene),
+        warnings,
         animation: None,
     })
+}
+
+/// The error that elements and steps leave in the temperatures of the programme, K: what twice as long ones change, less what their own order leaves.
+fn left_by_elements(heated: &Heated, scene: &Scene, rows: &Rows, observed: &[f64]) -> Result<f64, Failure> {
+    let setup = heated.setup();
+    let coarse = observe::observe(&heated.coarser(2.0 * scene.longest_step()), rows)?;
+    let temperatures = (0..rows.len()).filter(|r| rows.observable[*r] == TEMPERATURE_OF_ROW);
+    let apart = temperatures.map(|r| (observed[r] - coarse[r]).abs()).fold(0.0, f64::max);
+    Ok(apart / f64::from((1 << setup.time.order()) - 1))
 }
 
 /// A measurement file of its own: a record observes the elongation or a temperature, and the other cell is empty.
@@ -65,29 +88,30 @@ fn profile(setup: &Setup, rows: &Rows, observed: &[f64]) -> Table {
     Table { columns }
 }
 
-/// The row with the largest value, the first of those that are equal but for rounding.
-fn largest(observed: &[f64], rows: &[usize]) -> usize {
-    let size = rows.iter().fold(0.0f64, |m, r| m.max(observed[*r].abs()));
-    let better = |best: usize, row: usize| if observed[row] > observed[best] + 1e-9 * size { row } else { best };
-    rows.iter().copied().reduce(better).unwrap_or(0)
+/// The position of the largest value, the first of those that are equal but for rounding.
+fn greatest(values: &[f64]) -> usize {
+    let size = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let better = |best: usize, i: usize| if values[i] > values[best] + 1e-9 * size { i } else { best };
+    (0..values.len()).reduce(better).unwrap_or(0)
 }
 
-fn growth(rows: &Rows, observed: &[f64], growing: &[usize]) -> Vec<Finding> {
-    let minutes = |row: usize| rows.columns[TIME_OF_ROW][row] / 60.0;
-    let (most, last) = (largest(observed, growing), growing[growing.len() - 1]);
-    let (value, end) = (1e6 * observed[most], 1e6 * observed[last]);
+/// Of the growth at the end of every step.
+fn growth(times: &[f64], values: &[f64]) -> Vec<Finding> {
+    let minutes = |i: usize| times[i] / 60.0;
+    let most = greatest(values);
+    let (value, end) = (1e6 * values[most], 1e6 * values[values.len() - 1]);
     let mut findings = vec![Finding {
         key: "largest",
         label: "largest elongation",
         text: format!("{value:+.3} um after {:.1} min; {end:+.3} um in the end", minutes(most)),
         json: json!({ "value": value, "unit": "um", "at": minutes(most), "at_unit": "min", "end": end }),
     }];
-    // Between two times of the programme as on a straight line.
-    let share = REACHED * observed[most];
-    let passed = growing.windows(2).find(|w| observed[w[1]] >= share && w[1] <= most);
-    if let (true, Some(w)) = (observed[most] > 0.0, passed) {
-        let part = (share - observed[w[0]]) / (observed[w[1]] - observed[w[0]]);
-        let after = minutes(w[0]) + part * (minutes(w[1]) - minutes(w[0]));
+    // Between two steps as on a straight line.
+    let share = REACHED * values[most];
+    let passed = (1..=most).find(|i| values[*i] >= share);
+    if let (true, Some(i)) = (share > 0.0, passed) {
+        let part = (share - values[i - 1]) / (values[i] - values[i - 1]);
+        let after = minutes(i - 1) + part * (minutes(i) - minutes(i - 1));
         findings.push(Finding {
             key: "reached",
             label: "63 % of it",
@@ -98,23 +122,27 @@ fn growth(rows: &Rows, observed: &[f64], growing: &[usize]) -> Vec<Finding> {
     findings
 }
 
-fn hottest(rows: &Rows, observed: &[f64], warm: &[usize]) -> Finding {
-    let most = largest(observed, warm);
-    let (value, x) = (TEMPERATURE.from_si(observed[most]), 1e3 * rows.columns[X][most]);
-    let after = rows.columns[TIME_OF_ROW][most] / 60.0;
-    Finding {
+/// Of all nodes at all steps.
+fn hottest(setup: &Setup, scene: &Scene) -> Option<Finding> {
+    let (place, temperature, time) = scene.hottest?;
+    let (value, after, [x, y]) = (TEMPERATURE.from_si(temperature), time / 60.0, place.map(|p| 1e3 * p));
+    let plane = matches!(setup.body, Body::Plane(_));
+    let height = if plane { format!(", y = {y:.1} mm") } else { String::new() };
+    Some(Finding {
         key: "hottest",
         label: "hottest",
-        text: format!("{value:.2} degC at x = {x:.1} mm, after {after:.1} min"),
-        json: json!({ "value": value, "unit": "degC", "x": x, "x_unit": "mm", "at": after, "at_unit": "min" }),
-    }
+        text: format!("{value:.2} degC at x = {x:.1} mm{height}, after {after:.1} min"),
+        json: json!({
+            "value": value, "unit": "degC", "x": x, "y": plane.then_some(y), "x_unit": "mm", "at": after, "at_unit": "min",
+        }),
+    })
 }
 
 fn bow(scene: &Scene) -> Option<Finding> {
     let values = scene.bow.as_ref()?;
-    let most = (0..values.len()).max_by(|a, b| values[*a].1.abs().total_cmp(&values[*b].1.abs()))?;
-    let (after, value) = (values[most].0 / 60.0, 1e6 * values[most].1);
-    let end = 1e6 * values[values.len() - 1].1;
+    let sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
+    let most = greatest(&sizes);
+    let (after, value, end) = (scene.times[most] / 60.0, 1e6 * values[most], 1e6 * values[values.len() - 1]);
     Some(Finding {
         key: "bow",
         label: "bow, middle over ends",
@@ -153,13 +181,14 @@ fn steps(setup: &Setup, scene: &Scene) -> Finding {
         Scheme::BackwardEuler => "backward-euler",
         Scheme::Sdirk2 => "sdirk2",
     };
+    let (count, longest) = (scene.times.len() - 1, scene.longest_step());
     let how =
         if setup.time.step.is_some() { "given".to_string() } else { format!("chosen for {} K", setup.time.tolerance) };
     Finding {
         key: "steps",
         label: "time steps",
-        text: format!("{} of {scheme}, up to {:.3} s ({how})", scene.steps, scene.step),
-        json: json!({ "count": scene.steps, "longest": scene.step, "unit": "s", "scheme": scheme }),
+        text: format!("{count} of {scheme}, up to {longest:.3} s ({how})"),
+        json: json!({ "count": count, "longest": longest, "unit": "s", "scheme": scheme }),
     }
 }
 
@@ -173,7 +202,9 @@ fn plots(rows: &Rows, observed: &[f64], growing: &[usize], warm: &[usize]) -> Ve
     if !growing.is_empty() {
         plots.push(plot("elongation [um] over time [min]".into(), &mut growing.iter().copied(), &|v| 1e6 * v));
     }
-    let x = rows.columns[X][largest(observed, warm)];
+    let temperatures: Vec<f64> = warm.iter().map(|row| observed[*row]).collect();
+    let Some(hottest) = warm.get(greatest(&temperatures)) else { return plots };
+    let x = rows.columns[X][*hottest];
     let title = format!("temperature [degC] at x = {:.1} mm over time [min]", 1e3 * x);
     plots.push(plot(title, &mut warm.iter().copied().filter(|row| rows.columns[X][*row] == x), &|v| {
         TEMPERATURE.from_si(v)
@@ -200,12 +231,12 @@ fn warnings(heated: &Heated, scene: &Scene) -> Vec<String> {
     }
     for boundary in &setup.boundaries {
         if let Condition::Moving { speed, width, .. } = boundary.condition
-            && (speed * scene.step).abs() > 0.5 * width
+            && (speed * scene.longest_step()).abs() > 0.5 * width
         {
             warnings.push(format!(
                 "the strip on `{}` moves {:.2} of its width in a step: take steps below {:.3} s",
                 boundary.edge,
-                (speed * scene.step).abs() / width,
+                (speed * scene.longest_step()).abs() / width,
                 0.5 * width / speed.abs()
             ));
         }

@@ -43,6 +43,19 @@ pub struct Followed {
     pub energy: Energy,
     /// Times (s) with the rises of all nodes (K).
     pub pictures: Vec<(f64, Vec<f64>)>,
+    /// The hottest node at the end of any step, where pictures are kept.
+    pub hottest: Option<Hottest>,
+}
+
+/// Where and when a body is hottest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hottest {
+    /// K.
+    pub rise: f64,
+    /// Its number.
+    pub node: usize,
+    /// s.
+    pub time: f64,
 }
 
 impl Followed {
@@ -50,11 +63,22 @@ impl Followed {
         Self { track: Track::new(looks), ..Self::default() }
     }
 
-    /// Keeps a picture when its time has come.
+    /// Keeps a picture when its time has come, and the hottest node at any time.
     pub(super) fn picture(&mut self, span: &Span, time: f64, nodes: impl FnOnce() -> Vec<f64>) {
-        let due = span.end * self.pictures.len() as f64 / span.pictures.max(1) as f64;
-        if span.pictures > 0 && time >= due * (1.0 - 1e-9) {
-            self.pictures.push((time, nodes()));
+        if span.pictures == 0 {
+            return;
+        }
+        let rises = nodes();
+        // Of what is equal but for rounding the first.
+        let above = |best: Option<Hottest>, rise: f64| best.is_none_or(|b| rise > b.rise + 1e-9 * rise.abs());
+        for (node, &rise) in rises.iter().enumerate() {
+            if above(self.hottest, rise) {
+                self.hottest = Some(Hottest { rise, node, time });
+            }
+        }
+        let due = span.end * self.pictures.len() as f64 / span.pictures as f64;
+        if time >= due * (1.0 - 1e-9) {
+            self.pictures.push((time, rises));
         }
     }
 }
@@ -78,24 +102,25 @@ pub fn unsolvable(error: &dyn std::fmt::Display) -> Failure {
     }
 }
 
-/// The longest step that leaves no look further off than the model's tolerance: that which the model gives, or one that is halved until halving it
-/// changes no temperature of the ideal body by more than three times the tolerance, which is what a scheme of second order leaves.
+/// The longest step: that which the model gives, or one that is halved until what its own error changes with the next halving, by the order of the
+/// scheme, is no more than the model's tolerance at any time and place of the programme. It is chosen once, for the machine that is followed first:
+/// a fit sees the same steps at all its trial values.
 ///
 /// # Errors
 /// The body cannot be computed, or no step is short enough.
-pub fn step(setup: &std::sync::Arc<super::Setup>) -> Result<f64, Failure> {
+pub fn step(machine: &Machine) -> Result<f64, Failure> {
     /// The first is this part of the run, the last the first halved so often.
     const FIRST: f64 = 1.0 / 50.0;
-    const HALVINGS: i32 = 10;
+    const HALVINGS: i32 = 12;
+    let setup = &machine.setup;
     if let Some(step) = setup.time.step {
         return Ok(step);
     }
     let choose = || {
-        let machine = Machine::ideal(setup.clone());
         let looks: Vec<Look> = setup.places.iter().map(|x| Look::Rise { x: *x, y: None }).collect();
         let end = setup.time.end;
         let seen = |step: f64| -> Result<Vec<f64>, Failure> {
-            let followed = follow(&machine, &looks, &Span { step, end, pictures: 0 })?;
+            let followed = follow(machine, &looks, &Span { step, end, pictures: 0 })?;
             let track = &followed.track;
             Ok(setup.times.iter().flat_map(|t| track.values.iter().map(|v| track.at(v, *t))).collect())
         };
@@ -104,14 +129,14 @@ pub fn step(setup: &std::sync::Arc<super::Setup>) -> Result<f64, Failure> {
             let step = FIRST * end * 0.5f64.powi(halved);
             let fine = seen(step)?;
             let apart = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            if apart <= 3.0 * setup.time.tolerance {
+            if apart <= f64::from((1 << setup.time.order()) - 1) * setup.time.tolerance {
                 return Ok(step);
             }
             coarse = fine;
         }
         Err(Failure {
             message: format!("no time step leaves temperatures within {} K", setup.time.tolerance),
-            help: "give a larger tolerance in [time], or the step itself".into(),
+            help: "give a larger tolerance in [time], another scheme, or the step itself".into(),
         })
     };
     setup.chosen.get_or_init(choose).clone()

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::machine::Machine;
-use super::model::Setup;
+use super::model::{Setup, Time};
 use super::{effects, findings, observe, shapes};
 use crate::process::{Active, Failure, Job, Outcome, Rows, act};
 use crate::progress::Progress;
@@ -19,6 +19,16 @@ impl Heated {
     pub fn equip(setup: Arc<Setup>, active: &[Active]) -> Self {
         let mut machine = Machine::ideal(setup);
         act(effects::ALL, active, &mut machine);
+        Self { machine: Arc::new(machine) }
+    }
+
+    /// The same in elements twice as long, where they are the program's own, and in these steps (s).
+    #[must_use]
+    pub fn coarser(&self, step: f64) -> Self {
+        let mut machine = (*self.machine).clone();
+        let setup = self.setup();
+        let time = Time { step: Some(step), ..setup.time };
+        machine.setup = Arc::new(Setup { time, element_size: 2.0 * setup.element_size, ..setup.clone() });
         Self { machine: Arc::new(machine) }
     }
 

@@ -121,7 +121,12 @@ impl Setup {
         let boundaries =
             model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body));
         let ambient = model.table("environment", "what is around the body", |t| {
-            t.quantity("temperature", TEMPERATURE, "of the surroundings, and of the body at the start").required()
+            let ambient =
+                t.quantity("temperature", TEMPERATURE, "of the surroundings, and of the body at the start").required();
+            if ambient < 0.0 {
+                t.problem("temperature", "nothing is that cold", "it must be above -273.15 degC");
+            }
+            ambient
         });
         let time = model.table("time", "how long and in which steps", Time::read);
         let usual_size = length / f64::from(body.usual_elements());
@@ -177,7 +182,8 @@ impl Setup {
     }
 
     fn check(&self, model: &Reader) {
-        if self.sources.is_empty() && self.boundaries.is_empty() && !model.is_described() {
+        let by_effect = ["extra-source", "ambient-drift"].iter().any(|effect| model.has_in("effects", effect));
+        if self.sources.is_empty() && self.boundaries.is_empty() && !by_effect && !model.is_described() {
             model.problem(
                 "source",
                 "nothing heats or cools the body",
@@ -260,6 +266,14 @@ impl Boundary {
 }
 
 impl Time {
+    /// Of the scheme: errors fall as this power of the step.
+    pub fn order(&self) -> u32 {
+        match self.scheme {
+            Scheme::BackwardEuler => 1,
+            Scheme::CrankNicolson | Scheme::Sdirk2 => 2,
+        }
+    }
+
     fn read(t: &Reader) -> Self {
         let end = t.quantity("end", TIME, "when the run ends").positive().required();
         let step = t.quantity("step", TIME, "longest time step; chosen by tolerance if left out").positive().optional();
@@ -283,7 +297,10 @@ impl Time {
 fn read_measurement(t: &Reader, length: f64, time: &Time) -> (Vec<f64>, Vec<f64>) {
     let places = t.quantities("places", LENGTH, "where temperatures are predicted, from the base");
     let places = places.unwrap_or_else(|| usual_places(length));
-    if let Some(place) = places.iter().find(|x| !(0.0..=length * (1.0 + 1e-12)).contains(*x)) {
+    // A length that is still to be fitted reaches anywhere.
+    if let Some(place) =
+        places.iter().filter(|_| !length.is_nan()).find(|x| !(0.0..=length * (1.0 + 1e-12)).contains(*x))
+    {
         t.problem(
             "places",
             format!("{} mm is not on the body", 1e3 * place),

@@ -143,7 +143,7 @@ pub fn observe(heated: &Heated, rows: &Rows) -> Result<Vec<f64>, Failure> {
         })
         .collect();
     let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
-    let span = Span { step: step(&heated.machine.setup)?, end, pictures: 0 };
+    let span = Span { step: step(&heated.machine)?, end, pictures: 0 };
     let followed = follow(&heated.machine, &looks, &span)?;
     let track = &followed.track;
     let shown: Vec<Vec<f64>> = looks

@@ -23,13 +23,16 @@ pub struct Scene {
     shape: Shape,
     /// Times (s) with the rises of all nodes (K).
     pictures: Vec<(f64, Vec<f64>)>,
-    /// Rise of the middle of a plane body over its ends (m) with its time (s).
-    pub bow: Option<Vec<(f64, f64)>>,
+    /// s, the start and the end of every step.
+    pub times: Vec<f64>,
+    /// Growth from the base to the free end, m, of a body that has them.
+    pub elongation: Option<Vec<f64>>,
+    /// Rise of the middle of a plane body over its ends, m.
+    pub bow: Option<Vec<f64>>,
+    /// The hottest place, m from the base and over the origin of a plane body; with its temperature (K) and time (s).
+    pub hottest: Option<([f64; 2], f64, f64)>,
     /// Where the heat went.
     pub energy: Energy,
-    /// Longest step, s, and how many there were.
-    pub step: f64,
-    pub steps: usize,
 }
 
 enum Shape {
@@ -54,7 +57,7 @@ impl Scene {
     pub fn new(heated: &Heated) -> Result<Self, Failure> {
         let machine = &heated.machine;
         let setup = machine.setup.clone();
-        let step = step(&setup)?;
+        let step = step(machine)?;
         let shape = match &setup.body {
             Body::Rod(segments) => {
                 let system = RodSystem::new(&rod::rod(machine, segments), setup.element_size);
@@ -62,12 +65,30 @@ impl Scene {
             }
             Body::Plane(plane) => Shape::Plane(Box::new(Flat::new(&setup, plane)?)),
         };
-        let looks: &[Look] = if matches!(shape, Shape::Plane(_)) { &[Look::Bow] } else { &[] };
-        let followed = follow(machine, looks, &Span { step, end: setup.time.end, pictures: FRAMES })?;
-        let times = &followed.track.times;
-        let bow = followed.track.values.first().map(|v| times.iter().copied().zip(v.iter().copied()).collect());
-        let steps = times.len() - 1;
-        Ok(Self { setup, shape, pictures: followed.pictures, bow, energy: followed.energy, step, steps })
+        let mut looks = Vec::new();
+        looks.extend(setup.body.has_ends().then_some(Look::Elongation));
+        looks.extend(matches!(shape, Shape::Plane(_)).then_some(Look::Bow));
+        let followed = follow(machine, &looks, &Span { step, end: setup.time.end, pictures: FRAMES })?;
+        let seen = |look| looks.iter().position(|l| *l == look).map(|i| followed.track.values[i].clone());
+        let place = |node: usize| match &shape {
+            Shape::Rod(x) => [x[node], 0.0],
+            Shape::Plane(flat) => flat.mesh.nodes()[node],
+        };
+        Ok(Self {
+            elongation: seen(Look::Elongation),
+            bow: seen(Look::Bow),
+            hottest: followed.hottest.map(|h| (place(h.node), setup.ambient + h.rise, h.time)),
+            times: followed.track.times,
+            pictures: followed.pictures,
+            energy: followed.energy,
+            shape,
+            setup,
+        })
+    }
+
+    /// The longest step that was taken, s.
+    pub fn longest_step(&self) -> f64 {
+        self.times.windows(2).map(|t| t[1] - t[0]).fold(0.0, f64::max)
     }
 
     /// Points are the nodes; displacement is growth from the base, of a plane body from the middle of its left end with both ends level.
