@@ -7,18 +7,38 @@ use super::machine::Lap;
 use super::model::AXES;
 use super::path::{Direction, Path, rounded};
 use super::{circle, observe, rectangle, reversing};
-use crate::process::{Column, Finding, Outcome, Plot, Rows, Table};
+use crate::process::{Column, Failure, Finding, Outcome, Plot, Rows, Table};
 use crate::units::FEED_RATE;
 
 /// Where the text of a finding begins on a line.
 pub const INDENT: usize = 27;
+/// Points along a contour of which the largest and the smallest are told, at least: a spike lasts some milliseconds, a hundredth of a degree.
+const FINE: usize = 36_000;
 /// Lags above this, in rad, are no small ones: the first-order formulas are then wrong by as much.
 const LARGE_LAG: f64 = 0.1;
 
 /// Everything but drawing and animation. `deviations` in m, direction by direction.
-pub fn outcome(contouring: &Contouring, deviations: &[f64]) -> Outcome {
+///
+/// # Errors
+/// The contour cannot be computed.
+pub fn outcome(contouring: &Contouring, deviations: &[f64]) -> Result<Outcome, Failure> {
+    let rows = observe::programme(contouring.setup());
+    Ok(Outcome {
+        profile: profile(&rows, deviations),
+        tables: Vec::new(),
+        findings: findings(&contouring.with_points(FINE))?,
+        plots: vec![plot(contouring, &rows, deviations)],
+        drawings: Vec::new(),
+        warnings: warnings(contouring),
+        animation: None,
+    })
+}
+
+/// Of a contour that is seen at so many points that no spike falls between two of them.
+fn findings(contouring: &Contouring) -> Result<Vec<Finding>, Failure> {
     let setup = contouring.setup();
     let rows = observe::programme(setup);
+    let deviations = &observe::observe(contouring, &rows)?;
     let mut findings = vec![
         extreme("largest", "largest deviation", &rows, deviations, |a, b| a > b),
         extreme("smallest", "smallest deviation", &rows, deviations, |a, b| a < b),
@@ -33,15 +53,7 @@ pub fn outcome(contouring: &Contouring, deviations: &[f64]) -> Outcome {
     findings.extend(reversing::advice(contouring));
     findings.push(servo(contouring));
     findings.extend(tolerance(contouring, deviations));
-    Outcome {
-        profile: profile(&rows, deviations),
-        tables: Vec::new(),
-        findings,
-        plots: vec![plot(contouring, &rows, deviations)],
-        drawings: Vec::new(),
-        warnings: warnings(contouring),
-        animation: None,
-    }
+    Ok(findings)
 }
 
 /// Lines of a finding, one below the other.

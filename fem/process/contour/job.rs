@@ -27,6 +27,15 @@ impl Contouring {
         &self.machine.setup
     }
 
+    /// The same, seen at no fewer points than these.
+    #[must_use]
+    pub fn with_points(&self, least: usize) -> Self {
+        let mut machine = (*self.machine).clone();
+        let setup = self.setup();
+        machine.setup = Arc::new(Setup { points: setup.points.max(least), ..setup.clone() });
+        Self { machine: Arc::new(machine) }
+    }
+
     /// Refuses servos that do not follow.
     ///
     /// # Errors
@@ -66,7 +75,7 @@ impl Job for Contouring {
     }
 
     fn outcome(&self, prediction: Vec<f64>) -> Result<Outcome, Failure> {
-        let mut outcome = findings::outcome(self, &prediction);
+        let mut outcome = findings::outcome(self, &prediction)?;
         outcome.drawings = vec![shapes::drawing(self, &prediction)];
         outcome.animation = Some(shapes::animation(self, &prediction));
         Ok(outcome)

@@ -16,7 +16,7 @@ const LONGEST: f64 = 1e3;
 
 /// A side as it comes out.
 struct Made {
-    /// Mean deviation, outwards, m.
+    /// Of its least-squares line half way along, outwards, m: what is left out at its corners is longer behind one than before the other.
     offset: f64,
     /// Of its least-squares line, counter-clockwise and outwards.
     tilt: f64,
@@ -69,21 +69,24 @@ pub fn findings(contouring: &Contouring, deviations: &[f64]) -> Vec<Finding> {
     findings
 }
 
-/// Mean and slope of the deviations of each side.
+/// The least-squares line of the deviations of each side.
 fn made(setup: &Setup, angles: &[f64], deviations: &[f64]) -> Vec<Made> {
     let points: Vec<_> = angles.iter().map(|a| setup.path.at(*a)).collect();
     let of = |side: usize| {
-        let own: Vec<(f64, f64)> =
-            points.iter().zip(deviations).filter(|(p, _)| p.side == side).map(|(p, d)| (p.from_ends[0], *d)).collect();
+        // From half way along.
+        let along = |ends: [f64; 2]| 0.5 * (ends[0] - ends[1]);
+        let on_side = points.iter().zip(deviations).filter(|(p, _)| p.side == side);
+        let own: Vec<(f64, f64)> = on_side.map(|(p, d)| (along(p.from_ends), *d)).collect();
         let count = own.len() as f64;
-        let (middle, offset) =
+        let (middle, mean) =
             (own.iter().map(|o| o.0).sum::<f64>() / count, own.iter().map(|o| o.1).sum::<f64>() / count);
         let (mut square, mut product) = (0.0, 0.0);
         for (along, deviation) in &own {
             square += (along - middle).powi(2);
-            product += (along - middle) * (deviation - offset);
+            product += (along - middle) * (deviation - mean);
         }
-        Made { offset, tilt: product / square }
+        let tilt = product / square;
+        Made { offset: mean - tilt * middle, tilt }
     };
     (0..4).map(of).collect()
 }
