@@ -1,7 +1,7 @@
 //! Materials: a built-in list, or a table of one's own.
 
 use crate::input::{Bounds, Reader, did_you_mean};
-use crate::units::{CONDUCTIVITY, EXPANSION, Kind, MASS_DENSITY, NUMBER, PRESSURE, SPECIFIC_HEAT};
+use crate::units::{CONDUCTIVITY, CONTRACTION, EXPANSION, Kind, MASS_DENSITY, PRESSURE, SPECIFIC_HEAT};
 
 /// An isotropic, linear material. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +83,7 @@ impl Material {
         let solid = Bounds::Within(1e6, 5e12);
         Self {
             youngs_modulus: read("youngs_modulus", PRESSURE, "Young's modulus", solid, |m| m.youngs_modulus),
-            poisson_ratio: read("poisson_ratio", NUMBER, "Poisson's ratio", Bounds::Within(-1.0, 0.5), |m| {
+            poisson_ratio: read("poisson_ratio", CONTRACTION, "Poisson's ratio", Bounds::Within(-1.0, 0.5), |m| {
                 m.poisson_ratio
             }),
             density: read("density", MASS_DENSITY, "density", Bounds::Positive, |m| m.density),

@@ -100,7 +100,7 @@ pub(super) fn not_text(bytes: &[u8], valid: usize) -> Problem {
 
 fn unreadable(error: &std::io::Error) -> &'static str {
     match error.kind() {
-        std::io::ErrorKind::NotFound => "check the path; `fem new PROCESS` writes a starting model",
+        std::io::ErrorKind::NotFound => "check the path; for a first model, `fem new PROCESS` writes one",
         std::io::ErrorKind::PermissionDenied => "check the file's permissions",
         _ => "check the path",
     }

@@ -37,6 +37,12 @@ fn split(cell: &str) -> (&str, &str) {
 
 /// Reads the header cells; problems carry no place, for they all stand in the same line.
 pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Result<Header, Vec<Problem>> {
+    if let [all] = cells
+        && all.contains(';')
+    {
+        let problem = Problem::new("the columns are parted by semicolons");
+        return Err(vec![problem.help("part them by commas, and write decimals with a point")]);
+    }
     let mut header = Header::default();
     let mut problems = Vec::new();
     let (mut unknown, mut wrong): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());

@@ -23,6 +23,7 @@ macro_rules! kinds {
 
 kinds! {
     NUMBER = "a pure number" in "", as "0.5";
+    CONTRACTION = "a pure number" in "", as "0.3";
     LENGTH = "a length" in "mm", as "40";
     MICRO = "a small length" in "um", as "5";
     PATH = "a cutting path" in "m", as "400";

@@ -12,6 +12,8 @@ use super::report::samples;
 
 /// Parts into which the time of a block is divided.
 pub const PARTS: usize = 10;
+/// Blocks of a programme that is looked at by tenths: those of short blocks tell nothing, for the contact is longer than they are.
+pub const MOST_BLOCKS: usize = 720;
 /// A tenth that removes less than this part of what its block removes has lifted off. Less cannot be told in the source's pictures either.
 const LIFTED: f64 = 5e-3;
 
@@ -39,8 +41,7 @@ type Share = (usize, usize, f64, bool);
 /// What every block removes of a layer of thickness `stock` (m).
 pub fn removals(machine: &Machine, motion: &Motion, stock: f64) -> Vec<Removal> {
     let blocks = machine.setup.program.blocks();
-    // Tenths of short blocks tell nothing: the contact is longer than they are.
-    let parts = if blocks <= 720 { PARTS } else { 1 };
+    let parts = if blocks <= MOST_BLOCKS { PARTS } else { 1 };
     let places = &machine.setup.program.places;
     let of_block = |block: usize| {
         let count = samples(&machine.setup.program, block);

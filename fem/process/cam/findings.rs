@@ -192,22 +192,26 @@ fn removal(setup: &Setup, report: &Report) -> Option<Finding> {
     let rates = range(removals.iter().map(|(r, time)| 1e6 * r.area / time));
     let tenths =
         removals.iter().flat_map(|(r, time)| r.tenths.iter().map(move |a| 1e7 * a / time)).fold(rates.1, f64::max);
+    let by_tenths = removals.iter().any(|(r, _)| !r.tenths.is_empty());
+    let at_most = if by_tenths { format!(", {tenths:.4} at most in a tenth of one") } else { String::new() };
     let lifted = |r: &super::contact::Removal| !r.tenths.is_empty() && r.cutting().len() < r.tenths.len();
     let partly = removals.iter().filter(|(r, _)| lifted(r)).count();
-    let contact = match removals.iter().any(|(r, _)| !r.tenths.is_empty()) {
+    let contact = match by_tenths {
         true => format!("; lifted off for part of {partly} block(s)"),
-        false => String::new(),
+        false => {
+            format!("; by tenths, and where it is lifted off, only of {} blocks or fewer", super::contact::MOST_BLOCKS)
+        }
     };
     Some(Finding {
         key: "removal",
         label: "removal rate",
         text: format!(
-            "{:.4} to {:.4} mm^2/s by block, {tenths:.4} at most, of a layer of {stock:.1} um{contact}",
+            "{:.4} to {:.4} mm^2/s by block{at_most}, of a layer of {stock:.1} um{contact}",
             rates.0, rates.1
         ),
         json: json!({
-            "stock": stock, "stock_unit": "um", "least": rates.0, "greatest": rates.1, "greatest_of_a_tenth": tenths, "unit": "mm^2/s",
-            "blocks_partly_lifted": partly,
+            "stock": stock, "stock_unit": "um", "least": rates.0, "greatest": rates.1, "greatest_of_a_tenth": by_tenths.then_some(tenths), "unit": "mm^2/s",
+            "blocks_partly_lifted": by_tenths.then_some(partly),
         }),
     })
 }

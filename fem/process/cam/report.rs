@@ -196,13 +196,19 @@ impl View<'_> {
             })
             .collect();
         let (mut shaped, mut imprints) = (vec![0.0; blocks], vec![0.0; blocks]);
+        let mut add = |by: Shaper, own: f64| match by {
+            Shaper::Envelope(block) => shaped[block] += own,
+            Shaper::Imprint(leg) => imprints[self.motion.legs()[leg].block] += own,
+        };
         for (i, sample) in samples.iter().enumerate() {
             let before = borders[(i + samples.len() - 1) % samples.len()].1;
             let before = if before > sample.s { before - length } else { before };
             let own = borders[i].0 - before;
-            match sample.by {
-                Shaper::Envelope(block) => shaped[block] += own,
-                Shaper::Imprint(leg) => imprints[self.motion.legs()[leg].block] += own,
+            add(sample.by, own);
+            // What is shorter than the samples are apart, as a rule the imprint of a small jump.
+            let (from, to) = borders[i];
+            if let Some(between) = (to > from).then(|| self.sample(0.5 * (from + to))).flatten() {
+                add(between.by, to - from);
             }
         }
         (shaped, imprints)

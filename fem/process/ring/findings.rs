@@ -18,6 +18,9 @@ const ROUND: f64 = 1e-10;
 const LISTED: f64 = 1e-3;
 const MOST_LISTED: usize = 8;
 
+/// Elements that are stiffer by more than this part are warned of.
+const STIFFENED: f64 = 0.01;
+
 /// Everything but the animation. `deviations` are those of the released bore, m, all around.
 ///
 /// # Errors
@@ -242,5 +245,11 @@ fn warnings(ring: &Ring) -> Vec<String> {
             SPINDLE_SPEED.from_si(machine.let_go())
         ));
     }
+    warnings.extend(setup.stiffened().filter(|by| *by > STIFFENED).map(|by| {
+        format!(
+            "elements of order 1 are some {:.0} % too stiff in bending here: take order = 2, or shorter ones",
+            100.0 * by
+        )
+    }));
     warnings
 }

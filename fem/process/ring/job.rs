@@ -49,12 +49,12 @@ impl Ring {
     /// The jaws stand where they cannot hold a ring, or press on each other's place.
     pub fn jaws(&self) -> Result<Vec<Jaw>, Failure> {
         let machine = &self.machine;
-        let around = std::f64::consts::TAU / machine.jaws.len() as f64;
-        if machine.arc > around * (1.0 + 1e-12) {
-            let (arc, most) = (machine.arc.to_degrees(), around.to_degrees());
+        let room = room(&machine.jaws);
+        if machine.arc > room * (1.0 + 1e-12) {
+            let (arc, most) = (machine.arc.to_degrees(), room.to_degrees());
             return Err(Failure {
                 message: format!("jaws that press over {arc:.1} deg each overlap"),
-                help: format!("{} jaws have room for {most:.1} deg each", machine.jaws.len()),
+                help: format!("the {} jaws have room for {most:.1} deg each where they stand", machine.jaws.len()),
             });
         }
         let shares = shares(&machine.jaws)?;
@@ -95,6 +95,15 @@ impl BoreMotion {
             Self::Drawn { shape, compliance } => compliance * shape.radial(angle),
         }
     }
+}
+
+/// The smallest angle from one jaw to the next, rad.
+fn room(angles: &[f64]) -> f64 {
+    use std::f64::consts::TAU;
+    let mut around: Vec<f64> = angles.iter().map(|a| a.rem_euclid(TAU)).collect();
+    around.sort_by(f64::total_cmp);
+    let (Some(first), Some(last)) = (around.first(), around.last()) else { return TAU };
+    around.windows(2).map(|a| a[1] - a[0]).fold(first + TAU - last, f64::min)
 }
 
 /// Forces of the jaws in equilibrium over that of a jaw of an even chuck, their mean being one. Those of three jaws are as the sines of the angles

@@ -89,6 +89,15 @@ impl Reference {
 }
 
 impl Setup {
+    /// By which part elements of first order are too stiff in bending: they shear where they should bend, (1 − ν)/2·(ℓ/t)² with their length ℓ around the
+    /// ring and its wall t, however many lie across it. None are used where it is `None`.
+    pub fn stiffened(&self) -> Option<f64> {
+        let Body::Cells(MeshSize { circumferential, order: 1, .. }) = self.body else { return None };
+        let (wall, middle) = (self.outer_radius - self.inner_radius, 0.5 * (self.outer_radius + self.inner_radius));
+        let length = std::f64::consts::TAU * middle / circumferential as f64;
+        Some(0.5 * (1.0 - self.material.poisson_ratio) * (length / wall).powi(2))
+    }
+
     /// Reads every table of a ring model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
         let is_drawn = model.has_in("mesh", "file");
@@ -222,15 +231,23 @@ fn read_radii(t: &Reader, is_drawn: bool) -> [Option<f64>; 2] {
 }
 
 fn read_body(model: &Reader, jaws: usize, radii: [Option<f64>; 2]) -> Body {
-    let usual = MeshSize { circumferential: 360.max(LEAST_PER_JAW * jaws), radial: 6, order: 2 };
+    let usual = MeshSize { circumferential: 360.max(LEAST_PER_JAW * jaws), radial: usual_radial(radii), order: 2 };
     let read = |t: &Reader| {
-        let size = read_cells(t, jaws);
+        let size = read_cells(t, jaws, usual.radial);
         match Mesh::read(t) {
             Some(mesh) => read_drawn(t, &mesh, jaws, radii).unwrap_or(Body::Cells(size)),
             None => Body::Cells(size),
         }
     };
     model.optional_table("mesh", "the ring as plane elements", read).unwrap_or(Body::Cells(usual))
+}
+
+/// Elements across the wall: six, and more where the bore is so small that stresses change much within a sixth of the wall.
+fn usual_radial(radii: [Option<f64>; 2]) -> usize {
+    const PER_BORE_RADIUS: f64 = 3.0;
+    let [Some(outer), Some(inner)] = radii else { return 6 };
+    let cells = PER_BORE_RADIUS * (outer - inner) / inner;
+    if cells.is_finite() { (cells.ceil() as usize).clamp(6, 100) } else { 6 }
 }
 
 /// The ring of a mesh from a file, if that is one.
@@ -261,10 +278,10 @@ fn read_drawn(t: &Reader, mesh: &Mesh, jaws: usize, radii: [Option<f64>; 2]) -> 
     Some(Body::Drawn(Arc::new(drawn)))
 }
 
-fn read_cells(t: &Reader, jaws: usize) -> MeshSize {
+fn read_cells(t: &Reader, jaws: usize, radial: usize) -> MeshSize {
     let size = MeshSize {
         circumferential: t.count("circumferential", "elements around").between(16, 100_000).or(360),
-        radial: t.count("radial", "elements across the wall").between(1, 1000).or(6),
+        radial: t.count("radial", "elements across the wall").between(1, 1000).or(radial),
         order: t.count("order", "1 for 4-node, 2 for 8-node quadrilaterals").between(1, 2).or(2),
     };
     let elements = size.circumferential * size.radial;

@@ -12,7 +12,7 @@ pub fn outcome(joint: &Pushed, displacements: Vec<f64>) -> Outcome {
     let curve = &joint.curve;
     let forces = joint.setup.forces();
     let (up, down) = displacements.split_at(forces.len());
-    let mut findings = vec![largest(&forces, up, down), stiffness(joint), friction(curve), after(down)];
+    let mut findings = vec![largest(&forces, up, down), stiffness(&joint.curve), friction(curve), after(down)];
     findings.push(area(curve));
     findings.push(with_and_without_preload(joint));
     Outcome {
@@ -87,23 +87,25 @@ fn largest(forces: &[f64], up: &[f64], down: &[f64]) -> Finding {
     }
 }
 
-fn half_step(joint: &Pushed) -> f64 {
-    0.5 * joint.setup.max_force / joint.setup.steps as f64
+/// Where the joint has begun to move its tangent is told at this part of the largest force: under no force at all most contacts have none.
+const BEGUN: f64 = 0.02;
+
+/// N.
+fn begun(curve: &Curve) -> f64 {
+    (curve.friction + BEGUN * curve.max_force).min(curve.max_force)
 }
 
-/// Tangent stiffness half a step after loading sets the joint moving, and at the largest force, N/um.
-fn ends(curve: &Curve, joint: &Pushed) -> [Option<f64>; 2] {
-    let first = (curve.friction + half_step(joint)).min(curve.max_force);
-    [first, curve.max_force].map(|force| curve.tangent(force, Branch::Load).map(shown))
+/// Tangent stiffness where loading has set the joint moving, and at the largest force, N/um.
+fn ends(curve: &Curve) -> [Option<f64>; 2] {
+    [begun(curve), curve.max_force].map(|force| curve.tangent(force, Branch::Load).map(shown))
 }
 
-/// Tangent stiffness where loading sets the joint moving, at the largest force, and where unloading lets it go; the secant.
-fn stiffness(joint: &Pushed) -> Finding {
-    let curve = &joint.curve;
+/// Tangent stiffness where loading has set the joint moving, at the largest force, and where unloading has; the secant.
+fn stiffness(curve: &Curve) -> Finding {
     let most = curve.max_force;
-    let [first, last] = ends(curve, joint);
-    let back = (most - 2.0 * curve.friction - half_step(joint)).max(0.0);
-    let back = curve.tangent(back, Branch::Unload).map(shown);
+    let [first, last] = ends(curve);
+    let (begun, returned) = (begun(curve), (most - 2.0 * curve.friction - BEGUN * most).max(0.0));
+    let back = curve.tangent(returned, Branch::Unload).map(shown);
     let displacement = curve.displacement(most, Branch::Load);
     let secant = (displacement > 0.0).then(|| shown(most / displacement));
     let told = |value: Option<f64>| value.map_or("none, it is held".to_string(), |v| format!("{v:.2} N/um"));
@@ -111,13 +113,16 @@ fn stiffness(joint: &Pushed) -> Finding {
         key: "stiffness",
         label: "stiffness dF/dy",
         text: format!(
-            "{} where it first moves, {} at {most:.1} N, {} where it first goes back; F/y = {}",
+            "{} at {begun:.1} N, {} at {most:.1} N, {} going back at {returned:.1} N; F/y = {}",
             told(first),
             told(last),
             told(back),
             told(secant)
         ),
-        json: json!({ "first": first, "last": last, "back": back, "secant": secant, "unit": "N/um" }),
+        json: json!({
+            "first": first, "first_at": begun, "last": last, "last_at": most, "back": back, "back_at": returned,
+            "secant": secant, "unit": "N/um", "force_unit": "N",
+        }),
     }
 }
 
@@ -162,12 +167,12 @@ fn with_and_without_preload(joint: &Pushed) -> Finding {
     let preload = if curve.preload > 0.0 { curve.preload } else { 0.5 * most };
     let of = |preload: f64| {
         let curve = curve.preloaded(preload);
-        (um(curve.displacement(most, Branch::Load)), ends(&curve, joint))
+        (um(curve.displacement(most, Branch::Load)), ends(&curve))
     };
-    let (without, with) = (of(0.0), of(preload));
+    let (without, with, begun) = (of(0.0), of(preload), begun(curve));
     let line = |(y, [first, last]): &(f64, [Option<f64>; 2])| {
         let told = |value: &Option<f64>| value.map_or("held".to_string(), |v| format!("{v:.1}"));
-        format!("{y:.3} um at {most:.1} N, from {} to {} N/um", told(first), told(last))
+        format!("{y:.3} um at {most:.1} N, from {} N/um at {begun:.1} N to {}", told(first), told(last))
     };
     let would = if curve.preload > 0.0 { "" } else { ", which it does not have" };
     let entry =
