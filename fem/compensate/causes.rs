@@ -30,7 +30,7 @@ pub fn causes(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluati
         Verdict::Resolution => vec![Cause {
             key: "resolution",
             finding: "the entries of the controller are too coarse: exact ones would do".into(),
-            remedy: "enter the tables in a finer unit; `resolution` in [compensation] says which the controller takes"
+            remedy: "enter the tables in a finer unit; `resolution` in [controller] says which the controller takes"
                 .into(),
         }],
         Verdict::BothDirections => uneven(evaluation).into_iter().collect(),

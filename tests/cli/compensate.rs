@@ -197,3 +197,44 @@ fn what_is_no_axis_is_refused_and_nothing_is_written_over() {
     assert_eq!(answer.status, 1, "{}", answer.err);
     assert_eq!(place.files(), ["axis.toml", "m.csv", "points.csv", "ring.toml", "taken"]);
 }
+
+/// Steps of 20 um leave 10 um either way, and the axis itself is good to half a micrometre.
+#[test]
+fn entries_that_are_too_coarse_are_no_broken_mechanics() {
+    let place = Place::new();
+    let data = test(|x, _, run| 120.0 * x + noise(run));
+    place.write("m.csv", &data);
+    for (resolution, verdict) in [("1 um", "compensation-suffices"), ("30 um", "needs-finer-resolution")] {
+        place.write("axis.toml", format!("{AXIS}controller = {{ resolution = \"{resolution}\" }}\n"));
+        let answer = place.fem(&["compensate", "axis.toml", "--with", "m.csv", "--json"]);
+        let json: Json = serde_json::from_str(&answer.out).unwrap();
+        assert_eq!(json["verdict"], verdict, "{}", answer.err);
+    }
+}
+
+/// A model that misses 6 um of a wave says so, whether or not the readings have a time each.
+#[test]
+fn runs_at_other_times_repeat_each_other() {
+    let place = Place::new();
+    let plain = test(|x, _, run| 6.0 * (10.0 * x).sin() + noise(run));
+    let timed: String = plain
+        .lines()
+        .enumerate()
+        .map(|(i, line)| if i == 0 { format!("time [min],{line}\n") } else { format!("{i},{line}\n") })
+        .collect();
+    for data in [plain, timed] {
+        let json = compensated(&place, &data);
+        let cautions = json["cautions"].to_string();
+        assert!(cautions.contains("does not explain what was measured"), "{cautions}");
+    }
+}
+
+#[test]
+fn targets_off_the_travel_are_refused() {
+    let place = Place::new();
+    place.write("axis.toml", AXIS);
+    place.write("m.csv", "position [mm],direction,deviation [um]\n0,+,0\n300,+,1\n997.6,+,2\n");
+    let answer = place.fem(&["compare", "axis.toml", "--with", "m.csv"]);
+    assert_eq!(answer.status, 2);
+    assert!(answer.err.contains("the axis travels from 0 to 600 mm"), "{}", answer.err);
+}

@@ -216,3 +216,58 @@ fn a_step_is_chosen_where_none_is_given() {
     let temperatures = json["models"][0]["observables"].as_array().unwrap().iter().find(|o| o["name"] == "temperature");
     assert!(temperatures.unwrap()["rms"].as_f64().unwrap() < 0.01, "{json}");
 }
+
+fn findings(place: &Place, text: &str) -> serde_json::Value {
+    place.write("m.toml", text);
+    let answer = place.fem(&["run", "m.toml", "-o", "o"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let summary: serde_json::Value = serde_json::from_str(&place.read("o/summary.json")).unwrap();
+    summary["findings"].clone()
+}
+
+/// What is hottest, and when the body is longest, do not depend on where and how often one looks.
+#[test]
+fn extremes_are_those_of_the_whole_run() {
+    let place = Place::new();
+    let body = "process = \"thermal\"\nbody = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"20 mm\" }] }\n\
+                source = [{ at = \"200 mm\", power = \"15 W\", on = [[\"0 min\", \"90 min\"]] }]\n\
+                environment = { temperature = \"20 degC\" }\ntime = { end = \"180 min\", step = \"30 s\" }\n\
+                effects = { convection = { coefficient = \"12 W/m^2/K\" } }\n";
+    let often = findings(&place, &format!("{body}measurement = {{ interval = \"30 s\" }}\n"));
+    let once = findings(&place, &format!("{body}measurement = {{ interval = \"180 min\", places = [\"0 mm\"] }}\n"));
+    for key in ["largest", "reached", "hottest"] {
+        let [a, b] = [&often, &once].map(|f| f[key]["value"].as_f64().unwrap());
+        assert!((a - b).abs() <= 1e-9 * a, "{key}: {a} and {b}");
+    }
+    assert!((once["largest"]["at"].as_f64().unwrap() - 90.0).abs() < 1e-9);
+}
+
+/// The error that chosen steps leave, by steps that are ten times shorter and of second order.
+#[test]
+fn chosen_steps_keep_their_tolerance_of_the_body_as_it_is() {
+    let place = Place::new();
+    let run = |time: &str| {
+        let text = format!(
+            "process = \"thermal\"\nbody = {{ material = \"aluminium\", segments = [{{ length = \"100 mm\", diameter = \"20 mm\" }}] }}\n\
+             source = [{{ at = \"50 mm\", power = \"5 W\", on = [[\"0 min\", \"30 min\"]] }}]\n\
+             environment = {{ temperature = \"20 degC\" }}\ntime = {{ end = \"60 min\", {time} }}\n\
+             measurement = {{ places = [\"0 mm\", \"100 mm\"], interval = \"5 min\" }}\n\
+             effects = {{ convection = {{ coefficient = \"60 W/m^2/K\" }} }}\n"
+        );
+        let steps = findings(&place, &text)["steps"]["longest"].as_f64().unwrap();
+        let column = |line: &str| line.split(',').nth(2).and_then(|cell| cell.parse::<f64>().ok());
+        (steps, place.read("o/profile.csv").lines().filter_map(column).collect::<Vec<f64>>())
+    };
+    let (_, exact) = run("step = \"0.5 s\"");
+    for scheme in ["backward-euler", "sdirk2", "crank-nicolson"] {
+        let mut longest = f64::INFINITY;
+        for tolerance in [0.1, 0.01] {
+            let (step, found) = run(&format!("tolerance = \"{tolerance} K\", scheme = \"{scheme}\""));
+            let worst = exact.iter().zip(&found).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            // The error is extrapolated from two steps; half as much again may lie beyond.
+            assert!(worst <= 1.5 * tolerance, "{scheme}, {tolerance} K: {worst} K");
+            assert!(step <= longest);
+            longest = step;
+        }
+    }
+}

@@ -6,6 +6,7 @@
 mod compare;
 mod diagnose;
 mod fit;
+mod limits;
 
 use std::path::{Path, PathBuf};
 

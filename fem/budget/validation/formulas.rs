@@ -97,6 +97,19 @@ fn setting() -> Vec<Case> {
             "seed 002 (46)",
         ),
         row(
+            "setting of unknown sign beside a form of -8 um",
+            "total",
+            (
+                13.0 + 8.0,
+                total(
+                    "",
+                    &[trial("distribution = \"uniform\"")[0].clone(), error("form", "systematic", "value = \"-8 um\"")],
+                ),
+            ),
+            ROUND_OFF,
+            "seed 002 (50): the two add",
+        ),
+        row(
             "setting by a template",
             "error",
             (3f64.sqrt() * 13.0, total("", &template)),

@@ -141,6 +141,18 @@ fn others() -> Vec<Case> {
             Tolerance::Absolute(6e6 * CORNER / 50.0),
             "x += angle*y; tolerance the rest of the corner over the side",
         ),
+        length(
+            "y leans by 40 um/m, feed ccw",
+            -2.0 * 40e-3 * 1000.0 / 60.0 / 50.0,
+            found(&square, "sizes", "/ccw/width"),
+            "both sides are cut v/Kv late, where y is smaller by as much; tolerance the rest of the corners",
+        ),
+        length(
+            "y leans by 40 um/m, feed cw",
+            2.0 * 40e-3 * 1000.0 / 60.0 / 50.0,
+            found(&square, "sizes", "/cw/width"),
+            "both sides are cut v/Kv late, where y is larger by as much; tolerance the rest of the corners",
+        ),
         side(30.0),
         side(120.0),
         side(300.0),

@@ -49,5 +49,9 @@ mod tests {
     #[test]
     fn jaws_do_not_overlap() {
         assert!(chuck("jaw-contact-arc", &[121.0]).bore().unwrap_err().message.contains("overlap"));
+        // Jaw 2 moved by 30 deg leaves 90 deg to the next.
+        let moved = |arc: f64| chuck_with(&[("jaw-position", &[2.0, 30.0]), ("jaw-contact-arc", &[arc])]).jaws();
+        assert!(moved(91.0).unwrap_err().message.contains("overlap"));
+        assert!(moved(89.0).is_ok());
     }
 }

@@ -43,12 +43,20 @@ mod bench {
 
     /// The chuck with one effect of these canonical values.
     pub fn chuck(name: &str, canonical: &[f64]) -> Chucked {
+        chuck_with(&[(name, canonical)])
+    }
+
+    /// The chuck with some effects of these canonical values.
+    pub fn chuck_with(effects: &[(&str, &[f64])]) -> Chucked {
         let model = toml_edit::Document::parse(MODEL).unwrap();
         let (setup, _, problems) = Reader::document(model.as_table(), Setup::read);
         assert_eq!(problems, []);
-        let description = effect(name).unwrap().description();
-        let values = description.parameters.iter().zip(canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
-        Chucked::equip(Arc::new(setup), &[Active { description, values, written: None }])
+        let active = |(name, canonical): &(&str, &[f64])| {
+            let description = effect(name).unwrap().description();
+            let values = description.parameters.iter().zip(*canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
+            Active { description, values, written: None }
+        };
+        Chucked::equip(Arc::new(setup), &effects.iter().map(active).collect::<Vec<_>>())
     }
 
     /// What the effect marks on the bore, in um, at an angle with the ring's mark at an orientation (deg) and a blank that is off by 50 um.
