@@ -2,6 +2,7 @@
 //! quantile. Curvature alone misjudges time constants, exponents and whatever is near a bound.
 
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::least_squares::{Patience, minimise};
@@ -50,22 +51,32 @@ pub struct Settled {
 /// # Errors
 /// The model cannot be computed beside a minimum.
 pub fn settle(objective: &mut Objective, mut solution: Solution) -> Result<Settled, Failure> {
-    for tried in 1.. {
+    let mut gone = 0;
+    loop {
         let covariance = objective.covariance(&solution)?;
-        let mut profile =
-            Profile { best: &solution, quantile: quantile(objective), deeper: None, goes_on: tried > MOST };
-        let intervals = profile.intervals(objective, &covariance);
-        match profile.deeper {
-            Some(deeper) => {
-                solution = minimise(objective, &deeper.position, &[], Patience::FULL).unwrap_or(deeper);
-            }
-            None => return Ok(Settled { solution, covariance, intervals }),
-        }
+        let before = (objective.evaluations, objective.failures);
+        // Each parameter by itself, and the first deeper minimum by their order, so that the same data always give the same answer.
+        let walked = |i: usize| {
+            let mut own = objective.clone();
+            let mut profile =
+                Profile { best: &solution, quantile: quantile(&own), deeper: None, goes_on: gone == MOST };
+            let interval = profile.interval(&mut own, &covariance, i);
+            (interval, profile.deeper, own.evaluations - before.0, own.failures - before.1)
+        };
+        let walked: Vec<_> = (0..solution.position.len()).into_par_iter().map(walked).collect();
+        objective.evaluations += walked.iter().map(|w| w.2).sum::<usize>();
+        objective.failures += walked.iter().map(|w| w.3).sum::<usize>();
+        let (intervals, deeper): (Vec<Interval>, Vec<Option<Solution>>) =
+            walked.into_iter().map(|w| (w.0, w.1)).unzip();
+        let Some(deeper) = deeper.into_iter().flatten().next() else {
+            return Ok(Settled { solution, covariance, intervals });
+        };
+        solution = minimise(objective, &deeper.position, &[], Patience::FULL).unwrap_or(deeper);
+        gone += 1;
     }
-    unreachable!()
 }
 
-/// A walk along every parameter.
+/// A walk along a parameter.
 struct Profile<'a> {
     best: &'a Solution,
     quantile: f64,
@@ -76,26 +87,22 @@ struct Profile<'a> {
 }
 
 impl Profile<'_> {
-    fn intervals(&mut self, objective: &mut Objective, covariance: &DMatrix<f64>) -> Vec<Interval> {
-        let count = self.best.position.len();
-        let interval = |i: usize| {
-            let walk = Walk {
-                along: i,
-                std: covariance[(i, i)].sqrt(),
-                others: covariance.column(i) / covariance[(i, i)].max(f64::MIN_POSITIVE),
-            };
-            let mut end = |direction: f64| {
-                let found = self.end(objective, &walk, direction);
-                found.map(|s| objective.axes[i].value(s)).filter(|v| v.is_finite())
-            };
-            let (down, up) = (end(-1.0), end(1.0));
-            if objective.axes[i].is_reversed() {
-                Interval { low: up, high: down }
-            } else {
-                Interval { low: down, high: up }
-            }
+    fn interval(&mut self, objective: &mut Objective, covariance: &DMatrix<f64>, i: usize) -> Interval {
+        let walk = Walk {
+            along: i,
+            std: covariance[(i, i)].sqrt(),
+            others: covariance.column(i) / covariance[(i, i)].max(f64::MIN_POSITIVE),
         };
-        (0..count).map(interval).collect()
+        let mut end = |direction: f64| {
+            let found = self.end(objective, &walk, direction);
+            found.map(|s| objective.axes[i].value(s)).filter(|v| v.is_finite())
+        };
+        let (down, up) = (end(-1.0), end(1.0));
+        if objective.axes[i].is_reversed() {
+            Interval { low: up, high: down }
+        } else {
+            Interval { low: down, high: up }
+        }
     }
 
     /// The outermost end in one direction: where χ² has several valleys, those that are deep enough are inside too.
