@@ -166,11 +166,13 @@ impl Reader<'_> {
             return self.unexpected();
         }
         let error = UnitError::new(format!("`{name}` is no unit that is known here"));
-        match nearest(name) {
-            _ if matches!(name, "C" | "F" | "degF" | "Celsius" | "celsius") => error.hint("temperatures are in degC or K"),
-            // Of one letter every other is a neighbour.
-            Some(near) if name.chars().count() > 1 => error.hint(format!("did you mean `{near}`?")),
-            _ => error.hint("units are built from m, g, s, K, rad, N, Pa, J, W, min, h, deg, rev, rpm, degC with SI prefixes, `*`, `/` and `^`"),
+        if matches!(name, "C" | "F" | "degF" | "Celsius" | "celsius") {
+            return error.hint("temperatures are in degC or K");
+        }
+        // Of one letter every other is a neighbour.
+        match nearest(name).filter(|_| name.chars().count() > 1) {
+            Some(near) => error.hint(format!("did you mean `{near}`?")),
+            None => error.hint("units are built from m, g, s, K, rad, N, Pa, J, W, min, h, deg, rev, rpm, degC with SI prefixes, `*`, `/` and `^`"),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 #[test]
 fn the_summary_of_the_axis() {
@@ -56,7 +56,7 @@ fn targets_on_one_part_of_the_turn_are_warned_of() {
 }
 
 /// (in the model, replaced by, part of the message, part of the remedy)
-const CASES: &[(&str, &str, &str, &str)] = &[
+const CASES: &[Mistake] = &[
     ("travel = \"700 mm\"", "travle = \"700 mm\"", "`travle` is no key of `axis`", "did you mean `travel`?"),
     ("\"700 mm\"", "\"-700 mm\"", "`travel` is -700 mm", "above zero"),
     ("\"700 mm\"", "\"700 N\"", "not a length", "write it in mm"),
@@ -83,14 +83,7 @@ const CASES: &[(&str, &str, &str, &str)] = &[
 fn bad_input_is_told_with_its_remedy() {
     let good = model("axis.toml");
     let place = Place::new();
-    for (from, to, message, remedy) in CASES {
-        assert!(good.contains(from), "{from}");
-        place.write("axis.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["run", "axis.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("run", "axis.toml"), &good, CASES);
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 fn json(place: &Place, file: &str) -> Json {
     let answer = place.fem(&["budget", file, "--json"]);
@@ -112,7 +112,7 @@ fn draws_without_a_model_are_drawn_again_and_told() {
 }
 
 /// (in the budget, replaced by, part of the message, part of the remedy)
-const CASES: &[(&str, &str, &str, &str)] = &[
+const CASES: &[Mistake] = &[
     ("kind = \"random\"", "kind = \"rondom\"", "`kind` is", "did you mean \"random\"?"),
     ("value = \"9 um\"", "value = \"9 N\"", "not a small length", "write it in um"),
     ("value = \"9 um\"", "value = \"-9 um\"", "`value` is -9 um", "zero or more"),
@@ -135,21 +135,13 @@ const CASES: &[(&str, &str, &str, &str)] = &[
 #[test]
 fn bad_input_is_told_with_its_remedy() {
     let place = Place::new();
-    for (from, to, message, remedy) in CASES {
-        let good = model("budget.toml");
-        assert!(good.contains(from), "{from}");
-        place.write("budget.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["budget", "budget.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("budget", "budget.toml"), &model("budget.toml"), CASES);
     place.write("budget.toml", "title = \"nothing\"\n");
     assert!(place.fem(&["budget", "budget.toml"]).err.contains("the budget is empty"));
 }
 
 /// (in the budget of a model, replaced by, part of the message, part of the remedy)
-const MODEL_CASES: &[(&str, &str, &str, &str)] = &[
+const MODEL_CASES: &[Mistake] = &[
     ("file = \"lathe.toml\"", "file = \"lath.toml\"", "cannot be read", "relative to the folder"),
     ("x = \"300 mm\"", "x = \"3000 mm\"", "not on the shaft", "let the model cover it"),
     ("x = \"300 mm\", ", "", "`x` is missing in `model.at`", "add x"),
@@ -169,15 +161,7 @@ const MODEL_CASES: &[(&str, &str, &str, &str)] = &[
 fn what_is_wrong_with_a_model_in_a_budget_is_told() {
     let place = Place::new();
     place.write("lathe.toml", model("lathe.toml"));
-    for (from, to, message, remedy) in MODEL_CASES {
-        let good = model("budget-lathe.toml");
-        assert!(good.contains(from), "{from}");
-        place.write("budget.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["budget", "budget.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("budget", "budget.toml"), &model("budget-lathe.toml"), MODEL_CASES);
     // A model that is wrong is told of in its own file.
     place.write("lathe.toml", model("lathe.toml").replace("\"60 +- 10 N/um\"", "\"60 +- 10 mm\""));
     place.write("budget.toml", model("budget-lathe.toml"));

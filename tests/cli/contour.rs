@@ -80,13 +80,7 @@ const CASES: &[(&str, &str, &str, &str, &str)] = &[
 fn bad_input_is_told_with_its_remedy() {
     let place = Place::new();
     for (name, from, to, message, remedy) in CASES {
-        let good = model(&format!("{name}.toml"));
-        assert!(good.contains(from), "{from}");
-        place.write("model.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["run", "model.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+        place.refuses(("run", "model.toml"), &model(&format!("{name}.toml")), &[(from, to, message, remedy)]);
     }
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
 }

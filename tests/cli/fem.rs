@@ -6,6 +6,9 @@ use std::process::{Command, Output, Stdio};
 /// A directory of its own, with the models copied into it, gone after the test.
 pub struct Place(tempfile::TempDir);
 
+/// In a good file, replaced by, part of the message, part of the remedy.
+pub type Mistake = (&'static str, &'static str, &'static str, &'static str);
+
 /// What the program answered.
 #[derive(Debug)]
 pub struct Answer {
@@ -41,6 +44,18 @@ impl Place {
         let mut command = Command::new(env!("CARGO_BIN_EXE_fem"));
         command.args(args).current_dir(self.0.path()).stdin(Stdio::null()).env("NO_COLOR", "1").env("COLUMNS", "100");
         command
+    }
+
+    /// Every mistake in a file that is otherwise good is refused by `fem COMMAND FILE`, with its message and its remedy.
+    pub fn refuses(&self, (command, file): (&str, &str), good: &str, mistakes: &[Mistake]) {
+        for (from, to, message, remedy) in mistakes {
+            assert!(good.contains(from), "{from}");
+            self.write(file, good.replacen(from, to, 1));
+            let answer = self.fem(&[command, file]);
+            let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!(answer.status, 2, "{to}: {told}");
+            assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+        }
     }
 
     /// Every file below, by its path from here, sorted.

@@ -1,6 +1,6 @@
 //! The fixture as a user meets it: summary, files, bad input, parts that lift off or tip.
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 #[test]
 fn the_summary_of_the_fixture() {
@@ -26,7 +26,7 @@ fn a_profile_is_a_measurement_of_its_own_model() {
 }
 
 /// (in the model, replaced by, part of the message, part of the remedy)
-const CASES: &[(&str, &str, &str, &str)] = &[
+const CASES: &[Mistake] = &[
     ("height = \"40 mm\"", "hight = \"40 mm\"", "`hight` is no key of `workpiece`", "did you mean `height`?"),
     ("\"600 mm\"", "\"600 N\"", "not a length", "write it in mm"),
     ("at = \"560 mm\"", "at = \"660 mm\"", "660 mm is beyond the part", "the part is 600 mm long"),
@@ -42,14 +42,7 @@ const CASES: &[(&str, &str, &str, &str)] = &[
 fn bad_input_is_told_with_its_remedy() {
     let good = model("fixture.toml");
     let place = Place::new();
-    for (from, to, message, remedy) in CASES {
-        assert!(good.contains(from), "{from}");
-        place.write("fixture.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["run", "fixture.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("run", "fixture.toml"), &good, CASES);
     let one = good.replace("[[support]]\nat = \"300 mm\"\n", "").replace("[[support]]\nat = \"560 mm\"\n", "");
     place.write("fixture.toml", one);
     let answer = place.fem(&["run", "fixture.toml"]);

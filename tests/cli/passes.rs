@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 #[test]
 fn the_summary_of_three_passes() {
@@ -53,7 +53,7 @@ fn what_copies_nothing_is_warned_of() {
 }
 
 /// (in the model, replaced by, part of the message, part of the remedy)
-const CASES: &[(&str, &str, &str, &str)] = &[
+const CASES: &[Mistake] = &[
     ("depth = \"2 mm\"", "dept = \"2 mm\"", "`dept` is no key of `pass[0]`", "did you mean `depth`?"),
     ("depth = \"0.8 mm\"", "depth = \"-0.8 mm\"", "`depth` is -0.8 mm", "above zero"),
     (
@@ -81,12 +81,5 @@ const CASES: &[(&str, &str, &str, &str)] = &[
 fn bad_input_is_told_with_its_remedy() {
     let good = model("passes.toml");
     let place = Place::new();
-    for (from, to, message, remedy) in CASES {
-        assert!(good.contains(from), "{from}");
-        place.write("passes.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["run", "passes.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("run", "passes.toml"), &good, CASES);
 }

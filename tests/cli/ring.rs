@@ -1,6 +1,6 @@
 //! The ring as a user meets it: summary, files, bad input, and the least-squares circle.
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 #[test]
 fn the_summary_of_the_ring() {
@@ -76,7 +76,7 @@ fn phases_come_round() {
 }
 
 /// (in the model, replaced by, part of the message, part of the remedy)
-const CASES: &[(&str, &str, &str, &str)] = &[
+const CASES: &[Mistake] = &[
     ("inner_diameter", "iner_diameter", "`iner_diameter` is no key of `workpiece`", "did you mean `inner_diameter`?"),
     ("\"84 mm\"", "\"100 mm\"", "the bore is as wide as the ring", "below the outer diameter of 100 mm"),
     ("\"84 mm\"", "\"84 kg\"", "not a length", "write it in mm"),
@@ -105,14 +105,7 @@ const CASES: &[(&str, &str, &str, &str)] = &[
 fn bad_input_is_told_with_its_remedy() {
     let good = model("ring.toml");
     let place = Place::new();
-    for (from, to, message, remedy) in CASES {
-        assert!(good.contains(from), "{from}");
-        place.write("ring.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["run", "ring.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("run", "ring.toml"), &good, CASES);
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
 }
 

@@ -1,6 +1,6 @@
 //! The joint under test as a user meets it: summary, tables, bad input, friction that holds.
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 #[test]
 fn the_summary_of_the_joint() {
@@ -41,7 +41,7 @@ fn tangents_stand_in_a_table_where_the_joint_moves() {
 }
 
 /// (in the model, replaced by, part of the message, part of the remedy)
-const CASES: &[(&str, &str, &str, &str)] = &[
+const CASES: &[Mistake] = &[
     ("stiffness = \"70 +- 5 N/um\"", "", "`stiffness` is missing in `joint`", "add stiffness"),
     ("\"70 +- 5 N/um\"", "\"0 N/um\"", "`stiffness` is 0 N/um", "above zero"),
     ("\"1200 N\"", "\"1200 um\"", "not a force", "write it in N"),
@@ -55,14 +55,7 @@ const CASES: &[(&str, &str, &str, &str)] = &[
 fn bad_input_is_told_with_its_remedy() {
     let good = model("stiffness.toml");
     let place = Place::new();
-    for (from, to, message, remedy) in CASES {
-        assert!(good.contains(from), "{from}");
-        place.write("stiffness.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["run", "stiffness.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("run", "stiffness.toml"), &good, CASES);
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
 }
 

@@ -1,6 +1,6 @@
 //! Heated bodies as a user meets them: summary, two observables in one file, plates, meshes from files, bad input.
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 #[test]
 fn the_summary_of_the_rod_and_of_the_plate() {
@@ -104,7 +104,7 @@ fn a_plate_may_come_from_a_file() {
 }
 
 /// (in the model, replaced by, part of the message, part of the remedy)
-const CASES: &[(&str, &str, &str, &str)] = &[
+const CASES: &[Mistake] = &[
     ("power = \"15 W\"", "power = \"15 mm\"", "not a power", "write it in W"),
     ("at = \"200 mm\"", "at = \"210 mm\"", "the source stands at 210 mm, beyond the body", "the body ends at 200 mm"),
     ("[[\"0 min\", \"90 min\"]]", "[[\"90 min\", \"0 min\"]]", "ends before it begins", "the earlier end first"),
@@ -150,14 +150,7 @@ const CASES: &[(&str, &str, &str, &str)] = &[
 fn bad_input_is_told_with_its_remedy() {
     let good = model("thermal.toml");
     let place = Place::new();
-    for (from, to, message, remedy) in CASES {
-        assert!(good.contains(from), "{from}");
-        place.write("model.toml", good.replacen(from, to, 1));
-        let answer = place.fem(&["run", "model.toml"]);
-        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(answer.status, 2, "{to}: {told}");
-        assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
-    }
+    place.refuses(("run", "model.toml"), &good, CASES);
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
 }
 
