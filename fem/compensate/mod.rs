@@ -209,7 +209,7 @@ fn scatter_explains(approaches: &[Approach], left: &[f64], parameters: usize) ->
 /// What a model finds of the lost motion, where it finds any.
 fn lost_motion_of(job: &dyn Job) -> Option<String> {
     let outcome = job.outcome(job.predict(&Progress::default()).ok()?).ok()?;
-    outcome.findings.into_iter().find(|f| f.key == "lost_motion").map(|f| f.text)
+    outcome.findings.into_iter().find(|f| f.key == "lost_motion").map(|f| f.text).filter(|text| text != "none")
 }
 
 /// From the tolerances before, those with each scheme, and those with entries as fine as can be.

@@ -120,7 +120,7 @@ fn reversal(text: &mut String, c: &Compensation) {
     if let Some(lost) = &c.lost_motion {
         let _ = writeln!(text, "lost motion      {}", lost_motion(lost));
     }
-    if let Some(told) = c.modelled_lost_motion.as_ref().filter(|told| *told != "none") {
+    if let Some(told) = &c.modelled_lost_motion {
         let _ = writeln!(text, "                 the model, which agrees with the test, has it {told}");
     }
 }
