@@ -35,18 +35,18 @@ fn cam(c: &mut Criterion) {
         c.bench_function(&format!("{blocks} blocks, read"), |b| b.iter(|| black_box(model(&program))));
         let model = model(&program);
         c.bench_function(&format!("{blocks} blocks, predict"), |b| {
-            b.iter(|| black_box(model.job().predict(&Progress::default()).unwrap()))
+            b.iter(|| black_box(model.forward().predict(&Progress::default()).unwrap()))
         });
         let all = Model::parse(Source::new("cam.toml", format!("{}{EFFECTS}", text(&program)))).unwrap();
         let rows = measured(300);
         c.bench_function(&format!("{blocks} blocks, a trial of 300 rows with all effects"), |b| {
-            b.iter(|| black_box(all.job().observe(&rows).unwrap()))
+            b.iter(|| black_box(all.forward().observe(&rows).unwrap()))
         });
         c.bench_function(&format!("{blocks} blocks, every block reported"), |b| {
             b.iter(|| {
-                let job = model.job();
-                let prediction = job.predict(&Progress::default()).unwrap();
-                black_box(job.outcome(prediction).unwrap())
+                let forward = model.forward();
+                let prediction = forward.predict(&Progress::default()).unwrap();
+                black_box(forward.report(prediction).unwrap())
             })
         });
     }

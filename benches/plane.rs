@@ -1,8 +1,8 @@
-//! Large plane jobs, timed stretch by stretch, with the peak of memory: a ring pressed by three jaws, the orders of elimination, and a heated
-//! section.
+//! Large plane jobs, timed stretch by stretch, with the peak of memory: a ring pressed by three jaws, the
+//! orders of elimination, and a heated section.
 //!
-//! `cargo bench --bench plane -- ring|orders [AROUND ACROSS]` `-- chuck`, `-- rod` or `-- heat [COLUMNS ROWS]`. Sizes default to a ring of 500 000 unknowns and a section of
-//! 100 000.
+//! `cargo bench --bench plane -- ring|orders [AROUND ACROSS]` `-- chuck`, `-- rod` or `-- heat [COLUMNS
+//! ROWS]`. Sizes default to a ring of 500 000 unknowns and a section of 100 000.
 
 #![allow(missing_docs)]
 
@@ -99,17 +99,18 @@ fn chuck() -> Result<(), Box<dyn Error>> {
     let effects: Vec<_> =
         process.effects().iter().filter(|e| model.system.admits(e.name).is_ok()).map(|e| e.typical()).collect();
     let mut clock = Clock(Instant::now());
-    model.system.equip(&effects).observe(&rows)?;
+    model.system.with_effects(&effects).observe(&rows)?;
     clock.lap("the first trial");
     let trials = 2000;
     for _ in 0..trials {
-        model.system.equip(&effects).observe(&rows)?;
+        model.system.with_effects(&effects).observe(&rows)?;
     }
     println!("a further trial {:.1} us", clock.0.elapsed().as_secs_f64() / f64::from(trials) * 1e6);
     Ok(())
 }
 
-/// A trial of a fit: the starting model's rod with 100 elements, 360 steps and some after every switch, all effects, 160 rows.
+/// A trial of a fit: the starting model's rod with 100 elements, 360 steps and some after every switch, all
+/// effects, 160 rows.
 fn rod() -> Result<(), Box<dyn Error>> {
     let process = fem::process::ALL.iter().find(|p| p.name() == "thermal").ok_or("no such process")?;
     let model = Model::parse(Source::new("thermal.toml", process.starting_model()))?;
@@ -128,12 +129,12 @@ fn rod() -> Result<(), Box<dyn Error>> {
     let mut clock = Clock(Instant::now());
     let trials = 500;
     for _ in 0..trials {
-        model.system.equip(&effects).observe(&rows)?;
+        model.system.with_effects(&effects).observe(&rows)?;
     }
     clock.lap("all trials");
     let started = Instant::now();
     for _ in 0..trials {
-        model.system.equip(&effects[..1]).observe(&rows)?;
+        model.system.with_effects(&effects[..1]).observe(&rows)?;
     }
     println!("a trial {:.1} us", started.elapsed().as_secs_f64() / f64::from(trials) * 1e6);
     Ok(())

@@ -1,7 +1,7 @@
 //! The tool's sweep along a shaft: as many elements, all of different length and section, as positions.
 //!
-//! `cargo bench --bench sweep`. What a sweep must at least do: about 40 floating-point operations and 80 bytes per cut and
-//! direction, two directions, one division per position.
+//! `cargo bench --bench sweep`. What a sweep must at least do: about 40 floating-point operations and 80
+//! bytes per cut and direction, two directions, one division per position.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 #![allow(missing_docs)]
@@ -9,6 +9,9 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use fem::element::{BeamPiece, Round};
 use fem::joint::{Contact, Joint};
+use fem::process::turning::{Turning, condense, deflections};
+use fem::process::{Assembled, Definition};
+use fem::progress::Progress;
 use fem::solve::{Hold, Shaft, solve_joints};
 
 /// 0.6 m of steel in `n` pieces of Ø40 to Ø50 mm.
@@ -47,8 +50,9 @@ fn sweep(shaft: &Shaft, joints: &[Joint; 2], at: &[f64]) -> f64 {
     sum
 }
 
-/// The whole path of `fem run`: a model of 1000 segments with contact joints and force feedback, in both holdings.
-fn lathe(held: &str) -> fem::process::turning::Lathe {
+/// The whole path of `fem run`: a model of 1000 segments with contact joints and force feedback, in both
+/// holdings.
+fn lathe(held: &str) -> Assembled<Turning> {
     let segments: String =
         (0..1000).map(|i| format!("{{ length = \"0.6 mm\", diameter = \"{} mm\" }},", 40 + i % 11)).collect();
     let text = format!(
@@ -63,8 +67,8 @@ fn lathe(held: &str) -> fem::process::turning::Lathe {
     );
     let model = fem::model::Model::parse(fem::input::Source::new("bench.toml", text)).expect("the model is right");
     let document = toml_edit::Document::parse(&*model.source.text).expect("the model is TOML");
-    let (setup, ..) = fem::input::Reader::document(document.as_table(), fem::process::turning::Setup::read);
-    fem::process::turning::Lathe::equip(std::sync::Arc::new(setup), &model.effects)
+    let (setup, ..) = fem::input::Reader::document(document.as_table(), <Turning as Definition>::read);
+    Assembled::new(setup.expect("the model is right").into(), &model.effects)
 }
 
 fn bench(c: &mut Criterion) {
@@ -84,11 +88,9 @@ fn bench(c: &mut Criterion) {
         let (lathe, at) = (lathe(held), positions(1000));
         nonlinear.bench_function(format!("contacts and force feedback, {held}"), |b| {
             b.iter(|| {
-                let shaft = lathe.condense(&at).expect("the shaft is held");
-                lathe
-                    .deflections(&shaft, &at, &fem::progress::Progress::default())
-                    .expect("there is an equilibrium")
-                    .len()
+                let shaft = condense(lathe.machine(), &at).expect("the shaft is held");
+                let deflections = deflections(lathe.machine(), &shaft, &at, &Progress::default());
+                deflections.expect("there is an equilibrium").len()
             });
         });
     }

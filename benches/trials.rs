@@ -1,4 +1,5 @@
-//! One trial of a fit in every process: its starting model with every effect that it admits, equipped anew and asked for all rows of its programme.
+//! One trial of a fit in every process: its starting model with every effect that it admits, equipped anew
+//! and asked for all rows of its programme.
 //!
 //! `cargo bench --bench trials`, or `-- contour` for one process.
 
@@ -18,7 +19,8 @@ fn trials(criterion: &mut Criterion) {
         let effects: Vec<Active> = admitted.map(|e| e.typical()).collect();
         let rows = model.system.programme();
         group.throughput(Throughput::Elements(rows.len() as u64));
-        group.bench_function(process.name(), |b| b.iter(|| model.system.equip(&effects).observe(&rows).unwrap()));
+        group
+            .bench_function(process.name(), |b| b.iter(|| model.system.with_effects(&effects).observe(&rows).unwrap()));
     }
     group.finish();
 }

@@ -14,14 +14,14 @@ pub struct Joint {
 /// A contact joint y = c·Qⁿ (Q > 0), n in (0, 1].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// c, m/Nⁿ.
+    /// Coefficient c, m/Nⁿ.
     pub coefficient: f64,
-    /// n, in (0, 1].
+    /// Exponent n, in (0, 1].
     pub exponent: f64,
 }
 
 impl Contact {
-    /// How far the contact gives way under the force `q` (N), m.
+    /// Displacement of the contact under the force `q` (N), m.
     pub fn displacement(&self, q: f64) -> f64 {
         match self.exponent {
             _ if q <= 0.0 => 0.0,
@@ -35,23 +35,36 @@ impl Contact {
 /// A joint at one value of its path variable: force, displacement and how both change with the variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointState {
-    /// Q, N.
+    /// Force Q, N.
     pub force: f64,
-    /// y, m.
+    /// Displacement y, m.
     pub displacement: f64,
-    /// dQ/ds.
+    /// Rate of the force, dQ/ds.
     pub force_rate: f64,
-    /// dy/ds.
+    /// Rate of the displacement, dy/ds.
     pub displacement_rate: f64,
 }
 
 impl Joint {
+    /// Puts a spring of `stiffness` N/m in series; infinite changes nothing.
+    pub fn soften(&mut self, stiffness: f64) {
+        self.spring_compliance += 1.0 / stiffness;
+    }
+
+    /// Puts a contact y = c·Qⁿ in series; c = 0 changes nothing.
+    pub fn add_contact(&mut self, coefficient: f64, exponent: f64) {
+        if coefficient != 0.0 {
+            self.contacts.push(Contact { coefficient, exponent });
+        }
+    }
+
     /// Whether y is proportional to Q.
     pub fn is_linear(&self) -> bool {
         self.contacts.iter().all(|c| c.exponent == 1.0 && c.coefficient == 0.0)
     }
 
-    /// y (m) and dy/dQ (m/N) under the force `q`; the latter is infinite at q = 0 where a contact with n < 1 closes.
+    /// y (m) and dy/dQ (m/N) under the force `q`; the latter is infinite at q = 0 where a contact with n < 1
+    /// closes.
     pub fn yield_under(&self, q: f64) -> (f64, f64) {
         let (mut displacement, mut compliance) = (self.spring_compliance * q, self.spring_compliance);
         if q >= 0.0 {
@@ -72,10 +85,11 @@ impl Joint {
         self.yield_under(q).0
     }
 
-    /// The joint along a path s through its states, on which neither force nor displacement has an infinite slope.
+    /// The joint along a path s through its states, on which neither force nor displacement has an infinite
+    /// slope.
     ///
-    /// y = c·Qⁿ rises vertically at Q = 0. With Q = s^(1/n), n the smallest exponent, Q and y are both smooth and
-    /// rising in s ≥ 0; for s < 0, where contacts are shut, Q = s.
+    /// y = c·Qⁿ rises vertically at Q = 0. With Q = s^(1/n), n the smallest exponent, Q and y are both smooth
+    /// and rising in s ≥ 0; for s < 0, where contacts are shut, Q = s.
     pub fn along(&self, s: f64) -> JointState {
         if s < 0.0 || self.contacts.is_empty() {
             let k = self.spring_compliance;

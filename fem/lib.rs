@@ -1,5 +1,36 @@
-//! Predicts what a machine, fixture and workpiece do to a part, compares the prediction with measurements, and fits what is not
-//! exactly known.
+//! Predicts what a machine, fixture and workpiece do to a part, compares the prediction with measurements,
+//! and fits what is not exactly known.
+//!
+//! A model is read, run, and asked for what it found:
+//!
+//! ```
+//! use fem::input::Source;
+//! use fem::model::Model;
+//! use fem::progress::Progress;
+//!
+//! let text = r#"
+//!     process = "contour"
+//!     path = { shape = "circle", radius = "150 mm", feed = "1000 mm/min" }
+//!     drives = { gain = "50 /s" }
+//!     effects.backlash-x.gap = "6 um"
+//! "#;
+//! let model = Model::parse(Source::new("circle.toml", text))?;
+//! let run = model.run(&Progress::default())?;
+//! let figure = |key: &str| run.report.figures.iter().find(|f| f.key == key).and_then(|f| f.told("value"));
+//!
+//! // The servos alone shrink the circle by 0.37 um; half of the play stands on either side of it.
+//! let (largest, smallest) = (figure("largest").unwrap(), figure("smallest").unwrap());
+//! assert!(largest < 3.0 && smallest < -3.0 && smallest > -3.4);
+//!
+//! // What the play changes, in micrometres.
+//! let play = run.contributions.iter().find(|c| c.name == "backlash-x").unwrap();
+//! assert!((1e6 * play.largest - 3.0).abs() < 0.01 && (1e6 * play.smallest + 3.0).abs() < 0.01);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Measurements are held against a model by [`compare::compare`], what it leaves open is estimated by
+//! [`fit::fit`], and the effect that it lacks is named by [`diagnose::diagnose`]; `examples/` does each in
+//! twenty lines.
 //!
 //! Layers, each using only those above it:
 //!

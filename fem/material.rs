@@ -6,17 +6,17 @@ use crate::units::{CONDUCTIVITY, CONTRACTION, EXPANSION, Kind, MASS_DENSITY, PRE
 /// An isotropic, linear material. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// E, Pa.
+    /// Young's modulus E, Pa.
     pub youngs_modulus: f64,
-    /// ν.
+    /// Poisson's ratio ν.
     pub poisson_ratio: f64,
-    /// ρ, kg/m³.
+    /// Density ρ, kg/m³.
     pub density: f64,
-    /// α, 1/K.
+    /// Thermal expansion α, 1/K.
     pub expansion: f64,
-    /// k, W/(m K).
+    /// Conductivity k, W/(m K).
     pub conductivity: f64,
-    /// c, J/(kg K).
+    /// Specific heat c, J/(kg K).
     pub specific_heat: f64,
 }
 

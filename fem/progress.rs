@@ -1,4 +1,4 @@
-//! How far a computation has come, for whoever watches.
+//! The progress of a computation, for whoever watches.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 

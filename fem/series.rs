@@ -1,8 +1,8 @@
-//! A ring under radial pressure on its outer circle by Fourier series, exact for plane stress: the reference that the
-//! finite elements must converge to. It shares nothing with them.
+//! A ring under radial pressure on its outer circle by Fourier series, exact for plane stress: the reference
+//! that the finite elements must converge to. It shares nothing with them.
 //!
-//! Pressure p(θ) = p₀ + Σ pₘ cos m(θ − φ). The mean is Lamé's problem. A harmonic m ≥ 2 has Michell's stress function
-//! Φ = Σₖ cₖ r^eₖ cos mθ with exponents e = m, m + 2, −m, 2 − m, hence
+//! Pressure p(θ) = p₀ + Σ pₘ cos m(θ − φ). The mean is Lamé's problem. A harmonic m ≥ 2 has Michell's stress
+//! function Φ = Σₖ cₖ r^eₖ cos mθ with exponents e = m, m + 2, −m, 2 − m, hence
 //!
 //! ```text
 //!   σrr = Σ cₖ (e − m²) r^(e−2) cos mθ            = −pₘ cos mθ at Ro, 0 at Ri
@@ -11,8 +11,8 @@
 //!   u_r = ∫ (σrr − ν σθθ)/E dr = Σ cₖ [(e − m²)/(e − 1) − ν e] r^(e−1)/E cos mθ
 //! ```
 //!
-//! four equations for the four cₖ. The first harmonic of loads in equilibrium vanishes. Timoshenko and Goodier,
-//! *Theory of Elasticity*, §28 and §43; Michell (1899).
+//! four equations for the four cₖ. The first harmonic of loads in equilibrium vanishes. Timoshenko and
+//! Goodier, *Theory of Elasticity*, §28 and §43; Michell (1899).
 
 use std::f64::consts::PI;
 
@@ -21,26 +21,27 @@ use nalgebra::{Matrix4, Vector4};
 /// A ring in plane stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeriesRing {
-    /// Ro, m.
+    /// Outer radius Ro, m.
     pub outer_radius: f64,
-    /// Ri, m.
+    /// Inner radius Ri, m.
     pub inner_radius: f64,
-    /// b, m.
+    /// Width b, m.
     pub width: f64,
-    /// E, Pa.
+    /// Young's modulus E, Pa.
     pub youngs_modulus: f64,
-    /// ν.
+    /// Poisson's ratio ν.
     pub poisson_ratio: f64,
 }
 
-/// A radial force F (N, inwards) spread evenly over the angle `arc` (rad) about `angle` (rad); arc 0 is a line load.
+/// A radial force F (N, inwards) spread evenly over the angle `arc` (rad) about `angle` (rad); arc 0 is a
+/// line load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Push {
-    /// rad.
+    /// Angle of its middle, rad.
     pub angle: f64,
-    /// rad.
+    /// Angle of the arc, rad; 0 for a line load.
     pub arc: f64,
-    /// N.
+    /// Force F, N, positive inwards.
     pub force: f64,
 }
 
@@ -141,8 +142,8 @@ mod tests {
         assert!((1e6 * mean + 1.010_508).abs() < 6e-7, "{mean}");
     }
 
-    /// Thin ring under n line loads (Roark): inward at a load FR³/2EI [(β/2 + sin2β/4)/sin²β − 1/β], outward midway
-    /// FR³/4EI [2/β − 1/sinβ − β cosβ/sin²β], β = π/n.
+    /// Thin ring under n line loads (Roark): inward at a load FR³/2EI [(β/2 + sin2β/4)/sin²β − 1/β], outward
+    /// midway FR³/4EI [2/β − 1/sinβ − β cosβ/sin²β], β = π/n.
     #[test]
     fn a_thin_ring_bends_as_a_curved_beam() {
         let (radius, wall, width) = (0.05, 5e-5, 0.02);

@@ -1,35 +1,36 @@
-//! A hole takes the size of its drill: T = a_max + T_i + Δ_и − a_min [seed 002 (41)], and the same the other way round.
+//! Size of a drilled hole: T = a_max + T_i + Δ_и − a_min [seed 002 (41)], solved for any of T, T_i and Δ_и.
 
-/// A hole made by a tool of its size. Lengths in m.
+/// Hole made by a tool of its size. Lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drill {
-    /// a_max, by how much the hole is wider than the largest drill.
+    /// Widening a_max of the hole over the largest drill.
     pub widening_max: f64,
-    /// a_min, by how much it is wider than the smallest worn drill.
+    /// Widening a_min of the hole over the smallest worn drill.
     pub widening_min: f64,
-    /// T_i, tolerance of the drill.
+    /// Tolerance T_i of the drill.
     pub drill_tolerance: f64,
-    /// Δ_и, wear that is allowed.
+    /// Allowed wear Δ_и.
     pub wear: f64,
-    /// T, tolerance of the hole.
+    /// Tolerance T of the hole.
     pub tolerance: f64,
-    /// Which of the three was not given, and follows from the others.
+    /// Quantity that was not given and follows from the others, if one was not.
     pub unknown: Option<Unknown>,
 }
 
-/// What follows from the rest.
+/// Quantity that follows from the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
-    /// T.
+    /// Tolerance T of the hole.
     Tolerance,
-    /// T_i.
+    /// Tolerance T_i of the drill.
     DrillTolerance,
-    /// Δ_и.
+    /// Wear Δ_и.
     Wear,
 }
 
 impl Drill {
-    /// From widenings and at least two of drill tolerance, wear and tolerance of the hole.
+    /// Solves for the unknown, from widenings and at least two of drill tolerance, wear and tolerance of the
+    /// hole.
     pub fn new(widening: (f64, f64), drill: Option<f64>, wear: Option<f64>, tolerance: Option<f64>) -> Option<Self> {
         let (widening_max, widening_min) = widening;
         let spread = widening_max - widening_min;
@@ -43,12 +44,12 @@ impl Drill {
         Some(Self { widening_max, widening_min, drill_tolerance, wear, tolerance, unknown })
     }
 
-    /// What the hole's size varies by, m.
+    /// Variation of the size of the hole, m.
     pub fn total(&self) -> f64 {
         self.widening_max + self.drill_tolerance + self.wear - self.widening_min
     }
 
-    /// What is left of the hole's tolerance, m; below zero where it does not suffice.
+    /// Rest of the tolerance of the hole, m; below zero where it does not suffice.
     pub fn left(&self) -> f64 {
         self.tolerance - self.total()
     }

@@ -2,76 +2,76 @@
 
 use super::{Law, Stream, rules};
 
-/// How an error adds.
+/// Way in which an error adds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The same on every part, with its sign.
+    /// The error is the same on every part, with its sign.
     Systematic,
-    /// Anywhere in its field.
+    /// The error lies anywhere in its field.
     Random,
 }
 
 impl Kind {
-    /// The words of a budget file.
+    /// Words in a budget file.
     pub const WORDS: &[(&'static str, Self)] = &[("random", Self::Random), ("systematic", Self::Systematic)];
 
-    /// Its word.
+    /// Word in a budget file.
     pub fn word(self) -> &'static str {
         if self == Self::Random { "random" } else { "systematic" }
     }
 }
 
-/// An error of a budget.
+/// Error of a budget.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contribution {
-    /// What it is.
+    /// Name of the error.
     pub name: String,
-    /// How it adds.
+    /// Way in which it adds.
     pub kind: Kind,
-    /// Its size, or its half-field Δ, by the handbook, m.
+    /// Size, or half-field Δ, by the handbook, m.
     pub value: f64,
-    /// Its law in the handbook's rule.
+    /// Law in the handbook's rule.
     pub law: Law,
-    /// What it comes from.
+    /// Source of its size.
     pub source: Source,
-    /// The set it belongs to.
+    /// Group to which it belongs.
     pub group: Option<String>,
 }
 
-/// What the size of an error comes from.
+/// Source of the size of an error.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
-    /// It is given.
+    /// The size is given.
     Given,
-    /// From independent parts with half-fields, m: (44)–(46), (48).
+    /// The size comes from independent parts with half-fields, m: (44)–(46), (48).
     Parts(Vec<(Law, f64)>),
-    /// From a contact y = c·Qⁿ under a clamping force: (47).
+    /// The size comes from a contact y = c·Qⁿ under a clamping force: (47).
     Clamping {
-        /// c_min, c_max, m/Nⁿ.
+        /// Compliances c_min and c_max, m/Nⁿ.
         c: (f64, f64),
-        /// Q_min, Q_max, N.
+        /// Clamping forces Q_min and Q_max, N.
         force: (f64, f64),
-        /// n.
+        /// Exponent n.
         exponent: f64,
     },
 }
 
-/// Errors that enter the total as one random error, the size of which is their own total.
+/// Group of errors that enter the total as one random error, the size of which is their own total.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// By which errors name it.
+    /// Name by which errors refer to it.
     pub name: String,
-    /// Its law in the total.
+    /// Law in the total.
     pub law: Law,
 }
 
 impl Contribution {
-    /// Whether more than its size is known.
+    /// Whether its sign is known too.
     pub fn has_sign(&self) -> bool {
         self.source == Source::Given
     }
 
-    /// How many draws it takes.
+    /// Number of draws that it takes.
     pub fn dimensions(&self) -> u32 {
         match (&self.kind, &self.source) {
             (Kind::Systematic, _) => 0,
@@ -81,7 +81,7 @@ impl Contribution {
         }
     }
 
-    /// What it is on one part, m; draws from `dimension` on.
+    /// Draws the error on one part, m, with dimensions from `dimension` on.
     pub fn draw(&self, stream: &Stream, dimension: u32) -> f64 {
         if self.kind == Kind::Systematic {
             return self.value;
@@ -104,12 +104,12 @@ impl Contribution {
         }
     }
 
-    /// A random error of the given half-field.
+    /// Makes an error of the given size or half-field.
     pub fn given(name: impl Into<String>, kind: Kind, law: Law, value: f64) -> Self {
         Self { name: name.into(), kind, value, law, source: Source::Given, group: None }
     }
 
-    /// The half-field of independent parts, for a total of this law.
+    /// Half-field of independent parts, for a total of this law.
     pub fn of_parts(law: Law, parts: &[(Law, f64)]) -> f64 {
         rules::random(1.0 / law.lambda().sqrt(), parts)
     }

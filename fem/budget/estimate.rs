@@ -1,51 +1,52 @@
-//! A budget added up: by the handbook, and by Monte Carlo.
+//! Adds a budget up by the handbook's rules and by Monte Carlo.
 
 use super::monte_carlo::{self, Drawn};
 use super::{Budget, Contribution, Kind, Law, rules};
 use crate::process::Failure;
 use crate::progress::Progress;
 
-/// What the handbook's rules give. m.
+/// Result of the handbook's rules. m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Handbook {
     /// Sum of the systematic errors with their signs, (40).
     pub systematic: f64,
-    /// Half-field of the random ones, (42).
+    /// Half-field of the random errors, (42).
     pub random: f64,
     /// |systematic| + random.
     pub total: f64,
-    /// The total with the errors of every group taken one by one, where that differs.
+    /// Total with the errors of every group taken one by one, where that differs.
     pub one_by_one: Option<f64>,
-    /// Groups that enter as one, with their own totals.
+    /// Groups that enter as one error, with their own totals.
     pub groups: Vec<(String, f64)>,
 }
 
-/// What one error does to the result.
+/// Share of one error in the result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Share {
-    /// What it is.
+    /// Name of the error.
     pub name: String,
-    /// How it adds.
+    /// Way in which it adds.
     pub kind: Kind,
-    /// Its law in the handbook's rule.
+    /// Law in the handbook's rule.
     pub law: Law,
-    /// What it alone changes the result by at the two ends of its field, m; a systematic one has one end at zero.
+    /// Changes of the result at the two ends of its field, all else in the middle, m; those of a systematic
+    /// error have one end at zero.
     pub swing: (f64, f64),
-    /// Its part of the variance; 0 of a systematic one.
+    /// Part of the variance; 0 for a systematic error.
     pub variance_share: f64,
 }
 
-/// A budget added up.
+/// Result of a budget.
 pub struct Estimate {
-    /// By the handbook.
+    /// Result of the handbook's rules.
     pub handbook: Handbook,
-    /// By drawing.
+    /// Result of Monte Carlo.
     pub monte_carlo: Drawn,
-    /// The largest swing first.
+    /// Shares of the errors, the largest swing first.
     pub shares: Vec<Share>,
 }
 
-/// Adds a budget up; `None` of errors, where it is but a drill.
+/// Adds a budget up; `None` where it has no errors but a drill alone.
 ///
 /// # Errors
 /// The model cannot be computed somewhere in its inputs' fields.
@@ -64,14 +65,15 @@ pub fn estimate(budget: &Budget, progress: &Progress) -> Result<Option<Estimate>
     Ok(Some(Estimate { handbook, monte_carlo, shares }))
 }
 
-/// What an input of a model changes the result by at the two ends of its field.
+/// Changes of the result by an input of a model at the two ends of its field.
 pub(super) type Swing = (String, Law, (f64, f64));
 
 fn half(swing: (f64, f64)) -> f64 {
     0.5 * (swing.1 - swing.0).abs()
 }
 
-/// The errors, those systematic ones of which only the size is known on the side that is worse: that of what is known with its sign.
+/// Errors with signs: a systematic error of which only the size is known takes the worse side, that of the
+/// sum whose sign is known.
 fn with_signs(budget: &Budget, nominal: f64) -> Vec<Contribution> {
     let known = budget.errors.iter().filter(|e| e.kind == Kind::Systematic && e.has_sign());
     let is_below = known.map(|e| e.value).sum::<f64>() + nominal < 0.0;
@@ -99,7 +101,7 @@ fn by_rules(budget: &Budget, errors: &[Contribution], nominal: f64, inputs: &[Sw
     for group in &budget.groups {
         let members: Vec<&Contribution> = errors.iter().filter(|e| e.group.as_ref() == Some(&group.name)).collect();
         let (own, random) = sum_of(&members);
-        // The group's own total, at the risk for which its law has its field.
+        // Total of the group, at the risk for which its law has its field.
         let total = own.abs() + rules::random(1.0 / group.law.lambda().sqrt(), &random);
         scattering.push((group.law, total));
         groups.push((group.name.clone(), total));

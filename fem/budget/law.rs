@@ -1,20 +1,20 @@
-//! Laws by which an error scatters over its field.
+//! Laws of distribution of an error over its field.
 
 use super::Stream;
 
-/// How an error scatters over ±Δ.
+/// Distribution of an error over ±Δ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
     /// Normal, Δ being three standard deviations.
     Normal,
     /// Triangular (Simpson) over ±Δ.
     Triangular,
-    /// Uniform over ±Δ; also what is assumed where nothing is known.
+    /// Uniform over ±Δ; also assumed where nothing is known.
     Uniform,
 }
 
 impl Law {
-    /// The words of a budget file.
+    /// Words in a budget file.
     pub const WORDS: &[(&'static str, Self)] = &[
         ("normal", Self::Normal),
         ("triangular", Self::Triangular),
@@ -22,7 +22,7 @@ impl Law {
         ("unknown", Self::Uniform),
     ];
 
-    /// Its word.
+    /// Word in a budget file.
     pub fn word(self) -> &'static str {
         match self {
             Self::Normal => "normal",
@@ -31,7 +31,7 @@ impl Law {
         }
     }
 
-    /// λ, the square of the standard deviation over Δ [seed 002 (42)].
+    /// Coefficient λ: the square of the standard deviation over Δ [seed 002 (42)].
     pub fn lambda(self) -> f64 {
         match self {
             Self::Normal => 1.0 / 9.0,
@@ -40,12 +40,12 @@ impl Law {
         }
     }
 
-    /// Δ of a law with this standard deviation.
+    /// Half-field Δ of a law with this standard deviation.
     pub fn half_field(self, std: f64) -> f64 {
         std / self.lambda().sqrt()
     }
 
-    /// A draw over ±1: of two independent numbers u, v in (0, 1).
+    /// Draws over ±1, from two independent numbers u, v in (0, 1).
     pub fn draw(self, stream: &Stream, dimension: u32, attempt: u32) -> f64 {
         let [u, v] = stream.uniform(dimension, attempt);
         match self {

@@ -1,7 +1,9 @@
-//! Budgets: errors added up by the handbook's rules and, beside them, by Monte Carlo of the same inputs through the laws and models themselves.
+//! Adds errors up in budgets: by the handbook's rules and, beside them, by Monte Carlo of the same inputs
+//! through the laws and models themselves.
 //!
-//! Systematic errors add with their signs [seed 002 (40)], random ones as the root of weighted squares [(42)], the two arithmetically. The rule is made for
-//! pencil and paper: it takes every law for linear, and the sum for normal. Drawing the inputs shows where it is too pessimistic.
+//! Systematic errors add with their signs [seed 002 (40)], random errors as the root of weighted squares
+//! [(42)], the two sums arithmetically. The rule is made for pencil and paper: it takes every law for
+//! linear, and the sum for normal. Monte Carlo shows where it is too pessimistic.
 
 mod drill;
 mod error;
@@ -26,35 +28,35 @@ pub use validation::cases as validation;
 
 use crate::input::Source as File;
 
-/// A budget to begin with, commented.
+/// Commented budget to begin with.
 pub const STARTING: &str = include_str!("new.toml");
 
-/// What a budget file says. Lengths in m.
+/// Budget file. Lengths in m.
 pub struct Budget {
-    /// The file.
+    /// Name and text of the file.
     pub file: File,
-    /// `title`, if it has one.
+    /// The key `title`, if the file has it.
     pub title: Option<String>,
-    /// t of (42): 1, 2, 3 for a risk of 32, 4.5, 0.27 %.
+    /// Coefficient t of (42): 1, 2, 3 for a risk of 32, 4.5, 0.27 %.
     pub t: f64,
-    /// Least and largest total that is accepted, m.
+    /// Smallest and largest total that is accepted, m.
     pub tolerance: Option<(f64, f64)>,
-    /// Draws of the Monte Carlo.
+    /// Number of samples of the Monte Carlo.
     pub samples: usize,
-    /// What the draws begin from.
+    /// Seed of the random numbers.
     pub seed: u64,
-    /// The errors that are given, in the order of the file.
+    /// Errors, in the order of the file.
     pub errors: Vec<Contribution>,
-    /// Sets of errors that enter the total as one.
+    /// Groups of errors that enter the total as one.
     pub groups: Vec<Group>,
-    /// What a model contributes.
+    /// Figure of a model with inputs that vary, if a model is named.
     pub model: Option<ModelPart>,
-    /// A hole made by a tool of its size.
+    /// Hole made by a tool of its size, if there is one.
     pub drill: Option<Drill>,
 }
 
 impl Budget {
-    /// 2·(1 − Φ(t)): the part of a normal law beyond ±t standard deviations.
+    /// Risk 2·(1 − Φ(t)): the part of a normal distribution beyond ±t standard deviations.
     pub fn risk(&self) -> f64 {
         statrs::function::erf::erfc(self.t / std::f64::consts::SQRT_2)
     }

@@ -1,4 +1,5 @@
-//! A budget by drawing: every error and every input from its law, the laws and the model themselves, sample by sample.
+//! Monte Carlo of a budget: draws every error and every input from its law, sample by sample, and evaluates
+//! the laws and the model themselves.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -8,44 +9,44 @@ use super::{Budget, Contribution, Stream};
 use crate::process::Failure;
 use crate::progress::Progress;
 
-/// A figure and its standard error.
+/// Estimate from samples, with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// The figure.
+    /// Value of the estimate.
     pub value: f64,
-    /// What another seed would change it by.
+    /// Standard error: the change by another seed.
     pub error: f64,
 }
 
-/// Parts beyond the tolerance, as parts of one.
+/// Part of the production beyond the tolerance, 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rejects {
-    /// Of the samples.
+    /// Part of the samples.
     pub drawn: Measured,
-    /// By a normal law of the same mean and standard deviation.
+    /// Part of a normal distribution of the same mean and standard deviation.
     pub normal: f64,
 }
 
-/// What the samples give. m.
+/// Result of the samples. m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// How many.
+    /// Number of samples.
     pub samples: usize,
-    /// Mean.
+    /// Mean of the total.
     pub mean: Measured,
-    /// Standard deviation.
+    /// Standard deviation of the total.
     pub std: Measured,
-    /// The ends between which all but the risk lies, half of it on either side.
+    /// Ends of the interval outside which the risk lies, half of it on either side.
     pub interval: [Measured; 2],
-    /// The end that lies further from zero, without its sign.
+    /// Absolute value of the end that lies further from zero.
     pub extent: f64,
-    /// Beyond the tolerance, if there is one.
+    /// Part beyond the tolerance, if there is one.
     pub rejects: Option<Rejects>,
-    /// Draws that fell where there is no model, and were drawn again.
+    /// Number of draws that fell where there is no model and were repeated.
     pub redrawn: u64,
 }
 
-/// Draws the budget, its errors with the signs that they have here.
+/// Draws the samples of a budget, its errors with the given signs.
 ///
 /// # Errors
 /// The model cannot be computed at a draw.
@@ -59,7 +60,7 @@ pub fn draw(budget: &Budget, errors: &[Contribution], progress: &Progress) -> Re
     };
     let mut results: Vec<f64> =
         (0..budget.samples).into_par_iter().with_min_len(64).map(sample).collect::<Result<_, Failure>>()?;
-    // Sums in the order of the samples, so that threads change no digit.
+    // Sums run in the order of the samples, so that the number of threads changes no digit.
     let count = results.len() as f64;
     let mean = results.iter().sum::<f64>() / count;
     let moment = |power: i32| results.iter().map(|r| (r - mean).powi(power)).sum::<f64>() / count;
@@ -88,7 +89,7 @@ pub fn draw(budget: &Budget, errors: &[Contribution], progress: &Progress) -> Re
     })
 }
 
-/// The total on one part, m.
+/// Total on one part, m.
 fn one(budget: &Budget, errors: &[Contribution], stream: &Stream, redrawn: &AtomicU64) -> Result<f64, Failure> {
     let (mut total, mut dimension) = (0.0, 0);
     for error in errors {
@@ -111,7 +112,8 @@ fn one(budget: &Budget, errors: &[Contribution], stream: &Stream, redrawn: &Atom
     Ok(total + model.result(&values)?)
 }
 
-/// The value below which a part p of the sorted samples lies; its error from those a standard deviation of the binomial law before and after it.
+/// Quantile p of the sorted samples; its standard error from the samples one standard deviation of the
+/// binomial distribution before and after it.
 fn quantile(sorted: &[f64], p: f64) -> Measured {
     let count = sorted.len() as f64;
     let at = |part: f64| {
@@ -123,7 +125,7 @@ fn quantile(sorted: &[f64], p: f64) -> Measured {
     Measured { value: at(p), error: 0.5 * (at(p + spread) - at(p - spread)) }
 }
 
-/// The part of a normal law outside a tolerance.
+/// Part of a normal distribution outside a tolerance.
 fn beyond(mean: f64, std: f64, lower: f64, upper: f64) -> f64 {
     if std == 0.0 {
         return f64::from(u8::from(mean < lower || mean > upper));

@@ -1,4 +1,5 @@
-//! What a model contributes to a budget: one figure of its prediction, and what of its inputs is not exactly known.
+//! Contribution of a model to a budget: one figure of its prediction, and the inputs that are not exactly
+//! known.
 
 use super::estimate::Swing;
 use super::{Law, Stream};
@@ -10,37 +11,37 @@ mod read;
 
 pub(super) use read::read;
 
-/// A draw that falls where there is no model is drawn again, at most so often.
+/// Most repetitions of a draw that falls where there is no model.
 const ATTEMPTS: u32 = 1000;
 
-/// A figure of a model's prediction.
+/// Figure of a model's prediction, with inputs that vary.
 pub struct ModelPart {
     /// The model.
     pub model: Model,
-    /// The row that is observed, and, where a difference is asked, the row that is taken off.
+    /// Row that is observed, and, where a difference is asked, the row that is subtracted.
     pub rows: Rows,
-    /// What varies.
+    /// Inputs that vary.
     pub inputs: Vec<Input>,
 }
 
-/// An input that is not exactly known, or varies from part to part. SI.
+/// Input that is not exactly known, or varies from part to part. SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// As the files call it.
+    /// Name in the files.
     pub name: String,
-    /// What it is.
+    /// Parameter or coordinate that it stands for.
     pub target: Target,
     /// Middle of its field.
     pub centre: f64,
     /// Half of its field.
     pub half: f64,
-    /// How it scatters over it.
+    /// Distribution over its field.
     pub law: Law,
-    /// Where it may lie.
+    /// Bounds within which it may lie.
     pub bounds: Bounds,
 }
 
-/// What an input is.
+/// Quantity that an input stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A quantity that the model marks `+-`, by its position.
@@ -59,7 +60,7 @@ impl Input {
         }
     }
 
-    /// A draw, and how often it fell outside before.
+    /// Draws a value; returns it with the number of draws that fell outside before.
     pub fn draw(&self, stream: &Stream, dimension: u32) -> Option<(f64, u32)> {
         let at = |attempt| self.centre + self.half * self.law.draw(stream, dimension, attempt);
         (0..ATTEMPTS).map(|attempt| (at(attempt), attempt)).find(|(value, _)| self.admits(*value))
@@ -67,10 +68,10 @@ impl Input {
 }
 
 impl ModelPart {
-    /// The figure with inputs at these values, m.
+    /// Computes the figure with inputs at these values, m.
     ///
     /// # Errors
-    /// The model cannot be computed there; says where.
+    /// The model cannot be computed there; the error says where.
     pub fn result(&self, values: &[f64]) -> Result<f64, Failure> {
         let mut parameters: Vec<f64> = self.model.parameters.iter().map(|p| p.quantity.value).collect();
         let mut rows = self.rows.clone();
@@ -80,7 +81,7 @@ impl ModelPart {
                 Target::Coordinate(column) => rows.columns[column].fill(*value),
             }
         }
-        let observed = self.model.job_at(&parameters).and_then(|job| job.observe(&rows));
+        let observed = self.model.forward_at(&parameters).and_then(|job| job.observe(&rows));
         let result = observed.map(|o| o[0] - o.get(1).copied().unwrap_or(0.0));
         match result {
             Ok(value) if value.is_finite() => Ok(value),
@@ -98,13 +99,13 @@ impl ModelPart {
         }
     }
 
-    /// The inputs in the middle of their fields.
+    /// Inputs in the middle of their fields.
     pub fn centre(&self) -> Vec<f64> {
         self.inputs.iter().map(|i| i.centre).collect()
     }
 
-    /// The figure in the middle of the fields, and what each input alone changes it by at the ends of its own; an end where there is no model is
-    /// taken as far on as a standard deviation reaches.
+    /// Computes the figure in the middle of the fields, and its changes by each input alone at the ends of
+    /// its field; an end where there is no model is extrapolated from one standard deviation.
     pub(super) fn linearised(&self) -> Result<(f64, Vec<Swing>), Failure> {
         let centre = self.centre();
         let nominal = self.result(&centre)?;
@@ -124,7 +125,7 @@ impl ModelPart {
                 },
             };
             let (low, high) = (end(-1.0)?, end(1.0)?);
-            // Where one side has no model the other speaks for both.
+            // Where one side has no model, the other stands for both.
             let low = if low.is_nan() { -high } else { low };
             let high = if high.is_nan() { -low } else { high };
             if low.is_nan() {

@@ -1,11 +1,13 @@
-//! Random numbers that depend on nothing but the seed and their own place: sample by sample and input by input, whatever the number of threads.
+//! Counter-based random numbers: they depend on nothing but the seed, the sample and the input, whatever the
+//! number of threads.
 
-/// Multipliers and Weyl increments of Philox4x32 (Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011).
+/// Multipliers and Weyl increments of Philox4x32 (Salmon, Moraes, Dror and Shaw, "Parallel random numbers:
+/// as easy as 1, 2, 3", SC 2011).
 const MULTIPLIERS: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
 const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 const ROUNDS: usize = 10;
 
-/// The numbers of one sample.
+/// Random numbers of one sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stream {
     seed: u64,
@@ -13,12 +15,12 @@ pub struct Stream {
 }
 
 impl Stream {
-    /// Of sample number `sample`.
+    /// Starts the numbers of sample `sample`.
     pub fn new(seed: u64, sample: u64) -> Self {
         Self { seed, sample }
     }
 
-    /// Two independent numbers in (0, 1) for an input, drawn anew at each attempt.
+    /// Draws two independent numbers in (0, 1) for an input, others at each attempt.
     pub fn uniform(&self, dimension: u32, attempt: u32) -> [f64; 2] {
         let halves = |wide: u64| [wide as u32, (wide >> 32) as u32];
         let [low, high] = halves(self.sample);

@@ -1,4 +1,4 @@
-//! The tables of a budget file.
+//! Reads the tables of a budget file.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -8,19 +8,19 @@ use std::path::Path;
 use toml_edit::Document;
 
 use super::{Budget, Contribution, Drill, Group, Kind, Law, Source, part, rules};
-use crate::input::{InputError, Problem, Reader, Source as File, nearest};
+use crate::input::{InputError, Kept, Problem, Reader, Source as File, nearest};
 use crate::units::{CONTACT_COEFFICIENT, FORCE, MICRO, NUMBER};
 
 /// Largest budget file, bytes.
 const LARGEST: u64 = 1_000_000;
-/// Draws where nothing is said: of laws alone, and through a model.
+/// Default numbers of samples: of laws alone, and through a model.
 const SAMPLES: usize = 200_000;
 const MODEL_SAMPLES: usize = 20_000;
 
 /// Reads a budget file, and the model that it names.
 ///
 /// # Errors
-/// Everything that is wrong with either file, with places and remedies.
+/// A file is wrong; the error lists every problem with its place and remedy.
 pub fn load(path: &Path) -> Result<Budget, InputError> {
     parse(File::read(path, LARGEST)?)
 }
@@ -28,16 +28,18 @@ pub fn load(path: &Path) -> Result<Budget, InputError> {
 /// Reads a budget from its text.
 ///
 /// # Errors
-/// Everything that is wrong with it.
+/// The text is wrong; the error lists every problem.
 pub(super) fn parse(file: File) -> Result<Budget, InputError> {
     let document = Document::parse(file.text.to_string()).map_err(|e| {
         let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
         InputError::one(file.clone(), problem.help("a budget file is TOML: [table], key = \"value\", # comment"))
     })?;
-    // A model that is wrong is told of by itself: its problems lie in another file.
+    // The problems of a wrong model are reported by themselves, for they lie in another file.
     let broken = RefCell::new(None);
     let (budget, mut found) =
-        Reader::of_file(document.as_table(), file.folder(), HashMap::new(), |reader| read(reader, &file, &broken));
+        Reader::of_file(document.as_table(), file.folder(), &Kept::default(), HashMap::new(), |reader| {
+            read(reader, &file, &broken)
+        });
     if let Some(error) = broken.take() {
         return Err(error);
     }
@@ -145,7 +147,7 @@ fn read_value(t: &Reader, kind: Kind, law: Option<Law>) -> Size {
     Some((value, law.unwrap_or(Law::Uniform), Source::Given))
 }
 
-/// (33), (34), (44)–(46).
+/// Reads an error of setting by trial parts: (33), (34), (44)–(46).
 fn read_trial_parts(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
     let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
     let measuring = half("measuring", "error of measuring a trial part, Δ_meas");
@@ -163,7 +165,7 @@ fn read_template(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
     of_parts(law.unwrap_or(Law::Normal), vec![(Law::Uniform, template), (Law::Uniform, mounting)])
 }
 
-/// (47).
+/// Reads an error of clamping: (47).
 fn read_clamping(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
     let coefficient = |key, about| t.quantity(key, CONTACT_COEFFICIENT, about).not_negative().required();
     let force = |key, about| t.quantity(key, FORCE, about).not_negative().required();
@@ -181,7 +183,7 @@ fn read_clamping(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
     (value, law, Source::Clamping { c, force, exponent })
 }
 
-/// (48).
+/// Reads an error of a fixture: (48).
 fn read_locating(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
     let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
     let locators = half("locators", "error of the locating elements");

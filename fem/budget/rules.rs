@@ -1,4 +1,5 @@
-//! The handbook's rules for adding errors up [seed 002 (33)–(52)], with its misprints mended: (47) without the stray Q_maxⁿ, (49) with ε on the left.
+//! Rules of the handbook for adding errors up [seed 002 (33)–(52)], with its misprints corrected: (47)
+//! without the stray Q_maxⁿ, (49) with ε on the left.
 
 use super::Law;
 
@@ -9,16 +10,18 @@ pub fn systematic(errors: &[f64]) -> f64 {
 
 /// (42): Δ = t·√Σ λᵢΔᵢ² of random errors with half-fields Δᵢ.
 pub fn random(t: f64, errors: &[(Law, f64)]) -> f64 {
-    // The sum of nothing is a zero below zero.
+    // The empty sum is −0.0.
     t * errors.iter().map(|(law, half)| law.lambda() * half * half).sum::<f64>().abs().sqrt()
 }
 
-/// (33), (34): what the mean of `parts` trial parts is uncertain by, σ/√n, where the process scatters over a field T: σ = T/6.
+/// (33), (34): uncertainty σ/√n of the mean of `parts` trial parts, where the process scatters over a field
+/// T: σ = T/6.
 pub fn calculation(field: f64, parts: usize) -> f64 {
     field / 6.0 / (parts as f64).sqrt()
 }
 
-/// (44): setting by trial parts, from measuring, adjusting and calculating, each of them uniform or of unknown law.
+/// (44): setting by trial parts, from measuring, adjusting and calculating, each of them uniform or of
+/// unknown law.
 pub fn setting(t: f64, components: &[f64]) -> f64 {
     random(t, &components.iter().map(|half| (Law::Uniform, *half)).collect::<Vec<_>>())
 }
@@ -54,8 +57,9 @@ pub fn setup_in_one_fixture(basing: f64, clamping: f64, fixture: f64) -> f64 {
     fixture + random(3.0, &[(Law::Normal, basing), (Law::Normal, clamping)])
 }
 
-/// (50), (51): a batch in one fixture on one machine at one setting, Δ = √(Δ_γ² + ε² + 3Δ_и² + 3Δ_т²) + Δ_н + ΣΔ_ф. As printed ε stands under the root with the
-/// systematic part that (52) gives it, against the rule that the two add arithmetically.
+/// (50), (51): a batch in one fixture on one machine at one setting,
+/// Δ = √(Δ_γ² + ε² + 3Δ_и² + 3Δ_т²) + Δ_н + ΣΔ_ф. As printed, ε stands under the root with the systematic part
+/// that (52) gives it, against the rule that the two add arithmetically.
 pub fn batch(inherited: f64, setup: f64, wear: f64, thermal: f64, setting: f64, form: f64) -> f64 {
     let scattering = [(Law::Normal, inherited), (Law::Normal, setup), (Law::Uniform, wear), (Law::Uniform, thermal)];
     random(3.0, &scattering) + setting + form

@@ -1,11 +1,13 @@
-//! `fem budget`.
+//! The command `fem budget`.
 
 use std::sync::Arc;
 
 use super::error::Error;
-use super::{args, print, watch};
+use super::say::say;
+use super::terminal::{page, print};
+use super::{args, watch};
 use crate::budget::{estimate, load};
-use crate::output::budget;
+use crate::output::{Report, budget_warnings};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Budget) -> Result<(), Error> {
@@ -14,11 +16,8 @@ pub fn run(args: &args::Budget) -> Result<(), Error> {
     let bar = watch::show(&progress);
     let estimate = estimate(&file, &progress)?;
     bar.finish();
-    for warning in budget::warnings(&file, estimate.as_ref()) {
-        super::say!("warning: {warning}");
+    for warning in budget_warnings(&file, estimate.as_ref()) {
+        say!("warning: {warning}");
     }
-    if args.json {
-        return print(&format!("{:#}\n", budget::json(&file, estimate.as_ref())));
-    }
-    print(&budget::text(&file, estimate.as_ref()))
+    print(&page(&Report::Budget(&file, estimate.as_ref()), args.json)?)
 }

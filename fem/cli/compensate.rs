@@ -1,13 +1,15 @@
 //! `fem compensate`.
 
-use super::compare::check_places;
+use super::args;
 use super::error::Error;
-use super::{args, print};
+use super::say::say;
+use super::terminal::{notes, page, print};
 use crate::compensate::compensate;
 use crate::input::Problem;
 use crate::measure::Measurements;
-use crate::model::Model;
-use crate::output::compensation;
+use crate::model::{Data, Model};
+use crate::output::{Folder, Format, LINUXCNC, Report};
+use crate::progress::Progress;
 
 pub fn run(args: &args::Compensate) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
@@ -16,29 +18,18 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
         let help = "compensation is for axes that are tested by going to targets from both sides";
         return Err(Error::Request(problem.help(help)));
     };
-    let measurements = Measurements::load(&args.with, model.process)?;
-    check_places(&model, &measurements, &args.with)?;
-    let found = compensate(&model, axis, &measurements)?;
-    let mut written = Vec::new();
+    let data = Data::of(&model, Measurements::load(&args.with, model.process)?)?;
+    let found = compensate(&data, axis)?;
+    let report = Report::Compensation(&data, &found);
+    let mut written = String::new();
     if let Some(directory) = &args.output {
-        for name in compensation::FILES {
-            super::add::refuse_itself(&args.with, &directory.join(name))?;
-        }
-        written = compensation::write(&model, &measurements, &found, directory)?;
-        if !written.iter().any(|f| f.ends_with(compensation::LINUXCNC)) {
-            super::say!("note: no {}: it takes fewer targets than these", compensation::LINUXCNC);
+        let reads = [args.model.clone(), args.with.clone()];
+        written = Folder { directory, reads: &reads, progress: &Progress::default() }.write(&report)?;
+        if !written.contains(LINUXCNC) {
+            say!("note: no {LINUXCNC}: it takes fewer targets than these");
         }
     }
-    for note in &measurements.notes {
-        super::say!("note: {note}");
-    }
-    if args.json {
-        return print(&format!("{:#}\n", compensation::json(&model, &measurements, &found)));
-    }
-    let mut text = compensation::text(&model, &measurements, &found);
-    if !written.is_empty() {
-        let files: Vec<String> = written.iter().map(|f| format!("  {}", f.display())).collect();
-        text.push_str(&format!("\nwritten\n{}\n", files.join("\n")));
-    }
-    print(&text)
+    notes(&data.notes);
+    let list = if args.json { "" } else { &written };
+    print(&(page(&report, args.json)? + list))
 }

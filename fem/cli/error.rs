@@ -1,20 +1,21 @@
-//! How a command fails, and how that is told.
+//! Errors of commands, and their report.
 
 use std::io::IsTerminal;
 use std::process::ExitCode;
 
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource};
 
+use super::say::say;
 use crate::input::{InputError, Problem};
 use crate::output::OutputError;
 use crate::process::Failure;
 
-/// Why a command did not do what it was asked.
+/// Reason for which a command failed.
 #[derive(Debug)]
 pub enum Error {
     /// A file is wrong.
     Input(InputError),
-    /// The command line asks for something that cannot be.
+    /// The command line asks for something impossible.
     Request(Problem),
     /// The computation gave no answer.
     Compute(Failure),
@@ -22,7 +23,7 @@ pub enum Error {
     Output(OutputError),
     /// Stdout cannot be written.
     Stdout(std::io::Error),
-    /// Something was checked and found wrong; it has been printed.
+    /// A check failed; the result has been printed.
     Found,
 }
 
@@ -51,11 +52,12 @@ impl From<Problem> for Error {
 }
 
 impl Error {
-    /// Tells it on stderr, and gives the exit status: 2 where the input is wrong, 1 where the computation or the writing failed.
+    /// Reports the error on stderr and returns the exit status: 2 where the input is wrong, 1 where the
+    /// computation or the writing failed.
     pub fn report(self) -> ExitCode {
         match self {
             Self::Input(error) => {
-                super::say!("{}", rendered(&error).trim_end());
+                say!("{}", rendered(&error).trim_end());
                 ExitCode::from(2)
             }
             Self::Request(problem) => {
@@ -65,6 +67,10 @@ impl Error {
             Self::Compute(failure) => {
                 tell(&failure.message, Some(&failure.help));
                 ExitCode::from(1)
+            }
+            Self::Output(error @ OutputError::Read { .. }) => {
+                tell(&error.to_string(), Some("name another file; models and measurements are never overwritten"));
+                ExitCode::from(2)
             }
             Self::Output(error) => {
                 tell(&error.to_string(), Some("choose another place with -o, or make room"));
@@ -80,13 +86,13 @@ impl Error {
 }
 
 fn tell(message: &str, help: Option<&str>) {
-    super::say!("error: {message}");
+    say!("error: {message}");
     if let Some(help) = help {
-        super::say!("  help: {help}");
+        say!("  help: {help}");
     }
 }
 
-/// Every problem with its line and a mark under what it is about.
+/// Renders every problem with its line and a mark under the text in question.
 fn rendered(error: &InputError) -> String {
     let handler = if std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
         GraphicalReportHandler::new_themed(GraphicalTheme::unicode())

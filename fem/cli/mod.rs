@@ -12,17 +12,18 @@ mod fit;
 mod new;
 mod plan;
 mod run;
+mod say;
 mod schema;
+mod terminal;
 mod validate;
 mod watch;
 
-use std::io::Write;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
 use args::{Args, Command};
-use error::Error;
+use terminal::print;
 
 /// Runs the command that the user typed.
 pub fn main() -> ExitCode {
@@ -50,23 +51,5 @@ pub fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => error.report(),
-    }
-}
-
-/// Prints a line to stderr; nobody is left to be told where that cannot be written.
-macro_rules! say {
-    ($($what:tt)*) => {{
-        use std::io::Write as _;
-        let _ = writeln!(std::io::stderr(), $($what)*);
-    }};
-}
-use say;
-
-/// Prints to stdout; a reader that has gone away (`fem … | head`) is no error.
-fn print(text: &str) -> Result<(), Error> {
-    let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Error::Stdout(e)),
-        _ => Ok(()),
     }
 }

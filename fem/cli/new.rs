@@ -1,14 +1,14 @@
-//! `fem new`.
+//! The command `fem new`.
 
 use super::args;
 use super::error::Error;
-use super::print;
+use super::terminal::print;
 use crate::budget;
 use crate::input::{Problem, did_you_mean};
 use crate::output::files;
 use crate::process;
 
-/// What a file to begin with is called, the file, and the command that reads it.
+/// Name of a starting file, its text, and the command that reads it.
 type Start = (&'static str, &'static str, &'static str);
 
 pub fn new(args: &args::New) -> Result<(), Error> {
@@ -28,6 +28,6 @@ pub fn new(args: &args::New) -> Result<(), Error> {
         let problem = Problem::new(format!("{} exists already", path.display()));
         return Err(Error::Request(problem.help("name a new file with -o")));
     }
-    files::write(path, text.as_bytes())?;
+    files::write(path, text.as_bytes(), &[])?;
     print(&format!("written {}; next: fem {command} {}\n", path.display(), path.display()))
 }

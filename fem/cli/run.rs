@@ -1,13 +1,15 @@
-//! `fem run`.
+//! The command `fem run`.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::args;
 use super::error::Error;
-use super::{print, watch};
+use super::say::say;
+use super::terminal::{page, print};
+use super::watch;
 use crate::model::Model;
-use crate::output::{json, text, write_run};
+use crate::output::{Folder, Format, Report};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Run) -> Result<(), Error> {
@@ -16,20 +18,18 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let progress = Arc::new(Progress::default());
     let bar = watch::show(&progress);
     let run = model.run(&progress)?;
+    let report = Report::Run(&model, &run);
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model));
-    let written = write_run(&model, &run, &directory, &progress)?;
+    let written = Folder { directory: &directory, reads: &[], progress: &progress }.write(&report)?;
     bar.finish();
-    for warning in &run.outcome.warnings {
-        super::say!("warning: {warning}");
+    for warning in &run.report.warnings {
+        say!("warning: {warning}");
     }
-    if args.json {
-        return print(&format!("{:#}\n", json::run(&model, &run)));
-    }
-    let files: Vec<String> = written.iter().map(|f| format!("  {}", f.display())).collect();
-    print(&format!("{}\nwritten\n{}\n", text::run(&model, &run), files.join("\n")))
+    let list = if args.json { String::new() } else { written };
+    print(&(page(&report, args.json)? + &list))
 }
 
-/// `out/<model name>`.
+/// Directory `out/<model name>`.
 fn default_directory(model: &Path) -> PathBuf {
     Path::new("out").join(model.file_stem().unwrap_or(model.as_os_str()))
 }

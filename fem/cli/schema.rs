@@ -1,7 +1,7 @@
-//! `fem schema`.
+//! The command `fem schema`.
 
 use super::error::Error;
-use super::print;
+use super::terminal::print;
 use crate::model;
 
 pub fn schema() -> Result<(), Error> {

@@ -1,4 +1,4 @@
-//! Watching a command: a progress bar when it takes long, and a clean end when it is told to stop.
+//! Watches a command: shows a progress bar when it takes long, and ends it cleanly on Ctrl-C.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::output::files;
 use crate::progress::Progress;
 
-/// On Ctrl-C removes what is half written and ends with the status that shells expect.
+/// Removes partial files on Ctrl-C and ends with the status that shells expect.
 pub fn stop_cleanly() {
     // Without a handler the program still works, and leaves at worst a hidden partial file when stopped.
     let _ = ctrlc::set_handler(|| {
@@ -19,7 +19,7 @@ pub fn stop_cleanly() {
     });
 }
 
-/// A bar on stderr, if the work takes longer than a second and stderr is a terminal.
+/// Progress bar on stderr, if the work takes longer than a second and stderr is a terminal.
 pub struct Bar {
     finished: Arc<AtomicBool>,
     watcher: thread::JoinHandle<()>,
@@ -61,7 +61,7 @@ impl Bar {
     pub fn finish(self) {
         self.finished.store(true, Ordering::Relaxed);
         self.watcher.thread().unpark();
-        // The watcher only draws: that it ended badly changes nothing.
+        // The watcher only draws, so that its failure changes nothing.
         let _ = self.watcher.join();
     }
 }

@@ -1,37 +1,38 @@
-//! A model against measurements: how large the difference is, whether the noise explains it, and where it has structure.
+//! Compares a model with measurements: the size of the residuals, their goodness of fit, and their
+//! structure.
 
-mod chance;
 mod features;
 mod noise;
-mod shape;
+mod rng;
+mod significance;
+mod trend;
 mod waves;
 
-pub use chance::Chance;
-pub use features::{Axis, Feature, find as features};
-pub use noise::{Level, Noise, NoiseSource};
-pub use shape::Shape;
+pub use features::{Along, Feature, find as features};
+pub use noise::{Noise, NoiseLevel, NoiseSource};
+pub use rng::Rng;
+pub use significance::SIGNIFICANCE;
+pub use trend::Trend;
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-use crate::measure::{Measurements, Repeats, Seen, repeats};
-use crate::model::Model;
+use crate::measure::{MeasuredObservable, Measurements, Repeats, repeats};
+use crate::model::{Data, Model};
 use crate::process::Failure;
 
-/// A model is adequate when chance alone would give a larger misfit this often, and no structure stands out.
-pub const SIGNIFICANCE: f64 = 0.01;
-
-/// One model against one file of measurements. SI units.
+/// Comparison of one model with one file of measurements. SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// The model's file.
+    /// File of the model.
     pub model: String,
     /// Prediction of every row.
     pub predicted: Vec<f64>,
     /// Measured − predicted.
     pub residuals: Vec<f64>,
-    /// The noise they are judged by.
+    /// Noise by which the residuals are judged.
     pub noise: Noise,
-    /// Residuals of all rows as they are told together: SI, or in standard uncertainties where the file has several observables.
+    /// Residuals of all rows on one scale: SI, or standard uncertainties where the file has several
+    /// observables.
     pub errors: Vec<f64>,
     /// Root mean square of the errors.
     pub rms: f64,
@@ -39,39 +40,50 @@ pub struct Comparison {
     pub bias: f64,
     /// Row of the largest |error|, from 0.
     pub worst: usize,
-    /// χ²/ν against a known noise, or lack of fit over pure error.
-    pub misfit: f64,
-    /// How often chance alone gives a larger misfit; `None` where the noise is only estimated.
+    /// Reduced χ² against a known noise, or lack of fit over pure error (F) with repeats.
+    pub reduced_chi2: f64,
+    /// Probability that chance alone gives a larger χ² (p-value); `None` where the noise is only estimated.
     pub p_value: Option<f64>,
-    /// Where it fails, the largest share first.
+    /// Structure of the residuals, the largest share first.
     pub features: Vec<Feature>,
 }
 
+/// Fewest rows from which a noise that nothing else tells can be estimated: fewer are called neither adequate nor not.
+const FEWEST_ROWS: usize = 6;
+
 impl Comparison {
-    /// Whether the noise explains what the model leaves.
-    pub fn adequate(&self) -> bool {
-        self.p_value.is_none_or(|p| p >= SIGNIFICANCE) && self.features.is_empty() && !self.is_rougher()
+    /// Whether the noise explains what the model leaves; `None` where the rows are too few to tell.
+    pub fn adequacy(&self) -> Option<bool> {
+        let is_explained = self.p_value.is_none_or(|p| p >= SIGNIFICANCE) && self.features.is_empty();
+        let is_told = self.noise.source != NoiseSource::Estimated || self.residuals.len() >= FEWEST_ROWS;
+        is_told.then_some(is_explained && !self.is_rougher())
     }
 
-    /// Whether far more is left than neighbouring rows scatter by, where the noise is known from nothing else: though it follows no coordinate.
+    /// Whether the noise surely explains it: where the rows are too few to tell it does not.
+    pub fn adequate(&self) -> bool {
+        self.adequacy() == Some(true)
+    }
+
+    /// Whether the residuals are far larger than the scatter of neighbouring rows, where the noise is
+    /// estimated from that scatter alone: the model fails though along no coordinate.
     pub fn is_rougher(&self) -> bool {
         const ROUGHER: f64 = 25.0;
-        self.noise.source == NoiseSource::Estimated && self.misfit > ROUGHER
+        self.noise.source == NoiseSource::Estimated && self.reduced_chi2 > ROUGHER
     }
 }
 
-/// How well one of several observables agrees. SI units.
+/// Agreement of one of several observables. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// Root mean square of its residuals.
+    /// Root mean square of its residuals, SI.
     pub rms: f64,
-    /// Root mean square of its noise.
+    /// Root mean square of its noise, SI.
     pub sigma: f64,
 }
 
 impl Comparison {
-    /// Of one of the file's observables.
-    pub fn agreement(&self, measurements: &Measurements, seen: &Seen) -> Agreement {
+    /// Agreement of one of the file's observables.
+    pub fn agreement(&self, measurements: &Measurements, seen: &MeasuredObservable) -> Agreement {
         let rows = || (0..measurements.len()).filter(|row| measurements.rows.observable[*row] == seen.position);
         let of = |values: &[f64]| rms(&rows().map(|row| values[row]).collect::<Vec<_>>());
         Agreement { rms: of(&self.residuals), sigma: of(&self.noise.sigma) }
@@ -82,21 +94,21 @@ impl Comparison {
 ///
 /// # Errors
 /// The model could not be computed.
-pub fn compare(model: &Model, measurements: &Measurements) -> Result<Comparison, Failure> {
-    let measurements = &*measurements.seen_by(&*model.system);
-    let predicted = model.job().observe(&measurements.rows)?;
+pub fn compare(data: &Data) -> Result<Comparison, Failure> {
+    let (model, measurements): (&Model, &Measurements) = (data.model, data);
+    let predicted = model.forward().observe(&measurements.rows)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
     let repeats = repeats(measurements, model.process.coordinates());
     let noise = Noise::of(measurements, &repeats, &residuals);
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
-    let (misfit, p_value) = misfit(&residuals, &noise, &repeats, measurements.blind.len());
+    let (reduced_chi2, p_value) = reduced_chi2(&residuals, &noise, &repeats, data.datum_directions.len());
     Ok(Comparison {
         model: model.source.name.to_string(),
         rms: rms(&errors),
         bias: errors.iter().sum::<f64>() / errors.len() as f64,
         worst,
-        misfit,
+        reduced_chi2,
         p_value,
         features: features::find(model.process, measurements, &residuals, &noise),
         predicted,
@@ -111,9 +123,9 @@ pub fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
 }
 
-/// χ²/ν and its p-value for a known noise; for repeats the lack of fit over the pure error, by the F distribution. `blind` directions were
-/// taken out of the residuals.
-fn misfit(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> (f64, Option<f64>) {
+/// Reduced χ² and its p-value for a known noise; lack of fit over pure error, by the F distribution, for
+/// repeats. `blind` datum directions were taken out of the residuals.
+fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> (f64, Option<f64>) {
     let left = |count: usize| count.saturating_sub(blind).max(1) as f64;
     let n = left(residuals.len());
     let chi2: f64 = residuals.iter().zip(&noise.sigma).map(|(r, s)| (r / s).powi(2)).sum();
@@ -128,7 +140,7 @@ fn misfit(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> 
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
             let groups = left(repeats.groups);
             let f = lack / groups;
-            (f, FisherSnedecor::new(groups, repeats.yardstick()).ok().map(|d| d.sf(f)))
+            (f, FisherSnedecor::new(groups, repeats.effective_freedom()).ok().map(|d| d.sf(f)))
         }
         NoiseSource::Estimated => (chi2 / n, None),
     }

@@ -1,30 +1,30 @@
-//! The noise of the measurements: from their own column, from repeats, or estimated from what the model leaves.
+//! Noise of the measurements: from their own column, from repeats, or estimated from the residuals.
 
 use crate::measure::{Measurements, Repeats, Scatter};
 
-/// Fewer degrees of freedom say too little of a variance.
+/// Fewest degrees of freedom from which a variance is estimated.
 const LEAST_FREEDOM: usize = 5;
 
-/// Standard uncertainty of each row and where it is known from. SI units.
+/// Standard uncertainty of each row, and its source. SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Noise {
-    /// Of each row.
+    /// Standard uncertainty of each row.
     pub sigma: Vec<f64>,
-    /// Where from.
+    /// Source of the standard uncertainty.
     pub source: NoiseSource,
 }
 
-/// How large the noise of a file is. SI units.
+/// Size of the noise of a file. SI units.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// Root mean square, of each of the file's observables.
+pub struct NoiseLevel {
+    /// Root mean square of each of the file's observables.
     pub of: Vec<f64>,
-    /// Where from.
+    /// Source of the standard uncertainty.
     pub source: NoiseSource,
 }
 
-impl Level {
-    /// The noise as errors of all rows are told together: in SI, or 1 where there are several observables.
+impl NoiseLevel {
+    /// Noise on the scale of the errors of all rows: SI, or 1 where there are several observables.
     pub fn together(&self) -> f64 {
         match self.of[..] {
             [one] => one,
@@ -33,19 +33,19 @@ impl Level {
     }
 }
 
-/// Where the noise is known from.
+/// Source of the noise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoiseSource {
     /// The column `u`.
     Column,
-    /// Rows that repeat each other.
+    /// Rows that repeat each other (pure error).
     Repeats,
-    /// The scatter of neighbouring residuals, which a smooth failing of the model hardly touches.
+    /// Scatter of neighbouring residuals, which a smooth failing of the model hardly changes.
     Estimated,
 }
 
 impl Noise {
-    /// The best knowledge there is. Observables that stand side by side each have their own.
+    /// Takes the best source there is. Observables that stand side by side each have their own noise.
     pub fn of(measurements: &Measurements, repeats: &Repeats, residuals: &[f64]) -> Self {
         if let Some(sigma) = &measurements.uncertainty {
             return Self { sigma: sigma.clone(), source: NoiseSource::Column };
@@ -60,7 +60,7 @@ impl Noise {
             );
         }
         let of_rows = |rows: Vec<usize>| {
-            // Rounding of what was measured is never less than this.
+            // Round-off of the observed values is never less than this.
             let scale = rows.iter().fold(0.0f64, |m, r| m.max(measurements.observed[*r].abs()));
             let residuals: Vec<f64> = in_line(measurements, rows).into_iter().map(|r| residuals[r]).collect();
             of_neighbours(&residuals).max(1e-9 * scale)
@@ -69,22 +69,22 @@ impl Noise {
         Self::alike(measurements, &sigma, NoiseSource::Estimated)
     }
 
-    /// All rows of an observable alike, `sigma` by the file's observables.
+    /// Gives all rows of an observable the same noise; `sigma` in the order of the file's observables.
     pub fn alike(measurements: &Measurements, sigma: &[f64], source: NoiseSource) -> Self {
         let of_row = |row: usize| sigma[measurements.observable(row)];
         Self { sigma: (0..measurements.len()).map(of_row).collect(), source }
     }
 
-    /// Whether no row's uncertainty differs from the other's by a larger ratio.
+    /// Whether the uncertainties of all rows agree within a ratio.
     pub fn is_about(&self, other: &Self, ratio: f64) -> bool {
         let mut ratios = self.sigma.iter().zip(&other.sigma).map(|(a, b)| a / b);
         ratios.all(|r| (1.0 / ratio..ratio).contains(&r))
     }
 
-    /// How large it is.
-    pub fn level(&self, measurements: &Measurements) -> Level {
-        let own = measurements.seen.iter().map(|s| self.usual(measurements, s.position));
-        Level { of: own.collect(), source: self.source }
+    /// Size of the noise of each observable.
+    pub fn level(&self, measurements: &Measurements) -> NoiseLevel {
+        let own = measurements.observables.iter().map(|s| self.usual(measurements, s.position));
+        NoiseLevel { of: own.collect(), source: self.source }
     }
 
     /// Root mean square over the rows.
@@ -92,7 +92,8 @@ impl Noise {
         (self.sigma.iter().map(|s| s * s).sum::<f64>() / self.sigma.len() as f64).sqrt()
     }
 
-    /// Root mean square over the rows of an observable, by its position in the process's list; over all where none observes it.
+    /// Root mean square over the rows of an observable, by its position in the process's list; over all rows
+    /// where none observes it.
     pub fn usual(&self, measurements: &Measurements, observable: usize) -> f64 {
         let own = || self.sigma.iter().zip(&measurements.rows.observable).filter(|(_, o)| **o == observable);
         match own().count() {
@@ -102,10 +103,10 @@ impl Noise {
     }
 }
 
-/// Rows of one of several observables with neighbours side by side: the coordinate with the most values runs fastest. A file of one
-/// observable is taken as it was written.
+/// Orders the rows of one of several observables with neighbours side by side: the coordinate with the most
+/// values runs fastest. A file of one observable is taken as it was written.
 fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
-    if measurements.seen.len() < 2 {
+    if measurements.observables.len() < 2 {
         return rows;
     }
     let columns = &measurements.rows.columns;
@@ -124,8 +125,9 @@ fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
     rows
 }
 
-/// σ from second differences of neighbouring rows, (rᵢ₋₁ − 2rᵢ + rᵢ₊₁)²/6: free of every trend that is straight over
-/// three rows. Never zero: residuals that are all alike leave their own round-off.
+/// Estimates σ from second differences of neighbouring rows, (rᵢ₋₁ − 2rᵢ + rᵢ₊₁)²/6, which are free of every
+/// trend that is straight over three rows. σ is never zero: residuals that are all alike leave their own
+/// round-off.
 fn of_neighbours(residuals: &[f64]) -> f64 {
     let mut squares: Vec<f64> = residuals.windows(3).map(|r| (r[0] - 2.0 * r[1] + r[2]).powi(2) / 6.0).collect();
     let largest = residuals.iter().fold(0.0f64, |m, r| m.max(r.abs()));

@@ -1,43 +1,46 @@
-//! Waves along a coordinate or along both of a pair: what goes up and down from level to level, which bins average out. Half waves from end to end, whole
-//! waves of any phase, and whole waves at a single level of the other coordinate.
+//! Waves along a coordinate or along both of a pair: they show what goes up and down from level to level,
+//! which bins average out. There are half waves from end to end (discrete cosine transform), whole waves of
+//! any phase, and whole waves at a single level of the other coordinate.
 
-/// cos(πk(i + ½)/m) over the levels i of a coordinate with m of them, k = 1 … m − 1; along a pair the products of two such.
+/// Waves cos(πk(i + ½)/m) over the m levels i of a coordinate, k = 1 … m − 1; along a pair the products of
+/// two such.
 pub struct Waves {
     /// Cell of each row: a level, or a pair of levels.
     cell: Vec<usize>,
     cells: usize,
     waves: Vec<Wave>,
-    /// Cosine and sine of the same whole wave, orthonormal.
+    /// Cosine and sine of each whole wave, orthonormal.
     whole: Vec<[Wave; 2]>,
 }
 
-/// A wave that shows most.
+/// Wave with the largest coefficient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Largest {
-    /// The square of its coefficient, or of both: χ² by chance.
+    /// Square of its coefficient, or sum of both squares: χ² under the null hypothesis.
     pub square: f64,
-    /// With so many degrees of freedom.
+    /// Degrees of freedom of that χ².
     pub freedom: f64,
-    /// Among so many waves.
+    /// Number of waves among which it is the largest.
     pub among: usize,
     /// Half periods along each coordinate.
     pub halves: Vec<usize>,
 }
 
 struct Wave {
-    /// k along each coordinate: half periods.
+    /// Half periods k along each coordinate.
     halves: Vec<usize>,
-    /// Over the cells, of length one over the rows.
+    /// Values over the cells, of length one over the rows.
     values: Vec<f64>,
 }
 
-/// Whole waves are looked for at single levels of a coordinate that has no more.
+/// Most levels of a coordinate at whose single levels whole waves are sought.
 const FEW: usize = 6;
-/// Of a wave less than this length is left when another is taken out of it: the rows do not tell them apart.
+/// Least relative length of a wave when others are taken out of it; below it the rows do not tell them
+/// apart.
 const DEPENDENT: f64 = 1e-3;
 
 impl Waves {
-    /// Over the levels of each row and how many levels there are, along one coordinate or two.
+    /// Makes the waves from the level of each row and the number of levels, along one coordinate or two.
     pub fn new(along: &[(Vec<usize>, usize)]) -> Self {
         let rows = along.first().map_or(0, |a| a.0.len());
         let cell: Vec<usize> =
@@ -74,7 +77,7 @@ impl Waves {
         Self { whole: whole(along, &counts), cell, cells, waves }
     }
 
-    /// The largest half wave and the largest whole wave.
+    /// Finds the largest half wave and the largest whole wave.
     pub fn largest(&self, z: &[f64], mean: f64) -> impl Iterator<Item = Largest> {
         let mut sums = vec![0.0; self.cells];
         self.cell.iter().zip(z).for_each(|(c, z)| sums[*c] += z - mean);
@@ -89,13 +92,14 @@ impl Waves {
     }
 }
 
-/// Whole waves along every coordinate, wherever the other stands; and at each level of the other where that has few.
+/// Makes the whole waves along every coordinate, and at each level of the other coordinate where that has
+/// few.
 fn whole(along: &[(Vec<usize>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
     let levels: Vec<usize> = along.iter().map(|a| a.1).collect();
     let level = |cell: usize, i: usize| cell / levels[i + 1..].iter().product::<usize>() % levels[i];
     let mut found = Vec::new();
     for i in 0..levels.len() {
-        // Along a pair what goes along one alone is that one's own affair.
+        // Waves along one coordinate alone are tested with that coordinate, not with a pair.
         let others: Vec<Option<(usize, usize)>> = match levels.len() {
             1 => vec![None],
             _ if levels[1 - i] > FEW => continue,
@@ -103,7 +107,7 @@ fn whole(along: &[(Vec<usize>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
         };
         for other in others {
             let here = |cell: usize| other.is_none_or(|(j, l)| level(cell, j) == l);
-            // At least two levels to a period.
+            // A period spans at least two levels.
             for periods in 1..=(levels[i] - 1) / 2 {
                 let angle = |cell: usize| std::f64::consts::TAU * (periods * level(cell, i)) as f64 / levels[i] as f64;
                 let one = |part: fn(f64) -> f64| -> Vec<f64> {
@@ -122,7 +126,7 @@ fn whole(along: &[(Vec<usize>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
     found
 }
 
-/// Gram and Schmidt over the rows; `None` where the rows do not tell them apart.
+/// Orthonormalises by Gram and Schmidt over the rows; `None` where the rows do not tell the vectors apart.
 fn orthonormal<const N: usize>(mut vectors: [Vec<f64>; N], counts: &[f64]) -> Option<[Vec<f64>; N]> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(counts).map(|((a, b), n)| a * b * n).sum::<f64>();
     for i in 0..N {
@@ -147,7 +151,8 @@ mod tests {
 
     #[test]
     fn what_alternates_is_seen_whole() {
-        // Eight levels along one coordinate, nine along the other, ±1 in turn along the first: all of it in few waves, none along the second.
+        // Eight levels along one coordinate, nine along the other, ±1 in turn along the first: few waves
+        // hold all of it, and none along the second.
         let first: Vec<usize> = (0..72).map(|r| r / 9).collect();
         let second: Vec<usize> = (0..72).map(|r| r % 9).collect();
         let z: Vec<f64> = first.iter().map(|i| if i % 2 == 0 { 1.0 } else { -1.0 }).collect();

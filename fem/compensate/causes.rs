@@ -1,40 +1,47 @@
-//! What stands in the way of a tolerance that tables do not reach, and where to look for it in the machine [seed 001].
+//! Causes for which tables do not reach a tolerance, and where to look for them in the machine [seed 001].
 
-use super::Verdict;
+use super::Feasibility;
 use crate::positioning::{Approach, Evaluation, Reversal, Side, Target};
 
-/// Where a mechanic looks first when the resistance along the travel is uneven, or the axis does not come back to the same place.
+/// Places where a mechanic looks first when the resistance along the travel is uneven, or the axis does not
+/// come back to the same place.
 const PLACES: &str = "gibs that fit unevenly, lubrication, the seat of the screw and its bearings";
-/// What is this large a part of the scatter is its cause.
+/// Part of the scatter above which a drift is its cause.
 const MAIN: f64 = 0.5;
-/// A variance is more than another, of which it would be a draw, when it is so many times as large.
+/// Ratio of variances beyond which one exceeds the other.
 const UNEVEN: f64 = 2.5;
-/// Fewest approaches by which a drift is judged.
+/// Fewest approaches from which a drift is estimated.
 const RUNS: usize = 3;
 
-/// Something in the way.
+/// Cause that keeps an axis from its tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cause {
-    /// For programs.
+    /// Key in JSON.
     pub key: &'static str,
-    /// What was found, in a sentence.
+    /// Finding, in a sentence.
     pub finding: String,
-    /// What to do.
+    /// Remedy, in a sentence.
     pub remedy: String,
 }
 
-/// What keeps the axis from its tolerance. Where a table for each direction does it, the reversal is uneven; where none does, it scatters.
-pub fn causes(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation, verdict: Verdict) -> Vec<Cause> {
-    match verdict {
-        Verdict::Within | Verdict::Compensation | Verdict::Unknown => Vec::new(),
-        Verdict::Resolution => vec![Cause {
+/// Finds the causes that keep the axis from its tolerance. Where a table for each direction suffices, the
+/// reversal is uneven; where none does, the axis scatters.
+pub fn causes(
+    approaches: &[Approach],
+    deviations: &[f64],
+    evaluation: &Evaluation,
+    feasibility: Feasibility,
+) -> Vec<Cause> {
+    match feasibility {
+        Feasibility::Within | Feasibility::Compensation | Feasibility::Unknown => Vec::new(),
+        Feasibility::Resolution => vec![Cause {
             key: "resolution",
             finding: "the entries of the controller are too coarse: exact ones would do".into(),
             remedy: "enter the tables in a finer unit; `resolution` in [controller] says which the controller takes"
                 .into(),
         }],
-        Verdict::BothDirections => uneven(evaluation).into_iter().collect(),
-        Verdict::Repair => {
+        Feasibility::BothDirections => uneven(evaluation).into_iter().collect(),
+        Feasibility::Repair => {
             let uneven = uneven(evaluation).filter(|_| varies(evaluation));
             uneven.into_iter().chain([scatter(approaches, deviations, evaluation)]).collect()
         }
@@ -65,7 +72,8 @@ fn varies(evaluation: &Evaluation) -> bool {
     variance > UNEVEN * of_means
 }
 
-/// Scatter is what no table removes. Where most of it is a drift over the runs, it is warmth.
+/// Describes the scatter, which no table removes. Where most of it is a drift over the runs, its cause is
+/// warmth.
 fn scatter(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation) -> Cause {
     let largest = evaluation.targets.iter().flat_map(Target::sides).filter_map(Side::repeatability).fold(0.0, f64::max);
     let drift = Drift::of(approaches, deviations);
@@ -84,7 +92,7 @@ fn scatter(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation)
     Cause { key: "scatter", finding: found, remedy: format!("look at {PLACES}") }
 }
 
-/// How the deviations move over the runs.
+/// Drift of the deviations over the runs (linear regression).
 struct Drift {
     /// Part of the scatter about the targets' means that is a straight line over the runs.
     part: f64,
@@ -108,7 +116,7 @@ impl Drift {
             }
             let along: f64 = own.iter().map(|r| (approaches[*r].run - run) * (deviations[*r] - mean)).sum();
             let squares: f64 = own.iter().map(|r| (deviations[*r] - mean).powi(2)).sum();
-            // Of pure noise a line takes 1/(n − 1).
+            // A line takes 1/(n − 1) of pure noise.
             straight += along * along / spread - squares / (n - 1.0);
             all += squares;
             let runs = own.iter().map(|r| approaches[*r].run);

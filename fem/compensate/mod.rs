@@ -1,119 +1,91 @@
-//! Compensation of a moving axis: its positioning test evaluated, what a controller's tables make of it, and what they cannot.
+//! Compensates a moving axis: evaluates its positioning test, and tells what a controller's tables can reach
+//! and what they cannot.
 //!
-//! Knows of a process only that its observations are a positioning test (`System::positioning`). The tables come from what was measured; they are
-//! applied to what was measured, target by target, and to what the model predicts between the targets, where nothing was measured.
+//! Of a process it knows only that its observations are a positioning test (`System::positioning`). The
+//! tables are made from the measured deviations; they are applied to these, target by target, and to the
+//! prediction of the model between the targets, where nothing was measured.
 
 mod causes;
+mod feasibility;
 mod reversal;
 
 pub use causes::Cause;
+pub use feasibility::Feasibility;
 pub use reversal::{LostMotion, Rules};
 
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::compare::{SIGNIFICANCE, compare};
 use crate::fit::fit;
-use crate::measure::Measurements;
-use crate::model::Model;
+use crate::model::Data;
 use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Table, Target, Tolerance};
-use crate::process::{Failure, Job, Positioning};
+use crate::process::{Failure, ForwardModel, Positioning};
 use crate::progress::Progress;
 
-/// Everything that is said of an axis and its compensation. SI units.
+/// Evaluation of an axis and of its compensation. SI units.
 #[derive(Clone, Debug)]
 pub struct Compensation {
-    /// As measured.
+    /// Evaluation of the test as measured.
     pub evaluation: Evaluation,
-    /// Of every target approached from both sides; `None` where there is none.
+    /// Reversal at every target approached from both sides; `None` where there is none.
     pub reversal: Option<Reversal>,
-    /// From target to target.
+    /// Pitch errors from target to target.
     pub pitch: PitchErrors,
-    /// What part of the reversal grows along the screw; `None` where too few targets tell.
+    /// Parts of the reversal, constant and growing along the screw; `None` where the targets are too few.
     pub lost_motion: Option<LostMotion>,
-    /// What is allowed.
+    /// Tolerances of the axis.
     pub tolerance: Tolerance,
-    /// Held against what was measured.
+    /// Tolerances checked against the test as measured.
     pub before: Vec<Check>,
-    /// What each way of compensating leaves: points, segments, both directions.
+    /// Ways of compensating: points, segments, both directions.
     pub schemes: [Scheme; 3],
-    /// Whether compensation can do it.
-    pub verdict: Verdict,
-    /// What stands in the way, where something does.
+    /// Whether compensation brings the axis within its tolerances.
+    pub feasibility: Feasibility,
+    /// Causes that stand in the way, if any.
     pub causes: Vec<Cause>,
-    /// How well the model itself agrees with the measurements.
-    pub model: Agreement,
-    /// What a model that agrees with them says of the lost motion.
+    /// Agreement of the model itself with the measurements.
+    pub model: ModelAgreement,
+    /// Lost motion by the model, where the model agrees with the measurements.
     pub modelled_lost_motion: Option<String>,
-    /// What should not be overlooked.
+    /// Cautions for the user.
     pub cautions: Vec<String>,
 }
 
-/// A way of compensating.
+/// Way of compensating.
 #[derive(Clone, Debug)]
 pub struct Scheme {
-    /// For programs.
+    /// Key in JSON.
     pub key: &'static str,
-    /// For people.
+    /// Name for people.
     pub name: &'static str,
-    /// What is entered.
+    /// Table that is entered.
     pub table: Table,
-    /// The measured axis with the table: every reading with what the table adds at its target.
+    /// Evaluation of the measured axis with the table: every reading with the correction at its target.
     pub after: Evaluation,
-    /// Its tolerances.
+    /// Tolerances checked with the table.
     pub checks: Vec<Check>,
-    /// The modelled axis with the table, from target to target.
+    /// Modelled axis with the table, along the travel.
     pub modelled: Course,
 }
 
-/// An axis along its travel, both directions. m.
+/// Deviations of an axis along its travel, both directions. m.
 #[derive(Clone, Debug)]
 pub struct Course {
-    /// Where.
+    /// Positions and directions of approach.
     pub approaches: Vec<Approach>,
-    /// Deviation of each.
+    /// Deviation of each approach.
     pub deviations: Vec<f64>,
 }
 
-/// How well a model agrees with what was measured.
+/// Agreement of a model with measurements.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Agreement {
+pub struct ModelAgreement {
     /// Root mean square of measured less predicted, m.
     pub rms: f64,
-    /// Whether the noise explains that.
+    /// Whether the noise explains the residuals.
     pub adequate: bool,
-    /// Whether the model was fitted first, since it leaves something open.
+    /// Whether the model was fitted first, because it leaves parameters open.
     pub fitted: bool,
-}
-
-/// Whether compensation brings the axis within its tolerances.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It is within them as it is.
-    Within,
-    /// One pitch table and one backlash value do it.
-    Compensation,
-    /// Only a table for each direction does it.
-    BothDirections,
-    /// Tables would do it if the controller took finer entries.
-    Resolution,
-    /// No table does it: the mechanics must be repaired first.
-    Repair,
-    /// The test does not tell: repeated approaches are missing.
-    Unknown,
-}
-
-impl Verdict {
-    /// For programs.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Within => "within-tolerance",
-            Self::Compensation => "compensation-suffices",
-            Self::BothDirections => "needs-both-directions",
-            Self::Resolution => "needs-finer-resolution",
-            Self::Repair => "repair-first",
-            Self::Unknown => "unknown",
-        }
-    }
 }
 
 impl Course {
@@ -124,19 +96,19 @@ impl Course {
     }
 }
 
-/// Evaluates and compensates; `axis` is the model's system as one that moves to targets.
+/// Evaluates a test and compensates the axis; `axis` is the model's system as one that moves to targets.
 ///
 /// # Errors
 /// The model cannot be computed or fitted.
-pub fn compensate(model: &Model, axis: &dyn Positioning, measurements: &Measurements) -> Result<Compensation, Failure> {
-    let approaches = axis.approaches(&measurements.rows);
-    let evaluation = Evaluation::of(&approaches, &measurements.observed);
-    let (job, agreement) = known(model, measurements, &approaches)?;
+pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, Failure> {
+    let approaches = axis.approaches(&data.rows);
+    let evaluation = Evaluation::of(&approaches, &data.observed);
+    let (forward, agreement) = known(data, &approaches)?;
     let (tolerance, resolution) = (axis.tolerance(), axis.resolution());
-    let between = axis.between(&measurements.rows);
-    let course = Course { approaches: axis.approaches(&between), deviations: job.observe(&between)? };
+    let between = axis.between(&data.rows);
+    let course = Course { approaches: axis.approaches(&between), deviations: forward.observe(&between)? };
     let scheme = |key, name, table: Table| {
-        let after = Evaluation::of(&approaches, &table.applied(&approaches, &measurements.observed));
+        let after = Evaluation::of(&approaches, &table.applied(&approaches, &data.observed));
         let deviations = table.applied(&course.approaches, &course.deviations);
         let modelled = Course { deviations, approaches: course.approaches.clone() };
         Scheme { key, name, checks: tolerance.checks(&after), after, modelled, table }
@@ -150,47 +122,46 @@ pub fn compensate(model: &Model, axis: &dyn Positioning, measurements: &Measurem
     ];
     let before = tolerance.checks(&evaluation);
     let fine = Table::both_directions(&evaluation, Law::Points, 0.0);
-    let fine = tolerance.checks(&Evaluation::of(&approaches, &fine.applied(&approaches, &measurements.observed)));
-    let verdict = verdict(&before, &schemes, &fine);
+    let fine = tolerance.checks(&Evaluation::of(&approaches, &fine.applied(&approaches, &data.observed)));
+    let feasibility = feasibility(&before, &schemes, &fine);
     Ok(Compensation {
         reversal: Reversal::of(&evaluation),
         pitch: PitchErrors::of(&evaluation),
         lost_motion: LostMotion::of(&evaluation, |x| axis.screw_compliance(x)),
-        causes: causes::causes(&approaches, &measurements.observed, &evaluation, verdict),
+        causes: causes::causes(&approaches, &data.observed, &evaluation, feasibility),
         cautions: cautions(&evaluation, &schemes[0].modelled, agreement, &tolerance),
-        modelled_lost_motion: if agreement.adequate { lost_motion_of(&*job) } else { None },
+        modelled_lost_motion: if agreement.adequate { lost_motion_of(&*forward) } else { None },
         model: agreement,
         evaluation,
         tolerance,
         before,
         schemes,
-        verdict,
+        feasibility,
     })
 }
 
-/// The model with a value for everything, ready to predict: fitted where it leaves something open.
-fn known(
-    model: &Model,
-    measurements: &Measurements,
-    approaches: &[Approach],
-) -> Result<(Box<dyn Job>, Agreement), Failure> {
-    let (job, agreement) = if model.parameters.is_empty() {
-        let comparison = compare(model, measurements)?;
-        (model.job(), Agreement { rms: comparison.rms, adequate: comparison.adequate(), fitted: false })
+/// Forward model with a value for every parameter, fitted where the model leaves some open; and its
+/// agreement.
+fn known(data: &Data, approaches: &[Approach]) -> Result<(Box<dyn ForwardModel>, ModelAgreement), Failure> {
+    let model = data.model;
+    let (forward, agreement) = if model.parameters.is_empty() {
+        let comparison = compare(data)?;
+        (model.forward(), ModelAgreement { rms: comparison.rms, adequate: comparison.adequate(), fitted: false })
     } else {
-        let fit = fit(model, measurements)?;
+        let fit = fit(data)?;
         let values: Vec<f64> = fit.estimates.iter().map(|e| e.value).collect();
         let adequate = fit.p_value.is_none_or(|p| p >= SIGNIFICANCE);
-        (model.job_at(&values)?, Agreement { rms: fit.rms, adequate, fitted: true })
+        (model.forward_at(&values)?, ModelAgreement { rms: fit.rms, adequate, fitted: true })
     };
-    let predicted = job.observe(&measurements.rows)?;
-    let left: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
+    let predicted = forward.observe(&data.rows)?;
+    let left: Vec<f64> = data.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
     let adequate = agreement.adequate && scatter_explains(approaches, &left, model.parameters.len());
-    Ok((job, Agreement { adequate, ..agreement }))
+    Ok((forward, ModelAgreement { adequate, ..agreement }))
 }
 
-/// Whether the means that a model leaves at the targets, each from one side, are such as the scatter about them leaves. Runs at other times or
-/// temperatures repeat each other here too: what the model knows of those has been taken out. `parameters` were fitted.
+/// Whether the scatter about the means of the residuals at the targets, each from one side, explains those
+/// means (F test). Runs at other times or temperatures count as repeats here, for the model's part of those
+/// has been subtracted. `parameters` were fitted.
 fn scatter_explains(approaches: &[Approach], left: &[f64], parameters: usize) -> bool {
     let evaluation = Evaluation::of(approaches, left);
     let sides = || evaluation.targets.iter().flat_map(Target::sides);
@@ -201,32 +172,33 @@ fn scatter_explains(approaches: &[Approach], left: &[f64], parameters: usize) ->
     let of_means: f64 = sides().map(|s| s.count as f64 * s.mean.powi(2)).sum();
     match FisherSnedecor::new(between, within) {
         Ok(chance) if of_scatter > 0.0 => chance.sf((of_means / between) / (of_scatter / within)) >= SIGNIFICANCE,
-        // Without repeats nothing tells.
+        // Without repeats there is no test.
         _ => true,
     }
 }
 
-/// What a model finds of the lost motion, where it finds any.
-fn lost_motion_of(job: &dyn Job) -> Option<String> {
-    let outcome = job.outcome(job.predict(&Progress::default()).ok()?).ok()?;
-    outcome.findings.into_iter().find(|f| f.key == "lost_motion").map(|f| f.text).filter(|text| text != "none")
+/// Lost motion that a model finds, if any.
+fn lost_motion_of(forward: &dyn ForwardModel) -> Option<String> {
+    let report = forward.report(forward.predict(&Progress::default()).ok()?).ok()?;
+    let figure = report.figures.into_iter().find(|f| f.key == "lost_motion")?;
+    Some(figure.lines.join("; ")).filter(|text| text != "none")
 }
 
-/// From the tolerances before, those with each scheme, and those with entries as fine as can be.
-fn verdict(before: &[Check], [points, _, both]: &[Scheme; 3], fine: &[Check]) -> Verdict {
+/// Judges by the checks before, those with each scheme, and those with entries as fine as can be.
+fn feasibility(before: &[Check], [points, _, both]: &[Scheme; 3], fine: &[Check]) -> Feasibility {
     let passed = |checks: &[Check]| checks.iter().all(Check::passed);
     match () {
-        () if passed(before) => Verdict::Within,
-        () if passed(&points.checks) => Verdict::Compensation,
-        () if passed(&both.checks) => Verdict::BothDirections,
-        () if passed(fine) => Verdict::Resolution,
-        // What is known may be too wide already.
-        () if both.checks.iter().any(|c| c.value.is_some_and(|v| v > c.limit)) => Verdict::Repair,
-        () => Verdict::Unknown,
+        () if passed(before) => Feasibility::Within,
+        () if passed(&points.checks) => Feasibility::Compensation,
+        () if passed(&both.checks) => Feasibility::BothDirections,
+        () if passed(fine) => Feasibility::Resolution,
+        // A known value may be out of tolerance already.
+        () if both.checks.iter().any(|c| c.value.is_some_and(|v| v > c.limit)) => Feasibility::Repair,
+        () => Feasibility::Unknown,
     }
 }
 
-fn cautions(evaluation: &Evaluation, left: &Course, model: Agreement, tolerance: &Tolerance) -> Vec<String> {
+fn cautions(evaluation: &Evaluation, left: &Course, model: ModelAgreement, tolerance: &Tolerance) -> Vec<String> {
     let mut cautions = evaluation.departures();
     if evaluation.runs() < 2 {
         cautions.push("a single approach has no scatter: A and R, and with them the tolerances, are not known".into());

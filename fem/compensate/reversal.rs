@@ -1,46 +1,48 @@
-//! Kinematic or elastic: what part of the lost motion grows with the length of screw between bearing and nut.
+//! Splits the lost motion into a constant part and one that grows with the length of screw between bearing
+//! and nut: kinematic or elastic.
 //!
-//! The lost motion at a target is b(x) = b₀ + F·2c(x), c the compliance of the screw (m/N) and F the friction that winds it up (N). A straight line over
-//! 2c(x) tells F and b₀. What b₀ is, play or the compliance of nut and bearing under the same friction, no reversal tells.
+//! The lost motion at a target is b(x) = b₀ + F·2c(x), c the compliance of the screw (m/N) and F the
+//! friction that winds it up (N). A regression over 2c(x) estimates F and b₀. No reversal tells whether b₀
+//! is play or the compliance of nut and bearing under the same friction.
 
 use crate::positioning::Evaluation;
 
-/// Standard uncertainties beyond which a friction is seen.
+/// Standard uncertainties beyond which a friction is significant.
 const SEEN: f64 = 3.0;
-/// One part of the lost motion rules when it is this many times the other.
+/// Ratio at which one part of the lost motion rules.
 const RULES: f64 = 2.0;
-/// Fewest targets by which a line is judged.
+/// Fewest targets of a regression.
 const TARGETS: usize = 4;
 
-/// The lost motion along an axis by its parts. SI units.
+/// Lost motion along an axis by its parts. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LostMotion {
-    /// b₀, the same all along: play, and what nut and bearing give way, m.
+    /// Constant part b₀: play, and the deflection of nut and bearing, m.
     pub constant: f64,
-    /// Its standard uncertainty, m.
+    /// Standard uncertainty of b₀, m.
     pub constant_std: f64,
-    /// F, N; negative where the reversal falls away from the bearing, which no friction does.
+    /// Friction F, N; negative where the reversal falls away from the bearing, which no friction does.
     pub friction: f64,
-    /// Its standard uncertainty, N.
+    /// Standard uncertainty of F, N.
     pub friction_std: f64,
-    /// F·2c, the part that the screw adds at the targets, smallest and largest, m.
+    /// Part F·2c that the screw adds at the targets, smallest and largest, m.
     pub screw: (f64, f64),
 }
 
-/// Which part rules.
+/// Part of the lost motion that rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rules {
-    /// What is the same all along.
+    /// The part that is the same all along.
     Constant,
-    /// What grows along the screw.
+    /// The part that grows along the screw.
     Elastic,
-    /// Neither.
+    /// Neither part alone.
     Both,
 }
 
 impl LostMotion {
-    /// The parts of the lost motion, given the compliance of the screw at a position. `None` of fewer than four targets, or where the compliance
-    /// does not vary.
+    /// Estimates the parts of the lost motion, given the compliance of the screw at a position. `None` where
+    /// there are fewer than four targets, or the compliance does not vary.
     pub fn of(evaluation: &Evaluation, compliance: impl Fn(f64) -> f64) -> Option<Self> {
         let point = |t: &crate::positioning::Target| Some((2.0 * compliance(t.position), -t.reversal()?));
         let points: Vec<(f64, f64)> = evaluation.targets.iter().filter_map(point).collect();
@@ -68,12 +70,12 @@ impl LostMotion {
         })
     }
 
-    /// Whether a part that grows along the screw is seen.
+    /// Whether the part that grows along the screw is significant.
     pub fn grows(&self) -> bool {
         self.friction > SEEN * self.friction_std
     }
 
-    /// Which part rules, midway between the ends.
+    /// Part that rules midway between the ends.
     pub fn rules(&self) -> Rules {
         let elastic = if self.grows() { 0.5 * (self.screw.0 + self.screw.1) } else { 0.0 };
         match self.constant.max(0.0) {

@@ -1,53 +1,55 @@
-//! From what the search found to what is said.
+//! Makes the diagnosis of the result of a search.
 
-use super::classes::{self, Place};
-use super::contradiction::Contradiction;
-use super::ground::Ground;
-use super::held_out::Folds;
-use super::price::Yardstick;
-use super::search::{self, Found, SIGNIFICANCE};
-use super::trial::Trial;
-use super::verdict::{self, State, Verdict};
-use super::visibility::visibility;
-use super::{Diagnosis, Missing, Outlook, next, signature, unsolvable, yardstick};
-use crate::fit::{self, Fit, Patience, minimise};
+use super::candidate_model::CandidateModel;
+use super::confounding::{self, Confounding};
+use super::cross_validation::Folds;
+use super::detection_limit::detection_limit;
+use super::diagnosis::{Diagnosis, Missing, Outlook};
+use super::failure::unsolvable;
+use super::null_distribution::{Variance, variance};
+use super::prior_conflict::PriorConflict;
+use super::residual_projection::ProjectedResidual;
+use super::search::{self, SIGNIFICANCE, SearchResult};
+use super::verdict::{self, GoodnessOfFit, Verdict};
+use super::{next, sensitivity};
+use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::process::Failure;
 
-/// What is to be said of a search.
+/// Makes the diagnosis of the result of a search.
 ///
 /// # Errors
 /// The model cannot be computed beside its best values.
-pub fn conclude(found: Found, repeats: &Repeats, contradictions: &[Contradiction]) -> Result<Diagnosis, Failure> {
-    let yardstick = yardstick(&found.base.objective.noise, repeats);
+pub fn conclude(found: SearchResult, repeats: &Repeats, conflicts: &[PriorConflict]) -> Result<Diagnosis, Failure> {
+    let variance = variance(&found.base.objective.noise, repeats);
     let folds = Folds::of(&found.base);
     let mut best = found.best().clone();
     best.solution =
-        minimise(&mut best.objective, &best.solution.position, &[], Patience::FULL).ok_or_else(unsolvable)?;
-    let mut settled = fit::settle(&mut best.objective, best.solution)?;
+        minimise(&mut best.objective, &best.solution.position, &[], StoppingCriterion::FULL).ok_or_else(unsolvable)?;
+    let mut settled = fit::profile_intervals(&mut best.objective, best.solution)?;
     best.solution = settled.solution.clone();
-    let state = |trial: &Trial| State::of(trial, repeats, folds.as_ref());
-    let (before, mut after) = (state(&found.base), state(&best));
+    let goodness = |trial: &CandidateModel| GoodnessOfFit::of(trial, repeats, folds.as_ref());
+    let (before, mut after) = (goodness(&found.base), goodness(&best));
     let features = verdict::features(&found.base);
     let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
     let verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
     if verdict == Verdict::Unexplained {
         best = found.base.clone();
-        settled = fit::settle(&mut best.objective, best.solution.clone())?;
+        settled = fit::profile_intervals(&mut best.objective, best.solution.clone())?;
         after = before.clone();
         remaining = features.clone();
     }
     let fit = fit::report(&best.objective, settled, repeats);
-    let places = if best.members.is_empty() { Vec::new() } else { classes::places(&found) };
-    let missing = missing(&found, &best, &fit, yardstick, &places, &state);
-    let next = next::next(&found, &best, &places);
+    let confoundings = if best.members.is_empty() { Vec::new() } else { confounding::confoundings(&found) };
+    let missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
+    let next = next::next(&found, &best, &confoundings);
     let all = found.tried.iter().chain([&found.base, &best]);
     let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
-    let candidates = outlooks(&found, &best, yardstick);
+    let candidates = outlooks(&found, &best, variance);
     Ok(Diagnosis {
-        rows: found.base.objective.measurements.len(),
-        cautions: cautions(&found, repeats, verdict, contradictions),
-        noise: found.base.objective.noise.level(found.base.objective.measurements),
+        rows: found.base.objective.data.len(),
+        cautions: cautions(&found, repeats, verdict, conflicts),
+        noise: found.base.objective.noise.level(found.base.objective.data),
         before,
         features,
         verdict,
@@ -57,21 +59,21 @@ pub fn conclude(found: Found, repeats: &Repeats, contradictions: &[Contradiction
         remaining,
         candidates,
         next,
-        held_out_by: folds.map(|f| f.coordinate),
+        cross_validation_by: folds.map(|f| f.coordinate),
         trials,
     })
 }
 
-/// What limits any diagnosis of these data.
-fn cautions(found: &Found, repeats: &Repeats, verdict: Verdict, contradictions: &[Contradiction]) -> Vec<String> {
+/// Cautions about the limits of these data.
+fn cautions(found: &SearchResult, repeats: &Repeats, verdict: Verdict, conflicts: &[PriorConflict]) -> Vec<String> {
     let base = &found.base;
-    let measurements = base.objective.measurements;
-    let coordinates = base.objective.model.process.coordinates();
+    let measurements = base.objective.data;
+    let coordinates = base.objective.data.model.process.coordinates();
     let varies = |i: &usize| {
         let column = &measurements.rows.columns[*i];
         !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
     };
-    let mut cautions: Vec<String> = contradictions.iter().map(Contradiction::text).collect();
+    let mut cautions: Vec<String> = conflicts.iter().map(PriorConflict::text).collect();
     if !measurements.given.iter().any(varies) {
         cautions
             .push("every row stands at the same place under the same conditions: causes cannot be told apart".into());
@@ -91,14 +93,14 @@ fn cautions(found: &Found, repeats: &Repeats, verdict: Verdict, contradictions: 
     cautions
 }
 
-/// The effects of the best set, the most needed first, each with those that could stand in its place.
+/// Lists the effects of the best model, the most needed first, each with its alternatives.
 fn missing(
-    found: &Found,
-    best: &Trial,
+    found: &SearchResult,
+    best: &CandidateModel,
     fit: &Fit,
-    yardstick: Yardstick,
-    places: &[Place],
-    state: &dyn Fn(&Trial) -> State,
+    variance: Variance,
+    confoundings: &[Confounding],
+    goodness: &dyn Fn(&CandidateModel) -> GoodnessOfFit,
 ) -> Vec<Missing> {
     let mut list = Vec::new();
     let mut rest = best.clone();
@@ -108,18 +110,19 @@ fn missing(
             .iter()
             .filter_map(|m| search::without(&found.base, &found.candidates, &rest, *m).map(|t| (*m, t)));
         let Some((last, next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else { break };
-        let place = places.iter().find(|p| p.candidate == last);
-        let gained = place.map_or(0.0, |p| p.without - best.solution.chi2);
-        let measured = yardstick.measure(gained, best.solution.chi2, best.objective.freedom());
-        let effect = found.candidates[last].effect;
+        let own = confoundings.iter().find(|p| p.candidate == last);
+        let gained = own.map_or(0.0, |p| p.chi2_without - best.solution.chi2);
+        let measured = variance.statistic(gained, best.solution.chi2, best.objective.freedom());
+        let effect = found.candidates[last].effect.clone();
         let prefix = format!("effects.{}.", effect.name);
         list.push(Missing {
             effect,
-            state: state(&rest),
-            p_value: found.price.p_value(measured),
+            goodness: goodness(&rest),
+            p_value: found.null_distribution.p_value(measured),
             estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(&prefix)).cloned().collect(),
-            indistinguishable_from: place
-                .map_or(Vec::new(), |p| p.rivals.iter().map(|r| found.candidates[r.candidate].effect).collect()),
+            indistinguishable_from: own.map_or(Vec::new(), |p| {
+                p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()
+            }),
         });
         rest = next;
     }
@@ -127,21 +130,21 @@ fn missing(
     list
 }
 
-/// What the data say of every effect that is not there.
-fn outlooks(found: &Found, best: &Trial, yardstick: Yardstick) -> Vec<Outlook> {
-    let ground = Ground::new(&mut best.objective.clone(), &best.solution);
-    let threshold = found.price.quantile(SIGNIFICANCE);
-    let outlook = |(candidate, single): (&signature::Candidate, &Option<Trial>)| {
-        let visibility = ground.as_ref().and_then(|g| visibility(g, candidate, threshold));
+/// Evaluates every candidate effect.
+fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance) -> Vec<Outlook> {
+    let projected = ProjectedResidual::new(&mut best.objective.clone(), &best.solution);
+    let threshold = found.null_distribution.quantile(SIGNIFICANCE);
+    let outlook = |(candidate, single): (&sensitivity::CandidateEffect, &Option<CandidateModel>)| {
+        let detection_limit = projected.as_ref().and_then(|g| detection_limit(g, candidate, threshold));
         let gained = single.as_ref().map_or(0.0, |t| found.base.solution.chi2 - t.solution.chi2);
         let measured =
-            single.as_ref().map_or(0.0, |t| yardstick.measure(gained, t.solution.chi2, t.objective.freedom()));
+            single.as_ref().map_or(0.0, |t| variance.statistic(gained, t.solution.chi2, t.objective.freedom()));
         Outlook {
-            effect: candidate.effect,
+            effect: candidate.effect.clone(),
             rms: single.as_ref().map(verdict::rms),
-            delta_bic: single.as_ref().map_or(0.0, |t| t.score() - found.base.score()),
-            p_value: found.first_price.p_value(measured),
-            visibility,
+            delta_bic: single.as_ref().map_or(0.0, |t| t.penalised_bic() - found.base.penalised_bic()),
+            p_value: found.first_null_distribution.p_value(measured),
+            detection_limit,
         }
     };
     let mut all: Vec<Outlook> = found.candidates.iter().zip(&found.singles).map(outlook).collect();

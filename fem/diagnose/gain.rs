@@ -1,25 +1,26 @@
-//! Small least squares with bounds: how much χ² falls when a few columns may be used, some of them only forward.
+//! Small least squares with sign constraints: the fall of χ² when a few columns are added, some of them with
+//! amplitudes that may not be negative.
 
 use nalgebra::{DMatrix, DVector};
 
-/// The fall of χ² and the amplitudes that give it.
+/// Fall of χ² and the amplitudes that give it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gain {
     /// Fall of χ².
-    pub fall: f64,
-    /// Per column.
+    pub delta_chi2: f64,
+    /// Amplitude of each column.
     pub amplitudes: Vec<f64>,
 }
 
-/// The best amplitudes a for ‖r − C·a‖², from `gram` = CᵀC and `along` = Cᵀr; an amplitude that is not `signed` is not negative. All ways to
-/// leave out columns are tried, for there are few.
+/// Finds the amplitudes a that minimise ‖r − C·a‖², from `gram` = CᵀC and `along` = Cᵀr; an amplitude that
+/// is not `signed` is not negative. All subsets of columns are tried, for there are few.
 pub fn gain(gram: &DMatrix<f64>, along: &DVector<f64>, signed: &[bool]) -> Gain {
     let n = along.len();
-    let mut best = Gain { fall: 0.0, amplitudes: vec![0.0; n] };
+    let mut best = Gain { delta_chi2: 0.0, amplitudes: vec![0.0; n] };
     if n == 1 {
         let a = along[0] / gram[(0, 0)].max(f64::MIN_POSITIVE);
         if a > 0.0 || signed[0] {
-            best = Gain { fall: a * along[0], amplitudes: vec![a] };
+            best = Gain { delta_chi2: a * along[0], amplitudes: vec![a] };
         }
         return best;
     }
@@ -31,9 +32,9 @@ pub fn gain(gram: &DMatrix<f64>, along: &DVector<f64>, signed: &[bool]) -> Gain 
         if members.iter().zip(a.iter()).any(|(i, a)| !signed[*i] && *a < 0.0) {
             continue;
         }
-        let fall = a.dot(&right);
-        if fall > best.fall {
-            best.fall = fall;
+        let delta_chi2 = a.dot(&right);
+        if delta_chi2 > best.delta_chi2 {
+            best.delta_chi2 = delta_chi2;
             best.amplitudes = vec![0.0; n];
             members.iter().zip(a.iter()).for_each(|(i, a)| best.amplitudes[*i] = *a);
         }
@@ -51,8 +52,8 @@ mod tests {
         let along = DVector::from_vec(vec![8.0, -9.0]);
         // Free: a = (4·9 − 1)⁻¹·(72 + 9, −36 − 8); the fall is a·along.
         let free = gain(&gram, &along, &[true, true]);
-        assert!((free.fall - (81.0 * 8.0 + 44.0 * 9.0) / 35.0).abs() < 1e-12);
+        assert!((free.delta_chi2 - (81.0 * 8.0 + 44.0 * 9.0) / 35.0).abs() < 1e-12);
         let bounded = gain(&gram, &along, &[false, false]);
-        assert_eq!(bounded, Gain { fall: 16.0, amplitudes: vec![2.0, 0.0] });
+        assert_eq!(bounded, Gain { delta_chi2: 16.0, amplitudes: vec![2.0, 0.0] });
     }
 }

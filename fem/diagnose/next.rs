@@ -1,45 +1,48 @@
-//! The next measurement: of everything that could be measured, what tells best apart what these data cannot.
+//! Next measurement: the candidate experiment that best tells confounded effects apart (design of
+//! experiments).
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::classes::{Place, Rival, SEPARATE, priors_apart};
-use super::ground::length_outside;
-use super::search::Found;
-use super::trial::Trial;
-use crate::process::{Description, Further, Rows};
+use super::candidate_model::CandidateModel;
+use super::confounding::{Alternative, Confounding, SEPARATE, priors_apart};
+use super::residual_projection::length_outside;
+use super::search::SearchResult;
+use crate::process::{CandidateExperiment, Description, Rows};
 
-/// How often the further rows are measured.
+/// Numbers of repeats of an experiment that are considered.
 pub const REPEATS: &[usize] = &[1, 2, 4, 8];
 
-/// The measurement to make next.
+/// Measurement to make next.
 #[derive(Clone, Debug)]
 pub struct Next {
-    /// What to measure.
-    pub further: Further,
-    /// How often each of its rows.
+    /// Experiment to make.
+    pub experiment: CandidateExperiment,
+    /// Number of repeats of each of its rows.
     pub repeats: usize,
-    /// Which effects it tells apart, or, where it is not enough, brings farther apart.
-    pub pairs: Vec<(&'static Description, &'static Description)>,
-    /// By how many standard uncertainties, the worst pair.
+    /// Pairs of effects that it tells apart, or, where it is not enough, brings farther apart.
+    pub pairs: Vec<(Description, Description)>,
+    /// Separation of the worst pair, in standard uncertainties.
     pub separation: f64,
-    /// Whether that is enough to tell them apart.
+    /// Whether that separation is enough to tell them apart.
     pub enough: bool,
 }
 
 impl Next {
-    /// Number of rows in all.
+    /// Number of rows, repeats included.
     pub fn observations(&self) -> usize {
-        self.repeats * self.further.rows.len()
+        self.repeats * self.experiment.rows.len()
     }
 }
 
-/// The best of the menu: what tells most pairs apart, with the fewest rows. `None` where there is nothing to tell apart, or nothing on the
-/// menu that would help.
-pub fn next(found: &Found, best: &Trial, places: &[Place]) -> Option<Next> {
-    let menu = best.objective.model.system.menu(&best.objective.measurements.rows);
-    let rivals: Vec<_> = places.iter().flat_map(|p| p.rivals.iter().map(move |r| (p.candidate, r))).collect();
-    let rated: Vec<Next> = menu.into_par_iter().flat_map_iter(|further| rate(found, best, &rivals, &further)).collect();
+/// Selects the candidate experiment that tells most pairs apart, with the fewest rows. `None` where nothing
+/// is confounded, or no experiment would help.
+pub fn next(found: &SearchResult, best: &CandidateModel, confoundings: &[Confounding]) -> Option<Next> {
+    let experiments = best.objective.data.model.system.candidate_experiments(&best.objective.data.rows);
+    let alternatives: Vec<_> =
+        confoundings.iter().flat_map(|p| p.alternatives.iter().map(move |r| (p.candidate, r))).collect();
+    let rated: Vec<Next> =
+        experiments.into_par_iter().flat_map_iter(|experiment| rate(found, best, &alternatives, &experiment)).collect();
     let value = |n: &Next| (if n.enough { n.pairs.len() } else { 0 }, n.separation);
     rated.into_iter().max_by(|a, b| {
         let told = value(a).0.cmp(&value(b).0);
@@ -48,62 +51,71 @@ pub fn next(found: &Found, best: &Trial, places: &[Place]) -> Option<Next> {
     })
 }
 
-/// What a further measurement tells, for each number of repeats.
-fn rate(found: &Found, best: &Trial, rivals: &[(usize, &Rival)], further: &Further) -> Vec<Next> {
-    let contrasts: Vec<_> = rivals
+/// Rates an experiment for each number of repeats.
+fn rate(
+    found: &SearchResult,
+    best: &CandidateModel,
+    alternatives: &[(usize, &Alternative)],
+    experiment: &CandidateExperiment,
+) -> Vec<Next> {
+    let contrasts: Vec<_> = alternatives
         .iter()
-        .filter_map(|(member, rival)| {
-            let pair = (found.candidates[*member].effect, found.candidates[rival.candidate].effect);
-            Some((pair, rival.separation, Contrast::new(best, &rival.trial, &further.rows)?))
+        .filter_map(|(member, alternative)| {
+            let pair =
+                (found.candidates[*member].effect.clone(), found.candidates[alternative.candidate].effect.clone());
+            Some((pair, alternative.separation, Contrast::new(best, &alternative.model, &experiment.rows)?))
         })
         .collect();
     let at = |repeats: usize| {
-        let seen: Vec<_> = contrasts.iter().map(|(pair, before, c)| (*pair, *before, c.distance(repeats))).collect();
+        let seen: Vec<_> =
+            contrasts.iter().map(|(pair, before, c)| (pair.clone(), *before, c.distance(repeats))).collect();
         let told = |s: &&(_, f64, f64)| s.2 * s.2 >= SEPARATE;
         let enough = seen.iter().any(|s| told(&s));
         let helped: Vec<_> = seen.iter().filter(|s| if enough { told(s) } else { s.2 * s.2 > s.1 + 1.0 }).collect();
         let separation = helped.iter().map(|s| s.2).fold(f64::INFINITY, f64::min);
-        let pairs: Vec<_> = helped.iter().map(|s| s.0).collect();
-        (!pairs.is_empty()).then(|| Next { further: further.clone(), repeats, pairs, separation, enough })
+        let pairs: Vec<_> = helped.iter().map(|s| s.0.clone()).collect();
+        (!pairs.is_empty()).then(|| Next { experiment: experiment.clone(), repeats, pairs, separation, enough })
     };
     REPEATS.iter().filter_map(|r| at(*r)).collect()
 }
 
-/// Two sets over the measured rows and further ones.
+/// Difference between two models over the measured rows and those of an experiment.
 struct Contrast {
     measured: DVector<f64>,
     jacobian: DMatrix<f64>,
-    /// One further row each, in its standard uncertainty.
-    further: DVector<f64>,
-    further_jacobian: DMatrix<f64>,
+    /// Difference in each row of the experiment, measured once, in its standard uncertainty.
+    experiment: DVector<f64>,
+    experiment_jacobian: DMatrix<f64>,
 }
 
 impl Contrast {
-    fn new(best: &Trial, rival: &Trial, further: &Rows) -> Option<Self> {
-        let (mut one, mut other) = (best.objective.clone(), rival.objective.clone());
-        let sigma = further.observable.iter().map(|o| one.noise.usual(one.measurements, *o));
-        let sigma = DVector::from_iterator(further.len(), sigma);
-        let jacobian = other.jacobian(&rival.solution.position)?;
-        // Residuals are measured less predicted: their derivatives have the opposite sign.
-        let mut further_jacobian = -other.sensitivities(&rival.solution.position, further)?;
-        further_jacobian.column_iter_mut().for_each(|mut c| c.component_div_assign(&sigma));
-        let ahead = one.predict_rows(&best.solution.position, further)?;
-        let behind = other.predict_rows(&rival.solution.position, further)?;
-        let measured = best.solution.predicted.iter().zip(&rival.solution.predicted).zip(&one.noise.sigma);
-        let measured = measured.map(|((p, q), s)| (p - q) / s).chain(priors_apart(best, rival)).collect();
-        let further = (DVector::from_vec(ahead) - DVector::from_vec(behind)).component_div(&sigma);
-        Some(Self { measured: DVector::from_vec(measured), jacobian, further, further_jacobian })
+    fn new(best: &CandidateModel, alternative: &CandidateModel, experiment: &Rows) -> Option<Self> {
+        let (mut one, mut other) = (best.objective.clone(), alternative.objective.clone());
+        let sigma = experiment.observable.iter().map(|o| one.noise.usual(one.data, *o));
+        let sigma = DVector::from_iterator(experiment.len(), sigma);
+        let jacobian = other.jacobian(&alternative.solution.position)?;
+        // Residuals are measured less predicted, so that their derivatives have the opposite sign.
+        let mut experiment_jacobian = -other.sensitivities(&alternative.solution.position, experiment)?;
+        experiment_jacobian.column_iter_mut().for_each(|mut c| c.component_div_assign(&sigma));
+        let ahead = one.predict_rows(&best.solution.position, experiment)?;
+        let behind = other.predict_rows(&alternative.solution.position, experiment)?;
+        let measured = best.solution.predicted.iter().zip(&alternative.solution.predicted).zip(&one.noise.sigma);
+        let measured = measured.map(|((p, q), s)| (p - q) / s).chain(priors_apart(best, alternative)).collect();
+        let experiment = (DVector::from_vec(ahead) - DVector::from_vec(behind)).component_div(&sigma);
+        Some(Self { measured: DVector::from_vec(measured), jacobian, experiment, experiment_jacobian })
     }
 
-    /// Distance between the two, in standard uncertainties, that no parameter of the rival can bridge.
+    /// Distance between the two, in standard uncertainties, that no parameter of the alternative can bridge.
     fn distance(&self, repeats: usize) -> f64 {
         let weight = (repeats as f64).sqrt();
-        let (n, m) = (self.measured.len(), self.further.len());
-        let apart =
-            DVector::from_iterator(n + m, self.measured.iter().copied().chain(self.further.iter().map(|v| v * weight)));
+        let (n, m) = (self.measured.len(), self.experiment.len());
+        let apart = DVector::from_iterator(
+            n + m,
+            self.measured.iter().copied().chain(self.experiment.iter().map(|v| v * weight)),
+        );
         let mut both = DMatrix::zeros(n + m, self.jacobian.ncols());
         both.rows_mut(0, n).copy_from(&self.jacobian);
-        both.rows_mut(n, m).copy_from(&(&self.further_jacobian * weight));
+        both.rows_mut(n, m).copy_from(&(&self.experiment_jacobian * weight));
         length_outside(&both, apart)
     }
 }

@@ -1,4 +1,4 @@
-//! All pairs of effects at a glance: what each promises to take away, to first order, with the best shapes of both.
+//! Screens all pairs of effects: the gain of each pair, to first order, with the best variants of both.
 
 use std::collections::BTreeMap;
 
@@ -6,25 +6,25 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::gain::{Gain, gain};
-use super::ground::Ground;
-use super::signature::{Candidate, Variant};
+use super::residual_projection::ProjectedResidual;
+use super::sensitivity::{CandidateEffect, Variant};
 
-/// A variant on the ground.
-struct Projected<'a> {
+/// Variant with the model's own freedom projected out.
+struct ProjectedVariant<'a> {
     columns: DMatrix<f64>,
     gram: DMatrix<f64>,
     along: DVector<f64>,
     signed: &'a [bool],
 }
 
-impl<'a> Projected<'a> {
-    fn new(ground: &Ground, variant: &'a Variant) -> Self {
-        let columns = ground.project_columns(&variant.columns);
-        let (gram, along) = (columns.transpose() * &columns, columns.transpose() * &ground.residual);
+impl<'a> ProjectedVariant<'a> {
+    fn new(projected: &ProjectedResidual, variant: &'a Variant) -> Self {
+        let columns = projected.project_columns(&variant.columns);
+        let (gram, along) = (columns.transpose() * &columns, columns.transpose() * &projected.residual);
         Self { columns, gram, along, signed: &variant.signed }
     }
 
-    /// What χ² gains with both.
+    /// Gain with both variants.
     fn with(&self, other: &Self) -> Gain {
         let (m, n) = (self.columns.ncols(), other.columns.ncols());
         let cross = self.columns.transpose() * &other.columns;
@@ -39,38 +39,38 @@ impl<'a> Projected<'a> {
     }
 }
 
-/// Two candidates in the shapes that promise most together.
+/// Two candidate effects in the variants with the largest joint gain.
 #[derive(Clone, Debug)]
 pub struct Pair {
-    /// Variants of the one with the lower number and of the other.
+    /// Variant of the effect with the lower number, and that of the other.
     variants: [usize; 2],
-    /// The amplitudes of both in the same order.
+    /// Joint gain, with the amplitudes of both in the same order.
     gain: Gain,
 }
 
 impl Pair {
-    /// How much χ² promises to fall.
-    pub fn fall(&self) -> f64 {
-        self.gain.fall
+    /// Fall of χ² to first order.
+    pub fn delta_chi2(&self) -> f64 {
+        self.gain.delta_chi2
     }
 
-    /// Variant and amplitudes of the candidate that has the lower number (0), or the higher (1).
-    pub fn of(&self, candidates: [&Candidate; 2], which: usize) -> (usize, &[f64]) {
-        let (first, second) = self.gain.amplitudes.split_at(candidates[0].variants[self.variants[0]].switches.len());
+    /// Variant and amplitudes of the effect with the lower number (0) or the higher (1).
+    pub fn of(&self, candidates: [&CandidateEffect; 2], which: usize) -> (usize, &[f64]) {
+        let (first, second) = self.gain.amplitudes.split_at(candidates[0].variants[self.variants[0]].linear.len());
         (self.variants[which], [first, second][which])
     }
 }
 
-/// Every pair of candidates that promises something, by their numbers in rising order.
-pub fn pairs(ground: &Ground, candidates: &[&Candidate]) -> BTreeMap<(usize, usize), Pair> {
-    let all: Vec<Vec<Projected>> =
-        candidates.iter().map(|c| c.variants.iter().map(|v| Projected::new(ground, v)).collect()).collect();
+/// Finds the joint gain of every pair of candidate effects that has any, by their numbers in rising order.
+pub fn pairs(projected: &ProjectedResidual, candidates: &[&CandidateEffect]) -> BTreeMap<(usize, usize), Pair> {
+    let all: Vec<Vec<ProjectedVariant>> =
+        candidates.iter().map(|c| c.variants.iter().map(|v| ProjectedVariant::new(projected, v)).collect()).collect();
     let pairs: Vec<(usize, usize)> = (0..candidates.len()).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
     let best = |(i, j): (usize, usize)| {
         let both = all[i].iter().enumerate().flat_map(|(a, one)| {
             all[j].iter().enumerate().map(move |(b, other)| Pair { variants: [a, b], gain: one.with(other) })
         });
-        let best = both.filter(|p| p.fall() > 0.0).max_by(|p, q| p.fall().total_cmp(&q.fall()))?;
+        let best = both.filter(|p| p.delta_chi2() > 0.0).max_by(|p, q| p.delta_chi2().total_cmp(&q.delta_chi2()))?;
         Some(((i, j), best))
     };
     pairs.into_par_iter().filter_map(best).collect()

@@ -28,8 +28,8 @@ impl BeamPiece {
         std::iter::repeat_n(part, count)
     }
 
-    /// Flexibility of the piece in terms of the shear force and the bending moment at its middle, where the two do
-    /// not couple: (l³/12EI + l/κGA in m/N, l/EI in rad/(N m)).
+    /// Flexibility of the piece in terms of the shear force and the bending moment at its middle, where the
+    /// two do not couple: (l³/12EI + l/κGA in m/N, l/EI in rad/(N m)).
     pub fn central_flexibility(&self) -> (f64, f64) {
         let bending = self.length / self.flexural_rigidity;
         (self.length * self.length / 12.0 * bending + self.length / self.shear_rigidity, bending)
@@ -45,7 +45,8 @@ impl BeamPiece {
         6.0 * self.flexural_rigidity / ((1.0 + self.shear_number()) * self.length)
     }
 
-    /// Exact stiffness K (4 × 4, symmetric) in (F1, M1, F2, M2)ᵀ = K (w1, θ1, w2, θ2)ᵀ; forces in N, moments in N m:
+    /// Exact stiffness K (4 × 4, symmetric) in (F1, M1, F2, M2)ᵀ = K (w1, θ1, w2, θ2)ᵀ; forces in N, moments
+    /// in N m:
     ///
     /// ```text
     ///            EI      |  12        6l      −12        6l    |
@@ -59,7 +60,8 @@ impl BeamPiece {
         let l = self.length;
         let sway = self.sway_stiffness();
         let bend = self.flexural_rigidity / l;
-        // near/far moment stiffness as bending plus sway: (4+Φ)/(1+Φ) = 1 + 3/(1+Φ), (2−Φ)/(1+Φ) = −1 + 3/(1+Φ)
+        // near/far moment stiffness as bending plus sway: (4+Φ)/(1+Φ) = 1 + 3/(1+Φ), (2−Φ)/(1+Φ) = −1 +
+        // 3/(1+Φ)
         let (near, far) = (0.5 * sway + bend, 0.5 * sway - bend);
         let coupling = sway / l;
         let shear = 2.0 * coupling / l;
@@ -71,8 +73,9 @@ impl BeamPiece {
         )
     }
 
-    /// Forces (F1, M1, F2, M2) in N and N m that hold the ends at (w1, θ1, w2, θ2) in m and rad: K times the end
-    /// displacements, but without the rounding of K, so that a rigid motion gives no force however short the piece.
+    /// Forces (F1, M1, F2, M2) in N and N m that hold the ends at (w1, θ1, w2, θ2) in m and rad: K times the
+    /// end displacements, but without the rounding of K, so that a rigid motion gives no force however short
+    /// the piece.
     ///
     /// The end displacements come in twofold precision because the two deformations of the element,
     /// bend = θ2 − θ1 and sway = θ1 + θ2 − 2(w2 − w1)/l, are tiny differences of them:

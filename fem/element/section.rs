@@ -12,7 +12,7 @@ pub struct Round {
 }
 
 impl Round {
-    /// m².
+    /// Area, m².
     pub fn area(&self) -> f64 {
         PI / 4.0 * (self.diameter - self.bore) * (self.diameter + self.bore)
     }
@@ -34,14 +34,14 @@ impl Round {
 /// A solid rectangular section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rectangle {
-    /// Across the force, m.
+    /// Width across the force, m.
     pub width: f64,
-    /// Along the force, m.
+    /// Height along the force, m.
     pub height: f64,
 }
 
 impl Rectangle {
-    /// m².
+    /// Area, m².
     pub fn area(&self) -> f64 {
         self.width * self.height
     }

@@ -1,20 +1,42 @@
-//! The fitted parameters as the user sees them, with warnings.
+//! Makes the estimates that the user sees, with warnings.
 
 use nalgebra::DMatrix;
 
-use super::Estimate;
 use super::intervals::Interval;
 use super::objective::{Objective, Solution};
+use crate::input::Parameter;
 
-/// A parameter moves the prediction so little that the data cannot see it: less than this many standard deviations, all rows
-/// together, over the whole of its usual size.
+/// A fitted parameter. SI units.
+#[derive(Clone, Debug)]
+pub struct Estimate {
+    /// Parameter that was fitted.
+    pub parameter: Parameter,
+    /// Best value.
+    pub value: f64,
+    /// Standard uncertainty from the curvature of χ².
+    pub std: f64,
+    /// Profile-likelihood interval of 95 %; an end is open where the data do not close it.
+    pub interval: Interval,
+    /// Cautions for the user.
+    pub warnings: Vec<String>,
+}
+
+impl Estimate {
+    /// Whether the data close the interval on both sides.
+    pub fn is_closed(&self) -> bool {
+        self.interval.low.is_some() && self.interval.high.is_some()
+    }
+}
+
+/// Fewest standard deviations, all rows together, by which a parameter must move the prediction over its
+/// usual size; below it the data cannot see the parameter.
 const UNSEEN: f64 = 0.3;
-/// A value so many of its own standard uncertainties from what was written contradicts that.
-const CONTRADICTED: f64 = 4.0;
-/// A prior is hardly sharpened by the data when its uncertainty stays above this part.
+/// Number of prior standard uncertainties beyond which a value conflicts with its prior.
+const CONFLICTING: f64 = 4.0;
+/// Part of the prior uncertainty above which the data have hardly sharpened the prior.
 const UNSHARPENED: f64 = 0.95;
 
-/// The parameters as the user sees them, with warnings.
+/// Makes the estimates at a minimum, with warnings.
 pub fn estimates(
     objective: &Objective,
     solution: &Solution,
@@ -22,25 +44,26 @@ pub fn estimates(
     intervals: Vec<Interval>,
 ) -> Vec<Estimate> {
     let estimate = |(i, found): (usize, Interval)| {
-        let (axis, parameter) = (&objective.axes[i], &objective.parameters[i]);
+        let (variable, parameter) = (&objective.variables[i], &objective.parameters[i]);
         let position = solution.position[i];
-        let turn = objective.catalogue(i).map_or(0.0, |entry| entry.turn(axis.value(position)));
-        let value = axis.value(position) + turn;
+        let own = objective.data.model.effect_parameter(&parameter.path);
+        let turn = own.or_else(|| objective.catalogue(i)).map_or(0.0, |entry| entry.turn(variable.value(position)));
+        let value = variable.value(position) + turn;
         let interval = Interval { low: found.low.map(|v| v + turn), high: found.high.map(|v| v + turn) };
         let curvature = covariance[(i, i)].sqrt();
-        let (low, high) = axis.within_reach(position);
+        let (low, high) = variable.within_reach(position);
         let std =
-            if curvature < high - low { spread(curvature * axis.rate(position), &interval) } else { f64::INFINITY };
+            if curvature < high - low { spread(curvature * variable.rate(position), &interval) } else { f64::INFINITY };
         let mut warnings = Vec::new();
-        let at_bound = position <= axis.low || position >= axis.high;
+        let at_bound = position <= variable.low || position >= variable.high;
         if at_bound {
             warnings.push("stands at its bound".to_string());
         }
         if interval.low.is_none() || interval.high.is_none() {
             warnings.push("the data leave its interval open".into());
         }
-        match axis.prior {
-            Some((written, prior)) if (value - written).abs() > CONTRADICTED * prior => {
+        match variable.prior {
+            Some((written, prior)) if (value - written).abs() > CONFLICTING * prior => {
                 let times = (value - written).abs() / prior;
                 warnings.push(format!("{times:.0} of its standard uncertainties from what is written"));
             }
@@ -49,7 +72,7 @@ pub fn estimates(
             }
             None if !at_bound
                 && (interval.low.is_none() || interval.high.is_none())
-                && covariance[(i, i)].sqrt() * UNSEEN > axis.unit =>
+                && covariance[(i, i)].sqrt() * UNSEEN > variable.unit =>
             {
                 warnings.push("the data cannot see it".into());
             }
@@ -69,10 +92,10 @@ pub fn estimates(
     intervals.into_iter().enumerate().map(estimate).collect()
 }
 
-/// The standard uncertainty from the curvature, or from the width of the interval where the two contradict each other: the curvature at the
-/// bottom of a valley that is no parabola says nothing of its width.
+/// Standard uncertainty from the curvature of χ², or from the width of the interval where the two contradict
+/// each other: the curvature at the bottom of a valley that is no parabola does not tell its width.
 fn spread(curvature: f64, interval: &Interval) -> f64 {
-    /// Half the width of a 95 % interval of a normal.
+    /// Half the width of a 95 % interval of the standard normal distribution.
     const HALF: f64 = 1.959_964;
     let width = interval.low.zip(interval.high).map(|(low, high)| 0.5 * (high - low) / HALF);
     match width {

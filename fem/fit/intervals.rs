@@ -1,30 +1,32 @@
-//! 95 % intervals from the profile of χ²: how far a parameter can be moved, all others following, before χ² has risen by the
-//! quantile. Curvature alone misjudges time constants, exponents and whatever is near a bound.
+//! Profile-likelihood intervals of 95 %: a parameter is moved, all others re-fitted, until χ² has risen by
+//! the quantile. Curvature alone (the Wald interval) misjudges time constants, exponents and parameters near
+//! a bound.
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::least_squares::{Patience, minimise};
+use super::least_squares::{StoppingCriterion, minimise};
 use super::objective::{Objective, Solution};
 use crate::compare::NoiseSource;
 use crate::process::Failure;
 
 /// 95 % point of χ² with one degree of freedom.
 const QUANTILE: f64 = 3.841_458_820_694_124;
-/// Distance from the quantile, in √χ², at which an end is found.
+/// Distance from the quantile, in √Δχ², at which an end counts as found.
 const PRECISION: f64 = 0.02;
 
-/// A minimum is another one when χ² is lower by more than this.
+/// Fall of χ² beyond which a minimum is a deeper one.
 const DEEPER: f64 = 0.01;
-/// So many deeper ones are gone to; each lies in another valley, or further down one that is long and flat.
+/// Most deeper minima that are gone to; each lies in another valley, or further down one that is long and
+/// flat.
 const MOST: usize = 6;
 
-/// How the other parameters follow one that is held.
-const FOLLOW: Patience = Patience { steps: 15, fall: 1e-6 };
-/// How many places an end is looked for at.
+/// Stopping criterion of the other parameters while one is held.
+const FOLLOW: StoppingCriterion = StoppingCriterion { steps: 15, tolerance: 1e-6 };
+/// Most positions at which an end is sought.
 const TRIALS: usize = 24;
-/// So much further out than the end, in terms of its distance, a valley is looked for.
+/// Distances beyond an end at which further valleys are sought, as parts of the distance of the end.
 const BESIDE: [f64; 2] = [0.1, 0.3];
 
 /// A 95 % interval, SI; an open end is `None`.
@@ -36,26 +38,28 @@ pub struct Interval {
     pub high: Option<f64>,
 }
 
-/// A minimum from which no parameter can be moved to a deeper one, all others following.
-pub struct Settled {
+/// Minimum with its profile intervals: along no profile does a deeper minimum lie.
+pub struct ProfiledMinimum {
     /// The minimum.
     pub solution: Solution,
-    /// The covariance of its search variables.
+    /// Covariance of its search variables.
     pub covariance: DMatrix<f64>,
-    /// The interval of every parameter.
+    /// Interval of every parameter.
     pub intervals: Vec<Interval>,
 }
 
-/// The intervals about a minimum; where their profiles come upon a deeper one, that and its intervals.
+/// Profiles every parameter about a minimum; where a profile comes upon a deeper minimum, starts again from
+/// that.
 ///
 /// # Errors
 /// The model cannot be computed beside a minimum.
-pub fn settle(objective: &mut Objective, mut solution: Solution) -> Result<Settled, Failure> {
+pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> Result<ProfiledMinimum, Failure> {
     let mut gone = 0;
     loop {
         let covariance = objective.covariance(&solution)?;
         let before = (objective.evaluations, objective.failures);
-        // Each parameter by itself, and the first deeper minimum by their order, so that the same data always give the same answer.
+        // The first deeper minimum in the order of the parameters is taken, so that the same data always
+        // give the same answer.
         let walked = |i: usize| {
             let mut own = objective.clone();
             let mut profile =
@@ -69,20 +73,20 @@ pub fn settle(objective: &mut Objective, mut solution: Solution) -> Result<Settl
         let (intervals, deeper): (Vec<Interval>, Vec<Option<Solution>>) =
             walked.into_iter().map(|w| (w.0, w.1)).unzip();
         let Some(deeper) = deeper.into_iter().flatten().next() else {
-            return Ok(Settled { solution, covariance, intervals });
+            return Ok(ProfiledMinimum { solution, covariance, intervals });
         };
-        solution = minimise(objective, &deeper.position, &[], Patience::FULL).unwrap_or(deeper);
+        solution = minimise(objective, &deeper.position, &[], StoppingCriterion::FULL).unwrap_or(deeper);
         gone += 1;
     }
 }
 
-/// A walk along a parameter.
+/// Profile of χ² along a parameter.
 struct Profile<'a> {
     best: &'a Solution,
     quantile: f64,
-    /// What lies deeper than the best: the walk ends there.
+    /// Deeper minimum on the way, at which the walk ends.
     deeper: Option<Solution>,
-    /// The walk does not end there.
+    /// Whether the walk goes on past a deeper minimum.
     goes_on: bool,
 }
 
@@ -95,26 +99,27 @@ impl Profile<'_> {
         };
         let mut end = |direction: f64| {
             let found = self.end(objective, &walk, direction);
-            found.map(|s| objective.axes[i].value(s)).filter(|v| v.is_finite())
+            found.map(|s| objective.variables[i].value(s)).filter(|v| v.is_finite())
         };
         let (down, up) = (end(-1.0), end(1.0));
-        if objective.axes[i].is_reversed() {
+        if objective.variables[i].is_reversed() {
             Interval { low: up, high: down }
         } else {
             Interval { low: down, high: up }
         }
     }
 
-    /// The outermost end in one direction: where χ² has several valleys, those that are deep enough are inside too.
+    /// Finds the outermost end in one direction: where χ² has several valleys, those that are deep enough
+    /// lie inside too.
     fn end(&mut self, objective: &mut Objective, walk: &Walk, direction: f64) -> Option<f64> {
         let i = walk.along;
         let origin = self.best.position[i];
         let mut end =
             self.end_from(objective, walk, direction, Point { position: self.best.position.clone(), rise: 0.0 })?;
-        let axis = &objective.axes[i];
+        let variable = &objective.variables[i];
         let mut valleys = Vec::new();
-        if axis.starts.len() > 1 {
-            for s in axis.starts.iter().map(|start| axis.position(*start)) {
+        if variable.starts.len() > 1 {
+            for s in variable.starts.iter().map(|start| variable.position(*start)) {
                 valleys.push(self.at(i, s));
                 valleys.extend(self.reshaped(objective, i, s));
             }
@@ -136,49 +141,54 @@ impl Profile<'_> {
         Some(end)
     }
 
-    /// The best position, with one variable moved.
+    /// Best position with one variable moved.
     fn at(&self, i: usize, s: f64) -> DVector<f64> {
         let mut position = self.best.position.clone();
         position[i] = s;
         position
     }
 
-    /// The same with all other shapes as usual.
+    /// Best position with one variable moved and all other nonlinear parameters at usual values.
     fn reshaped(&self, objective: &Objective, i: usize, s: f64) -> Option<DVector<f64>> {
         let mut position = self.at(i, s);
         let mut reshaped = false;
-        for (j, axis) in objective.axes.iter().enumerate() {
-            if j != i && axis.starts.len() > 1 {
+        for (j, variable) in objective.variables.iter().enumerate() {
+            if j != i && variable.starts.len() > 1 {
                 reshaped = true;
-                position[j] = axis.position(axis.starts[axis.starts.len() / 2]);
+                position[j] = variable.position(variable.starts[variable.starts.len() / 2]);
             }
         }
         reshaped.then_some(position)
     }
 
-    /// The same with what stands at a bound moved to its usual value: where it stands nothing pulls it back, though there may be a valley.
+    /// Best position with one variable moved and those at a bound at usual values: at a bound no gradient
+    /// pulls them back, though a valley may lie inside.
     fn unparked(&self, objective: &Objective, i: usize, s: f64) -> Option<DVector<f64>> {
-        let mut position = self.at(i, s.clamp(objective.axes[i].low, objective.axes[i].high));
+        let mut position = self.at(i, s.clamp(objective.variables[i].low, objective.variables[i].high));
         let mut parked = false;
-        for (j, axis) in objective.axes.iter().enumerate().filter(|(j, _)| *j != i) {
-            if position[j] <= axis.low || position[j] >= axis.high {
+        for (j, variable) in objective.variables.iter().enumerate().filter(|(j, _)| *j != i) {
+            if position[j] <= variable.low || position[j] >= variable.high {
                 parked = true;
-                position[j] = axis.starts.get(axis.starts.len() / 2).map_or(position[j], |usual| axis.position(*usual));
+                position[j] = variable
+                    .starts
+                    .get(variable.starts.len() / 2)
+                    .map_or(position[j], |usual| variable.position(*usual));
             }
         }
         parked.then_some(position)
     }
 
-    /// The end of the valley that a point lies in, in one direction, in the search variable: √Δχ² is nearly linear in it, so that secants find it in
-    /// a few steps. The others begin where they were last, moved on as they moved before.
+    /// Finds the end of the valley around a point, in one direction, in the search variable: √Δχ² is nearly
+    /// linear in it, so that secants find it in a few steps. The other variables begin where they were last,
+    /// moved on as they moved before.
     fn end_from(&mut self, objective: &mut Objective, walk: &Walk, direction: f64, from: Point) -> Option<f64> {
         let (i, target) = (walk.along, self.quantile.sqrt());
         let origin = from.position[i];
-        let (low, high) = objective.axes[i].within_reach(origin);
+        let (low, high) = objective.variables[i].within_reach(origin);
         let std = walk.std.min(high - low);
         let (mut inner, mut others) = (from, walk.others.clone());
         let mut outer: Option<(f64, f64)> = None;
-        // How often in a row a secant has stayed inside.
+        // Secants in a row that stayed inside.
         let mut inside = 0;
         let mut next = origin + direction * std * target;
         for _ in 0..TRIALS {
@@ -188,7 +198,10 @@ impl Profile<'_> {
                 break;
             }
             let mut start = inner.position.clone() + gap * &others;
-            start.iter_mut().zip(&objective.axes).for_each(|(s, axis)| *s = s.clamp(axis.low, axis.high));
+            start
+                .iter_mut()
+                .zip(&objective.variables)
+                .for_each(|(s, variable)| *s = s.clamp(variable.low, variable.high));
             start[i] = s;
             let mut still = inner.position.clone();
             still[i] = s;
@@ -205,7 +218,7 @@ impl Profile<'_> {
                     inner = moved;
                     inside += 1;
                     if outer.is_none() && (s == low || s == high) {
-                        // The bound itself is still inside: the end is open there.
+                        // The bound itself still lies inside: the end is open there.
                         return None;
                     }
                 }
@@ -231,7 +244,8 @@ impl Profile<'_> {
         outer.map(|o| o.0)
     }
 
-    /// That of two positions at which χ² is lower; `None` where the model can be computed at neither.
+    /// Selects the one of two positions at which χ² is lower; `None` where the model can be computed at
+    /// neither.
     fn lower(&self, objective: &mut Objective, a: DVector<f64>, b: DVector<f64>) -> Option<DVector<f64>> {
         let mut chi2 = |position: &DVector<f64>| {
             let predicted = objective.predict(position)?;
@@ -244,7 +258,7 @@ impl Profile<'_> {
         }
     }
 
-    /// Lets all variables but one settle.
+    /// Re-fits all variables but one.
     fn follow(&mut self, objective: &mut Objective, held: usize, start: DVector<f64>) -> Option<Point> {
         let settled = minimise(objective, &start, &[held], FOLLOW)?;
         let rise = (settled.chi2 - self.best.chi2).max(0.0).sqrt();
@@ -256,20 +270,21 @@ impl Profile<'_> {
     }
 }
 
-/// Along a search variable: its standard uncertainty from the curvature, and how all move per unit of it.
+/// Direction of a profile: a search variable, its standard uncertainty from the curvature, and the movement
+/// of all variables per unit of it.
 struct Walk {
     along: usize,
     std: f64,
     others: DVector<f64>,
 }
 
-/// Where all but one have settled, and √Δχ² there.
+/// Point of a profile: the position with all variables but one re-fitted, and √Δχ² there.
 struct Point {
     position: DVector<f64>,
     rise: f64,
 }
 
-/// With an estimated noise χ² is measured by what the fit leaves, and the quantile is that of F.
+/// Quantile of Δχ²: that of χ² where the noise is known, that of F where it is estimated from the residuals.
 fn quantile(objective: &Objective) -> f64 {
     let freedom = objective.freedom().max(1.0);
     match objective.noise.source {

@@ -1,18 +1,18 @@
-//! Where the search begins: free parameters that shape an effect are tried over their plausible range, for χ² has many valleys along a time
-//! constant or a place.
+//! Multistart: free nonlinear parameters are started from all over their plausible range, for χ² has many
+//! valleys along a time constant or a place.
 
 use nalgebra::DVector;
 
-use super::least_squares::{Patience, minimise};
+use super::least_squares::{StoppingCriterion, minimise};
 use super::objective::{Objective, Solution};
 use crate::process::Failure;
 
-/// Combinations of starts tried at most.
+/// Most combinations of starts.
 const MOST: usize = 240;
-/// The first, short search from each.
-const SHORT: Patience = Patience { steps: 6, fall: 1e-10 };
+/// Stopping criterion of the first, short search from each start.
+const SHORT: StoppingCriterion = StoppingCriterion { steps: 6, tolerance: 1e-10 };
 
-/// The best minimum over all starts.
+/// Finds the best minimum over all starts.
 ///
 /// # Errors
 /// The model cannot be computed at any of them.
@@ -26,7 +26,7 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     }
     tried.sort_by(|a, b| a.chi2.total_cmp(&b.chi2));
     let finals: Vec<Solution> =
-        tried.iter().take(3).filter_map(|s| minimise(objective, &s.position, &[], Patience::FULL)).collect();
+        tried.iter().take(3).filter_map(|s| minimise(objective, &s.position, &[], StoppingCriterion::FULL)).collect();
     let best = finals.into_iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2)).ok_or_else(|| Failure {
         message: "the model cannot be computed anywhere that the fit begins".into(),
         help: "give the parameters values from which `fem run` works".into(),
@@ -34,10 +34,12 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     Ok(between(objective, best))
 }
 
-/// Looks between the starts of what was looked for everywhere: the place of a step has no slope to follow.
+/// Searches between the starts of parameters that have many: the place of a step has no slope to follow.
 fn between(objective: &mut Objective, mut best: Solution) -> Solution {
-    for i in (0..objective.axes.len()).filter(|i| objective.axes[*i].starts.len() > SEVERAL).collect::<Vec<_>>() {
-        let starts = &objective.axes[i].starts;
+    for i in
+        (0..objective.variables.len()).filter(|i| objective.variables[*i].starts.len() > SEVERAL).collect::<Vec<_>>()
+    {
+        let starts = &objective.variables[i].starts;
         let (low, high) = starts.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(*s), h.max(*s)));
         let gap = (high - low) / starts.len() as f64 * 2.0;
         let middle = best.position[i];
@@ -53,14 +55,17 @@ fn between(objective: &mut Objective, mut best: Solution) -> Solution {
     best
 }
 
-/// Places tried on either side.
+/// Positions tried on either side.
 const FINE: i32 = 24;
 
-/// A parameter in which the prediction is linear is found in one step from anywhere: one start is enough, and leaves more to the others.
+/// Keeps one start of each parameter in which the prediction is linear: one step finds it from anywhere, and
+/// more starts are left to the others.
 fn settle_linear(objective: &mut Objective) {
-    let first = |a: &super::axis::Axis| a.position(a.starts.first().copied().unwrap_or(1.0));
-    let start = DVector::from_iterator(objective.axes.len(), objective.axes.iter().map(first));
-    for i in (0..objective.axes.len()).filter(|i| objective.axes[*i].starts.len() > SEVERAL).collect::<Vec<_>>() {
+    let first = |a: &super::search_variable::SearchVariable| a.position(a.starts.first().copied().unwrap_or(1.0));
+    let start = DVector::from_iterator(objective.variables.len(), objective.variables.iter().map(first));
+    for i in
+        (0..objective.variables.len()).filter(|i| objective.variables[*i].starts.len() > SEVERAL).collect::<Vec<_>>()
+    {
         let mut at = |times: f64| {
             let mut moved = start.clone();
             moved[i] *= times;
@@ -69,24 +74,24 @@ fn settle_linear(objective: &mut Objective) {
         let (Some(one), Some(two), Some(three)) = (at(1.0), at(2.0), at(3.0)) else { continue };
         let (bend, change) = ((&three - &two * 2.0 + &one).norm(), (&three - &one).norm());
         if bend <= 1e-6 * change {
-            objective.axes[i].starts.truncate(1);
+            objective.variables[i].starts.truncate(1);
         }
     }
 }
 
-/// More starts than this come from looking everywhere.
+/// Number of starts beyond which a parameter is sought everywhere.
 const SEVERAL: usize = 10;
 
-/// Every combination of the parameters' starts, or evenly spread ones of them where there are many.
+/// Makes every combination of the parameters' starts, or evenly spread ones where there are many.
 fn combinations(objective: &Objective) -> Vec<DVector<f64>> {
-    let axes = &objective.axes;
-    let total = axes.iter().map(|a| a.starts.len()).fold(1usize, usize::saturating_mul);
+    let variables = &objective.variables;
+    let total = variables.iter().map(|a| a.starts.len()).fold(1usize, usize::saturating_mul);
     let count = total.min(MOST);
     let combination = |k: usize| {
         let mut number = if total == count { k } else { k * (total / count) + k % 5 };
         DVector::from_iterator(
-            axes.len(),
-            axes.iter().map(|a| {
+            variables.len(),
+            variables.iter().map(|a| {
                 let start = a.starts[number % a.starts.len()];
                 number /= a.starts.len();
                 a.position(start)

@@ -1,14 +1,14 @@
-//! The model with fitted values and their uncertainties in place, every comment kept.
+//! Writes a model with fitted values and their uncertainties in place; every comment is kept.
 
 use crate::fit::Fit;
-use crate::measure::Measurements;
-use crate::model::Model;
+use crate::model::Data;
 use crate::units::unit_text;
 
-/// The text of the fitted model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the unit that stood there. What the
-/// data leave open stays as it was: a value would look better known than it is. A comment at the top says what it was fitted to.
-pub fn fitted_text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
-    let text = &model.source.text;
+/// Makes the text of the fitted model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the
+/// unit that stood there. A parameter that the data leave open stays as it was, for a value would look
+/// better known than it is. A comment at the top names the data.
+pub fn fitted_text(data: &Data, fit: &Fit) -> String {
+    let text = &data.model.source.text;
     let mut places: Vec<(std::ops::Range<usize>, String)> = Vec::new();
     for estimate in &fit.estimates {
         let Some(span) = estimate.parameter.span.clone().filter(|_| estimate.is_closed()) else { continue };
@@ -20,15 +20,14 @@ pub fn fitted_text(model: &Model, measurements: &Measurements, fit: &Fit) -> Str
             span,
             format!(
                 "\"{}\"",
-                format!("{} {name}", uncertain(value, fit.doubt() * estimate.std / unit.factor)).trim_end()
+                format!("{} {name}", uncertain(value, fit.birge_ratio() * estimate.std / unit.factor)).trim_end()
             ),
         ));
     }
     places.sort_by_key(|p| p.0.start);
     let end = if text.contains("\r\n") { "\r\n" } else { "\n" };
-    let name = measurements.name.replace(['\n', '\r'], " ");
-    let mut fitted =
-        format!("# Fitted to {name}, {}: what is known from it stands after `+-`.{end}", mark(measurements));
+    let name = data.name.replace(['\n', '\r'], " ");
+    let mut fitted = format!("# Fitted to {name}, {}: what is known from it stands after `+-`.{end}", data.mark());
     let mut from = 0;
     for (span, value) in places {
         fitted.push_str(&text[from..span.start]);
@@ -39,28 +38,12 @@ pub fn fitted_text(model: &Model, measurements: &Measurements, fit: &Fit) -> Str
     fitted
 }
 
-/// What tells these rows from others, in the comment of a fitted model.
-fn mark(measurements: &Measurements) -> String {
-    format!("{} rows, mark {:016x}", measurements.len(), measurements.digest())
-}
-
-/// What must be said where a model is fitted to the rows that its values come from.
-pub fn fitted_before(model: &Model, measurements: &Measurements) -> Option<String> {
-    let mark = mark(measurements);
-    let known = model.source.text.lines().any(|line| line.starts_with('#') && line.contains(&mark));
-    known.then(|| {
-        "the model's values were fitted to these very rows: as prior knowledge they count them twice, and intervals come out \
-         too narrow; fit the model from before"
-            .into()
-    })
-}
-
-/// `59.2 +- 1.1`: the uncertainty with two digits, the value to the same place.
+/// Writes `59.2 +- 1.1`: the uncertainty with two digits, the value to the same place.
 pub fn uncertain(value: f64, std: f64) -> String {
     if !(std.is_finite() && std > 0.0) {
         return format!("{value}");
     }
-    // However uncertain, a value keeps three digits of its own: rounded to 0 it might leave its bounds.
+    // A value keeps three digits however uncertain it is: rounded to 0 it might leave its bounds.
     let of_value = if value == 0.0 { 0 } else { 2 - value.abs().log10().floor() as i32 };
     let of_std = 1 - std.abs().log10().floor() as i32;
     let place = if of_std < of_value && std > 0.1 * value.abs() { of_value } else { of_std };

@@ -1,7 +1,10 @@
 //! Whether the units of a formula go together.
 
-use super::{Expression, FormulaError, Node, Operator, Units};
+use super::expression::{Expression, FormulaError, Node, Operator, Units};
 use crate::units::Dimension;
+
+/// No law has a higher power of a quantity with a unit.
+const HIGHEST: f64 = 12.0;
 
 /// The dimension of an expression; `None` for a plain zero, which goes with everything.
 pub fn dimension(e: &Expression, names: &[Dimension]) -> Result<Option<Dimension>, FormulaError> {
@@ -59,19 +62,24 @@ fn binary(
             }
             match left.filter(|d| *d != Dimension::NONE) {
                 None => Ok(Some(Dimension::NONE)),
-                Some(base) => whole(exponent).and_then(|n| base.to_the(n)).map(Some).ok_or_else(|| {
-                    let message = format!("a quantity in {base} to a power that is no whole number");
-                    wrong(e, message, "divide by another of the same kind first: (f/f0)^n")
-                }),
+                Some(base) => {
+                    let refuse = |power: String| {
+                        let message = format!("a quantity in {base} to a power {power}");
+                        wrong(e, message, "divide by another of the same kind first: (f/f0)^n")
+                    };
+                    let n = whole(exponent).ok_or_else(|| refuse("that is no whole number".into()))?;
+                    let power = (n.abs() <= HIGHEST).then(|| base.to_the(n as i8)).flatten();
+                    power.map(Some).ok_or_else(|| refuse(format!("beyond {HIGHEST}")))
+                }
             }
         }
     }
 }
 
 /// A whole number that is written as such.
-fn whole(e: &Expression) -> Option<i8> {
+fn whole(e: &Expression) -> Option<f64> {
     match &e.node {
-        Node::Number(n) if n.fract() == 0.0 && n.abs() <= 12.0 => Some(*n as i8),
+        Node::Number(n) if n.fract() == 0.0 => Some(*n),
         Node::Negative(of) => whole(of).map(|n| -n),
         _ => None,
     }

@@ -1,122 +1,16 @@
-//! Formulas that users write: arithmetic over named quantities, checked for units, with the place of every mistake.
+//! Formulas that users write: arithmetic over named quantities, checked for units, with the place of every
+//! mistake.
 //!
-//! `2*a*(1 - exp(-time/tau))*x/1000`: numbers, names, `+ - * / ^`, parentheses, functions and `pi`. `^` binds closer than a sign before it, as on paper:
-//! `-x^2` is −(x²).
+//! `2*a*(1 - exp(-time/tau))*x/1000`: numbers, names, `+ - * / ^`, parentheses, functions and `pi`. `^` binds
+//! closer than a sign before it, as on paper: `-x^2` is −(x²).
 
 mod check;
+mod expression;
 mod parse;
 
-use std::ops::Range;
+pub use expression::{Formula, FormulaError, Name};
 
 use crate::units::Dimension;
-
-/// A formula that was read; names are kept by their position in [`Formula::names`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct Formula {
-    /// Every name that occurs, once.
-    pub names: Vec<Name>,
-    root: Expression,
-}
-
-/// A name in a formula.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Name {
-    /// As written.
-    pub text: String,
-    /// Bytes of its first occurrence.
-    pub span: Range<usize>,
-}
-
-/// What is wrong with a formula, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{message}")]
-pub struct FormulaError {
-    /// What is wrong.
-    pub message: String,
-    /// What to write instead.
-    pub help: String,
-    /// Bytes of the formula.
-    pub span: Range<usize>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Expression {
-    node: Node,
-    span: Range<usize>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-enum Node {
-    Number(f64),
-    Name(usize),
-    Negative(Box<Expression>),
-    Binary(Operator, Box<Expression>, Box<Expression>),
-    Call(Function, Vec<Expression>),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-}
-
-/// What a function does with units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Units {
-    /// Pure numbers in, a pure number out.
-    Pure,
-    /// What goes in comes out; several must agree.
-    Kept,
-    /// Several must agree, and a pure number comes out.
-    Ratio,
-    /// Half of every exponent.
-    Root,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Function {
-    name: &'static str,
-    arguments: usize,
-    units: Units,
-    value: fn(&[f64]) -> f64,
-}
-
-impl PartialEq for Function {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-const fn function(name: &'static str, arguments: usize, units: Units, value: fn(&[f64]) -> f64) -> Function {
-    Function { name, arguments, units, value }
-}
-
-const FUNCTIONS: &[Function] = &[
-    function("sqrt", 1, Units::Root, |v| v[0].sqrt()),
-    function("exp", 1, Units::Pure, |v| v[0].exp()),
-    function("ln", 1, Units::Pure, |v| v[0].ln()),
-    function("log10", 1, Units::Pure, |v| v[0].log10()),
-    function("sin", 1, Units::Pure, |v| v[0].sin()),
-    function("cos", 1, Units::Pure, |v| v[0].cos()),
-    function("tan", 1, Units::Pure, |v| v[0].tan()),
-    function("asin", 1, Units::Pure, |v| v[0].asin()),
-    function("acos", 1, Units::Pure, |v| v[0].acos()),
-    function("atan", 1, Units::Pure, |v| v[0].atan()),
-    function("sinh", 1, Units::Pure, |v| v[0].sinh()),
-    function("cosh", 1, Units::Pure, |v| v[0].cosh()),
-    function("tanh", 1, Units::Pure, |v| v[0].tanh()),
-    function("floor", 1, Units::Pure, |v| v[0].floor()),
-    function("abs", 1, Units::Kept, |v| v[0].abs()),
-    // 1 from zero on, 0 below: what begins somewhere.
-    function("step", 1, Units::Ratio, |v| f64::from(u8::from(v[0] >= 0.0))),
-    function("min", 2, Units::Kept, |v| v[0].min(v[1])),
-    function("max", 2, Units::Kept, |v| v[0].max(v[1])),
-    function("mod", 2, Units::Kept, |v| v[0].rem_euclid(v[1])),
-    function("atan2", 2, Units::Ratio, |v| v[0].atan2(v[1])),
-];
 
 /// Longer formulas are no laws.
 const LONGEST: usize = 4000;
@@ -147,33 +41,6 @@ impl Formula {
     /// The value, when the names have these (SI).
     pub fn value(&self, of_names: &[f64]) -> f64 {
         self.root.value(of_names)
-    }
-}
-
-impl Expression {
-    fn value(&self, names: &[f64]) -> f64 {
-        match &self.node {
-            Node::Number(value) => *value,
-            Node::Name(i) => names[*i],
-            Node::Negative(of) => -of.value(names),
-            Node::Binary(operator, a, b) => {
-                let (a, b) = (a.value(names), b.value(names));
-                match operator {
-                    Operator::Add => a + b,
-                    Operator::Subtract => a - b,
-                    Operator::Multiply => a * b,
-                    Operator::Divide => a / b,
-                    Operator::Power => a.powf(b),
-                }
-            }
-            Node::Call(function, arguments) => {
-                let mut values = [0.0; 2];
-                for (value, argument) in values.iter_mut().zip(arguments) {
-                    *value = argument.value(names);
-                }
-                (function.value)(&values)
-            }
-        }
     }
 }
 

@@ -1,8 +1,8 @@
-//! From text to expression, by precedence.
+//! The parser from text to expression, by precedence.
 
 use std::ops::Range;
 
-use super::{Expression, FUNCTIONS, Formula, FormulaError, Name, Node, Operator};
+use super::expression::{Expression, FUNCTIONS, Formula, FormulaError, Name, Node, Operator};
 
 /// Nested deeper than this no formula is written by hand.
 const DEEPEST: usize = 100;
@@ -59,7 +59,7 @@ impl Parser<'_> {
             '-' => (Operator::Subtract, 1, 2),
             '*' => (Operator::Multiply, 3, 4),
             '/' => (Operator::Divide, 3, 4),
-            // From the right: 2^3^2 = 2^9.
+            // Powers bind from the right: 2^3^2 = 2^9.
             '^' => (Operator::Power, 7, 6),
             _ => return None,
         };
@@ -141,7 +141,7 @@ impl Parser<'_> {
         let text = &self.text[span.clone()];
         let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
         let value = value.ok_or_else(|| {
-            error(format!("`{text}` is no number"), "a product is written with `*`: 2*x", span.clone())
+            error(format!("expected a number, found `{text}`"), "a product is written with `*`: 2*x", span.clone())
         })?;
         self.at = span.end;
         Ok(Expression { node: Node::Number(value), span })
@@ -171,7 +171,7 @@ impl Parser<'_> {
     fn call(&mut self, name: &str, at: Range<usize>) -> Result<Expression, FormulaError> {
         let Some(function) = FUNCTIONS.iter().find(|f| f.name == name) else {
             let all = FUNCTIONS.iter().map(|f| f.name).collect::<Vec<_>>().join(", ");
-            return Err(error(format!("`{name}` is no function known here"), format!("known are {all}"), at));
+            return Err(error(format!("`{name}` is not a known function"), format!("known are {all}"), at));
         };
         let opened = self.at;
         self.at += 1;

@@ -3,20 +3,29 @@
 use serde_json::json;
 use toml_edit::{Item, Value};
 
-use super::{Problem, Reader, did_you_mean};
+use super::{Bounds, Problem, Reader, did_you_mean};
 use crate::units::{Kind, Quantity};
 
-/// Where a value must lie, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Bounds {
-    /// Anywhere.
-    Any,
-    /// Above zero.
-    Positive,
-    /// Zero or more.
-    NotNegative,
-    /// Above the first, at most the second.
-    Within(f64, f64),
+impl<'a> Reader<'a> {
+    /// A key with a quantity of `kind`.
+    pub fn quantity(&self, key: &'static str, kind: Kind, about: &'static str) -> Field<'_, 'a> {
+        Field::new(self, key, kind, about)
+    }
+
+    /// A key with a whole number.
+    pub fn count(&self, key: &'static str, about: &'static str) -> Count<'_, 'a> {
+        Count::new(self, key, about)
+    }
+
+    /// A key with one of `words`.
+    pub fn choice<T: Copy + 'static>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        words: &'static [(&'static str, T)],
+    ) -> Choice<'_, 'a, T> {
+        Choice::new(self, key, about, words)
+    }
 }
 
 /// A key that holds a physical quantity or a pure number.
@@ -134,7 +143,7 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     fn check(&self, quantity: Quantity) -> Result<Quantity, Problem> {
-        // Of what is unknown nothing need be said; where a search for it begins must be possible.
+        // An unknown value has no bounds to keep, but the place where a search for it begins has.
         if quantity.value.is_nan() {
             return Ok(quantity);
         }
@@ -239,7 +248,7 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
         Self { reader, key, about, words }
     }
 
-    /// What the word stands for; an absent key is a problem, and `fallback` lets the reading go on after one.
+    /// The meaning of the word; an absent key is a problem, and `fallback` lets the reading go on after one.
     pub fn required(self, fallback: T) -> T {
         self.describe(None);
         self.read(fallback).unwrap_or_else(|| {
@@ -249,13 +258,14 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
         })
     }
 
-    /// What the word stands for, or what the first of the list stands for where the key is absent.
+    /// The meaning of the word; that of the first of the list where the key is absent.
     pub fn or_first(self, fallback: T) -> T {
         self.describe(self.words.first().map(|w| w.0));
         self.read(fallback).unwrap_or(fallback)
     }
 
-    /// What each word of a list stands for, in its order; all of the words where the key is absent. A single word may stand without a list.
+    /// The meaning of each word of a list, in its order; all of the words where the key is absent. A single
+    /// word may stand without a list.
     pub fn several(self) -> Vec<T> {
         self.reader.describe(
             self.key,

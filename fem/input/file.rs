@@ -1,35 +1,29 @@
 //! Files that a model names: paths are relative to the folder of the model file.
 
 use std::ffi::OsString;
-use std::io::Read;
-use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use serde_json::json;
 
-use super::{Problem, Reader, Source};
+use super::bytes::{not_text, read};
+use super::{Cache, FileKey, Problem, Reader, Source};
 
 /// A file that a model names, and what it holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedFile {
-    /// Where it is, from the working directory.
+    /// Path from the working directory.
     pub path: PathBuf,
-    /// Its content.
+    /// Content of the file.
     pub bytes: Arc<[u8]>,
 }
 
-/// Where a model names a file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FileKey {
-    /// As the model writes it.
-    pub written: PathBuf,
-    /// Bytes of its value in the model file, quotes included.
-    pub span: Range<usize>,
-}
+/// The files of a model, by their paths.
+type Files = Cache<PathBuf, Arc<[u8]>, 4>;
 
 impl Reader<'_> {
-    /// A key with the path of a file of at most `limit` bytes, which is read; `None` where the key is absent, or the problem is noted.
+    /// A key with the path of a file of at most `limit` bytes, which is read; `None` where the key is absent,
+    /// or the problem is noted.
     pub fn file(&self, key: &'static str, about: &'static str, limit: u64) -> Option<NamedFile> {
         let about = format!("{about}; the path is relative to the folder of the model file");
         self.describe(key, || json!({ "type": "string", "description": about }), false);
@@ -43,8 +37,8 @@ impl Reader<'_> {
             self.keep_file(FileKey { written: written.into(), span });
         }
         let path = self.folder().join(written);
-        match read(&path, limit) {
-            Ok(bytes) => Some(NamedFile { path, bytes: bytes.into() }),
+        match self.kept::<Files>().get_or(path.clone(), |path| read(path, limit).map(Arc::from)) {
+            Ok(bytes) => Some(NamedFile { path, bytes: bytes.as_ref().clone() }),
             Err(problem) => {
                 let message = format!("{}: {}", path.display(), problem.message);
                 let help = "the path is relative to the folder of the model file";
@@ -69,45 +63,9 @@ impl NamedFile {
     }
 }
 
-/// Reads at most `limit` bytes.
-pub(super) fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
-    let io = |e: std::io::Error| Problem::new(format!("the file cannot be read: {e}")).help(unreadable(&e));
-    let metadata = std::fs::metadata(path).map_err(io)?;
-    if metadata.is_dir() {
-        return Err(Problem::new("this is a directory").help("name the file in it"));
-    }
-    if metadata.len() > limit {
-        let (size, limit) = (metadata.len() as f64 / 1e6, limit as f64 / 1e6);
-        let message = format!("the file has {size:.1} MB; at most {limit:.0} MB are read");
-        return Err(Problem::new(message).help("is it the right file?"));
-    }
-    let mut bytes = Vec::new();
-    // A device or a pipe has no length to be judged by.
-    std::fs::File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(io)?;
-    if bytes.len() as u64 > limit {
-        let message = format!("there are more than {:.0} MB to read", limit as f64 / 1e6);
-        return Err(Problem::new(message).help("is it the right file?"));
-    }
-    Ok(bytes)
-}
-
-/// What is not UTF-8 from byte `valid` on.
-pub(super) fn not_text(bytes: &[u8], valid: usize) -> Problem {
-    let line = 1 + bytes[..valid].iter().filter(|b| **b == b'\n').count();
-    let message = format!("the file is not UTF-8 text: line {line} holds a byte that is not");
-    Problem::new(message).help("save it as UTF-8")
-}
-
-fn unreadable(error: &std::io::Error) -> &'static str {
-    match error.kind() {
-        std::io::ErrorKind::NotFound => "check the path; for a first model, `fem new PROCESS` writes one",
-        std::io::ErrorKind::PermissionDenied => "check the file's permissions",
-        _ => "check the path",
-    }
-}
-
-/// How a path that is relative to the folder `from` is written in a file in the folder `to`: unchanged where they are the same folder, or the path is absolute.
-/// Folders that do not exist are taken to be no links.
+/// The way in which a path that is relative to the folder `from` is written in a file in the folder `to`:
+/// unchanged where they are the same folder, or the path is absolute. Folders that do not exist are taken to
+/// be no links.
 pub fn seen_from(path: &Path, from: &Path, to: &Path) -> PathBuf {
     let (from, to) = (absolute(from), absolute(to));
     if path.is_absolute() || from == to {

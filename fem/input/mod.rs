@@ -1,16 +1,21 @@
-//! Reading what users write: where a text came from, what is wrong in it and where, and the reader by which every
-//! table of a model file is read, checked and described at once.
+//! Reading what users write: where a text came from, what is wrong in it and where, and the reader by which
+//! every table of a model file is read, checked and described at once.
 
+mod bounds;
+mod bytes;
 mod field;
 mod file;
+mod kept;
 mod pair;
 mod problem;
 mod reader;
 mod several;
 mod source;
 
-pub use field::{Bounds, Choice, Count, Field};
-pub use file::{FileKey, NamedFile, seen_from};
+pub use bounds::Bounds;
+pub use field::{Choice, Count, Field};
+pub use file::{NamedFile, seen_from};
+pub use kept::{Cache, Kept};
 pub use problem::{InputError, Problem, did_you_mean, nearest};
-pub use reader::{Found, Names, Parameter, Reader, Shape};
+pub use reader::{FileKey, Found, Names, Parameter, Reader, Shape};
 pub use source::Source;

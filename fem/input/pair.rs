@@ -7,7 +7,8 @@ use super::{Bounds, Problem, Reader};
 use crate::units::{Kind, Quantity};
 
 impl Reader<'_> {
-    /// A key with two quantities of `kind`, such as x and y, in SI units; `None`, with the problem noted, where it is absent or wrong.
+    /// A key with two quantities of `kind`, such as x and y, in SI units; `None`, with the problem noted,
+    /// where it is absent or wrong.
     pub fn pair(&self, key: &'static str, kind: Kind, about: &'static str) -> Option<[f64; 2]> {
         let (item_of, example) = (json!({ "type": "string", "examples": [kind.example()] }), kind.example());
         let schema =

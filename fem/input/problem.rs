@@ -1,4 +1,4 @@
-//! What is wrong with an input, where, and what to do about it.
+//! Problems of an input: the mistake, its place, and the remedy.
 
 use std::fmt;
 use std::ops::Range;
@@ -22,14 +22,14 @@ impl Problem {
         Self { message: message.into(), help: None, span: None }
     }
 
-    /// With the place in the source.
+    /// The problem with its place in the source.
     #[must_use]
     pub fn at(mut self, span: Option<Range<usize>>) -> Self {
         self.span = span;
         self
     }
 
-    /// With the remedy.
+    /// The problem with its remedy.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
@@ -40,9 +40,9 @@ impl Problem {
 /// Everything that is wrong with one input, found in one reading.
 #[derive(Clone, Debug)]
 pub struct InputError {
-    /// What was read.
+    /// The source that was read.
     pub source: Source,
-    /// In the order of their places.
+    /// The problems in the order of their places.
     pub problems: Vec<Problem>,
 }
 

@@ -1,33 +1,45 @@
 //! The reader of a table: one function per table reads it, checks it and describes it.
 //!
-//! A table's reading function asks a [`Reader`] for each of its keys. On a user's file the reader answers with the
-//! values and notes every problem, so that all of them are reported together; on no file at all it records what was
-//! asked, and the record is the JSON Schema. What is read and what is documented can thus never differ.
+//! A table's reading function asks a [`Reader`] for each of its keys. On a user's file the reader answers
+//! with the values and notes every problem, so that all of them are reported together; on no file at all it
+//! records what was asked, and the record is the JSON Schema. What is read and what is documented can thus
+//! never differ.
 
+use std::any::Any;
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{Item, TableLike, Value};
 
-use super::{Bounds, Choice, Count, Field, FileKey, Problem, nearest};
+use super::{Bounds, Kept, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// A quantity of the model that is not exactly known (`+-` or `?`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Where it stands: `effects.tool-wear.rate`, `workpiece.segments[1].diameter`.
+    /// Path of the key: `effects.tool-wear.rate`, `workpiece.segments[1].diameter`.
     pub path: String,
-    /// Its kind, with the canonical unit.
+    /// Kind of the quantity, with the canonical unit.
     pub kind: Kind,
     /// Value in SI and knowledge.
     pub quantity: Quantity,
-    /// Where it may lie, SI.
+    /// Range in which it may lie, SI.
     pub bounds: Bounds,
     /// Bytes of its value in the model file.
     pub span: Option<Range<usize>>,
+}
+
+/// The key by which a model names a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileKey {
+    /// The path as the model writes it.
+    pub written: PathBuf,
+    /// Bytes of its value in the model file, quotes included.
+    pub span: Range<usize>,
 }
 
 /// The names that tables of the user's choice may have.
@@ -40,18 +52,18 @@ pub struct Names<'n> {
     pub find: &'n dyn Fn(&str, bool) -> Result<&'static str, Problem>,
 }
 
-/// What one reading finds beside the values.
+/// Findings of one reading beside the values.
 #[derive(Debug, Default)]
 pub struct Found {
-    /// What is wrong, in no order.
+    /// The mistakes, in no order.
     pub problems: Vec<Problem>,
-    /// What is not exactly known.
+    /// The quantities that are not exactly known.
     pub parameters: Vec<Parameter>,
     /// The files that are named.
     pub files: Vec<FileKey>,
 }
 
-/// What all readers of a document share.
+/// The state that all readers of a document share.
 #[derive(Default)]
 struct Findings {
     found: RefCell<Found>,
@@ -59,9 +71,11 @@ struct Findings {
     folder: PathBuf,
     /// Values to take in place of those of the file, by path.
     trial: HashMap<String, f64>,
+    /// Results that stay from one reading to the next.
+    kept: Kept,
 }
 
-/// What a reader stands on.
+/// The source from which a reader answers.
 enum Ground<'a> {
     /// A table of the user's file.
     Given(&'a dyn TableLike, Option<Range<usize>>),
@@ -99,24 +113,26 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the top of a document that is in no file with `read`; the last part holds the problems found, in no order.
+    /// Reads the top of a document that is in no file with `read`; the last part holds the problems found, in
+    /// no order.
     pub fn document<T>(
         table: &'a dyn TableLike,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> (T, Vec<Parameter>, Vec<Problem>) {
-        let (value, found) = Self::of_file(table, Path::new(""), HashMap::new(), read);
+        let (value, found) = Self::of_file(table, Path::new(""), &Kept::default(), HashMap::new(), read);
         (value, found.parameters, found.problems)
     }
 
-    /// Reads the top of a document whose paths are relative to `folder`, with other values for some of the quantities that are not exactly known, by
-    /// their paths; SI.
+    /// Reads the top of a document whose paths are relative to `folder`, with what was kept from readings
+    /// before and other values (SI) for some of the quantities that are not exactly known, by their paths.
     pub fn of_file<T>(
         table: &'a dyn TableLike,
         folder: &Path,
+        kept: &Kept,
         trial: HashMap<String, f64>,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> (T, Found) {
-        let findings = Findings { found: RefCell::default(), folder: folder.to_path_buf(), trial };
+        let findings = Findings { found: RefCell::default(), folder: folder.to_path_buf(), trial, kept: kept.clone() };
         let reader = Self::on(Ground::Given(table, None), String::new(), findings.into());
         let value = read(&reader);
         reader.finish();
@@ -147,33 +163,15 @@ impl<'a> Reader<'a> {
         Self::on(ground, path, self.findings.clone())
     }
 
-    /// A key with a quantity of `kind`.
-    pub fn quantity(&self, key: &'static str, kind: Kind, about: &'static str) -> Field<'_, 'a> {
-        Field::new(self, key, kind, about)
-    }
-
-    /// A key with a whole number.
-    pub fn count(&self, key: &'static str, about: &'static str) -> Count<'_, 'a> {
-        Count::new(self, key, about)
-    }
-
-    /// A key with one of `words`.
-    pub fn choice<T: Copy + 'static>(
-        &self,
-        key: &'static str,
-        about: &'static str,
-        words: &'static [(&'static str, T)],
-    ) -> Choice<'_, 'a, T> {
-        Choice::new(self, key, about, words)
-    }
-
     /// A key with any text.
     pub fn text(&self, key: &'static str, about: &'static str) -> Option<String> {
         self.describe(key, || json!({ "type": "string", "description": about }), false);
         let item = self.item(key)?;
         if item.as_str().is_none() {
             self.refuse(
-                Problem::new(format!("`{key}` is no text")).help(format!("write {key} = \"…\"")).at(item.span()),
+                Problem::new(format!("`{key}`: expected a text, found {}", item.type_name()))
+                    .help(format!("write {key} = \"…\""))
+                    .at(item.span()),
             );
         }
         item.as_str().map(str::to_string)
@@ -241,7 +239,7 @@ impl<'a> Reader<'a> {
                     match value.as_inline_table() {
                         Some(table) => grounds.push(Ground::Given(table, value.span())),
                         None => self.refuse(
-                            Problem::new(format!("an entry of `{key}` is no table"))
+                            Problem::new(format!("an entry of `{key}`: expected a table, found {}", value.type_name()))
                                 .help("write { key = value, … }")
                                 .at(value.span()),
                         ),
@@ -250,7 +248,9 @@ impl<'a> Reader<'a> {
             }
             Item::ArrayOfTables(tables) => grounds.extend(tables.iter().map(|t| Ground::Given(t, t.span()))),
             _ => self.refuse(
-                Problem::new(format!("`{key}` is no list")).help(format!("write {key} = [{{ … }}]")).at(item.span()),
+                Problem::new(format!("`{key}`: expected a list, found {}", item.type_name()))
+                    .help(format!("write {key} = [{{ … }}]"))
+                    .at(item.span()),
             ),
         }
         let mut values = Vec::with_capacity(grounds.len());
@@ -334,7 +334,7 @@ impl<'a> Reader<'a> {
     pub fn problem_within(&self, key: &str, part: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
         let Ground::Given(table, _) = &self.ground else { return };
         let whole = table.get(key).and_then(Item::span);
-        // Behind the opening quote; a text with escapes has other places, which stay inside it.
+        // The text begins behind the opening quote. With escapes the places are others, but stay inside it.
         let span = whole.map(|w| {
             let start = (w.start + 1 + part.start).min(w.end - 1);
             start..(w.start + 1 + part.end).clamp(start + 1, w.end)
@@ -342,8 +342,8 @@ impl<'a> Reader<'a> {
         self.refuse(Problem::new(message).help(help).at(span));
     }
 
-    /// A key that holds either a name or a table: a material. `read` gets the name, if there is one, and a reader of
-    /// the table, with every key absent where there is none.
+    /// A key that holds either a name or a table: a material. `read` gets the name, if there is one, and a
+    /// reader of the table, with every key absent where there is none.
     pub fn name_or_table<T>(
         &self,
         key: &'static str,
@@ -395,7 +395,8 @@ impl<'a> Reader<'a> {
         self.refuse(Problem::new(message).help(help).at(span));
     }
 
-    /// Takes every key of the table for known: what it should hold cannot be told, for what it depends on is wrong.
+    /// Takes every key of the table for known: what it should hold cannot be told, for what it depends on is
+    /// wrong.
     pub fn accept_any(&self) {
         self.is_open.set(true);
     }
@@ -437,6 +438,11 @@ impl<'a> Reader<'a> {
 
     pub(super) fn refuse(&self, problem: Problem) {
         self.findings.found.borrow_mut().problems.push(problem);
+    }
+
+    /// The model's cache of this type, which stays from one reading to the next.
+    pub fn kept<T: Any + Default + Send + Sync>(&self) -> Arc<T> {
+        self.findings.kept.get()
     }
 
     pub(super) fn folder(&self) -> &Path {
@@ -485,7 +491,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Refuses the keys that nobody asked for, and tells of those that are not there; a misspelt key is told of once.
+    /// Refuses the keys that nobody asked for, and tells of those that are not there; a misspelt key is told
+    /// of once.
     fn finish(&self) {
         let Ground::Given(table, _) = &self.ground else { return };
         let mut absent = self.absent.take();

@@ -7,7 +7,8 @@ use super::{Problem, Reader};
 use crate::units::{Kind, Quantity};
 
 impl Reader<'_> {
-    /// A key with any number of quantities, in SI units; `None` where it is absent. What is wrong is noted and left out.
+    /// A key with any number of quantities, in SI units; `None` where it is absent. What is wrong is noted
+    /// and left out.
     pub fn quantities(&self, key: &'static str, kind: Kind, about: &'static str) -> Option<Vec<f64>> {
         let item = json!({ "type": "string", "examples": [kind.example()] });
         self.describe(key, || json!({ "type": "array", "description": about, "items": item }), false);
@@ -17,7 +18,8 @@ impl Reader<'_> {
         Some(entries.into_iter().enumerate().filter_map(read).collect())
     }
 
-    /// A key with any number of intervals `[from, to]`, in SI units, each with `from` below `to`; `None` where it is absent.
+    /// A key with any number of intervals `[from, to]`, in SI units, each with `from` below `to`; `None`
+    /// where it is absent.
     pub fn intervals(&self, key: &'static str, kind: Kind, about: &'static str) -> Option<Vec<[f64; 2]>> {
         let item = json!({ "type": "string", "examples": [kind.example()] });
         let pair = json!({ "type": "array", "items": item, "minItems": 2, "maxItems": 2 });
@@ -48,7 +50,7 @@ impl Reader<'_> {
         match item.as_array() {
             Some(array) => Some(array.iter().collect()),
             None => {
-                let problem = Problem::new(format!("`{key}` is no list"));
+                let problem = Problem::new(format!("`{key}`: expected a list, found {}", item.type_name()));
                 self.refuse(problem.help(format!("write {written}")).at(item.span()));
                 None
             }

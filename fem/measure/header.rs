@@ -1,20 +1,21 @@
-//! The header row: which column is what, in which unit.
+//! Reads the header row: the meaning and the unit of every column.
 
-use super::{Purpose, Seen, Vocabulary};
+use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
 use crate::input::{Problem, nearest};
 use crate::process::{Absent, Holds};
 use crate::units::{Kind, Unit, UnitError};
 
-/// What a column is.
+/// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Column {
     /// A coordinate, by its position, with its unit where it has one.
     Coordinate(usize, Option<Unit>),
     /// An observable, by its position.
     Observed(usize, Unit),
-    /// The standard uncertainty of the observable with this position; of the only one where none is named.
+    /// The standard uncertainty of the observable with this position, or of the only one where none is
+    /// named.
     Uncertainty(Option<usize>, Unit),
-    /// Kept, but not used.
+    /// A column that is kept and not used.
     Unknown,
 }
 
@@ -23,11 +24,11 @@ pub enum Column {
 pub struct Header {
     pub columns: Vec<Column>,
     /// The observables, in the order of their columns; a design may have none.
-    pub seen: Vec<Seen>,
+    pub observables: Vec<MeasuredObservable>,
     pub notes: Vec<String>,
 }
 
-/// `name [unit]` in two parts.
+/// Splits `name [unit]` into its two parts.
 fn split(cell: &str) -> (&str, &str) {
     match cell.trim().split_once('[') {
         Some((name, unit)) => (name.trim(), unit.trim().trim_end_matches(']').trim()),
@@ -35,7 +36,7 @@ fn split(cell: &str) -> (&str, &str) {
     }
 }
 
-/// Reads the header cells; problems carry no place, for they all stand in the same line.
+/// Reads the header cells. Problems carry no place, for they all stand in the same line.
 pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Result<Header, Vec<Problem>> {
     if let [all] = cells
         && all.contains(';')
@@ -56,11 +57,11 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
                 if let Column::Observed(position, _) = column {
                     let observable = &vocabulary.observables[position];
                     let dimension = |position: usize| vocabulary.observables[position].kind.canonical().dimension;
-                    if header.seen.iter().any(|s| dimension(s.position) == dimension(position)) {
+                    if header.observables.iter().any(|s| dimension(s.position) == dimension(position)) {
                         let problem = Problem::new("two columns hold the same observable");
                         problems.push(problem.help("keep either of them"));
                     }
-                    header.seen.push(Seen::new(position, observable, unit));
+                    header.observables.push(MeasuredObservable::new(position, observable, unit));
                 }
                 if column == Column::Unknown {
                     unknown.push(name);
@@ -74,7 +75,7 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
             }
         }
     }
-    // A column that is wrong has been told of already, and is not missing.
+    // A column that is wrong has been reported already, and is not missing.
     let absent = missing(&header, &unknown, vocabulary);
     let observable_told = vocabulary.observables.iter().any(|o| wrong.contains(&o.name));
     let not_asked = observable_told || purpose == Purpose::Design;
@@ -117,14 +118,15 @@ fn note(name: &str, vocabulary: Vocabulary) -> String {
     }
 }
 
-/// What must be there and is not, by name; `unknown` are the columns of which one may be it, misspelt.
+/// Lists the columns that must be there and are not, by name; one of the `unknown` columns may be it,
+/// misspelt.
 fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'static str, Problem)> {
     let meant = |name: &str| {
         let same = |other: &&&str| nearest(&other.to_lowercase(), [name]).is_some();
         unknown.iter().find(same).map_or(String::new(), |other| format!("is `{other}` meant? "))
     };
     let mut problems = Vec::new();
-    if header.seen.is_empty() {
+    if header.observables.is_empty() {
         let names: Vec<String> =
             vocabulary.observables.iter().map(|o| format!("{} [{}]", o.name, o.kind.unit)).collect();
         let problem = Problem::new("no column holds what was observed");
@@ -136,7 +138,7 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
         let given = header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
         let needed = match coordinate.absent {
             Absent::Refused => true,
-            Absent::NeededBy(observable) => header.seen.iter().any(|s| s.position == observable),
+            Absent::NeededBy(observable) => header.observables.iter().any(|s| s.position == observable),
             Absent::Value(_) | Absent::Model | Absent::ModelOf(_) => false,
         };
         if needed && !given {
@@ -152,9 +154,10 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
     problems
 }
 
-/// Every column of uncertainties belongs to an observable of the file, has its dimension, and leaves no other observable without.
+/// Checks that every column of uncertainties belongs to an observable of the file, has its dimension, and
+/// leaves no other observable without one.
 fn check_uncertainty(header: &mut Header, vocabulary: Vocabulary, problems: &mut Vec<Problem>) {
-    let seen: Vec<(usize, Kind)> = match &header.seen[..] {
+    let seen: Vec<(usize, Kind)> = match &header.observables[..] {
         [] => vec![(0, vocabulary.observables[0].kind)],
         seen => seen.iter().map(|s| (s.position, s.kind)).collect(),
     };

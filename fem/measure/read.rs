@@ -1,12 +1,44 @@
-//! The rows of a measurement file.
+//! Reads the rows of a measurement file.
 
+use std::path::Path;
+
+use super::Measurements;
 use super::header::{self, Column, Header};
-use super::{Measurements, Purpose, Seen, Vocabulary};
+use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
 use crate::input::{InputError, Problem, Source};
 use crate::process::{Absent, Holds, Process, Rows};
 use crate::units::Unit;
 
-/// After this many problems the rest of the file is not looked at.
+/// Largest measurement file, bytes: some ten million rows.
+const LARGEST_FILE: u64 = 500_000_000;
+
+impl Measurements {
+    /// Reads a file of measurements of `process`.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its line.
+    pub fn load(path: &Path, process: &dyn Process) -> Result<Self, InputError> {
+        Self::parse(Source::read(path, LARGEST_FILE)?, process)
+    }
+
+    /// Reads a design, a file of planned rows in which nothing need have been observed yet.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its line.
+    pub fn load_design(path: &Path, process: &dyn Process) -> Result<Self, InputError> {
+        read(Source::read(path, LARGEST_FILE)?, process, Purpose::Design)
+    }
+
+    /// Reads measurements from the text of a file.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its line.
+    pub fn parse(source: Source, process: &dyn Process) -> Result<Self, InputError> {
+        read(source, process, Purpose::Measured)
+    }
+}
+
+/// Number of problems after which reading stops.
 const MOST_PROBLEMS: usize = 20;
 
 pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<Measurements, InputError> {
@@ -44,13 +76,13 @@ pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<M
     }
     let mut measurements = table.measurements;
     measurements.name = source.name.to_string();
-    if measurements.seen.is_empty() {
-        measurements.seen = Seen::of(&measurements.rows, vocabulary.observables);
+    if measurements.observables.is_empty() {
+        measurements.observables = MeasuredObservable::of(&measurements.rows, vocabulary.observables);
     }
     Ok(measurements)
 }
 
-/// The bytes of the line that begins at `offset`; after comments the reader's position may stand before them.
+/// Byte range of the line that begins at `offset`; the reader's position may stand before comments.
 fn line_at(text: &str, offset: usize, skipped: usize) -> std::ops::Range<usize> {
     let mut start = offset;
     while let Some(line) = text.get(start..).and_then(|rest| rest.lines().next()) {
@@ -94,17 +126,16 @@ impl<'a> Builder<'a> {
             uncertainty: has_u.then(Vec::new),
             records_of: Vec::new(),
             lines: Vec::new(),
-            seen: header.seen.clone(),
+            observables: header.observables.clone(),
             given: given.collect(),
             header: cells,
             records: Vec::new(),
             notes: header.notes.clone(),
-            blind: Vec::new(),
         };
         Self { header, vocabulary, measurements }
     }
 
-    /// Takes a record, or says what is wrong with it and takes nothing.
+    /// Takes a record whole, or reports its problem and takes nothing.
     fn push(&mut self, record: csv::StringRecord) -> Result<(), Problem> {
         let observed = self.observed(&record)?;
         let coordinates = self.coordinates(&record, &observed)?;
@@ -128,10 +159,11 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// What a record observes. Of several observables some may be left empty, but not all.
+    /// Reads the observed values of a record. Where there are several observables some cells may be empty,
+    /// but not all.
     fn observed(&self, record: &csv::StringRecord) -> Result<Vec<Observed>, Problem> {
         let cells = || record.iter().zip(&self.header.columns).zip(&self.measurements.header);
-        let may_be_empty = self.header.seen.len() > 1;
+        let may_be_empty = self.header.observables.len() > 1;
         let mut all = Vec::new();
         for ((cell, column), name) in cells() {
             if let Column::Observed(observable, unit) = column
@@ -141,7 +173,7 @@ impl<'a> Builder<'a> {
                 all.push(Observed { observable: *observable, value, uncertainty: f64::NAN });
             }
         }
-        if self.header.seen.is_empty() {
+        if self.header.observables.is_empty() {
             all.push(Observed { observable: self.planned(record), value: 0.0, uncertainty: f64::NAN });
         }
         if all.is_empty() {
@@ -157,7 +189,8 @@ impl<'a> Builder<'a> {
         Ok(all)
     }
 
-    /// What a row of a design that does not say so will observe: what needs the coordinates that are given, or the first observable.
+    /// Infers the observable of a row of a design that does not name it: the one that needs the coordinates
+    /// that are given, else the first.
     fn planned(&self, record: &csv::StringRecord) -> usize {
         let needs = |(cell, column): (&str, &Column)| match column {
             Column::Coordinate(i, _) if !cell.is_empty() => self.vocabulary.coordinates[*i].absent.only_of(),
@@ -166,7 +199,8 @@ impl<'a> Builder<'a> {
         record.iter().zip(&self.header.columns).find_map(needs).unwrap_or(0)
     }
 
-    /// The coordinates of a record. One that only an observable needs that the record does not observe may be empty.
+    /// Reads the coordinates of a record. A coordinate of an observable that the record does not observe may
+    /// be empty.
     fn coordinates(&self, record: &csv::StringRecord, observed: &[Observed]) -> Result<Vec<f64>, Problem> {
         let mut coordinates: Vec<f64> = self.vocabulary.coordinates.iter().map(left_out).collect();
         for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
@@ -186,18 +220,28 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// What a record says of one observable, SI; the uncertainty is NaN where no column has it.
+/// Observed value and standard uncertainty of one observable in a record, SI; the uncertainty is NaN where
+/// no column has it.
 struct Observed {
     observable: usize,
     value: f64,
     uncertainty: f64,
 }
 
+/// Standard uncertainties (SI) that any instrument can have: from the size of a proton, below which χ² of
+/// the worst rows would overflow, to far beyond any reading.
+const SMALLEST: f64 = 1e-15;
+const LARGEST: f64 = 1e9;
+
 fn uncertainty(cell: &str, name: &str, unit: Unit) -> Result<f64, Problem> {
     let value = number(cell, name)? * unit.factor;
     if value <= 0.0 {
         let problem = Problem::new(format!("`{}` is {cell}", name.split(['[', ' ']).next().unwrap_or("u")));
         return Err(problem.help("a standard uncertainty is above zero; leave the column out if it is not known"));
+    }
+    if !(SMALLEST..=LARGEST).contains(&value) {
+        let problem = Problem::new(format!("`{name}` is {cell}"));
+        return Err(problem.help("no uncertainty is so small or so large: is the unit right?"));
     }
     Ok(value)
 }

@@ -1,41 +1,42 @@
-//! Rows that repeat each other tell the noise.
+//! Replicates: rows that repeat each other tell the noise (pure error).
 
 use std::collections::HashMap;
 
 use super::Measurements;
 use crate::process::Coordinate;
 
-/// The scatter of repeated observations.
+/// Groups of replicates and their scatter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeats {
-    /// The group of each row, from 0; rows of a group differ in nothing that is compared.
+    /// Group of each row, from 0; rows of a group differ in nothing that is compared.
     pub group: Vec<usize>,
     /// Number of groups.
     pub groups: usize,
-    /// Of each of the file's observables, in their order.
+    /// Scatter of each of the file's observables, in their order.
     pub scatter: Vec<Scatter>,
 }
 
-/// The scatter of repeats of one observable.
+/// Scatter of the replicates of one observable (pure error).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scatter {
     /// Number of groups.
     pub groups: usize,
     /// Sum of squares about the groups' means, SI².
     pub sum_of_squares: f64,
-    /// Degrees of freedom in it: rows − groups.
+    /// Degrees of freedom: rows − groups.
     pub freedom: usize,
 }
 
 impl Repeats {
-    /// Degrees of freedom of all scatter.
+    /// Degrees of freedom of the pure error of all observables.
     pub fn freedom(&self) -> usize {
         self.scatter.iter().map(|s| s.freedom).sum()
     }
 
-    /// Degrees of freedom of the yardstick when each observable is measured by its own scatter: the relative variance of a mean square
-    /// from ν degrees of freedom is 2/ν, and each observable counts by its number of groups (Satterthwaite 1946).
-    pub fn yardstick(&self) -> f64 {
+    /// Effective degrees of freedom (Satterthwaite 1946) of the variance when each observable is measured by
+    /// its own scatter: the relative variance of a mean square from ν degrees of freedom is 2/ν, and each
+    /// observable counts by its number of groups.
+    pub fn effective_freedom(&self) -> f64 {
         let uncertain: f64 = self.scatter.iter().map(|s| s.groups as f64 / s.freedom as f64).sum();
         self.groups as f64 / uncertain
     }
@@ -63,7 +64,7 @@ pub fn repeats(measurements: &Measurements, coordinates: &[Coordinate]) -> Repea
         sum[g] += y;
         count[g] += 1;
     }
-    let mut scatter = vec![Scatter::default(); measurements.seen.len()];
+    let mut scatter = vec![Scatter::default(); measurements.observables.len()];
     for (&g, y) in group.iter().zip(&measurements.observed) {
         scatter[observable[g]].sum_of_squares += (y - sum[g] / count[g] as f64).powi(2);
     }

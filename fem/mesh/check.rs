@@ -61,8 +61,8 @@ impl Mesh {
         Ok(())
     }
 
-    /// Piece (from 0, in the order of their first elements) of every node; nodes of one piece hang together through
-    /// elements.
+    /// Piece (from 0, in the order of their first elements) of every node; nodes of one piece hang together
+    /// through elements.
     pub fn pieces(&self) -> Vec<u32> {
         let mut roots: Vec<u32> = (0..).take(self.nodes.len()).collect();
         for element in self.elements() {

@@ -1,9 +1,9 @@
-//! What can be wrong with a mesh.
+//! Errors of a mesh.
 
 /// A mesh that cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MeshError {
-    /// There is nothing to compute with.
+    /// The mesh has no elements.
     #[error("the mesh has no elements")]
     Empty,
     /// A coordinate is not a number.
@@ -11,7 +11,7 @@ pub enum MeshError {
     NotFinite {
         /// The node, from 0.
         node: usize,
-        /// What was given (m).
+        /// The coordinates given (m).
         at: [f64; 2],
     },
     /// A list of nodes does not divide into elements.
@@ -27,7 +27,7 @@ pub enum MeshError {
     UnknownNode {
         /// The element, from 0.
         element: usize,
-        /// What it refers to.
+        /// The node that it refers to.
         node: u32,
         /// The last node.
         last: usize,
@@ -40,7 +40,7 @@ pub enum MeshError {
     Inverted {
         /// The element, from 0.
         element: usize,
-        /// Its name.
+        /// The element's name.
         kind: &'static str,
         /// One of its nodes (m).
         at: [f64; 2],
@@ -52,7 +52,7 @@ pub enum MeshError {
     Unused {
         /// The node, from 0.
         node: usize,
-        /// Where it is (m).
+        /// Place of the node (m).
         at: [f64; 2],
     },
     /// A named side does not exist.
@@ -68,9 +68,9 @@ pub enum MeshError {
     /// No sides have this name.
     #[error("the mesh has no sides called `{name}`; it has {known}")]
     UnknownName {
-        /// What was asked for.
+        /// The name asked for.
         name: String,
-        /// What there is.
+        /// The names that there are.
         known: String,
     },
     /// The parts of the mesh do not hang together.
@@ -88,9 +88,9 @@ pub enum MeshError {
     Parameter {
         /// The quantity and its unit.
         quantity: &'static str,
-        /// What it may be.
+        /// The values that it may have.
         range: String,
-        /// What was given.
+        /// The value given.
         value: f64,
     },
 }

@@ -32,8 +32,9 @@ pub struct Lattice {
 type Place = [usize; 2];
 
 impl Lattice {
-    /// The mesh with its node at half steps (i, j) at `place(i, j)` (m), which must keep the sense of turning. Its
-    /// sides `names` = (bottom, right, top, left) lie at j = 0, i = 2 columns, j = 2 rows and i = 0.
+    /// The mesh with its node at half steps (i, j) at `place(i, j)` (m), which must keep the sense of
+    /// turning. Its sides `names` = (bottom, right, top, left) lie at j = 0, i = 2 columns, j = 2 rows and i
+    /// = 0.
     ///
     /// # Errors
     /// As [`Mesh::new`].

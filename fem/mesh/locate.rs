@@ -1,17 +1,18 @@
-//! Where a point lies in a mesh.
+//! Locating a point in a mesh.
 
 use super::{Element, Mesh};
 use crate::element::plane::MAX_NODES;
 
 /// Newton steps to the reference coordinates; straight-sided elements need one or two.
 const STEPS: usize = 20;
-/// How far outside its reference shape a point may lie: rounding, and the sag of curved sides between nodes.
+/// Distance outside its reference shape at which a point may lie: rounding, and the sag of curved sides
+/// between nodes.
 const SLACK: f64 = 1e-6;
 
 /// A point of a mesh: its element's nodes with their shape functions there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// (Node, Nₐ)
+    /// Each node with its shape function: (node, Nₐ).
     pub shares: Vec<(usize, f64)>,
 }
 

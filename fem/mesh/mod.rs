@@ -52,13 +52,13 @@ impl Block {
 /// One element of a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Element<'m> {
-    /// Its number in the mesh, from 0.
+    /// Number of the element in the mesh, from 0.
     pub index: usize,
     /// Number of its block.
     pub block: usize,
-    /// Its kind.
+    /// Kind of the element.
     pub kind: &'static dyn PlaneElement,
-    /// Its nodes.
+    /// Nodes of the element.
     pub nodes: &'m [u32],
 }
 
@@ -67,7 +67,7 @@ pub struct Element<'m> {
 pub struct Side {
     /// The element, from 0.
     pub element: u32,
-    /// Which of its sides, from 0.
+    /// Number of the side in the element, from 0.
     pub side: u8,
 }
 
@@ -100,7 +100,8 @@ impl Mesh {
     /// A mesh of `nodes` (m), elements and named sides.
     ///
     /// # Errors
-    /// An element without a positive area or with nodes that do not exist, a node without element, no element at all.
+    /// An element without a positive area or with nodes that do not exist, a node without element, no element
+    /// at all.
     pub fn new(
         nodes: Vec<[f64; 2]>,
         blocks: Vec<Block>,
@@ -115,7 +116,7 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// With nodes that have names.
+    /// The mesh with names for some of its nodes.
     #[must_use]
     pub fn with_points(mut self, points: BTreeMap<String, Vec<u32>>) -> Self {
         self.points = points;

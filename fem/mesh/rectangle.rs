@@ -14,9 +14,9 @@ use crate::element::plane::PlaneElement;
 /// A rectangle with a corner at the origin.
 #[derive(Clone, Debug)]
 pub struct RectangleMesh {
-    /// Along x, m.
+    /// Length along x, m.
     pub length: f64,
-    /// Along y, m.
+    /// Height along y, m.
     pub height: f64,
     /// Cells along x.
     pub columns: usize,

@@ -1,4 +1,4 @@
-//! Where the cells of a structured mesh begin and end along one direction.
+//! Borders of the cells of a structured mesh along one direction.
 
 use super::MeshError;
 
@@ -47,7 +47,8 @@ impl Grading {
         self.divide(stops, count, distance)
     }
 
-    /// Borders of `count` cells around a circle (rad): count + 1 ascending values over 2π, the last being the first.
+    /// Borders of `count` cells around a circle (rad): count + 1 ascending values over 2π, the last being the
+    /// first.
     ///
     /// # Errors
     /// As [`line`](Self::line).
@@ -105,7 +106,7 @@ impl Stretch {
         self.integral[SAMPLES]
     }
 
-    /// Where the part `fraction` of the cells lies below.
+    /// The place below which the part `fraction` of the cells lies.
     fn at(&self, fraction: f64) -> f64 {
         if fraction >= 1.0 {
             return self.to;

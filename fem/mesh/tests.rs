@@ -98,7 +98,8 @@ fn the_border_of_a_ring_is_its_bore_and_its_outside() {
     }
 }
 
-/// A point is its element's nodes weighed by their shape functions, and they find it again; beside the body there is nothing.
+/// A point is its element's nodes weighed by their shape functions, and they find it again; beside the body
+/// there is nothing.
 #[test]
 fn points_are_found_in_their_element() {
     for element in ALL {

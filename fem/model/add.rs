@@ -1,4 +1,4 @@
-//! Writing a model with one more effect, every comment and the order of the file kept.
+//! Writes a model with one more effect; every comment and the order of the file are kept.
 
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
@@ -10,9 +10,9 @@ use crate::units::Quantity;
 /// A `KEY=VALUE` of the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The parameter.
+    /// Name of the parameter.
     pub key: String,
-    /// As it is to stand in the file, without quotes.
+    /// Text of the value as it will stand in the file, without quotes.
     pub value: String,
 }
 
@@ -25,30 +25,31 @@ impl std::str::FromStr for Setting {
     }
 }
 
-/// The `model` with the effect `name` added; its source is the text to write. Parameters without a setting are written as unknown (`?`), but for those that may be
-/// left out.
+/// Adds the effect `name` to a model; the source of the new model is the text to write. Parameters without a
+/// setting are written as unknown (`?`), except those that may be left out.
 ///
 /// # Errors
 /// The effect is unknown, present already, or does not fit; a setting is unknown or wrong.
 pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Model, Problem> {
     let effect = effect_of(model.process, name)?;
-    if model.effects.iter().any(|e| e.description == effect) {
+    if model.effects.iter().any(|e| e.description.name == effect.name) {
         let problem = Problem::new(format!("the model has the effect `{name}` already"));
         return Err(problem.help("edit its values in the file"));
     }
     if let Err(reason) = model.system.admits(name) {
         return Err(Problem::new(reason).help("choose an effect that can act in this model"));
     }
-    check_settings(effect, settings)?;
-    let text = with_effect(&model.source.text, effect, settings)?;
+    check_settings(&effect, settings)?;
+    let text = with_effect(&model.source.text, &effect, settings)?;
     Model::parse(Source::new(model.source.name.clone(), text)).map_err(|e| {
-        // The mistake stands in what was asked for, not in the file.
+        // The mistake stands in the request, not in the file.
         let problem = e.problems.into_iter().next().unwrap_or_else(|| Problem::new("the model would not be right"));
         problem.at(None)
     })
 }
 
-/// A table of its own goes behind everything else, which stays byte for byte; an inline `effects = { … }` is edited.
+/// Writes the effect as a table behind everything else, which stays byte for byte; an inline `effects = { …
+/// }` is edited.
 fn with_effect(text: &str, effect: &Description, settings: &[Setting]) -> Result<String, Problem> {
     let unreadable = |e: toml_edit::TomlError| Problem::new(e.message().to_string());
     let mut document: DocumentMut = text.parse().map_err(unreadable)?;
@@ -95,7 +96,7 @@ fn fill(table: &mut dyn TableLike, effect: &Description, settings: &[Setting]) {
         let value = set(name).zip(kind(name)).and_then(|(s, kind)| Quantity::parse(&s.value, &kind).ok());
         value.is_none_or(|q| q == Quantity::known(0.0))
     };
-    for parameter in effect.parameters {
+    for parameter in &*effect.parameters {
         let value = match set(parameter.name) {
             Some(setting) => written(&setting.value, parameter.kind.unit.is_empty()),
             None if parameter.default.is_some() || parameter.needed_with.is_some_and(is_zero) => continue,
@@ -105,7 +106,7 @@ fn fill(table: &mut dyn TableLike, effect: &Description, settings: &[Setting]) {
     }
 }
 
-/// Pure numbers that are known stand without quotes.
+/// Makes the TOML value; known pure numbers stand without quotes.
 fn written(value: &str, pure: bool) -> Value {
     let number = value.parse::<f64>().ok().filter(|_| pure);
     match number {

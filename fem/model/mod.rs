@@ -1,45 +1,50 @@
 //! A model file: a process, its tables, and the effects that are present.
 
 mod add;
+mod data;
+mod formula_effect;
 mod run;
 mod schema;
-mod written;
 
 pub use add::{Setting, add_effect};
-pub use run::{Run, Share};
+pub use data::Data;
+pub use run::{Contribution, Run};
 pub use schema::schema;
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use toml_edit::Document;
 
 use crate::input::{
-    FileKey, Found, InputError, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
+    FileKey, Found, InputError, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
 };
-use crate::process::{self, Active, Description, Failure, Job, Process, System};
+use crate::process::{self, Active, Description, Failure, ForwardModel, Process, System};
 use crate::units::Knowledge;
 
-/// Largest model file, bytes. A model is written by people.
+/// Largest model file, bytes; people write models by hand.
 const LARGEST: u64 = 4_000_000;
 
 /// A model that was read without a problem.
 pub struct Model {
-    /// The file.
+    /// Name and text of the file.
     pub source: Source,
-    /// `title`, if it has one.
+    /// The key `title`, if the file has it.
     pub title: Option<String>,
-    /// Which process it models.
+    /// Process that it models.
     pub process: &'static dyn Process,
-    /// The ideal system that its tables describe.
+    /// Ideal system that its tables describe.
     pub system: Arc<dyn System>,
-    /// Its effects, in the order of the file.
+    /// Effects, in the order of the file.
     pub effects: Vec<Active>,
-    /// What it does not know exactly.
+    /// Parameters that it does not know exactly.
     pub parameters: Vec<Parameter>,
-    /// The files that it names.
+    /// Files that it names.
     files: Vec<FileKey>,
+    /// Results of reading that stay from one reading to the next.
+    kept: Kept,
     document: Document<String>,
 }
 
@@ -47,7 +52,7 @@ impl Model {
     /// Reads a model file.
     ///
     /// # Errors
-    /// Everything that is wrong with the file, with places and remedies.
+    /// The file is wrong; the error lists every problem with its place and remedy.
     pub fn load(path: &Path) -> Result<Self, InputError> {
         Self::parse(Source::read(path, LARGEST)?)
     }
@@ -55,59 +60,77 @@ impl Model {
     /// Reads a model from its text.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// The text is wrong; the error lists every problem.
     pub fn parse(source: Source) -> Result<Self, InputError> {
         let document = Document::parse(source.text.to_string()).map_err(|e| {
             let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
             InputError::one(source.clone(), problem.help("a model file is TOML: [table], key = \"value\", # comment"))
         })?;
         let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
+        let kept = Kept::default();
         let ((title, system, effects), found) =
-            Reader::of_file(document.as_table(), source.folder(), HashMap::new(), |model| read(model, process));
-        if !found.problems.is_empty() {
-            return Err(InputError::new(source, found.problems));
+            Reader::of_file(document.as_table(), source.folder(), &kept, HashMap::new(), |model| read(model, process));
+        let Found { parameters, files, problems } = found;
+        match system {
+            Some(system) if problems.is_empty() => {
+                Ok(Self { title, process, system, effects, parameters, files, source, kept, document })
+            }
+            _ => Err(InputError::new(source, problems)),
         }
-        let Found { parameters, files, .. } = found;
-        Ok(Self { title, process, system, effects, parameters, files, source, document })
     }
 
-    /// The model with what it does not know exactly at these values (SI, in the order of `parameters`), ready to predict.
+    /// Forward model with the parameters at these values (SI, in the order of `parameters`).
     ///
     /// # Errors
-    /// The values make no model: a trial of a search went where there is none.
-    pub fn job_at(&self, values: &[f64]) -> Result<Box<dyn Job>, Failure> {
-        self.job_with(values, &[])
+    /// The values make no model: a search went where there is none.
+    pub fn forward_at(&self, values: &[f64]) -> Result<Box<dyn ForwardModel>, Failure> {
+        self.forward_with(values, &[])
     }
 
-    /// The same with further effects acting that the file does not have.
+    /// Forward model with the parameters at these values and further effects that the file does not have.
     ///
     /// # Errors
     /// The values make no model.
-    pub fn job_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn Job>, Failure> {
+    pub fn forward_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn ForwardModel>, Failure> {
         if let Some(mut effects) = self.effects_at(values) {
             effects.extend_from_slice(added);
-            return Ok(process::equip(&self.system, &effects));
+            return Ok(self.system.with_effects(&effects));
         }
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
         let ((_, system, mut effects), found) =
-            Reader::of_file(self.document.as_table(), self.source.folder(), trial, |model| read(model, self.process));
-        match found.problems.first() {
-            None => {
+            Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, trial, |model| {
+                read(model, self.process)
+            });
+        match (system, found.problems.first()) {
+            (Some(system), None) => {
                 effects.extend_from_slice(added);
-                Ok(process::equip(&system, &effects))
+                Ok(system.with_effects(&effects))
             }
-            Some(problem) => {
-                Err(Failure { message: problem.message.clone(), help: problem.help.clone().unwrap_or_default() })
-            }
+            (_, problem) => Err(Failure {
+                message: problem.map_or("the values make no model".into(), |p| p.message.clone()),
+                help: problem.and_then(|p| p.help.clone()).unwrap_or_default(),
+            }),
         }
     }
 
-    /// The model as it is written, ready to predict.
-    pub fn job(&self) -> Box<dyn Job> {
-        process::equip(&self.system, &self.effects)
+    /// Forward model as it is written.
+    pub fn forward(&self) -> Box<dyn ForwardModel> {
+        self.system.with_effects(&self.effects)
     }
 
-    /// The text of the model for a file at `path`: what it names by paths from its own folder is found from there.
+    /// Name of the model's file without its folder and ending.
+    pub fn stem(&self) -> &OsStr {
+        Path::new(&*self.source.name).file_stem().unwrap_or_default()
+    }
+
+    /// File of the model and those that it names.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        let named = self.files.iter().map(|file| self.source.folder().join(&file.written));
+        std::iter::once(PathBuf::from(&*self.source.name)).chain(named).collect()
+    }
+
+    /// Text of the model for a file at `path`: paths from its own folder are rewritten to be found from
+    /// there.
     pub fn text_at(&self, path: &Path) -> String {
         let mut text = self.source.text.to_string();
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -122,7 +145,7 @@ impl Model {
         text
     }
 
-    /// The effects with other values, if nothing else is unknown; the system then need not be read again.
+    /// Effects with other values, if nothing else is unknown; the system then need not be read again.
     fn effects_at(&self, values: &[f64]) -> Option<Vec<Active>> {
         let mut effects = self.effects.clone();
         for (parameter, value) in self.parameters.iter().zip(values) {
@@ -134,23 +157,30 @@ impl Model {
         Some(effects)
     }
 
-    /// Whether a parameter, by its path, belongs to an effect that the user has written.
-    pub fn is_written(&self, path: &str) -> bool {
+    /// Whether a parameter, by its path, belongs to a formula effect.
+    pub fn is_of_formula(&self, path: &str) -> bool {
         let effect = path.strip_prefix("effects.").and_then(|p| p.split_once('.')).map(|p| p.0);
-        self.effects.iter().any(|e| e.written.is_some() && Some(e.description.name) == effect)
+        self.effects.iter().any(|e| e.formula.is_some() && Some(e.description.name) == effect)
     }
 
-    /// The catalogue's entry of a parameter of an effect, by its path.
-    pub fn catalogue(&self, path: &str) -> Option<&'static crate::process::Parameter> {
+    /// Parameter of an effect, by its path, whether of the catalogue or of a formula.
+    pub fn effect_parameter(&self, path: &str) -> Option<&crate::process::Parameter> {
         let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
-        let active = self.effects.iter().find(|e| e.description.name == effect && e.written.is_none())?;
+        let active = self.effects.iter().find(|e| e.description.name == effect)?;
+        active.description.parameters.iter().find(|p| p.name == name)
+    }
+
+    /// Catalogue entry of a parameter of an effect, by its path.
+    pub fn catalogue(&self, path: &str) -> Option<&crate::process::Parameter> {
+        let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
+        let active = self.effects.iter().find(|e| e.description.name == effect && e.formula.is_none())?;
         active.description.parameters.iter().find(|p| p.name == name)
     }
 
     /// Refuses a model with parameters that are still unknown (`?`).
     ///
     /// # Errors
-    /// Names each of them.
+    /// Parameters are unknown; the error names each of them.
     pub fn require_values(&self) -> Result<(), InputError> {
         let free = self.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free);
         let problem = |p: &Parameter| {
@@ -182,28 +212,28 @@ fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Pro
     })
 }
 
-/// Reads everything a model file may hold; also the ground of its schema.
-fn read(model: &Reader, process: &'static dyn Process) -> (Option<String>, Arc<dyn System>, Vec<Active>) {
+/// Reads everything that a model file may hold; the schema is made by the same calls.
+fn read(model: &Reader, process: &'static dyn Process) -> (Option<String>, Option<Arc<dyn System>>, Vec<Active>) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
-    let system: Arc<dyn System> = process.read(model).into();
-    let effects = read_effects(model, process, &*system);
+    let system: Option<Arc<dyn System>> = process.read(model).map(Arc::from);
+    let effects = read_effects(model, process, system.as_deref());
     (title, system, effects)
 }
 
-fn read_effects(model: &Reader, process: &'static dyn Process, system: &dyn System) -> Vec<Active> {
+fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&dyn System>) -> Vec<Active> {
     let known = process.effects();
     let names: Vec<&'static str> = known.iter().map(|d| d.name).collect();
-    let find = |name: &str, is_written: bool| match names.iter().find(|n| **n == name) {
+    let find = |name: &str, is_formula: bool| match names.iter().find(|n| **n == name) {
         Some(known) => Ok(*known),
-        None if is_written => Ok(process::written::word(name)),
+        None if is_formula => Ok(process::formula_effect::name(name)),
         None => Err(unknown_effect(name, process, &names)),
     };
     let read = |name: &'static str, table: &Reader| {
         let Some(description) = known.iter().find(|d| d.name == name) else {
-            return written::read(name, table, process);
+            return formula_effect::read(name, table, process);
         };
-        if let Err(reason) = system.admits(name) {
+        if let Some(Err(reason)) = system.map(|s| s.admits(name)) {
             table.problem("", reason, "remove the effect, or change what it acts on");
         }
         Some(description.read(table))
@@ -229,8 +259,8 @@ fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> 
     }
 }
 
-/// The effect of a process by its name.
-pub fn effect_of(process: &dyn Process, name: &str) -> Result<&'static Description, Problem> {
+/// Finds an effect of a process by its name.
+pub fn effect_of(process: &dyn Process, name: &str) -> Result<Description, Problem> {
     let known = process.effects();
     let names: Vec<&'static str> = known.iter().map(|d| d.name).collect();
     known.into_iter().find(|d| d.name == name).ok_or_else(|| unknown_effect(name, process, &names))

@@ -1,25 +1,25 @@
-//! A run: the prediction, and what each effect changes in it.
+//! Runs a model: the prediction, and the change that each effect makes in it.
 
 use super::Model;
-use crate::process::{Active, Failure, Observable, Outcome, equip};
+use crate::process::{Active, Failure, Observable, RunReport};
 use crate::progress::Progress;
 use crate::units::Kind;
 
-/// What a run gives.
+/// Result of a run.
 pub struct Run {
-    /// The process's own report.
-    pub outcome: Outcome,
-    /// What each part of the model contributes to each observable, the ideal system first.
-    pub shares: Vec<Share>,
+    /// Report of the process.
+    pub report: RunReport,
+    /// Contribution of each part of the model to each observable, the ideal system first.
+    pub contributions: Vec<Contribution>,
 }
 
-/// What one effect changes: the prediction with all effects less the prediction without this one. For the ideal system, which has no effects,
-/// its prediction itself. SI units.
+/// Change that one effect makes: the prediction with all effects less the prediction without this one; for
+/// the ideal system, which has no effects, the prediction itself. SI units.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Share {
-    /// The effect's name, or `ideal`.
+pub struct Contribution {
+    /// Name of the effect, or `ideal`.
     pub name: &'static str,
-    /// In which observable, by its position in the process's list.
+    /// Observable that changes, by its position in the process's list.
     pub observable: usize,
     /// Root mean square over all points.
     pub rms: f64,
@@ -29,8 +29,9 @@ pub struct Share {
     pub largest: f64,
 }
 
-impl Share {
-    /// In what it is told: the ideal prediction as what is observed, a change as errors are.
+impl Contribution {
+    /// Kind in which it is given: the ideal prediction in that of the observable, a change in that of its
+    /// errors.
     pub fn kind(&self, observables: &[Observable]) -> Kind {
         let observable = &observables[self.observable];
         if self.name == "ideal" { observable.kind } else { observable.error_kind() }
@@ -43,25 +44,26 @@ impl Model {
     /// # Errors
     /// The computation failed.
     pub fn run(&self, progress: &Progress) -> Result<Run, Failure> {
-        let job = self.job();
-        let prediction = job.predict(progress)?;
-        let mut changes = vec![("ideal", equip(&self.system, &[]).predict(progress)?)];
+        let forward = self.forward();
+        let prediction = forward.predict(progress)?;
+        let mut changes = vec![("ideal", self.system.with_effects(&[]).predict(progress)?)];
         for effect in &self.effects {
             let others: Vec<Active> = self.effects.iter().filter(|e| *e != effect).cloned().collect();
-            let without = equip(&self.system, &others).predict(progress)?;
+            let without = self.system.with_effects(&others).predict(progress)?;
             let changed = prediction.iter().zip(&without).map(|(a, b)| a - b).collect();
             changes.push((effect.description.name, changed));
         }
         let programme = self.system.programme().observable;
         let observed = (0..self.process.observables().len()).filter(|o| programme.contains(o));
-        let shares = observed.flat_map(|o| changes.iter().map(move |(name, changes)| (*name, o, changes)));
-        let shares = shares.map(|(name, o, changes)| share(name, o, changes, &programme)).collect();
-        Ok(Run { outcome: job.outcome(prediction)?, shares })
+        let contributions = observed.flat_map(|o| changes.iter().map(move |(name, changes)| (*name, o, changes)));
+        let contributions =
+            contributions.map(|(name, o, changes)| contribution(name, o, changes, &programme)).collect();
+        Ok(Run { report: forward.report(prediction)?, contributions })
     }
 }
 
-/// Of the points of the programme at which this observable is predicted.
-fn share(name: &'static str, observable: usize, changes: &[f64], programme: &[usize]) -> Share {
+/// Summarises the changes at the points of the programme at which this observable is predicted.
+fn contribution(name: &'static str, observable: usize, changes: &[f64], programme: &[usize]) -> Contribution {
     let (mut square, mut count, mut smallest, mut largest) = (0.0, 0usize, f64::INFINITY, f64::NEG_INFINITY);
     for (change, _) in changes.iter().zip(programme).filter(|(_, o)| **o == observable) {
         square += change * change;
@@ -69,5 +71,5 @@ fn share(name: &'static str, observable: usize, changes: &[f64], programme: &[us
         smallest = change.min(smallest);
         largest = change.max(largest);
     }
-    Share { name, observable, rms: (square / count.max(1) as f64).sqrt(), smallest, largest }
+    Contribution { name, observable, rms: (square / count.max(1) as f64).sqrt(), smallest, largest }
 }

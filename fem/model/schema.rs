@@ -1,4 +1,4 @@
-//! The JSON Schema of the model file, from the functions that read it.
+//! JSON Schema of the model file, made by the functions that read it.
 
 use serde_json::{Value as Json, json};
 
@@ -6,7 +6,7 @@ use super::read;
 use crate::input::Reader;
 use crate::process;
 
-/// The schema, for editors: one alternative per process, chosen by `process`.
+/// Makes the schema, for editors: one alternative per process, chosen by `process`.
 pub fn schema() -> Json {
     let one = |process: &'static dyn process::Process| {
         let mut shape = Reader::schema(process.about(), |model| read(model, process));

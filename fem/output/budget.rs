@@ -1,4 +1,4 @@
-//! A budget, as text and JSON.
+//! Writes a budget as text and JSON.
 
 use std::fmt::Write;
 
@@ -6,9 +6,9 @@ use serde_json::{Value as Json, json};
 
 use crate::budget::{Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, Share, Source, Unknown};
 
-/// Lengths are told in micrometres.
+/// Unit of all lengths.
 const UNIT: &str = "um";
-/// Fewer samples than this beyond either end of the interval do not tell where it is.
+/// Fewest samples beyond either end of the interval that determine it.
 const LEAST_BEYOND: f64 = 10.0;
 /// Widest bar of the tornado, in characters.
 const BAR: f64 = 28.0;
@@ -96,13 +96,13 @@ fn unknown(unknown: Unknown) -> &'static str {
     }
 }
 
-/// By how much the handbook's total is larger than what the draws reach at the same risk.
+/// Ratio of the handbook's total to the extent of the samples at the same risk.
 fn pessimism(estimate: &Estimate) -> Option<f64> {
     let ratio = estimate.handbook.total / estimate.monte_carlo.extent;
     ratio.is_finite().then_some(ratio)
 }
 
-/// What should not be overlooked.
+/// Warnings for the user.
 pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
     let mut warnings = Vec::new();
     if let Some(drill) = budget.drill.filter(|d| d.drill_tolerance < 0.0 || d.wear < 0.0 || d.left() < -1e-15) {
@@ -130,7 +130,7 @@ pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
     }
     for error in &budget.errors {
         if let Source::Clamping { c, force, exponent } = error.source {
-            /// Nearer than this the rule says what there is.
+            /// Range of that ratio in which the rule agrees with the samples.
             const CLOSE: std::ops::Range<f64> = 0.8..1.25;
             let half = 0.5 * (c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent));
             if CLOSE.contains(&(error.value.abs() / half)) || error.value.abs() == half {
@@ -156,7 +156,7 @@ pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
     warnings
 }
 
-/// The budget for people. Writing to a String does not fail.
+/// Writes a budget for people. Writing to a String does not fail.
 pub fn text(budget: &Budget, estimate: Option<&Estimate>) -> String {
     let title = budget.title.as_deref().unwrap_or(&budget.file.name).replace(|c: char| c.is_control(), " ");
     let mut text = format!("{title}\nbudget: errors added up by the handbook's rules and by Monte Carlo\n\n");
@@ -217,7 +217,7 @@ fn drawn_text(text: &mut String, budget: &Budget, drawn: &Drawn) {
     }
 }
 
-/// Every error with what it alone does, the widest first; a mark stands where nothing is changed.
+/// Writes every error with the changes that it alone makes, the widest first; a mark stands at no change.
 fn tornado(text: &mut String, shares: &[Share]) {
     let width = shares.iter().map(|s| s.name.chars().count()).max().unwrap_or(0).max(13);
     let low = shares.iter().map(|s| s.swing.0.min(s.swing.1)).fold(0.0, f64::min);

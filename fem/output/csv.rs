@@ -1,10 +1,10 @@
-//! Tables as CSV: one header row `name [unit]`, numbers at full precision.
+//! Writes tables as CSV: one header row `name [unit]`, numbers at full precision.
 
 use std::fmt::Write;
 
 use crate::process::{Column, Table};
 
-/// The table as CSV text, with numbers that read back exactly.
+/// Makes the CSV text of a table, with numbers that read back exactly.
 pub fn table(table: &Table) -> String {
     let header = |c: &Column| match c.unit {
         Some(unit) => format!("{} [{unit}]", c.name),
@@ -17,7 +17,7 @@ pub fn table(table: &Table) -> String {
         for (i, column) in table.columns.iter().enumerate() {
             let comma = if i == 0 { "" } else { "," };
             let value = column.values[row];
-            // What is not there is an empty cell. Writing to a String does not fail.
+            // A missing value is an empty cell. Writing to a String does not fail.
             let _ = match column.words.get(value as usize) {
                 _ if value.is_nan() => write!(text, "{comma}"),
                 Some(word) => write!(text, "{comma}{word}"),

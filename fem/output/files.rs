@@ -7,8 +7,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::OutputError;
 
-/// What is being written, for [`abandon`]. Whoever makes a partial file holds the lock until it stands here, so that none can
-/// be made behind the back of a program that is ending.
+/// What is being written, for [`abandon`]. Whoever makes a partial file holds the lock until it stands
+/// here, so that none can be made behind the back of a program that is ending.
 static PARTIAL: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn partial() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -28,20 +28,38 @@ fn failed(path: &Path) -> impl Fn(std::io::Error) -> OutputError + use<> {
 /// Writes one file beside its place and renames it there; missing directories are made.
 ///
 /// # Errors
-/// The directory cannot be made, the file not written (a full disk), or not renamed.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+/// It is one of the files that were read; the directory cannot be made, the file not written (a full disk),
+/// or not renamed.
+pub fn write(path: &Path, bytes: &[u8], reads: &[PathBuf]) -> Result<(), OutputError> {
     let directory = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let stage = Stage::new(directory).map_err(failed(path))?;
+    let stage = Stage::new(directory, reads).map_err(failed(path))?;
     stage.write(Path::new(path.file_name().unwrap_or_default()), bytes)?;
     stage.publish()
 }
 
-/// Files on their way into a directory: all of them appear, or none.
+/// Whether two paths are one file, by whatever way.
+fn is_same(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// Refuses to write to `path` where it is one of the files that are read, by whatever way.
+///
+/// # Errors
+/// It is.
+pub fn refuse_reads(path: &Path, reads: &[PathBuf]) -> Result<(), OutputError> {
+    match reads.iter().any(|read| is_same(read, path)) {
+        true => Err(OutputError::Read { path: path.to_path_buf() }),
+        false => Ok(()),
+    }
+}
+
+/// Files on their way into a directory: all of them appear, or none, and none over a file that was read.
 pub struct Stage {
     directory: PathBuf,
+    reads: Vec<PathBuf>,
     beside: PathBuf,
     files: Mutex<Vec<PathBuf>>,
 }
@@ -51,19 +69,20 @@ impl Stage {
     ///
     /// # Errors
     /// The directory cannot be made or written.
-    pub fn new(directory: &Path) -> std::io::Result<Self> {
+    pub fn new(directory: &Path, reads: &[PathBuf]) -> std::io::Result<Self> {
         std::fs::create_dir_all(directory)?;
         let mut partial = partial();
         let beside = tempfile::Builder::new().prefix(".fem-").suffix(".partial").tempdir_in(directory)?.keep();
         partial.insert(beside.clone());
-        Ok(Self { directory: directory.to_path_buf(), beside, files: Mutex::default() })
+        Ok(Self { directory: directory.to_path_buf(), reads: reads.to_vec(), beside, files: Mutex::default() })
     }
 
     /// Writes a file that will stand at `name` in the directory, at most one folder deep.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// It is a file that was read, or it cannot be written.
     pub fn write(&self, name: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+        refuse_reads(&self.directory.join(name), &self.reads)?;
         let failed = failed(&self.directory.join(name));
         if let Some(folder) = name.parent().filter(|f| !f.as_os_str().is_empty()) {
             // Not with its parents: once the stage is abandoned it must not come back.

@@ -1,4 +1,4 @@
-//! A fit, as text and JSON.
+//! Writes a fit as text and JSON.
 
 use std::fmt::Write;
 
@@ -6,18 +6,17 @@ use serde_json::{Value as Json, json};
 
 use crate::compare::SIGNIFICANCE;
 use crate::fit::{Estimate, Fit};
-use crate::measure::Measurements;
-use crate::model::Model;
+use crate::model::Data;
 use crate::units::Knowledge;
 
-/// Whether the noise explains what the fitted model leaves; unknown where the noise is only estimated.
+/// Whether the noise explains the residuals of the fitted model; unknown where the noise is only estimated.
 fn adequate(fit: &Fit) -> Option<bool> {
     fit.p_value.map(|p| p >= SIGNIFICANCE)
 }
 
-/// `fem fit --json`: `fem-fit/1`.
-pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
-    let kind = measurements.kind();
+/// Makes the JSON of `fem fit --json`: `fem-fit/1`.
+pub fn json(data: &Data, fit: &Fit) -> Json {
+    let kind = data.kind();
     let estimate = |e: &Estimate| {
         let k = e.parameter.kind;
         let factor = k.canonical().factor;
@@ -39,13 +38,13 @@ pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
     let name = |i: usize| &fit.estimates[i].parameter.path;
     json!({
         "schema": "fem-fit/1",
-        "model": &*model.source.name,
-        "data": measurements.name,
-        "observations": measurements.len(),
-        "noise": super::comparison::noise(&fit.noise.level(measurements), kind),
+        "model": &*data.model.source.name,
+        "data": data.name,
+        "observations": data.len(),
+        "noise": super::comparison::noise(&fit.noise.level(data), kind),
         "rms": kind.from_si(fit.rms),
         "unit": kind.unit,
-        "chi2_per_dof": finite(fit.misfit),
+        "chi2_per_dof": finite(fit.reduced_chi2),
         "p_value": fit.p_value,
         "adequate": adequate(fit),
         "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
@@ -55,20 +54,20 @@ pub fn json(model: &Model, measurements: &Measurements, fit: &Fit) -> Json {
     })
 }
 
-/// A number, or null where there is none.
+/// Makes the JSON of a number, null where it is not finite.
 pub(super) fn finite(value: f64) -> Json {
     if value.is_finite() { json!(value) } else { Json::Null }
 }
 
-/// What was fitted, how well, and what cannot be told.
-pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
-    let kind = measurements.kind();
+/// Writes the estimates, the goodness of fit and the correlations.
+pub fn text(data: &Data, fit: &Fit) -> String {
+    let kind = data.kind();
     let mut text = format!(
         "{} fitted to {}: {} observations, noise {}\n\n",
-        model.source.name,
-        measurements.name,
-        measurements.len(),
-        super::comparison::noise_text(&fit.noise.level(measurements), measurements),
+        data.model.source.name,
+        data.name,
+        data.len(),
+        super::comparison::noise_text(&fit.noise.level(data), data),
     );
     let width = fit.estimates.iter().map(|e| e.parameter.path.chars().count()).max().unwrap_or(0);
     // Writing to a String does not fail, here and below.
@@ -100,7 +99,13 @@ pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
         Some(false) => "more is left than the noise explains: something is missing, or what is written is wrong",
         None => "whether that is noise cannot be told without repeats or a column u",
     };
-    let _ = writeln!(text, "\n  rms {:.3} {}, chi2/dof {:.3}: {verdict}", kind.from_si(fit.rms), kind.unit, fit.misfit);
+    let _ = writeln!(
+        text,
+        "\n  rms {:.3} {}, chi2/dof {:.3}: {verdict}",
+        kind.from_si(fit.rms),
+        kind.unit,
+        fit.reduced_chi2
+    );
     if fit.failures > 0 {
         let _ =
             writeln!(text, "  the model could not be computed at {} of {} trial values", fit.failures, fit.evaluations);
@@ -108,7 +113,7 @@ pub fn text(model: &Model, measurements: &Measurements, fit: &Fit) -> String {
     text
 }
 
-/// A number with as many significant digits as its precision asks for.
+/// Number that is written with as many significant digits as its precision asks for.
 pub(super) struct Short(pub f64);
 
 impl std::fmt::Display for Short {

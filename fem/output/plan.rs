@@ -1,4 +1,4 @@
-//! A plan, as text and JSON.
+//! Writes a plan as text and JSON.
 
 use std::fmt::Write;
 
@@ -6,54 +6,55 @@ use serde_json::{Value as Json, json};
 
 use super::diagnosis::{bound, next as next_json};
 use crate::diagnose::Plan;
-use crate::measure::{Measurements, Seen};
-use crate::model::Model;
+use crate::measure::MeasuredObservable;
+use crate::model::Data;
 
-/// `fem plan --json`: `fem-plan/1`.
-pub fn json(model: &Model, design: &Measurements, plan: &Plan) -> Json {
-    let noise = |(seen, sigma): (&Seen, &f64)| json!({ "observable": seen.name, "sigma": seen.kind.from_si(*sigma), "unit": seen.kind.unit });
-    let mut noise: Vec<Json> = design.seen.iter().zip(&plan.sigma).map(noise).collect();
-    let effect = |(d, v): &(&crate::process::Description, Option<crate::diagnose::Visibility>)| {
+/// Makes the JSON of `fem plan --json`: `fem-plan/1`.
+pub fn json(design: &Data, plan: &Plan) -> Json {
+    let noise = |(seen, sigma): (&MeasuredObservable, &f64)| json!({ "observable": seen.name, "sigma": seen.kind.from_si(*sigma), "unit": seen.kind.unit });
+    let mut noise: Vec<Json> = design.observables.iter().zip(&plan.sigma).map(noise).collect();
+    let effect = |(d, v): &(crate::process::Description, Option<crate::diagnose::DetectionLimit>)| {
         let unit = v.as_ref().and_then(|v| d.parameters.iter().find(|p| p.name == v.parameter)).map(|p| p.kind.unit);
         json!({
             "effect": d.name,
-            "visible": v.as_ref().is_some_and(|v| v.visible),
+            "visible": v.as_ref().is_some_and(|v| v.detectable),
             "parameter": v.as_ref().map(|v| v.parameter),
             "smallest": v.as_ref().and_then(|v| v.smallest),
             "unit": unit,
-            "own_share": v.as_ref().map(|v| v.own),
+            "own_share": v.as_ref().map(|v| v.own_share),
         })
     };
     json!({
         "schema": "fem-plan/1",
-        "model": &*model.source.name,
+        "model": &*design.model.source.name,
         "design": design.name,
         "observations": plan.rows,
         "noise": if noise.len() == 1 { noise.remove(0) } else { json!(noise) },
         "effects": plan.effects.iter().map(effect).collect::<Vec<_>>(),
         "alike": plan.alike.iter().map(|a| json!({ "effects": [a.one.name, a.other.name], "separation": a.separation })).collect::<Vec<_>>(),
-        "next_measurement": plan.next.as_ref().map(|n| next_json(n, model)),
+        "next_measurement": plan.next.as_ref().map(|n| next_json(n, design.model)),
     })
 }
 
-/// Pairs that are told, the most alike first.
+/// Most pairs that are told, the most alike first.
 const MOST_PAIRS: usize = 12;
 
-/// The plan for people. Writing to a String does not fail.
-pub fn text(model: &Model, design: &Measurements, plan: &Plan) -> String {
-    let noise = |(seen, sigma): (&Seen, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
-    let noise: Vec<String> = design.seen.iter().zip(&plan.sigma).map(noise).collect();
+/// Writes a plan for people. Writing to a String does not fail.
+pub fn text(design: &Data, plan: &Plan) -> String {
+    let noise =
+        |(seen, sigma): (&MeasuredObservable, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
+    let noise: Vec<String> = design.observables.iter().zip(&plan.sigma).map(noise).collect();
     let mut text =
-        format!("{}: {} rows of {}, noise {}\n", model.source.name, plan.rows, design.name, noise.join(" and "));
-    let visible = || plan.effects.iter().filter_map(|(d, v)| v.as_ref().filter(|v| v.visible).map(|v| (*d, v)));
+        format!("{}: {} rows of {}, noise {}\n", design.model.source.name, plan.rows, design.name, noise.join(" and "));
+    let visible = || plan.effects.iter().filter_map(|(d, v)| v.as_ref().filter(|v| v.detectable).map(|v| (d, v)));
     let width = plan.effects.iter().map(|e| e.0.name.len()).max().unwrap_or(0);
     let _ = writeln!(text, "\nwould be seen, nine times in ten at a usual shape, from");
     for (d, v) in visible() {
         let size = v.smallest.map_or(String::new(), |s| bound(d, v.parameter, s));
-        let _ = writeln!(text, "  {:<width$}  {size:<28} {:>3.0} % of it is its own", d.name, 100.0 * v.own);
+        let _ = writeln!(text, "  {:<width$}  {size:<28} {:>3.0} % of it is its own", d.name, 100.0 * v.own_share);
     }
     let hidden: Vec<&str> =
-        plan.effects.iter().filter(|(_, v)| !v.as_ref().is_some_and(|v| v.visible)).map(|e| e.0.name).collect();
+        plan.effects.iter().filter(|(_, v)| !v.as_ref().is_some_and(|v| v.detectable)).map(|e| e.0.name).collect();
     if !hidden.is_empty() {
         let _ = writeln!(text, "\nwould not be seen: {}", hidden.join(", "));
     }
@@ -76,7 +77,7 @@ pub fn text(model: &Model, design: &Measurements, plan: &Plan) -> String {
         let _ = writeln!(
             text,
             "\nto tell most of them apart\n  {}{often}: {} rows more\n  tells {}",
-            next.further.words,
+            next.experiment.words,
             next.observations(),
             pairs.join(", ")
         );

@@ -1,11 +1,11 @@
-//! Small curves in text.
+//! Draws small curves in text.
 
 use crate::process::Plot;
 
 const WIDTH: usize = 61;
 const HEIGHT: usize = 11;
 
-/// The curve as lines of text with its axes.
+/// Draws a curve as lines of text with its axes.
 pub fn lines(plot: &Plot) -> Vec<String> {
     let ys = || plot.points.iter().map(|p| p.1);
     let (low, high) = (ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max));
@@ -31,7 +31,7 @@ pub fn lines(plot: &Plot) -> Vec<String> {
     lines
 }
 
-/// Linear between the points.
+/// Interpolates linearly between the points.
 fn value_at(points: &[(f64, f64)], x: f64) -> f64 {
     let i = points.partition_point(|p| p.0 < x).clamp(1, points.len().max(2) - 1);
     let (Some(a), Some(b)) = (points.get(i - 1), points.get(i)) else {
@@ -40,7 +40,7 @@ fn value_at(points: &[(f64, f64)], x: f64) -> f64 {
     a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0)
 }
 
-/// A number in a few characters.
+/// Writes a number in a few characters.
 fn short(value: f64) -> String {
     match value.abs() {
         a if a >= 1000.0 => format!("{value:.0}"),

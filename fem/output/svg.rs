@@ -1,4 +1,5 @@
-//! Contours with magnified deviations as SVG: one file that any browser opens, legible on light and dark grounds.
+//! Draws contours with magnified deviations as SVG: one file that any browser opens, legible on light and
+//! dark backgrounds.
 
 use std::fmt::Write;
 
@@ -8,17 +9,18 @@ use crate::process::{Drawing, Spot};
 const SIDE: f64 = 640.0;
 const TITLE: f64 = 44.0;
 const LINE: f64 = 22.0;
-/// From the edge to what reaches farthest.
+/// Margin from the edge to the outermost line, in pixels.
 const MARGIN: f64 = 34.0;
-/// The largest deviation is drawn over at most this part of the contour's size.
+/// Largest drawn deviation, as a part of the contour's size.
 const REACH: f64 = 0.42;
-/// Deviations that are drawn to a nanometre are none.
+/// Size below which deviations count as none, m.
 const NONE: f64 = 1e-9;
-/// Colours of the families, told apart by people who see few colours too (Okabe and Ito), darkened or lightened with the ground.
+/// Colours of the families, which colour-blind people can tell apart too (Okabe and Ito), darkened or
+/// lightened with the background.
 const COLOURS: [(&str, &str); 4] =
     [("#0072b2", "#56b4e9"), ("#d55e00", "#f0a04b"), ("#00805c", "#2fc79a"), ("#a8437f", "#e29ac4")];
 
-/// The drawing as an `<svg>` element that stands for itself.
+/// Makes the drawing as an `<svg>` element that stands for itself.
 pub fn drawing(drawing: &Drawing) -> String {
     let frame = Frame::of(drawing);
     let families = 1 + drawing.curves.iter().map(|c| c.family).max().unwrap_or(0);
@@ -49,19 +51,19 @@ pub fn drawing(drawing: &Drawing) -> String {
     text
 }
 
-/// How the plane lies on the page, and by how much deviations are magnified there.
+/// Position and scale of the plane on the page, and magnification of deviations.
 struct Frame {
     /// Pixels per metre of the contour.
     scale: f64,
-    /// Its middle, m.
+    /// Middle of the contour, m.
     middle: [f64; 2],
-    /// Half of its size, m.
+    /// Half of the size of the contour, m.
     half: f64,
-    /// Metres drawn per metre of deviation, measured on the contour's own scale.
+    /// Magnification: metres drawn, on the contour's own scale, per metre of deviation.
     magnification: f64,
-    /// From one line of the grid to the next, m of deviation.
+    /// Distance between lines of the grid, m of deviation.
     division: f64,
-    /// How many lines stand on either side of the contour.
+    /// Number of lines on either side of the contour.
     lines: i32,
 }
 
@@ -117,11 +119,11 @@ impl Frame {
         );
     }
 
-    /// The contour, and lines of equal deviation beside it, labelled where they cross the diagonal.
+    /// Draws the contour, and lines of equal deviation beside it, labelled where they cross the diagonal.
     fn grid(&self, text: &mut String, nominal: &[Vec<Spot>]) {
         for i in -self.lines..=self.lines {
             let off = f64::from(i) * self.division;
-            // Magnified further than the contour is wide there is no inside.
+            // A grid that is magnified further than the contour is wide has no inside.
             if self.half + self.magnification * off <= 0.02 * self.half {
                 continue;
             }
@@ -132,7 +134,8 @@ impl Frame {
                 line(text, places.clone(), class);
                 let diagonal = |[x, y]: [f64; 2]| {
                     let [x, y] = [x - 0.5 * SIDE, TITLE + 0.5 * SIDE - y];
-                    // Nearest to 22.5° above the x axis, where curves of two axes seldom have their crests.
+                    // The label stands nearest to 22.5° above the x axis, where curves of two axes seldom
+                    // have their crests.
                     (y.atan2(x) - std::f64::consts::FRAC_PI_8).abs()
                 };
                 label = places.chain(label).min_by(|a, b| diagonal(*a).total_cmp(&diagonal(*b)));
@@ -199,20 +202,20 @@ fn style(families: usize) -> String {
     )
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above `value`.
+/// Largest of 1, 2 and 5 times a power of ten that is not above `value`.
 fn round_below(value: f64) -> f64 {
     let power = 10f64.powf(value.log10().floor());
     let digit = value / power;
-    // By more than round-off, so that 2 stays 2.
+    // The comparison allows for round-off, so that 2 stays 2.
     power * [5.0, 2.0].into_iter().find(|d| digit * (1.0 + 1e-12) >= *d).unwrap_or(1.0)
 }
 
-/// Without the digits that conversion leaves.
+/// Converts to micrometres, without the digits that conversion leaves.
 fn micrometres(si: f64) -> f64 {
     format!("{:.6e}", 1e6 * si).parse().unwrap_or(f64::NAN)
 }
 
-/// A round number with its thousands apart.
+/// Writes a round number with its thousands apart.
 fn grouped(value: f64) -> String {
     if value < 1.0 {
         return format!("{value}");
@@ -228,7 +231,7 @@ fn grouped(value: f64) -> String {
     text
 }
 
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).collect::<String>().replace('&', "&amp;").replace('<', "&lt;")
 }
 
@@ -258,7 +261,8 @@ mod tests {
     fn deviations_are_drawn_to_the_stated_scale() {
         let drawing = circle();
         let frame = Frame::of(&drawing);
-        // 0.42·100 mm over 7 um is 6000: of 1, 2 and 5, 5000 is the largest below. Lines at 2 um, four of them.
+        // 0.42·100 mm over 7 um is 6000: of 1, 2 and 5, 5000 is the largest below. Lines at 2 um, four of
+        // them.
         assert!((frame.magnification - 5000.0).abs() < 1e-6 && (frame.division - 2e-6).abs() < 1e-15);
         assert_eq!(frame.lines, 4);
         let top = drawing.curves[0].pieces[0][18];
@@ -268,7 +272,7 @@ mod tests {
         assert!(((middle - y) / frame.scale - (0.1 + 5000.0 * 7e-6)).abs() < 1e-12);
         let text = super::drawing(&drawing);
         assert!(text.contains("magnified 5\u{202f}000 times, 2 um from line to line"), "{text}");
-        // What a user writes is text and no element.
+        // A title is text and no element.
         assert!(text.contains("R &amp; D") && text.contains("a &lt; b"));
         assert!(!text.contains("NaN") && !text.contains("inf"));
     }

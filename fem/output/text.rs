@@ -1,32 +1,60 @@
-//! Results for people.
+//! Reports for people.
 
 use std::fmt::Write;
 
-use super::plot;
-use crate::model::{Model, Run, Share};
-use crate::process::{Case, Description, Neutral, Observable, Parameter, Tolerance};
+use super::report::{Detail, Format, Report};
+use super::{OutputError, budget, comparison, compensation, diagnosis, fit, plan, plot};
+use crate::model::{Contribution, Model, Run};
+use crate::process::{Case, Description, Neutral, Observable, Parameter, Process, Tolerance};
+
+/// One page of plain text per report.
+pub struct Text;
+
+impl Format for Text {
+    fn write(&self, report: &Report) -> Result<String, OutputError> {
+        Ok(match report {
+            Report::Run(model, found) => run(model, found),
+            Report::Comparison(models, measurements, comparisons) => {
+                let [first, ..] = models else { return Ok(String::new()) };
+                comparison::text(first.process, measurements, comparisons)
+            }
+            Report::Fit(data, found) => fit::text(data, found),
+            Report::Diagnosis(data, found) => diagnosis::text(data, found),
+            Report::Plan(design, found) => plan::text(design, found),
+            Report::Compensation(data, found) => compensation::text(data, found),
+            Report::Budget(file, estimate) => budget::text(file, *estimate),
+            Report::Effects(entries, Detail::Line) => catalogue(entries),
+            Report::Effects(entries, Detail::Page) => {
+                entries.iter().map(|(process, e)| effect(process.name(), e)).collect::<Vec<_>>().join("\n")
+            }
+            Report::Validation(cases) => validation(cases),
+        })
+    }
+}
 
 /// The terminal summary of a run.
-pub fn run(model: &Model, run: &Run) -> String {
+fn run(model: &Model, run: &Run) -> String {
     let mut text = String::new();
     let title = model.title.as_deref().unwrap_or(&model.source.name).replace(|c: char| c.is_control(), " ");
     // Writing to a String does not fail, here and below.
     let _ = writeln!(text, "{title}\n{}: {}\n", model.process.name(), model.process.about());
-    for finding in &run.outcome.findings {
-        let _ = writeln!(text, "  {:<24} {}", finding.label, finding.text);
+    for figure in &run.report.figures {
+        // The first line stands behind the label, the others below it.
+        let lines = figure.lines.join(&format!("\n{:27}", ""));
+        let _ = writeln!(text, "  {:<24} {lines}", figure.label);
     }
     let observables = model.process.observables();
-    for shares in run.shares.chunk_by(|a, b| a.observable == b.observable) {
+    for shares in run.contributions.chunk_by(|a, b| a.observable == b.observable) {
         changes(&mut text, observables, shares);
     }
-    for plot in &run.outcome.plots {
+    for plot in &run.report.plots {
         let _ = writeln!(text, "\n{}", plot::lines(plot).join("\n"));
     }
     text
 }
 
 /// What changes an observable: `shares` are all of the same.
-fn changes(text: &mut String, observables: &[Observable], shares: &[Share]) {
+fn changes(text: &mut String, observables: &[Observable], shares: &[Contribution]) {
     let Some(first) = shares.first() else { return };
     let title = format!("what changes {}", observables[first.observable].words);
     let (whole, change) = (observables[first.observable].kind.unit, observables[first.observable].error_kind().unit);
@@ -40,18 +68,26 @@ fn changes(text: &mut String, observables: &[Observable], shares: &[Share]) {
     }
 }
 
-/// One line per effect: its name and what it is.
-pub fn effect_line(effect: &Description) -> String {
-    format!("  {:<24} {}", effect.name, effect.about)
+/// The catalogue, process by process: one line per effect.
+fn catalogue(entries: &[(&dyn Process, Description)]) -> String {
+    let mut text = String::new();
+    for of_process in entries.chunk_by(|a, b| a.0.name() == b.0.name()) {
+        let process = of_process[0].0;
+        let _ = writeln!(text, "{}: {}", process.name(), process.about());
+        for (_, effect) in of_process {
+            let _ = writeln!(text, "  {:<24} {}", effect.name, effect.about);
+        }
+    }
+    format!("{text}\n`fem effects NAME` tells all about one of them\n")
 }
 
 /// All about one effect.
-pub fn effect(process: &str, effect: &Description) -> String {
+fn effect(process: &str, effect: &Description) -> String {
     let mut text = format!(
         "{} ({process})\n  {}\n\n  law     {}\n  source  {}\n\n",
         effect.name, effect.about, effect.law, effect.source
     );
-    for parameter in effect.parameters {
+    for parameter in &*effect.parameters {
         let _ = writeln!(text, "  {}", parameter_line(parameter));
     }
     if !effect.look_alikes.is_empty() {
@@ -61,7 +97,7 @@ pub fn effect(process: &str, effect: &Description) -> String {
         }
     }
     let _ = writeln!(text, "\n  in a model file\n    [effects.{}]", effect.name);
-    for p in effect.parameters {
+    for p in &*effect.parameters {
         let number = (p.example() * 1e6).round() / 1e6;
         let value = if p.kind.unit.is_empty() { format!("{number}") } else { format!("\"{number} {}\"", p.kind.unit) };
         let _ = writeln!(text, "    {} = {value}", p.name);
@@ -85,7 +121,7 @@ fn parameter_line(p: &Parameter) -> String {
 }
 
 /// The validation table.
-pub fn validation(cases: &[Case]) -> String {
+fn validation(cases: &[Case]) -> String {
     let width = cases.iter().map(|c| c.name.chars().count() + c.quantity.chars().count() + 2).max().unwrap_or(0);
     let mut text = format!(
         "{:<width$} {:>16} {:>16} {:<8} {:>9} {:>9}\n",

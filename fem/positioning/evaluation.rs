@@ -1,8 +1,9 @@
 //! The statistics of a positioning test by ISO 230-2: means and scatter of every target from either side.
 
-use super::{Approach, Direction, Quantity};
+use super::{Approach, Direction};
 
-/// The edition whose names are used; the formulas have been the same since 1997 (coverage factor 2, s with n − 1).
+/// The edition whose names are used; the formulas have been the same since 1997 (coverage factor 2, s with n
+/// − 1).
 pub const EDITION: &str = "ISO 230-2:2014";
 
 /// Targets nearer than this (m) are one.
@@ -11,18 +12,18 @@ const SAME: f64 = 1e-9;
 /// The approaches to a target from one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Side {
-    /// x̄, the mean of the deviations, m.
+    /// Mean x̄ of the deviations, m.
     pub mean: f64,
-    /// s, their standard deviation with n − 1, m; `None` of a single approach.
+    /// Standard deviation s with n − 1, m; `None` of a single approach.
     pub scatter: Option<f64>,
-    /// n.
+    /// Number n of approaches.
     pub count: usize,
 }
 
 /// A target with what was found there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
-    /// Commanded, m.
+    /// Commanded position, m.
     pub position: f64,
     /// Approached forwards.
     pub forward: Option<Side>,
@@ -113,7 +114,7 @@ impl Evaluation {
         Self { targets: groups.iter().map(target).collect() }
     }
 
-    /// Its targets from one place to another, both included.
+    /// The test between two places, both included.
     pub fn within(&self, from: f64, to: f64) -> Self {
         let inside = |t: &&Target| (from - SAME..=to + SAME).contains(&t.position);
         Self { targets: self.targets.iter().filter(inside).copied().collect() }
@@ -127,7 +128,8 @@ impl Evaluation {
         Self { targets }
     }
 
-    /// What would be found at a place between two targets, as on straight lines from one to the other; `None` at a target and beyond the last.
+    /// The target that would be found at a place between two others, on straight lines between them; `None`
+    /// at a target and beyond the last.
     fn between(&self, position: f64) -> Option<Target> {
         let pair =
             self.targets.windows(2).find(|p| p[0].position + SAME < position && position < p[1].position - SAME)?;
@@ -161,17 +163,7 @@ impl Evaluation {
         self.targets.iter().flat_map(Target::sides).filter_map(of).fold(0.0, f64::max)
     }
 
-    /// A = max(x̄_i + 2s_i) − min(x̄_i − 2s_i) over both directions, m.
-    pub fn accuracy(&self) -> Option<f64> {
-        Quantity::find(&self.quantities(), "A")
-    }
-
-    /// R = max R_i, m.
-    pub fn repeatability(&self) -> Option<f64> {
-        Quantity::find(&self.quantities(), "R")
-    }
-
-    /// What the standard departs from in this test, as sentences.
+    /// Departures of this test from the standard, as sentences.
     pub fn departures(&self) -> Vec<String> {
         let mut departures = Vec::new();
         let (from, to) = self.ends();

@@ -1,5 +1,6 @@
-//! Positioning tests of a linear axis: targets that are approached again and again from both sides; their evaluation, and the tables by which
-//! a controller makes errors good. Nothing here knows a model or a file. SI units; a deviation is the actual less the commanded position.
+//! Positioning tests of a linear axis: targets that are approached again and again from both sides; their
+//! evaluation, and the tables by which a controller makes errors good. Nothing here knows a model or a file.
+//! SI units; a deviation is the actual less the commanded position.
 
 mod evaluation;
 mod pitch;
@@ -13,7 +14,7 @@ pub use quantity::Quantity;
 pub use table::{Law, Node, Table};
 pub use tolerance::{Check, Tolerance};
 
-/// From which side a target is approached.
+/// The direction from which a target is approached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Towards larger positions, `+`, ↑.
@@ -25,19 +26,19 @@ pub enum Direction {
 /// One approach to a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
-    /// Commanded, m.
+    /// Commanded position, m.
     pub position: f64,
-    /// From which side.
+    /// Direction of the approach.
     pub direction: Direction,
     /// Number of the run.
     pub run: f64,
 }
 
 impl Direction {
-    /// Both, forward first.
+    /// Both directions, forward first.
     pub const BOTH: [Self; 2] = [Self::Forward, Self::Backward];
 
-    /// As measurement files write it.
+    /// The sign that measurement files write.
     pub const fn sign(self) -> &'static str {
         match self {
             Self::Forward => "+",

@@ -1,10 +1,11 @@
 //! Reversal and pitch errors by the scheme of seed 001: six points, five steps, there and back.
 //!
-//! With P_i and N_i the mean deviations at target i approached forwards and backwards, b_i = P_i − N_i. A controller adds one value for backlash
-//! wherever the axis is; the best is midway, (b_max + b_min)/2, and (b_max − b_min)/2 of reversal is left. The sign here is that of lost motion:
-//! b = N − P, positive where the axis lags. Pitch errors are differences of deviations of one direction, in which the reversal does not count:
-//! from target to target (relative) and from the first target of that direction (absolute; printed in the seed for both directions from the first
-//! point forwards, which would mix the reversal in).
+//! P_i and N_i are the mean deviations at target i approached forwards and backwards, b_i = P_i − N_i. A
+//! controller adds one value for backlash wherever the axis is; the best is midway, (b_max + b_min)/2, and
+//! (b_max − b_min)/2 of reversal is left. The sign here is that of lost motion: b = N − P, positive where the
+//! axis lags. Pitch errors are differences of deviations of one direction, in which the reversal does not
+//! count: from target to target (relative) and from the first target of that direction (absolute; printed in
+//! the seed for both directions from the first point forwards, which would mix the reversal in).
 
 use super::{Direction, Evaluation, Target};
 
@@ -15,29 +16,29 @@ pub struct Reversal {
     pub lost: Vec<(f64, f64)>,
     /// The backlash value (b_max + b_min)/2.
     pub value: f64,
-    /// What no single value can remove, (b_max − b_min)/2.
+    /// The rest that no single value can remove, (b_max − b_min)/2.
     pub rest: f64,
 }
 
 /// Pitch errors of one target or step. m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Where it begins; for absolute errors the first target.
+    /// Begin of the step; for absolute errors the first target.
     pub from: f64,
-    /// Where it ends.
+    /// End of the step.
     pub to: f64,
-    /// d⁺, forwards.
+    /// Error d⁺ forwards.
     pub forward: Option<f64>,
-    /// d⁻, backwards.
+    /// Error d⁻ backwards.
     pub backward: Option<f64>,
 }
 
 /// Pitch errors along an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PitchErrors {
-    /// From target to target.
+    /// Errors from target to target.
     pub relative: Vec<Step>,
-    /// From the first target of each direction.
+    /// Errors from the first target of each direction.
     pub absolute: Vec<Step>,
 }
 

@@ -7,11 +7,11 @@ use super::{Direction, Evaluation, Side, Target};
 pub struct Quantity {
     /// The standard's letter; + and − stand for ↑ and ↓.
     pub symbol: &'static str,
-    /// Its name.
+    /// Name of the quantity.
     pub name: &'static str,
-    /// Its formula.
+    /// Formula of the quantity.
     pub formula: &'static str,
-    /// m; `None` where the test does not give it: a direction missing, or a single run.
+    /// Value, m; `None` where the test does not give it: a direction is missing, or there is a single run.
     pub value: Option<f64>,
     /// The target that decides it, m, where it is one.
     pub at: Option<f64>,
@@ -28,6 +28,16 @@ impl Quantity {
 type Found = (Option<f64>, Option<f64>);
 
 impl Evaluation {
+    /// A = max(x̄_i + 2s_i) − min(x̄_i − 2s_i) over both directions, m.
+    pub fn accuracy(&self) -> Option<f64> {
+        Quantity::find(&self.quantities(), "A")
+    }
+
+    /// R = max R_i, m.
+    pub fn repeatability(&self) -> Option<f64> {
+        Quantity::find(&self.quantities(), "R")
+    }
+
     /// All quantities, the whole axis first.
     pub fn quantities(&self) -> Vec<Quantity> {
         let both = &Direction::BOTH[..];

@@ -1,39 +1,40 @@
-//! Compensation tables: what a controller adds to the commanded position.
+//! Compensation tables: corrections that a controller adds to the commanded position.
 
 use super::{Approach, Direction, Evaluation, Reversal};
 
-/// How a controller goes from one entry to the next.
+/// The way in which a controller goes from one entry to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
-    /// Linearly between the points.
+    /// Linear between the points.
     Points,
-    /// In segments: each entry holds from midway to midway.
+    /// Constant in segments: each entry holds from midway to midway.
     Segments,
 }
 
-/// What is added at a position. m.
+/// The correction at a position. m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// Commanded.
+    /// Commanded position.
     pub position: f64,
-    /// Added on the way forwards.
+    /// Correction on the way forwards.
     pub forward: f64,
-    /// Added on the way backwards.
+    /// Correction on the way backwards.
     pub backward: f64,
 }
 
 /// A compensation table. Beyond its ends the last entry holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// Between the entries.
+    /// Law between the entries.
     pub law: Law,
-    /// In rising order.
+    /// Entries in rising order.
     pub nodes: Vec<Node>,
 }
 
 impl Table {
-    /// One pitch table for both directions and one value for backlash: at each target the mean error of both sides is taken out, and what its
-    /// reversal differs from the backlash value by stays, half on either side. Entries are rounded to the controller's resolution (m; 0 for none).
+    /// One pitch table for both directions and one value for backlash: at each target the mean error of both
+    /// sides is taken out, and what its reversal differs from the backlash value by stays, half on either
+    /// side. Entries are rounded to the controller's resolution (m; 0 for none).
     pub fn with_backlash(evaluation: &Evaluation, law: Law, resolution: f64) -> Self {
         let backlash = rounded(Reversal::of(evaluation).map_or(0.0, |r| r.value), resolution);
         let node = |target: &super::Target| {
@@ -65,7 +66,7 @@ impl Table {
         self.nodes.first().map_or(0.0, |n| n.forward - n.backward)
     }
 
-    /// What is added to the commanded position, m.
+    /// The correction of the commanded position, m.
     pub fn correction(&self, position: f64, direction: Direction) -> f64 {
         let entry = |i: usize| match direction {
             Direction::Forward => self.nodes[i].forward,

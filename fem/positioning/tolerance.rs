@@ -1,26 +1,27 @@
-//! What an axis is allowed.
+//! The tolerance of an axis.
 
 use super::Evaluation;
 
-/// Limits of a machining centre by seed 001: ±0.01 mm on any 300 mm, 0.04 mm over the whole travel, ±0.005 mm of repeatability. m.
+/// Limits of a machining centre by seed 001: ±0.01 mm on any 300 mm, 0.04 mm over the whole travel, ±0.005 mm
+/// of repeatability. m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// ± on any `length`.
+    /// Band of ± this on any `length`.
     pub per_length: f64,
-    /// Over which `per_length` holds.
+    /// Length over which `per_length` holds.
     pub length: f64,
-    /// Over the whole travel, from end to end of the band.
+    /// Band over the whole travel, from end to end.
     pub travel: f64,
-    /// ±, both directions together.
+    /// Repeatability of ± this, both directions together.
     pub repeatability: f64,
 }
 
-/// One of them, held against a test. m.
+/// One tolerance, held against a test. m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// For programs.
+    /// Key for programs.
     pub key: &'static str,
-    /// For people.
+    /// Name for people.
     pub name: String,
     /// Width of the band that is allowed.
     pub limit: f64,
@@ -42,8 +43,9 @@ impl Check {
 }
 
 impl Tolerance {
-    /// Accuracy on any `length`, accuracy over the whole, and repeatability, by ISO 230-2's A and R against the whole width of each band. What is
-    /// wider apart than a `length` counts as on a straight line: the widest such stretch begins or ends at a target.
+    /// Accuracy on any `length`, accuracy over the whole, and repeatability, by ISO 230-2's A and R against
+    /// the whole width of each band. What is wider apart than a `length` counts as on a straight line: the
+    /// widest such stretch begins or ends at a target.
     pub fn checks(&self, evaluation: &Evaluation) -> Vec<Check> {
         let (first, last) = evaluation.ends();
         let places = evaluation.targets.iter().map(|t| t.position);

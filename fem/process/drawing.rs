@@ -1,4 +1,5 @@
-//! Contours with what they are off by, to be drawn magnified. Plain data, SI units, no knowledge of any file format.
+//! Contours with what they are off by, to be drawn magnified. Plain data, SI units, no knowledge of any
+//! file format.
 
 /// A contour in a plane and the curves that stand beside it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,7 +32,8 @@ pub struct Curve {
 pub struct Spot {
     /// (x, y) on the contour, m.
     pub at: [f64; 2],
-    /// Along which the deviation is positive: a unit vector, or at a corner of a contour as it should be what moves both of its sides by one.
+    /// Along which the deviation is positive: a unit vector, or at a corner of a contour as it should be
+    /// what moves both of its sides by one.
     pub outward: [f64; 2],
     /// m.
     pub deviation: f64,

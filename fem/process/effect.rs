@@ -1,32 +1,16 @@
 //! Effects: named physical causes with parameters, each in a file of its own.
 
-use std::ops::Index;
+use std::borrow::Cow;
+use std::sync::Arc;
 
-use super::WrittenLaw;
+use super::{Failure, FormulaLaw};
 use crate::input::{Bounds, Reader};
 use crate::units::Kind;
 
-/// A named physical cause that changes what a system of type `S` produces.
-pub trait Effect<S: ?Sized>: Sync {
-    /// Its name, law, source and parameters.
-    fn description(&self) -> &'static Description;
-
-    /// Lets it act on the system.
-    fn act(&self, values: &Values, system: &mut S);
-}
-
-/// Lets effects of a catalogue act on a system; those that users have written act on what is observed instead.
-pub fn act<S: ?Sized>(catalogue: &[&dyn Effect<S>], active: &[Active], system: &mut S) {
-    for active in active {
-        if let Some(effect) = catalogue.iter().find(|e| e.description() == active.description) {
-            effect.act(&Values(active), system);
-        }
-    }
-}
-
-/// What `fem effects` says of an effect, and all that is needed to read it.
-#[derive(Debug, PartialEq)]
-pub struct Description {
+/// An effect of the catalogue, as data: what it is, what it needs of a set-up `S`, and its law, which
+/// shapes a machine `M`. The law takes the values of its `N` parameters (SI) in the order in which they are
+/// listed.
+pub struct Effect<S, M, const N: usize> {
     /// The word in `[effects.NAME]`.
     pub name: &'static str,
     /// The phenomenon, in one sentence.
@@ -36,7 +20,78 @@ pub struct Description {
     /// Where the law comes from.
     pub source: &'static str,
     /// In the order of the law.
-    pub parameters: &'static [Parameter],
+    pub parameters: [Parameter; N],
+    /// Effects whose signature can be the same, and what separates them.
+    pub look_alikes: &'static [(&'static str, &'static str)],
+    /// What it needs of a set-up; the reason, as a sentence that goes on from the effect's name, where it
+    /// is not there.
+    pub needs: fn(&S) -> Result<(), String>,
+    /// Lets it act.
+    pub act: fn([f64; N], &mut M),
+}
+
+/// What an effect needs that can act in every set-up.
+pub fn nothing<S>(_setup: &S) -> Result<(), String> {
+    Ok(())
+}
+
+/// An effect of a catalogue, whatever the number of its parameters.
+pub trait CatalogueEffect<S, M>: Sync {
+    /// Its name, law, source and parameters.
+    fn description(&'static self) -> Description;
+
+    /// Whether it can act in a set-up.
+    ///
+    /// # Errors
+    /// The reason why not, as a sentence that goes on from the effect's name.
+    fn admissible(&self, setup: &S) -> Result<(), String>;
+
+    /// Lets it act on a machine, with values (SI) in the order of its parameters.
+    ///
+    /// # Errors
+    /// There are not as many values as parameters.
+    fn act(&self, values: &[f64], machine: &mut M) -> Result<(), Failure>;
+}
+
+impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
+    fn description(&'static self) -> Description {
+        Description {
+            name: self.name,
+            about: Cow::Borrowed(self.about),
+            law: Cow::Borrowed(self.law),
+            source: self.source,
+            parameters: Cow::Borrowed(&self.parameters),
+            look_alikes: self.look_alikes,
+        }
+    }
+
+    fn admissible(&self, setup: &S) -> Result<(), String> {
+        (self.needs)(setup)
+    }
+
+    fn act(&self, values: &[f64], machine: &mut M) -> Result<(), Failure> {
+        let values: [f64; N] = values.try_into().map_err(|_| Failure {
+            message: format!("`{}` has {N} parameters, and {} values were given", self.name, values.len()),
+            help: "give one value for each parameter, in the order of its list".into(),
+        })?;
+        (self.act)(values, machine);
+        Ok(())
+    }
+}
+
+/// What `fem effects` says of an effect, and all that is needed to read it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Description {
+    /// The word in `[effects.NAME]`.
+    pub name: &'static str,
+    /// The phenomenon, in one sentence.
+    pub about: Cow<'static, str>,
+    /// The equation.
+    pub law: Cow<'static, str>,
+    /// Where the law comes from.
+    pub source: &'static str,
+    /// In the order of the law.
+    pub parameters: Cow<'static, [Parameter]>,
     /// Effects whose signature can be the same, and what separates them.
     pub look_alikes: &'static [(&'static str, &'static str)],
 }
@@ -62,7 +117,8 @@ pub struct Parameter {
     pub needed_with: Option<&'static str>,
     /// The coordinate along which it is a place, if it is one.
     pub along: Option<&'static str>,
-    /// In the canonical unit, where values that differ by it are the same: results stand within half of it on either side of zero.
+    /// In the canonical unit, where values that differ by it are the same: results stand within half of it
+    /// on either side of zero.
     pub period: Option<f64>,
 }
 
@@ -81,32 +137,18 @@ pub enum Neutral {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Active {
     /// Which effect.
-    pub description: &'static Description,
+    pub description: Description,
     /// SI values in the order of its parameters.
     pub values: Vec<f64>,
-    /// Its law, where a user has written it; effects of the catalogue act by themselves.
-    pub written: Option<&'static WrittenLaw>,
-}
-
-/// Parameter values by name, as an effect's law uses them.
-pub struct Values<'a>(pub &'a Active);
-
-impl Index<&str> for Values<'_> {
-    type Output = f64;
-
-    /// The SI value. Naming a parameter that the effect does not have is a mistake in the effect's own file, and found
-    /// by the test over the whole catalogue.
-    fn index(&self, name: &str) -> &f64 {
-        let position = self.0.description.parameters.iter().position(|p| p.name == name);
-        &self.0.values[position.unwrap_or(usize::MAX)]
-    }
+    /// Its law, where it is a formula; effects of the catalogue have theirs in the catalogue.
+    pub formula: Option<Arc<FormulaLaw>>,
 }
 
 impl Description {
     /// Reads the parameters from an effect's table.
-    pub fn read(&'static self, table: &Reader) -> Active {
+    pub fn read(&self, table: &Reader) -> Active {
         let mut values: Vec<f64> = Vec::with_capacity(self.parameters.len());
-        for p in self.parameters {
+        for p in &*self.parameters {
             let field = table.quantity(p.name, p.kind, p.about).bounds(p.bounds);
             let is_zero = |name: &str| {
                 let read = || self.parameters.iter().zip(&values);
@@ -118,23 +160,27 @@ impl Description {
                 _ => field.required(),
             });
         }
-        Active { description: self, values, written: None }
+        self.with(values)
+    }
+
+    /// The effect with these values of its parameters, SI.
+    pub fn with(&self, values: Vec<f64>) -> Active {
+        Active { description: self.clone(), values, formula: None }
     }
 
     /// The effect with every parameter at its neutral value, and a plausible one where it has none.
-    pub fn neutral(&'static self) -> Active {
+    pub fn neutral(&self) -> Active {
         let value = |p: &Parameter| match p.neutral {
             Neutral::Value(value) => p.kind.to_si(value),
             Neutral::Infinity => f64::INFINITY,
             Neutral::Shape => p.kind.to_si(p.example()),
         };
-        Active { description: self, values: self.parameters.iter().map(value).collect(), written: None }
+        self.with(self.parameters.iter().map(value).collect())
     }
 
     /// The effect with every parameter at a plausible value.
-    pub fn typical(&'static self) -> Active {
-        let values = self.parameters.iter().map(|p| p.kind.to_si(p.example())).collect();
-        Active { description: self, values, written: None }
+    pub fn typical(&self) -> Active {
+        self.with(self.parameters.iter().map(|p| p.kind.to_si(p.example())).collect())
     }
 }
 
@@ -202,14 +248,16 @@ impl Parameter {
         Self { along: Some(along), ..place }
     }
 
-    /// A phase, which shapes the effect without switching it and comes round after `period` (in the canonical unit).
+    /// A phase, which shapes the effect without switching it and comes round after `period` (in the
+    /// canonical unit).
     pub const fn phase(name: &'static str, kind: Kind, about: &'static str, period: f64) -> Self {
         let range = (-0.5 * period, 0.5 * period);
         let phase = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
         Self { period: Some(period), ..phase }
     }
 
-    /// What to add to a value (SI) to bring it into the half-open period about zero; nothing where there is no period.
+    /// What to add to a value (SI) to bring it into the half-open period about zero; nothing where there is
+    /// no period.
     pub fn turn(&self, value: f64) -> f64 {
         match self.period.map(|p| self.kind.to_si(p)) {
             Some(period) if value.is_finite() => -period * (value / period - 0.5).ceil(),

@@ -14,7 +14,8 @@ pub struct Observable {
 }
 
 impl Observable {
-    /// In what errors and changes of it are told: those of a length in micrometres, those of a temperature in kelvins.
+    /// In what errors and changes of it are told: those of a length in micrometres, those of a temperature
+    /// in kelvins.
     pub fn error_kind(&self) -> Kind {
         match self.kind {
             LENGTH => MICRO,
@@ -59,7 +60,8 @@ pub enum Absent {
     Value(f64),
     /// What the model says. Such a coordinate is NaN in [`Rows`].
     Model,
-    /// It must be there where this observable is, by its position in the process's list, and is nothing (NaN) where another is.
+    /// It must be there where this observable is, by its position in the process's list, and is nothing
+    /// (NaN) where another is.
     NeededBy(usize),
     /// What the model says (NaN), of this observable; of another it is nothing.
     ModelOf(usize),
@@ -126,17 +128,17 @@ pub struct Places {
     pub frames: Vec<f64>,
 }
 
-/// A direction in the space of rows along which the way of measuring makes every set of values blind, such as where the centre of a circle
-/// lies. Of unit length, and orthogonal to the others that come with it.
+/// A direction in the space of rows that the way of measuring sets to zero, such as where the centre of a
+/// least-squares circle lies. Of unit length, and orthogonal to the others that come with it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Blind {
+pub struct DatumDirection {
     /// The rows in which it is not zero, from 0.
     pub rows: Vec<usize>,
     /// Its components there.
     pub components: Vec<f64>,
 }
 
-impl Blind {
+impl DatumDirection {
     /// Takes out of `values` (one per row) what lies along the direction.
     pub fn take_out(&self, values: &mut [f64]) {
         let along: f64 = self.rows.iter().zip(&self.components).map(|(row, c)| values[*row] * c).sum();
@@ -146,9 +148,9 @@ impl Blind {
     }
 }
 
-/// Something more that could be measured.
+/// A further experiment: what could be measured besides.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Further {
+pub struct CandidateExperiment {
     /// What to do, as a sentence for the shop.
     pub words: String,
     /// The coordinate that is new.

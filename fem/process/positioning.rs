@@ -1,4 +1,5 @@
-//! What a process has to tell whose observations are positioning tests, so that `compensate` need not know it by name.
+//! What a process has to tell whose observations are positioning tests, so that `compensate` need not know
+//! it by name.
 
 use super::Rows;
 use crate::positioning::{Approach, Tolerance};
@@ -17,6 +18,7 @@ pub trait Positioning {
     /// To which a controller rounds its compensation, m; 0 for none.
     fn resolution(&self) -> f64;
 
-    /// How far the drive gives way at a position by its own length, m/N: the part of elastic lost motion that varies along the travel.
+    /// How far the drive gives way at a position by its own length, m/N: the part of elastic lost motion
+    /// that varies along the travel.
     fn screw_compliance(&self, position: f64) -> f64;
 }

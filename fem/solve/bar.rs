@@ -1,22 +1,24 @@
-//! A straight bar that is held at points and pulled along itself at another: a ball screw between its bearings and its nut.
+//! A straight bar that is held at points and pulled along itself at another: a ball screw between its
+//! bearings and its nut.
 
 use crate::element::BarPiece;
 
-/// Nearer than this (m) two nodes are one.
+/// Nodes nearer to each other than this (m) count as one.
 const SAME: f64 = 1e-12;
 
 /// A uniform bar on the x axis, held rigidly at points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bar {
-    /// EA, N.
+    /// Axial rigidity EA, N.
     pub axial_rigidity: f64,
-    /// Where it is held, m; at least one place.
+    /// Places where it is held, m; at least one.
     pub held: Vec<f64>,
 }
 
 impl Bar {
-    /// Displacement per force (m/N) of a force that acts at x (m) along the bar. Between the force and the next hold on either side lies one
-    /// bar element, which is exact; the two elements act side by side, and what lies beyond the holds carries nothing.
+    /// Displacement per force (m/N) of a force that acts at x (m) along the bar. Between the force and the
+    /// next hold on either side lies one bar element, which is exact; the two elements act side by side, and
+    /// what lies beyond the holds carries nothing.
     pub fn compliance(&self, x: f64) -> f64 {
         let nearest = |side: fn(f64, f64) -> bool| {
             let distances = self.held.iter().filter(|at| side(**at, x)).map(|at| (at - x).abs());
@@ -27,12 +29,13 @@ impl Bar {
         1.0 / (stiffness(below) + stiffness(above))
     }
 
-    /// Displacements (m) of `nodes` (rising, m) under a force (N) at one of them: the chain of elements between the nodes, those that are
-    /// held fixed, solved by elimination along the chain. Every hold must be among the nodes.
+    /// Displacements (m) of `nodes` (rising, m) under a force (N) at one of them: the chain of elements
+    /// between the nodes, those that are held fixed, solved by elimination along the chain. Every hold must
+    /// be among the nodes.
     pub fn displacements(&self, nodes: &[f64], loaded: usize, force: f64) -> Vec<f64> {
         let count = nodes.len();
         let is_held = |i: usize| self.held.iter().any(|at| (at - nodes[i]).abs() <= SAME);
-        // K u = f: the diagonal, and what couples node i to i + 1.
+        // K u = f: the diagonal, and the coupling of node i with i + 1.
         let (mut diagonal, mut coupling, mut u) = (vec![0.0; count], vec![0.0; count], vec![0.0; count]);
         for i in 1..count {
             let piece = BarPiece { length: nodes[i] - nodes[i - 1], axial_rigidity: self.axial_rigidity };

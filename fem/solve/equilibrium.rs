@@ -1,13 +1,15 @@
 //! The equilibrium of a condensed shaft on its two end joints.
 //!
-//! With g the influence and S the constraint of the condensed shaft, the joints' forces Q and displacements d = y(Q) obey
+//! With g the influence and S the constraint of the condensed shaft, the joints' forces Q and displacements d
+//! = y(Q) obey
 //!
 //! ```text
 //!     Q + S·y(Q) − g·P = 0        and the tool sees    C·P + g·d
 //! ```
 //!
-//! Where statics decides, S = 0 and Q = g·P at once. Otherwise Newton's method runs along each joint's path (see
-//! [`Joint::along`]), on which the contact law has no infinite slope, with a line search on the residual.
+//! Where statics decides, S = 0 and Q = g·P at once. Otherwise Newton's method runs along each joint's path
+//! (see [`Joint::along`]), on which the contact law has no infinite slope, with a line search on the
+//! residual.
 
 use crate::joint::{Joint, JointState};
 
@@ -20,11 +22,11 @@ const MAX_ITERATIONS: usize = 60;
 pub struct Equilibrium {
     /// Q on headstock and tailstock, N; negative where the joint would have to pull.
     pub forces: [f64; 2],
-    /// y of each, m.
+    /// Displacement y of each joint, m.
     pub displacements: [f64; 2],
     /// dy/dP of each, m/N.
     pub displacement_rates: [f64; 2],
-    /// Where each joint stands on its path: a start for the solution under a similar force.
+    /// Path variable of each joint: a start for the solution under a similar force.
     pub path: [f64; 2],
     /// Newton iterations.
     pub iterations: usize,
@@ -42,8 +44,8 @@ pub struct JointsError {
     pub residual: f64,
 }
 
-/// Solves for the joints under the tool force `load` (N), given influence g and constraint S, from the solution under a
-/// similar force if there is one.
+/// Solves for the joints under the tool force `load` (N), given influence g and constraint S, from the
+/// solution under a similar force if there is one.
 ///
 /// # Errors
 /// Newton's method did not converge.

@@ -1,6 +1,6 @@
-//! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks both, a beam pressed on supports, heat
-//! in a rod from a tool that travels (`heat`) and from sources that are switched (`rod`);
-//! plane bodies: the sparse system, displacement, rings in jaws, temperature.
+//! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks
+//! both, a beam pressed on supports, heat in a rod from a tool that travels (`heat`) and from sources that
+//! are switched (`rod`); plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
 mod bar;
 pub mod beam;

@@ -1,18 +1,20 @@
 //! One side of a cut through a beam, held exactly and without a subtraction.
 //!
-//! The part of a beam on one side of a cut resists a deflection w and a slope θ of the cut with a force and a moment,
-//! (V, M) = K·(w, θ), K symmetric and positive semidefinite. K itself is infinite at a rigid support and grows without
-//! digits to lose at a free end, so it is kept in homogeneous form: the five 2×2 minors of [I; K] up to one factor,
+//! The part of a beam on one side of a cut resists a deflection w and a slope θ of the cut with a force and a
+//! moment, (V, M) = K·(w, θ), K symmetric and positive semidefinite. K itself is infinite at a rigid support
+//! and grows without digits to lose at a free end, so it is kept in homogeneous form: the five 2×2 minors of
+//! [I; K] up to one factor,
 //!
 //! ```text
 //!     (δ, a₁₁, a₁₂, a₂₂, d)  with  K = a/δ  and  det K = d/δ
 //! ```
 //!
-//! In these coordinates everything that happens along a beam is *linear with coefficients ≥ 0*: a rigid length, a
-//! flexibility (F₁ shear, F₂ bending, uncoupled at the middle of a uniform piece), a spring. Between the support and the
-//! cut a₁₂ never changes sign, so its magnitude is kept. Sums of non-negative terms lose no digits: after N pieces the relative error is
-//! at most about N rounding errors, whatever the stiffness of beam and springs. (These are the Plücker coordinates of the
-//! Lagrangian plane of end states; for ODEs the method is known as that of compound matrices.)
+//! In these coordinates everything that happens along a beam is *linear with coefficients ≥ 0*: a rigid
+//! length, a flexibility (F₁ shear, F₂ bending, uncoupled at the middle of a uniform piece), a spring.
+//! Between the support and the cut a₁₂ never changes sign, so its magnitude is kept. Sums of non-negative
+//! terms lose no digits: after N pieces the relative error is at most about N rounding errors, whatever the
+//! stiffness of beam and springs. (These are the Plücker coordinates of the Lagrangian plane of end states;
+//! for ODEs the method is known as that of compound matrices.)
 
 use crate::element::BeamPiece;
 
@@ -21,9 +23,9 @@ use crate::element::BeamPiece;
 pub struct Link {
     /// Half the length, m.
     pub half: f64,
-    /// m/N at the middle.
+    /// Shear flexibility, m/N at the middle.
     pub shear: f64,
-    /// rad/(N m) at the middle.
+    /// Bending flexibility, rad/(N m) at the middle.
     pub bending: f64,
     /// Stiffness of the steady rest at the link's far end, N/m; 0 where there is none.
     pub rest: f64,
@@ -36,7 +38,8 @@ impl From<BeamPiece> for Link {
     }
 }
 
-/// How a support holds the rotation: compliance p/q in rad/(N m), so that free (1/0) and clamped (0/1) are both plain.
+/// The hold of a support on the rotation: compliance p/q in rad/(N m), so that free (1/0) and clamped (0/1)
+/// are both plain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning {
     pub p: f64,
@@ -48,8 +51,8 @@ impl Turning {
     pub const FREE: Self = Self { p: 1.0, q: 0.0 };
 }
 
-/// Homogeneous stiffness of what lies on one side of a cut. The cross term is its magnitude: positive when the cut is
-/// looked at from the supported side, with x counted away from it.
+/// Homogeneous stiffness of what lies on one side of a cut. The cross term is its magnitude: positive when
+/// the cut is looked at from the supported side, with x counted away from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfPlane {
     pub delta: f64,
@@ -76,7 +79,7 @@ impl HalfPlane {
         Self { a12, a22: self.a22 + length * (self.a12 + a12), ..self }
     }
 
-    /// In series with a flexibility that does not couple shear (m/N) and bending (rad/(N m)).
+    /// This side in series with a flexibility that does not couple shear (m/N) and bending (rad/(N m)).
     #[inline]
     pub fn softened(self, shear: f64, bending: f64) -> Self {
         Self {
@@ -88,20 +91,21 @@ impl HalfPlane {
         }
     }
 
-    /// Beyond a uniform length of beam.
+    /// This side seen from beyond a uniform length of beam.
     #[inline]
     pub fn beyond(self, link: &Link) -> Self {
         self.carried(link.half).softened(link.shear, link.bending).carried(link.half)
     }
 
-    /// With a translational spring of `stiffness` N/m at the cut. Scaled so that many springs do not overflow.
+    /// This side with a translational spring of `stiffness` N/m at the cut. Scaled so that many springs do
+    /// not overflow.
     pub fn sprung(self, stiffness: f64) -> Self {
         let stiffer = Self { a11: self.a11 + stiffness * self.delta, det: self.det + stiffness * self.a22, ..self };
         let scale = stiffer.delta.max(stiffer.a11).max(stiffer.a22).max(stiffer.det);
         if scale > 0.0 && scale.is_finite() { stiffer.times(1.0 / scale) } else { stiffer }
     }
 
-    /// With the steady rest at a link's far end, if there is one.
+    /// This side with the steady rest at a link's far end, if there is one.
     #[inline]
     pub fn with_rest(self, link: &Link) -> Self {
         if link.rest > 0.0 { self.sprung(link.rest) } else { self }
@@ -111,8 +115,9 @@ impl HalfPlane {
         Self { delta: f * self.delta, a11: f * self.a11, a12: f * self.a12, a22: f * self.a22, det: f * self.det }
     }
 
-    /// What a unit force at the cut does when this side and `other`, on the other side, hold it together: deflection
-    /// (m/N) and slope (rad/N, positive away from this side's support). Infinite or NaN where the body is loose.
+    /// Deflection (m/N) and slope (rad/N, positive away from this side's support) under a unit force at the
+    /// cut that this side and `other`, on the other side, hold together. Infinite or NaN where the body is
+    /// loose.
     #[inline]
     pub fn joined(&self, other: &Self) -> (f64, f64) {
         let deflection = self.a22 * other.delta + other.a22 * self.delta;
@@ -126,8 +131,9 @@ impl HalfPlane {
         (deflection / det, slope / det)
     }
 
-    /// The end of this side at its rigid support, displaced by one unit: the slope that follows, counted away from the
-    /// support of the *other* end (per m), and the force it takes (N/m). `self` is all that hangs on that support.
+    /// The end of this side at its rigid support, displaced by one unit: the slope that follows, counted away
+    /// from the support of the *other* end (per m), and the force it takes (N/m). `self` is all that hangs on
+    /// that support.
     pub fn displaced(&self, turning: Turning) -> (f64, f64) {
         let rotation = self.a22 * turning.p + self.delta * turning.q;
         let slope = self.a12 * turning.p;
@@ -135,8 +141,8 @@ impl HalfPlane {
         if rotation > 0.0 { (slope / rotation, force / rotation) } else { (0.0, 0.0) }
     }
 
-    /// Deflection and slope at the near end of a link whose far end moves by (w, θ); `self` holds the near end, and θ
-    /// counts away from its support. About the link's middle u' = (I + F·K)⁻¹·u.
+    /// Deflection and slope at the near end of a link whose far end moves by (w, θ); `self` holds the near
+    /// end, and θ counts away from its support. About the link's middle u' = (I + F·K)⁻¹·u.
     #[inline]
     pub fn followed(&self, link: &Link, (w, theta): (f64, f64)) -> (f64, f64) {
         let near = self.carried(link.half);

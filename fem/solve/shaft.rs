@@ -1,10 +1,10 @@
-//! A shaft on its supports, condensed to what the tool and the joints see of it.
+//! A shaft on its supports, condensed to its compliance at the tool and at the joints.
 //!
-//! The tool travels, so the profile is the *diagonal* of the compliance. The shaft is cut at every position; the part
-//! on either side of a cut is one [`HalfPlane`], found for all cuts in one pass from each end. The cost is that of pieces
-//! plus positions, and pieces of any length are exact. Headstock and tailstock stay outside as rigid
-//! supports that the joints displace, so that nonlinear joints and the force's feedback are a problem of two unknowns at
-//! each position (see `equilibrium`).
+//! The tool travels, so the profile is the *diagonal* of the compliance. The shaft is cut at every position;
+//! the part on either side of a cut is one [`HalfPlane`], found for all cuts in one pass from each end. The
+//! cost is that of pieces plus positions, and pieces of any length are exact. Headstock and tailstock stay
+//! outside as rigid supports that the joints displace, so that nonlinear joints and the force's feedback are
+//! a problem of two unknowns at each position (see `equilibrium`).
 
 use super::plane::{HalfPlane, Link, Turning};
 use crate::element::BeamPiece;
@@ -14,11 +14,11 @@ use crate::element::BeamPiece;
 pub struct Rest {
     /// Distance from the headstock, m.
     pub at: f64,
-    /// N/m.
+    /// Stiffness, N/m.
     pub stiffness: f64,
 }
 
-/// How the headstock holds the shaft's rotation.
+/// The hold of the headstock on the shaft's rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hold {
     /// A centre: free to turn.
@@ -27,10 +27,11 @@ pub enum Hold {
     Compliance(f64),
 }
 
-/// A shaft of uniform pieces from the headstock, held in translation there and, where there is a tailstock, at its end.
+/// A shaft of uniform pieces from the headstock, held in translation there and, where there is a tailstock,
+/// at its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shaft {
-    /// From the headstock on.
+    /// Pieces from the headstock on.
     pub pieces: Vec<BeamPiece>,
     /// Rotation at the headstock.
     pub hold: Hold,
@@ -61,25 +62,26 @@ pub enum ShaftError {
 
 /// A shaft cut at a row of positions.
 pub struct Condensed {
-    /// From each cut to the next; the first cut is at the headstock, the last at the end.
+    /// Links from each cut to the next; the first cut is at the headstock, the last at the end.
     links: Vec<Link>,
-    /// What holds each cut from the headstock's side, with the rest at the cut.
+    /// The side of each cut towards the headstock, with the rest at the cut.
     left: Vec<HalfPlane>,
-    /// What holds each cut from the tailstock's side, without the rest at the cut.
+    /// The side of each cut towards the tailstock, without the rest at the cut.
     right: Vec<HalfPlane>,
     /// The cut of each position.
     cuts: Vec<u32>,
     /// Deflection under the tool on rigid supports, m/N, per position.
     pub compliance: Vec<f64>,
-    /// Deflection at each position per unit displacement of headstock and tailstock; equally the part of the tool's force
-    /// that each takes when both are rigid.
+    /// Deflection at each position per unit displacement of headstock and tailstock; equally the part of the
+    /// tool's force that each takes when both are rigid.
     pub influence: Vec<[f64; 2]>,
-    /// Forces at headstock and tailstock per unit displacement of each, N/m: zero where statics alone decides.
+    /// Forces at headstock and tailstock per unit displacement of each, N/m: zero where statics alone
+    /// decides.
     pub constraint: [[f64; 2]; 2],
 }
 
 impl Shaft {
-    /// m.
+    /// Length, m.
     pub fn length(&self) -> f64 {
         let mut length = RunningSum::default();
         self.pieces.iter().for_each(|p| length.add(p.length));
@@ -153,8 +155,8 @@ impl Shaft {
     }
 }
 
-/// A sum that is rounded once and not at every step (Neumaier): the last of many short elements is short against the
-/// position at which it stands.
+/// A sum that is rounded once and not at every step (Neumaier): the last of many short elements is short
+/// against the position at which it stands.
 #[derive(Clone, Copy, Default)]
 struct RunningSum {
     sum: f64,
@@ -177,7 +179,7 @@ impl RunningSum {
 struct Cutter<'a> {
     pieces: std::iter::Peekable<std::slice::Iter<'a, BeamPiece>>,
     links: Vec<Link>,
-    /// Where the walk stands and where the current piece ends.
+    /// Place of the walk, and end of the current piece.
     here: f64,
     piece_end: RunningSum,
     /// Lengths below this are no length.
@@ -268,7 +270,8 @@ impl Condensed {
         }
     }
 
-    /// Deflections at all cuts beyond `cut`, whose deflection and slope (counted toward the headstock) are `from`.
+    /// Deflections at all cuts beyond `cut`, whose deflection and slope (counted toward the headstock) are
+    /// `from`.
     fn towards_tail(&self, cut: usize, from: (f64, f64)) -> Vec<f64> {
         let mut deflections = vec![0.0; self.links.len() + 1];
         let mut end = from;
@@ -280,7 +283,8 @@ impl Condensed {
         deflections
     }
 
-    /// Deflections at all cuts before `cut`, whose deflection and slope (counted toward the tailstock) are `from`.
+    /// Deflections at all cuts before `cut`, whose deflection and slope (counted toward the tailstock) are
+    /// `from`.
     fn towards_head(&self, cut: usize, from: (f64, f64)) -> Vec<f64> {
         let mut deflections = vec![0.0; self.links.len() + 1];
         let mut end = from;
@@ -292,7 +296,8 @@ impl Condensed {
         deflections
     }
 
-    /// Deflection at every position while a unit force stands at position number `tool`, on rigid supports; m/N.
+    /// Deflection at every position while a unit force stands at position number `tool`, on rigid supports;
+    /// m/N.
     pub fn shape(&self, tool: usize) -> Vec<f64> {
         let cut = self.cuts[tool] as usize;
         let (w, slope) = self.left[cut].joined(&self.right[cut]);

@@ -1,11 +1,13 @@
 //! The kinds of quantity that models and effects are written in, each with its canonical unit.
 
+use std::fmt;
+
 use super::{Dimension, Unit, UnitError};
 
 /// A kind of quantity: what it is called and the canonical unit in which results and JSON give it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kind {
-    /// With its article, as in "expected a length".
+    /// Name with its article, as in "expected a length".
     pub name: &'static str,
     /// Canonical unit; empty for a pure number.
     pub unit: &'static str,
@@ -31,11 +33,13 @@ kinds! {
     FORCE = "a force" in "N", as "450";
     MASS_DENSITY = "a density" in "kg/m^3", as "7850";
     PRESSURE = "a modulus" in "GPa", as "210";
+    STRESS = "a stress" in "MPa", as "100";
     STIFFNESS = "a stiffness" in "N/um", as "60";
     ROTATIONAL_STIFFNESS = "a rotational stiffness" in "kN*m/rad", as "400";
     CONTACT_COEFFICIENT = "a contact coefficient" in "um/N^n", as "0.2";
     SLOPE = "a slope" in "um/m", as "20";
     STEEP_SLOPE = "a slope" in "mm/m", as "1";
+    TWIST = "a twist" in "um/m/m", as "20";
     WEAR_RATE = "a wear rate" in "um/km", as "8";
     WEAR_PER_PART = "a wear per part" in "um/1000", as "40";
     FEED = "a feed per revolution" in "mm/rev", as "0.2";
@@ -58,12 +62,31 @@ kinds! {
     GAIN = "a servo gain" in "/s", as "50";
     SHORT_TIME = "a short time" in "ms", as "100";
     FORCE_PER_RATE = "a force per removal rate" in "N/(mm^2/s)", as "10";
+    HEAT = "a heat" in "kJ", as "10";
+    WORK = "a work" in "uJ", as "10";
+    ENERGY = "an energy" in "J", as "10";
+    AREA = "an area" in "mm^2", as "10";
+    REMOVAL_RATE = "a removal rate" in "mm^2/s", as "10";
     SPECIFIC_HEAT = "a specific heat" in "J/kg/K", as "470";
 }
 
+/// A number with its unit, to be written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shown {
+    number: f64,
+    unit: &'static str,
+}
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.number, f)?;
+        if self.unit.is_empty() { Ok(()) } else { write!(f, " {}", self.unit) }
+    }
+}
+
 impl Kind {
-    /// The canonical unit, parsed. The units of [`ALL`] are checked by a test, so a failure can only come from a
-    /// `Kind` made elsewhere; it then counts as a pure number.
+    /// The canonical unit, parsed. The units of [`ALL`] are checked by a test, so a failure can only come
+    /// from a `Kind` made elsewhere; it then counts as a pure number.
     pub fn canonical(&self) -> Unit {
         Unit::parse(self.unit).unwrap_or(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE })
     }
@@ -78,6 +101,19 @@ impl Kind {
     pub fn to_si(&self, canonical: f64) -> f64 {
         let unit = self.canonical();
         canonical * unit.factor + unit.offset
+    }
+
+    /// `si` as people read it, with the unit of this kind: `{:+.3}` gives `+1.234 um`. Precision, sign and
+    /// width are those of the number.
+    pub fn shown(&self, si: f64) -> Shown {
+        Shown { number: self.from_si(si), unit: self.unit }
+    }
+
+    /// `si` to six digits with its unit, as people write a dimension or a feed: `1000 mm/min`.
+    pub fn told(&self, si: f64) -> String {
+        let number = self.from_si(si);
+        let number: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+        format!("{number} {}", self.unit).trim_end().to_string()
     }
 
     /// Reads a unit and checks that it measures this kind.
@@ -122,7 +158,7 @@ impl Kind {
     }
 }
 
-/// What a dimension measures, in words where it is a kind we know.
+/// The quantity that a dimension measures, in words where it is a kind we know.
 fn measured(dimension: Dimension) -> String {
     match ALL.iter().find(|k| k.canonical().dimension == dimension) {
         Some(kind) => kind.name.to_string(),
@@ -138,7 +174,7 @@ mod tests {
     fn every_canonical_unit_parses_and_converts_back() {
         for kind in ALL {
             assert!(Unit::parse(kind.unit).is_ok(), "{}", kind.unit);
-            // Beside a zero point far off some digits go.
+            // A zero point far off costs some digits.
             let digits = 1.0 + kind.canonical().offset.abs();
             assert!((kind.from_si(kind.to_si(3.7)) - 3.7).abs() < 1e-14 * digits, "{}", kind.name);
         }

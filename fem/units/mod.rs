@@ -1,161 +1,17 @@
 //! Units at the border, SI inside.
 //!
-//! Model files and measurement headers carry a unit with every quantity; the program computes with plain `f64` in
-//! coherent SI units (metre, kilogram, second, kelvin, radian). Angles are kept apart from pure numbers, so that a
-//! feed per revolution is not taken for a length nor a rate of turn for a frequency.
+//! Model files and measurement headers carry a unit with every quantity; the program computes with plain
+//! `f64` in coherent SI units (metre, kilogram, second, kelvin, radian). Angles are kept apart from pure
+//! numbers, so that a feed per revolution is not taken for a length nor a rate of turn for a frequency.
 
+mod dimension;
 mod kind;
 mod parse;
 mod quantity;
+mod unit;
 
-pub use kind::Kind;
+pub use dimension::Dimension;
 pub use kind::*;
+pub use kind::{Kind, Shown};
 pub use quantity::{Knowledge, Quantity, unit_text};
-
-use std::fmt;
-
-/// The base units, in the order of the exponents of a [`Dimension`].
-const BASE: [&str; 5] = ["m", "kg", "s", "K", "rad"];
-
-/// Exponents of a unit over metre, kilogram, second, kelvin and radian.
-///
-/// A contact law y = c·Qⁿ gives its coefficient the unit `um/N^n`, whose exponents are known only with n; the part
-/// that is multiplied by n is kept beside the fixed part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Dimension {
-    fixed: [i8; 5],
-    times_n: [i8; 5],
-}
-
-impl Dimension {
-    /// Dimension of a pure number.
-    pub const NONE: Self = Self { fixed: [0; 5], times_n: [0; 5] };
-
-    const fn base(exponents: [i8; 5]) -> Self {
-        Self { fixed: exponents, times_n: [0; 5] }
-    }
-
-    /// The same with angles taken for pure numbers.
-    #[must_use]
-    pub fn without_angle(mut self) -> Self {
-        let angle = BASE.len() - 1;
-        (self.fixed[angle], self.times_n[angle]) = (0, 0);
-        self
-    }
-
-    /// The product of two; `None` beyond any physical power.
-    pub fn times(self, other: Self) -> Option<Self> {
-        self.combine(other, 1)
-    }
-
-    /// The quotient of two.
-    pub fn over(self, other: Self) -> Option<Self> {
-        self.combine(other, -1)
-    }
-
-    /// A whole power.
-    pub fn to_the(self, exponent: i8) -> Option<Self> {
-        self.power(exponent)
-    }
-
-    /// The square root, where every exponent is even.
-    pub fn root(self) -> Option<Self> {
-        let mut root = self;
-        for e in root.fixed.iter_mut().chain(&mut root.times_n) {
-            if *e % 2 != 0 {
-                return None;
-            }
-            *e /= 2;
-        }
-        Some(root)
-    }
-
-    fn combine(self, other: Self, sign: i8) -> Option<Self> {
-        let mut sum = self;
-        for i in 0..BASE.len() {
-            sum.fixed[i] = sum.fixed[i].checked_add(other.fixed[i].checked_mul(sign)?)?;
-            sum.times_n[i] = sum.times_n[i].checked_add(other.times_n[i].checked_mul(sign)?)?;
-        }
-        Some(sum)
-    }
-
-    fn power(self, exponent: i8) -> Option<Self> {
-        let mut power = self;
-        for e in power.fixed.iter_mut().chain(&mut power.times_n) {
-            *e = e.checked_mul(exponent)?;
-        }
-        Some(power)
-    }
-
-    /// The dimension raised to the symbol n; only a fixed dimension can be.
-    fn power_n(self) -> Option<Self> {
-        (self.times_n == [0; 5]).then_some(Self { fixed: [0; 5], times_n: self.fixed })
-    }
-}
-
-/// A unit: SI value = number · `factor` + `offset`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unit {
-    /// SI units per unit.
-    pub factor: f64,
-    /// SI value of zero on this unit's scale; only degC has one that is not zero.
-    pub offset: f64,
-    /// What kind of quantity the unit measures.
-    pub dimension: Dimension,
-}
-
-impl Unit {
-    /// Reads a unit such as `N/um`, `W/m^2/K`, `kN*m/rad`, `mm/rev`, `/K` or `um/N^n`; the empty text is the unit of
-    /// pure numbers.
-    ///
-    /// # Errors
-    /// Says which word is no unit and, where one is near, which was probably meant.
-    pub fn parse(text: &str) -> Result<Self, UnitError> {
-        parse::unit(text)
-    }
-}
-
-/// Why a text is no quantity or no unit, in words that go after "expected …".
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{message}")]
-pub struct UnitError {
-    /// What is wrong.
-    pub message: String,
-    /// What to write instead, where that is known.
-    pub hint: Option<String>,
-}
-
-impl UnitError {
-    fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: None }
-    }
-
-    fn hint(mut self, hint: impl Into<String>) -> Self {
-        self.hint = Some(hint.into());
-        self
-    }
-}
-
-impl fmt::Display for Dimension {
-    /// Writes the dimension as a product of SI base units, `m^2·kg·s^-3`; a pure number is `1`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut first = true;
-        for (i, name) in BASE.iter().enumerate() {
-            for (power, symbol) in [(self.fixed[i], ""), (self.times_n[i], "n")] {
-                if power == 0 {
-                    continue;
-                }
-                if !first {
-                    write!(f, "·")?;
-                }
-                first = false;
-                match (power, symbol) {
-                    (1, "") => write!(f, "{name}")?,
-                    (_, "") => write!(f, "{name}^{power}")?,
-                    _ => write!(f, "{name}^({power}n)")?,
-                }
-            }
-        }
-        if first { write!(f, "1") } else { Ok(()) }
-    }
-}
+pub use unit::{Unit, UnitError};

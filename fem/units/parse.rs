@@ -136,7 +136,7 @@ impl Reader<'_> {
             let exponent = digits.parse::<i8>().ok().filter(|e| (-9..=9).contains(e));
             self.rest = rest;
             exponent.ok_or_else(|| {
-                UnitError::new(format!("`{}` has an exponent that is no whole number from -9 to 9", self.whole))
+                UnitError::new(format!("`{}` has an exponent that is not a whole number from -9 to 9", self.whole))
             })?
         } else {
             1
@@ -169,7 +169,7 @@ impl Reader<'_> {
         if matches!(name, "C" | "F" | "degF" | "Celsius" | "celsius") {
             return error.hint("temperatures are in degC or K");
         }
-        // Of one letter every other is a neighbour.
+        // Every other name is a neighbour of a single letter.
         match nearest(name).filter(|_| name.chars().count() > 1) {
             Some(near) => error.hint(format!("did you mean `{near}`?")),
             None => error.hint("units are built from m, g, s, K, rad, N, Pa, J, W, min, h, deg, rev, rpm, degC with SI prefixes, `*`, `/` and `^`"),
@@ -186,8 +186,8 @@ impl Reader<'_> {
     }
 }
 
-/// A unit by its name: exact names first (so that `min` is a minute, not a milli-inch), then prefix and name, then a
-/// whole number as a plain factor (`um/1000`).
+/// A unit by its name: exact names first (so that `min` is a minute, not a milli-inch), then prefix and name,
+/// then a whole number as a plain factor (`um/1000`).
 fn named(name: &str) -> Option<Unit> {
     let plain = |factor: f64, exponents: [i8; 5]| Unit { factor, offset: 0.0, dimension: Dimension::base(exponents) };
     if let Some(unit) = UNITS.iter().find(|u| u.0 == name) {
@@ -217,6 +217,17 @@ fn nearest(name: &str) -> Option<String> {
         }
     }
     best.map(|(_, candidate)| candidate)
+}
+
+impl Unit {
+    /// Reads a unit such as `N/um`, `W/m^2/K`, `kN*m/rad`, `mm/rev`, `/K` or `um/N^n`; the empty text is the
+    /// unit of pure numbers.
+    ///
+    /// # Errors
+    /// Says which word is no unit and, where one is near, which was probably meant.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        unit(text)
+    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
-//! A value with its unit and how well it is known.
+//! A value with its unit and its uncertainty.
 
 use super::{Kind, UnitError};
 
-/// How well a value is known, as its writer says.
+/// Knowledge of a value, as its writer says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Knowledge {
     /// `"60 N/um"`: never changed by a fit.
@@ -13,17 +13,17 @@ pub enum Knowledge {
     Free,
 }
 
-/// A value in SI units and how well it is known. The value of a [`Knowledge::Free`] quantity is where a search for it
-/// begins, NaN where nothing is said of that.
+/// A value in SI units with the knowledge of it. The value of a [`Knowledge::Free`] quantity is the place
+/// where a search for it begins; NaN where none is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// In SI units.
+    /// Value in SI units.
     pub value: f64,
     /// Known, roughly known or free.
     pub knowledge: Knowledge,
 }
 
-/// After `?`: where a search begins.
+/// The word after `?` before the place where a search begins.
 const NEAR: &str = "near ";
 
 impl Quantity {
@@ -64,7 +64,7 @@ impl Quantity {
     }
 }
 
-/// What stands after the numbers of a written quantity: its unit.
+/// The text behind the numbers of a written quantity: its unit.
 pub fn unit_text(written: &str) -> &str {
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '±' | '?' | ' ' | '/');
     let mut rest = written.trim();

@@ -1,5 +1,5 @@
-//! A cam grinder by brute force: the axes stepped through time, the wheel put down thousands of times a turn. Shares nothing with the program: its own geometry,
-//! its own programme, no envelope, no search.
+//! A cam grinder by brute force: the axes stepped through time, the wheel put down thousands of times a
+//! turn. Shares nothing with the program: its own geometry, its own programme, no envelope, no search.
 
 use std::f64::consts::{PI, TAU};
 

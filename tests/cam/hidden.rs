@@ -3,12 +3,14 @@
 use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::input::Source;
 use fem::measure::Measurements;
+use fem::model::Data;
 use fem::progress::Progress;
 
 use super::brute::Causes;
 use super::{SPEED, measured, model, starting_cam};
 
-/// A cam ground forward at full speed, one at half the speed and one from the programme's end, measured together.
+/// A cam ground forward at full speed, one at half the speed and one from the programme's end, measured
+/// together.
 fn three_cams(causes: &Causes, sigma: f64, seed: u64) -> String {
     let mut text = measured(&starting_cam(0.5, false, SPEED), causes, sigma, seed);
     for (job, seed) in
@@ -22,7 +24,7 @@ fn three_cams(causes: &Causes, sigma: f64, seed: u64) -> String {
 fn diagnosis(text: String) -> Diagnosis {
     let model = model(0.5, "");
     let rows = Measurements::parse(Source::new("m.csv", text), model.process).unwrap();
-    diagnose(&model, &rows, MOST_EFFECTS, &Progress::default()).unwrap()
+    diagnose(&Data::of(&model, rows).unwrap(), MOST_EFFECTS, &Progress::default()).unwrap()
 }
 
 #[test]
@@ -88,7 +90,7 @@ fn what_one_cam_cannot_tell_apart_is_listed_with_what_would() {
     names.sort_unstable();
     assert_eq!(names, ["centre-height", "servo-lag"]);
     let next = diagnosis.next.as_ref().unwrap();
-    assert!(["cam_speed", "direction"].contains(&next.further.coordinate), "{}", next.further.words);
+    assert!(["cam_speed", "direction"].contains(&next.experiment.coordinate), "{}", next.experiment.words);
 }
 
 #[test]

@@ -72,8 +72,9 @@ fn every_effect_grinds_what_brute_force_grinds() {
                 let model = model(step, effects);
                 let text = measured(&job, causes, 0.0, 1);
                 let rows = Measurements::parse(Source::new("m.csv", text), model.process).unwrap();
-                let predicted = model.job().observe(&rows.rows).unwrap();
-                // Brute force puts the wheel down in even steps: what it misses between them is of the order of their length, more where play ends between two.
+                let predicted = model.forward().observe(&rows.rows).unwrap();
+                // Brute force puts the wheel down in even steps: what it misses between them is of the
+                // order of their length, more where play ends between two.
                 let worst = predicted.iter().zip(&rows.observed).map(|(p, o)| (p - o).abs()).fold(0.0, f64::max);
                 assert!(worst < 4e-8 * step, "{step} {is_reversed} {effects}: {worst:e}");
             }
@@ -90,9 +91,8 @@ fn the_fewest_blocks_keep_the_tolerance() {
     };
     let run = |program: &str| {
         let model = Model::parse(Source::new("cam.toml", text(program))).unwrap();
-        let outcome = model.run(&fem::progress::Progress::default()).unwrap().outcome;
-        let value =
-            |key: &str, of: &str| outcome.findings.iter().find(|f| f.key == key).unwrap().json[of].as_f64().unwrap();
+        let report = model.run(&fem::progress::Progress::default()).unwrap().report;
+        let value = |key: &str, of: &str| report.figures.iter().find(|f| f.key == key).unwrap().told(of).unwrap();
         let error = value("largest", "value").max(-value("smallest", "value"));
         (value("program", "blocks") as usize, error)
     };
@@ -107,10 +107,12 @@ fn the_fewest_blocks_keep_the_tolerance() {
     }
 }
 
-/// One block fewer on a segment does not keep the tolerance, whichever way it is divided: equal blocks are best where blocks are alike.
+/// One block fewer on a segment does not keep the tolerance, whichever way it is divided: equal blocks are
+/// best where blocks are alike.
 #[test]
 fn one_block_fewer_fails() {
-    // A circle beside the axis in so many equal blocks by its symmetry: the tolerance is what n blocks need, so n − 1 err more.
+    // A circle beside the axis in so many equal blocks by its symmetry: the tolerance is what n blocks
+    // need, so n − 1 err more.
     let circle = |program: &str| {
         format!(
             "process = \"cam\"\n[profile]\nstart = [\"14 mm\", \"20 mm\"]\nsegments = [{{ line = {{ to = [\"-14 mm\", \"20 mm\"] }} BLOCKS }}, {{ arc = {{ centre = [\"-14 mm\", \"0 mm\"], sweep = \"180 deg\" }}, blocks = 400 }}, {{ line = {{ to = [\"14 mm\", \"-20 mm\"] }}, blocks = 400 }}, {{ arc = {{ centre = [\"14 mm\", \"0 mm\"], sweep = \"180 deg\" }}, blocks = 400 }}]\n[wheel]\nradius = \"175 mm\"\n[program]\ncam_speed = \"20 rpm\"\n{program}"
@@ -118,9 +120,9 @@ fn one_block_fewer_fails() {
     };
     let on_flank = |text: String| {
         let model = Model::parse(Source::new("cam.toml", text)).unwrap();
-        let outcome = model.run(&fem::progress::Progress::default()).unwrap().outcome;
-        let segment = &outcome.findings.iter().find(|f| f.key == "segments").unwrap().json["list"][0];
-        (segment["blocks"].as_u64().unwrap(), segment["largest"].as_f64().unwrap())
+        let report = model.run(&fem::progress::Progress::default()).unwrap().report;
+        let segments = report.figures.iter().find(|f| f.key == "segments").unwrap();
+        (segments.told("list/0/blocks").unwrap() as u64, segments.told("list/0/largest").unwrap())
     };
     for count in [2, 3, 7] {
         // The flank's blocks are nearly alike, so that equal ones err as little as so many can, to a percent.

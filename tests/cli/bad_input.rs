@@ -282,3 +282,14 @@ fn a_prediction_that_no_diameter_can_have_is_a_failure() {
     }
     assert_eq!(place.files(), ["model.toml"]);
 }
+
+#[test]
+fn a_run_is_not_written_over_the_model_that_it_reads() {
+    let place = Place::new();
+    std::fs::create_dir_all(place.path("there")).unwrap();
+    place.write("there/summary.json", model("story/rigid.toml"));
+    let answer = place.fem(&["run", "there/summary.json", "-o", "there"]);
+    assert!(answer.status == 2 && answer.err.contains("is itself what is read"), "{}", answer.err);
+    assert_eq!(place.read("there/summary.json"), model("story/rigid.toml"));
+    assert!(!place.path("there/profile.csv").exists(), "nothing is half written");
+}

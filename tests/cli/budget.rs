@@ -1,4 +1,5 @@
-//! Budgets as a user meets them: the page, JSON, bad input, draws that no number of threads changes, and models whose scatter is known.
+//! Budgets as a user meets them: the page, JSON, bad input, draws that no number of threads changes, and
+//! models whose scatter is known.
 
 use serde_json::Value as Json;
 

@@ -187,7 +187,8 @@ fn profiles_that_cannot_be_ground_are_refused_or_warned_of() {
         let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(answer.status == 2 && told.contains(message), "{told}");
     }
-    // Two noses of 20 mm about (±30, 0) mm and hollows of 50 mm radius about (0, ±63.2456) mm between them; both arcs are tangent where the centres' line meets them.
+    // Two noses of 20 mm about (±30, 0) mm and hollows of 50 mm radius about (0, ±63.2456) mm between them;
+    // both arcs are tangent where the centres' line meets them.
     let hollow = |wheel: f64| {
         let (r, c, h) = (20.0, 30.0, (70.0f64 * 70.0 - 900.0).sqrt());
         // From the end of the right nose, which is 20/70 of the way to the upper hollow's centre.

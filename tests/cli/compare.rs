@@ -116,3 +116,26 @@ fn fewer_rows_than_free_parameters_are_refused() {
     assert_eq!(answer.status, 1);
     assert!(answer.err.contains("cannot fix 3 free parameters"), "{}", answer.err);
 }
+
+#[test]
+fn a_few_rows_are_not_judged() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    place.write("two.csv", "x [mm],diameter_error [um]\n10,1\n200,1.5\n");
+    let answer = place.fem(&["compare", "rigid.toml", "--with", "two.csv"]);
+    assert!(answer.out.contains("not judged: too few rows"), "{}", answer.out);
+    let json = place.fem(&["compare", "rigid.toml", "--with", "two.csv", "--json"]).out;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert!(json["models"][0]["adequate"].is_null(), "{json}");
+}
+
+#[test]
+fn absurd_uncertainties_are_refused() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    for u in ["1e-300", "1e300"] {
+        place.write("u.csv", format!("x [mm],diameter_error [um],u [um]\n10,1,{u}\n200,1.5,1\n"));
+        let answer = place.fem(&["compare", "rigid.toml", "--with", "u.csv"]);
+        assert!(answer.status == 2 && answer.err.contains("is the unit right?"), "{}", answer.err);
+    }
+}

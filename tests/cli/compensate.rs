@@ -10,7 +10,8 @@ axis = { travel = "600 mm" }
 screw = { material = "steel", diameter = "32 mm", lead = "10 mm", fixed_at = "0 mm" }
 "#;
 
-/// A test of 11 targets from both sides in five runs, from its deviation (um) at x (m), forwards (1) or backwards (-1), in a run.
+/// A test of 11 targets from both sides in five runs, from its deviation (um) at x (m), forwards (1) or
+/// backwards (-1), in a run.
 fn test(deviation: impl Fn(f64, f64, usize) -> f64) -> String {
     let mut text = String::from("run,position [mm],direction,deviation [um]\n");
     for run in 1..=5 {
@@ -49,10 +50,10 @@ fn a_published_test_by_the_standard() {
     published(&place);
     let answer = place.fem(&["compensate", "stage.toml", "--with", "m.csv"]);
     assert_eq!((answer.status, answer.err.as_str()), (0, ""));
-    let readme = include_str!("../../README.md");
-    let shown = readme.split("```text\n").find(|block| block.starts_with("ISO 230-2")).unwrap();
+    let page = include_str!("../../docs/compensation.md");
+    let shown = page.split("```text\n").find(|block| block.starts_with("ISO 230-2")).unwrap();
     for line in shown.split("```").next().unwrap().lines().filter(|l| *l != "…") {
-        assert!(answer.out.contains(line), "README shows a line that is not printed: {line}");
+        assert!(answer.out.contains(line), "the page shows a line that is not printed: {line}");
     }
     insta::assert_snapshot!(answer.out);
     let json: Json =

@@ -46,7 +46,8 @@ impl Place {
         command
     }
 
-    /// Every mistake in a file that is otherwise good is refused by `fem COMMAND FILE`, with its message and its remedy.
+    /// Every mistake in a file that is otherwise good is refused by `fem COMMAND FILE`, with its message
+    /// and its remedy.
     pub fn refuses(&self, (command, file): (&str, &str), good: &str, mistakes: &[Mistake]) {
         for (from, to, message, remedy) in mistakes {
             assert!(good.contains(from), "{from}");

@@ -84,7 +84,8 @@ fn the_cutter_presses_where_it_stands() {
     let place = Place::new();
     let bare = model("fixture.toml").split("[effects").next().unwrap().to_string();
     place.write("fixture.toml", bare);
-    // An indicator at 300 mm, above the rigid middle support, sees nothing of the cutter; one beside the cutter sees it.
+    // An indicator at 300 mm, above the rigid middle support, sees nothing of the cutter; one beside the
+    // cutter sees it.
     let rows = "x [mm],cutter_force [N],cutter_x [mm],clamp_force [N],height_error [um]\n\
                 300,800,170,4000,0\n170,800,170,4000,0\n170,800,430,4000,0\n170,0,170,4000,0\n";
     place.write("m.csv", rows);

@@ -40,7 +40,8 @@ fn deviations(place: &Place, mesh: &str, effects: &str) -> Vec<f64> {
 #[test]
 fn drawn_rings_agree_with_the_ring_of_equal_cells() {
     let place = place();
-    // The ring of equal cells is good to 1e-4 of peak to valley (`fem validate`); the drawn ones have elements three times as large.
+    // The ring of equal cells is good to 1e-4 of peak to valley (`fem validate`); the drawn ones have
+    // elements three times as large.
     for (name, drawn, same) in [
         ("ring-quad8.msh", "", ARC),
         ("ring-quad8.msh", POSITION, &*format!("{ARC}{POSITION}")),
@@ -138,8 +139,8 @@ fn told(place: &Place, status: i32, case: &str, parts: &[&str]) {
     assert!(parts.iter().all(|part| told.contains(part)), "{case}: {told}");
 }
 
-/// A ring of 36 four-node cells around and one across in Gmsh's format, with jaws of two cells each; `node` moves nodes (place, tag) and `cells` chooses
-/// which cells there are. Tags of cells are 101 and on.
+/// A ring of 36 four-node cells around and one across in Gmsh's format, with jaws of two cells each; `node`
+/// moves nodes (place, tag) and `cells` chooses which cells there are. Tags of cells are 101 and on.
 fn ring(node: impl Fn([f64; 2], usize) -> [f64; 2], cells: impl Fn(usize) -> bool, jaws: &[(usize, usize)]) -> String {
     let mut text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n5\n1 1 \"jaw-1\"\n1 2 \"jaw-2\"\n1 3 \"jaw-3\"\n1 4 \"bore\"\n2 5 \"ring\"\n$EndPhysicalNames\n".to_string();
     text += "$Entities\n0 4 1 0\n";
@@ -224,7 +225,8 @@ fn meshes_that_are_no_rings_are_told_by_their_elements() {
 fn two_rings_in_one_file_are_told_apart() {
     let place = Place::new();
     place.write("ring.toml", format!("{RING}mesh.file = \"ring.msh\"\n"));
-    // Two cells are cut out, and the bore is drawn on neither: what is left hangs together; a third and fourth cut it in two.
+    // Two cells are cut out, and the bore is drawn on neither: what is left hangs together; a third and
+    // fourth cut it in two.
     let text = ring(|at, _| at, |k| ![7, 25].contains(&k), &JAWS);
     let start = text.find("1 4 1 36\n").unwrap();
     let end = start + text[start..].find("2 1 3").unwrap();

@@ -12,18 +12,22 @@ fn the_summary_of_the_main_example() {
 }
 
 #[test]
-fn the_readme_shows_what_the_program_prints() {
+fn the_docs_show_what_the_program_prints() {
     let place = Place::new();
     place.write("lathe.toml", model("lathe.toml"));
     let printed = place.fem(&["run", "lathe.toml"]).out;
-    let readme = include_str!("../../README.md");
-    let shown = readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let page = include_str!("../../docs/outputs.md");
+    let shown = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     for line in shown.lines().filter(|l| *l != "…") {
-        assert!(printed.contains(line), "README shows a line that is not printed: {line}");
+        assert!(printed.contains(line), "the page shows a line that is not printed: {line}");
     }
     assert!(shown.lines().count() > 10);
-    let cases = fem::process::ALL.iter().map(|p| p.validation().len()).sum::<usize>() + fem::budget::validation().len();
-    assert!(readme.contains(&format!("computes {cases} cases")), "there are {cases} cases");
+    let cases =
+        fem::process::validation().map(|(_, cases)| cases.len()).sum::<usize>() + fem::budget::validation().len();
+    assert!(
+        include_str!("../../docs/validation.md").contains(&format!("computes {cases} cases")),
+        "there are {cases} cases"
+    );
 }
 
 #[test]

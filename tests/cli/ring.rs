@@ -38,7 +38,8 @@ fn measured(shift: impl Fn(f64, f64) -> f64) -> String {
 
 #[test]
 fn the_circle_of_each_set_up_does_not_count() {
-    // Jaws without force: what is measured is each set-up's own circle, a wave of three lobes, and nothing else.
+    // Jaws without force: what is measured is each set-up's own circle, a wave of three lobes, and nothing
+    // else.
     let text = model("ring.toml").split("[effects").next().unwrap().to_string();
     let place = Place::new();
     place.write("ring.toml", &text);

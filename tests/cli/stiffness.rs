@@ -30,7 +30,8 @@ fn tangents_stand_in_a_table_where_the_joint_moves() {
     place.fem(&["run", "stiffness.toml", "-o", "out"]);
     let table = place.read("out/tangent.csv");
     let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|l| l.split(',').collect()).collect();
-    // Of 24 steps of 50 N up friction (90 N) holds the first two, and of those down the first three and half of the fourth.
+    // Of 24 steps of 50 N up friction (90 N) holds the first two, and of those down the first three and
+    // half of the fourth.
     assert_eq!((rows.iter().filter(|r| r[1] == "load").count(), rows.len()), (22, 22 + 20), "{table}");
     let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
     // 1000 N up: S = 935 N is beyond 2·250 N, one spring of 70 N/um and the contact's 0.5·0.15/√S.

@@ -1,4 +1,5 @@
-//! The story of `models/story`: from a machine believed to be rigid, by what the diagnosis says, to the noise.
+//! The story of `models/story`: from a machine believed to be rigid, by what the diagnosis says, to the
+//! noise.
 
 use super::fem::{Place, model};
 

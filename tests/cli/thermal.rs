@@ -1,4 +1,5 @@
-//! Heated bodies as a user meets them: summary, two observables in one file, plates, meshes from files, bad input.
+//! Heated bodies as a user meets them: summary, two observables in one file, plates, meshes from files, bad
+//! input.
 
 use super::fem::{Mistake, Place, model};
 

@@ -87,3 +87,27 @@ fn a_written_effect_is_run_fitted_compared_and_diagnosed_like_any() {
     let diagnosed: serde_json::Value = serde_json::from_str(&diagnosed.out).unwrap();
     assert_eq!(diagnosed["verdict"], "adequate");
 }
+
+#[test]
+fn phases_of_formulas_come_round() {
+    let place = Place::new();
+    let own = "\n[effects.mine]\nformula = \"a*cos(2*pi*x/l - b)\"\na = \"3 um\"\nl = \"300 mm\"\n";
+    place.write("true.toml", format!("{}{own}b = \"50 deg\"\n", model("story/rigid.toml")));
+    place.write("far.toml", format!("{}{own}b = \"400 +- 50 deg\"\n", model("story/rigid.toml")));
+    assert_eq!(place.fem(&["run", "true.toml", "-o", "out"]).status, 0);
+    let fit = place.fem(&["fit", "far.toml", "--with", "out/profile.csv", "--json"]);
+    let fit: serde_json::Value = serde_json::from_str(&fit.out).unwrap();
+    let value = fit["parameters"][0]["value"].as_f64().unwrap();
+    assert!((value - 50.0).abs() < 0.01, "{fit:#}");
+}
+
+#[test]
+fn powers_are_refused_for_what_they_are() {
+    let place = Place::new();
+    for (power, why) in [("1000", "to a power beyond 12"), ("0.5", "to a power that is no whole number")] {
+        let own = format!("\n[effects.mine]\nformula = \"a*x^{power}\"\na = \"3 um\"\n");
+        place.write("mine.toml", model("story/rigid.toml") + &own);
+        let answer = place.fem(&["run", "mine.toml"]);
+        assert!(answer.status == 2 && answer.err.contains(why), "{}", answer.err);
+    }
+}

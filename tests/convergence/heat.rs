@@ -60,7 +60,8 @@ fn slow_and_fast_tools_short_and_long_rods() {
     for (length, speed) in [(0.6, 0.05e-3), (0.6, 50e-3), (0.02, 2e-3), (3.0, 1e-3)] {
         let rod = [piece(length, 0.04, 0.0)];
         let solution = moving_source(&rod, &Pass { from: length, to: 0.0, speed }, 1e-4).unwrap();
-        // All the heat is still in the rod: at the end its mean rise is t/(ρcA·L), and the tool is where it is hottest.
+        // All the heat is still in the rod: at the end its mean rise is t/(ρcA·L), and the tool is where it
+        // is hottest.
         let mean = length / speed / (rod[0].heat_capacity * length);
         assert!(solution.rise_at(0.0) >= mean && solution.rise_at(0.0).is_finite(), "{length} m at {speed} m/s");
         assert!(solution.rise_at(length) == 0.0);

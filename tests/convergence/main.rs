@@ -24,8 +24,8 @@ fn error(elements: usize, hold: Hold, tailstock: bool, exact: impl Fn(f64) -> f6
     positions.iter().zip(&condensed.compliance).map(|(&x, c)| (c / exact(x) - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// Beams are exact at any length, so that only round-off is left; it must not grow faster than the number of elements. The sweep's
-/// sums of positive terms promise at most a few roundings (2e-16) per element.
+/// Beams are exact at any length, so that only round-off is left; it must not grow faster than the number
+/// of elements. The sweep's sums of positive terms promise at most a few roundings (2e-16) per element.
 #[test]
 fn round_off_stays_small_however_many_elements() {
     let between = |x: f64| {

@@ -1,7 +1,8 @@
 //! Hidden effects, found or not: the error rates of `fem diagnose` on data that the program did not make.
 //!
-//! `cargo test --test diagnosis` runs a sample, `cargo test --release --test diagnosis -- --ignored --nocapture` the whole and prints the table of
-//! `README.md`. With `FEM_MISSES=DIR` each case that went wrong is written to DIR; with `FEM_EVERY=3` the whole is every third case of it.
+//! `cargo test --test diagnosis` runs a sample, `cargo test --release --test diagnosis -- --ignored
+//! --nocapture` the whole and prints the table of `README.md`. With `FEM_MISSES=DIR` each case that went
+//! wrong is written to DIR; with `FEM_EVERY=3` the whole is every third case of it.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -111,8 +112,8 @@ fn the_whole_of_thermal() {
     whole(&THERMAL, 12);
 }
 
-/// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than one seed of a hundred; the effects that are hidden alone
-/// are all but one named first, or their class.
+/// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than
+/// one seed of a hundred; the effects that are hidden alone are all but one named first, or their class.
 fn sample(process: &Process) {
     let mut table = Table::default();
     run(&mut table, "nothing", numbered(0..24, |s| process.nothing(s)));
@@ -143,8 +144,9 @@ fn a_sample_of_thermal() {
     sample(&THERMAL);
 }
 
-/// What the program predicts of the revealed model and what the generator made differ by less than the noise could ever show: 0.5 standard uncertainties in
-/// the length of all rows together, at the largest effects of the suite.
+/// What the program predicts of the revealed model and what the generator made differ by less than the
+/// noise could ever show: 0.5 standard uncertainties in the length of all rows together, at the largest
+/// effects of the suite.
 #[test]
 fn the_program_and_the_generator_agree() {
     for process in [&TURNING, &RING, &THERMAL] {

@@ -6,7 +6,7 @@ use fem::compare::NoiseSource;
 use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::input::Source;
 use fem::measure::Measurements;
-use fem::model::Model;
+use fem::model::{Data, Model};
 use fem::progress::Progress;
 use generator::{Case, Kind};
 
@@ -40,8 +40,9 @@ pub fn score(case: &Case) -> Score {
         Measurements::parse(Source::new("case.csv", text.to_string()), model.process).expect("so are the data")
     };
     let (data, fresh) = (read(&case.data), read(&case.fresh));
+    let data = Data::of(&model, data).expect("every row lies in the model");
     let start = Instant::now();
-    let diagnosis = diagnose(&model, &data, MOST_EFFECTS, &Progress::default());
+    let diagnosis = diagnose(&data, MOST_EFFECTS, &Progress::default());
     let seconds = start.elapsed().as_secs_f64();
     let diagnosis = match diagnosis {
         Ok(diagnosis) => diagnosis,
@@ -56,7 +57,7 @@ pub fn score(case: &Case) -> Score {
         Kind::Effects => all_named && classes.len() == hidden.len() && diagnosis.verdict == Verdict::MissingEffect,
     };
     let mut differences: Vec<f64> = fresh.observed.iter().zip(&diagnosis.after.predicted).map(|(y, p)| y - p).collect();
-    let blind = model.system.blind(&model.system.resolved(&fresh.rows));
+    let blind = model.system.datum_directions(&model.system.resolved(&fresh.rows));
     blind.iter().for_each(|direction| direction.take_out(&mut differences));
     let squares = differences.iter().zip(&case.truth.noise_of_rows).map(|(d, sigma)| (d / sigma).powi(2));
     Score {
@@ -111,20 +112,21 @@ fn said(case: &Case, diagnosis: &Diagnosis, hidden: &[&str], classes: &[Vec<&str
         lambda.join(" "),
         apart.join(" "),
         diagnosis.verdict,
-        diagnosis.before.misfit,
-        diagnosis.after.misfit,
+        diagnosis.before.reduced_chi2,
+        diagnosis.after.reduced_chi2,
     )
 }
 
-/// Length of the difference between the prediction of the revealed model and what the case was made from, in standard uncertainties.
+/// Length of the difference between the prediction of the revealed model and what the case was made from,
+/// in standard uncertainties.
 pub fn apart(case: &Case) -> f64 {
     let model = Model::parse(Source::new("revealed.toml", case.revealed.clone())).expect("the model is right");
     let exact = Source::new("exact.csv", case.exact.clone());
     let exact = Measurements::parse(exact, model.process).expect("so are the data");
     let rows = model.system.resolved(&exact.rows);
-    let predicted = model.job().observe(&rows).expect("the model can be computed");
+    let predicted = model.forward().observe(&rows).expect("the model can be computed");
     let mut differences: Vec<f64> = predicted.iter().zip(&exact.observed).map(|(p, e)| p - e).collect();
-    model.system.blind(&rows).iter().for_each(|direction| direction.take_out(&mut differences));
+    model.system.datum_directions(&rows).iter().for_each(|direction| direction.take_out(&mut differences));
     let squares = differences.iter().zip(&case.truth.noise_of_rows).map(|(d, sigma)| (d / sigma).powi(2));
     squares.sum::<f64>().sqrt()
 }

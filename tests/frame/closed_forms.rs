@@ -98,8 +98,8 @@ fn rotational_springs_and_reactions() {
     ]);
 }
 
-/// Hibbeler, *Mechanics of Materials*, problem 12.16: prints 38.5 mm under the load. Exactly, with reactions 2P/3
-/// and P/3: rigid part (P/k)(4/9 + 1/9) = 37.037 mm, elastic part P a²b²/(3EIL) = 1.4222 mm.
+/// Hibbeler, *Mechanics of Materials*, problem 12.16: prints 38.5 mm under the load. Exactly, with
+/// reactions 2P/3 and P/3: rigid part (P/k)(4/9 + 1/9) = 37.037 mm, elastic part P a²b²/(3EIL) = 1.4222 mm.
 #[test]
 fn hibbeler_12_16() {
     let (load, stiffness, rigidity) = (3000.0, 45e3, 200e9 * 4.6875e-6);

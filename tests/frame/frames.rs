@@ -1,4 +1,5 @@
-//! Frames: loose shafts are refused by name, wrong input is refused, solved frames are in equilibrium on their laws.
+//! Frames: loose shafts are refused by name, wrong input is refused, solved frames are in equilibrium on
+//! their laws.
 
 use super::power_joint;
 use fem::element::BeamPiece;

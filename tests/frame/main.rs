@@ -1,4 +1,5 @@
-//! The plain finite-element solve, which checks the fast sweep: closed forms, joints, loose shafts, and the sweep itself.
+//! The plain finite-element solve, which checks the fast sweep: closed forms, joints, loose shafts, and the
+//! sweep itself.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 

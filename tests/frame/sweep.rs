@@ -90,8 +90,8 @@ impl Trial {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, rng_seed: prop::test_runner::RngSeed::Fixed(20), ..ProptestConfig::default() })]
 
-    /// Both solve the same equations exactly, up to round-off: 1e-9 of the largest deflection, of which Newton's residuals (1e-12 and
-    /// 1e-10 of the load) are the larger part.
+    /// Both solve the same equations exactly, up to round-off: 1e-9 of the largest deflection, of which
+    /// Newton's residuals (1e-12 and 1e-10 of the load) are the larger part.
     #[test]
     fn sweep_and_plain_solve_agree(trial in trial()) {
         let (sweep, frame) = (trial.by_sweep(), trial.by_frame());

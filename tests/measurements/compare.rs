@@ -1,9 +1,9 @@
 //! Where a model fails.
 
-use fem::compare::{NoiseSource, Shape, compare};
+use fem::compare::{Comparison, NoiseSource, Trend, compare};
 use fem::input::Source;
 use fem::measure::Measurements;
-use fem::model::Model;
+use fem::model::{Data, Model};
 
 use super::{case, truths};
 
@@ -48,16 +48,20 @@ fn model() -> Model {
     Model::parse(Source::new("model.toml", MODEL)).unwrap()
 }
 
+fn compared(measurements: Measurements) -> Comparison {
+    compare(&Data::of(&model(), measurements).unwrap()).unwrap()
+}
+
 #[test]
 fn the_right_model_is_adequate() {
-    let comparison = compare(&model(), &with_u(|_, _| 0.0)).unwrap();
+    let comparison = compared(with_u(|_, _| 0.0));
     assert!(comparison.adequate(), "{comparison:?}");
     assert_eq!(comparison.noise.source, NoiseSource::Column);
     // 110 rows of noise 1: the mean square scatters by √(2/110) = 0.13.
-    assert!((comparison.misfit - 1.0).abs() < 0.4);
+    assert!((comparison.reduced_chi2 - 1.0).abs() < 0.4);
     // The same without u: the noise is found, and no size is judged by it.
     let blind = measured("diameter_error [um]", |_, _| 0.0, |error| format!("{error}"));
-    let comparison = compare(&model(), &blind).unwrap();
+    let comparison = compared(blind);
     assert_eq!((comparison.noise.source, comparison.p_value), (NoiseSource::Estimated, None));
     assert!((1e6 * comparison.noise.rms() - 1.0).abs() < 0.4, "{}", comparison.noise.rms());
     assert!(comparison.adequate(), "{:?}", comparison.features);
@@ -74,15 +78,15 @@ fn each_failing_is_found_where_it_is() {
         (|x, _| 4.0 * (80.0 * x * x).sin(), "x", "irregular"),
     ];
     for (more, coordinate, shape) in cases {
-        let comparison = compare(&model(), &with_u(more)).unwrap();
+        let comparison = compared(with_u(more));
         assert!(!comparison.adequate());
-        let along: Vec<_> = comparison.features.iter().filter(|f| f.shape.is_some()).collect();
+        let along: Vec<_> = comparison.features.iter().filter(|f| f.trend.is_some()).collect();
         assert_eq!(along.len(), 1, "{coordinate} {shape}: {:?}", comparison.features);
-        assert_eq!((along[0].coordinate.as_str(), along[0].shape.unwrap().word()), (coordinate, shape));
+        assert_eq!((along[0].coordinate.as_str(), along[0].trend.unwrap().word()), (coordinate, shape));
     }
-    let comparison = compare(&model(), &with_u(|_, part| 2.5 * part)).unwrap();
+    let comparison = compared(with_u(|_, part| 2.5 * part));
     let part = comparison.features.iter().find(|f| f.coordinate == "part").unwrap();
-    let Some(Shape::Linear { slope }) = part.shape else { panic!("{part:?}") };
+    let Some(Trend::Linear { slope }) = part.trend else { panic!("{part:?}") };
     // A slope over ten parts of eleven rows is known to 1/√(11·82.5) = 0.033 um per part.
     assert!((slope - 2.5).abs() < 0.15, "{slope}");
     assert!(part.text.starts_with("the error grows by 2."), "{}", part.text);
@@ -90,7 +94,7 @@ fn each_failing_is_found_where_it_is() {
 
 #[test]
 fn a_pair_of_coordinates_is_seen_together() {
-    let comparison = compare(&model(), &with_u(|x, part| 16.0 * (x - 0.25) * (part - 5.5))).unwrap();
+    let comparison = compared(with_u(|x, part| 16.0 * (x - 0.25) * (part - 5.5)));
     let names: Vec<&str> = comparison.features.iter().map(|f| f.coordinate.as_str()).collect();
     assert_eq!(names, ["x and part"]);
 }
@@ -99,7 +103,7 @@ fn a_pair_of_coordinates_is_seen_together() {
 fn diameters_and_their_errors_are_the_same_observation() {
     let errors = with_u(|x, _| 40.0 * x);
     let diameters = measured("diameter [mm],u [um]", |x, _| 40.0 * x, |error| format!("{:.9},1", 40.0 + 1e-3 * error));
-    let (a, b) = (compare(&model(), &errors).unwrap(), compare(&model(), &diameters).unwrap());
+    let (a, b) = (compared(errors), compared(diameters));
     for (a, b) in a.residuals.iter().zip(&b.residuals) {
         // The diameters are written to 1e-9 mm.
         assert!((a - b).abs() < 1e-12, "{a} and {b}");
@@ -112,7 +116,7 @@ fn hidden_effects_make_models_fail() {
         let (model, measurements) = case(&name);
         // What leaves values unknown cannot be compared as it is written.
         if model.require_values().is_ok() {
-            let comparison = compare(&model, &measurements).unwrap();
+            let comparison = compare(&Data::of(&model, measurements).unwrap()).unwrap();
             assert!(!comparison.adequate(), "{name}: {truth}");
         }
     }

@@ -3,13 +3,13 @@
 use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::input::Source;
 use fem::measure::Measurements;
-use fem::model::Model;
+use fem::model::{Data, Model};
 use fem::progress::Progress;
 
 use super::{case, truths};
 
-fn of(model: &Model, measurements: &Measurements) -> Diagnosis {
-    diagnose(model, measurements, MOST_EFFECTS, &Progress::default()).unwrap()
+fn of(model: &Model, measurements: Measurements) -> Diagnosis {
+    diagnose(&Data::of(model, measurements).unwrap(), MOST_EFFECTS, &Progress::default()).unwrap()
 }
 
 #[test]
@@ -17,13 +17,11 @@ fn what_is_hidden_is_named_or_stands_in_the_class_of_what_is() {
     let mut to_the_noise = 0;
     for (name, truth) in truths() {
         let (model, measurements) = case(&name);
-        let diagnosis = of(&model, &measurements);
+        let diagnosis = of(&model, measurements);
         let classes: Vec<Vec<&str>> = diagnosis
             .missing
             .iter()
-            .map(|m| {
-                std::iter::once(m.effect).chain(m.indistinguishable_from.iter().copied()).map(|e| e.name).collect()
-            })
+            .map(|m| std::iter::once(&m.effect).chain(&m.indistinguishable_from).map(|e| e.name).collect())
             .collect();
         let hidden: Vec<&String> = truth["hidden"].as_object().unwrap().keys().collect();
         assert_eq!(classes.len(), hidden.len(), "{name}: {classes:?} for {hidden:?}");
@@ -32,7 +30,8 @@ fn what_is_hidden_is_named_or_stands_in_the_class_of_what_is() {
         }
         to_the_noise += usize::from(diagnosis.verdict == Verdict::MissingEffect);
     }
-    // Each is called explained to the noise in 99 of 100 draws of the noise; of thirty, three would be missed in one set of three hundred.
+    // Each is called explained to the noise in 99 of 100 draws of the noise; of thirty, three would be
+    // missed in one set of three hundred.
     let all = truths().len();
     assert!(to_the_noise + 1 + all / 25 >= all, "{to_the_noise} of {all}");
 }
@@ -49,12 +48,12 @@ fn rows(text: &str) -> (Model, Measurements) {
 fn data_that_cannot_tell_are_told_so() {
     // One row at one place: nothing is named, for any effect would fit.
     let (model, one) = rows("x [mm],diameter_error [um],u [um]\n20,29.7,1\n");
-    let diagnosis = of(&model, &one);
+    let diagnosis = of(&model, one);
     assert_eq!((diagnosis.verdict, diagnosis.missing.len()), (Verdict::Unexplained, 0));
     assert_eq!(diagnosis.cautions.len(), 2, "{:?}", diagnosis.cautions);
     // Eight rows at one place: something shifts the diameter, and most effects could.
     let (model, same) = rows(&format!("x [mm],diameter_error [um],u [um]\n{}", "20,29.7,1\n".repeat(8)));
-    let diagnosis = of(&model, &same);
+    let diagnosis = of(&model, same);
     assert_eq!(diagnosis.cautions.len(), 1);
     assert!(diagnosis.missing[0].indistinguishable_from.len() >= 8);
 }
@@ -67,8 +66,8 @@ fn exact_data_without_a_noise_are_no_error() {
         format!("x [mm],diameter_error [um]\n{}", errors.iter().enumerate().map(line).collect::<String>())
     };
     let (_, blank) = rows(&rows_of(&[0.0; 12]));
-    let exact = model.job().observe(&blank.rows).unwrap();
+    let exact = model.forward().observe(&blank.rows).unwrap();
     let (model, measured) = rows(&rows_of(&exact));
-    let diagnosis = of(&model, &measured);
+    let diagnosis = of(&model, measured);
     assert_eq!((diagnosis.verdict, diagnosis.missing.len()), (Verdict::Adequate, 0));
 }

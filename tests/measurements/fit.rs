@@ -2,18 +2,18 @@
 
 use fem::fit::{fit, fitted_text};
 use fem::input::Source;
-use fem::model::Model;
+use fem::model::{Data, Model};
 
 use super::{case_with_effects, truths};
 
-/// The noise explains what is left (p above 0.1 %: seven cases, of which the worst of a hundred sets of seven would fall lower), and the
-/// intervals hold the truth, save one in twenty.
+/// The noise explains what is left (p above 0.1 %: seven cases, of which the worst of a hundred sets of
+/// seven would fall lower), and the intervals hold the truth, save one in twenty.
 #[test]
 fn the_truth_is_in_the_interval_and_nothing_but_noise_is_left() {
     let (mut inside, mut all) = (0, 0);
     for (name, truth) in truths() {
         let hidden = case_with_effects(&name, &truth);
-        let fit = fit(&hidden.model, &hidden.measurements).unwrap();
+        let fit = fit(&hidden.data()).unwrap();
         if let Some(p) = fit.p_value {
             assert!(p > 1e-3, "{name}: p = {p}");
         }
@@ -39,12 +39,12 @@ fn the_truth_is_in_the_interval_and_nothing_but_noise_is_left() {
 fn a_fitted_model_reads_back_and_leaves_the_same() {
     let (name, truth) = truths().swap_remove(0);
     let hidden = case_with_effects(&name, &truth);
-    let fitted = fit(&hidden.model, &hidden.measurements).unwrap();
-    let text = fitted_text(&hidden.model, &hidden.measurements, &fitted);
+    let fitted = fit(&hidden.data()).unwrap();
+    let text = fitted_text(&hidden.data(), &fitted);
     let model = Model::parse(Source::new("fitted.toml", text.clone())).unwrap();
     assert!(model.require_values().is_ok());
     assert_eq!(model.parameters.len(), hidden.model.parameters.len(), "uncertainties stand in the file");
-    let predicted = model.system.equip(&model.effects).observe(&hidden.measurements.rows).unwrap();
+    let predicted = model.system.with_effects(&model.effects).observe(&hidden.measurements.rows).unwrap();
     // Values are written to two digits of their uncertainty, so predictions agree to a part of the noise.
     for (a, b) in predicted.iter().zip(&fitted.predicted) {
         assert!((a - b).abs() < 0.5 * fitted.noise.rms(), "{a} and {b}");
@@ -63,7 +63,7 @@ fn what_cannot_be_told_apart_is_said() {
     let hidden = case_with_effects(&name, &truth);
     let text = format!("{}\n[effects.guideway-taper]\nslope = \"? um/m\"\n", hidden.model.source.text);
     let model = Model::parse(Source::new("both.toml", text)).unwrap();
-    let fit = fit(&model, &hidden.measurements).unwrap();
+    let fit = fit(&Data::of(&model, hidden.measurements).unwrap()).unwrap();
     let named = |i: usize| {
         fit.estimates[i].parameter.path.contains("taper") || fit.estimates[i].parameter.path.contains("offset")
     };

@@ -1,11 +1,12 @@
-//! Where data end to tell: intervals, values that are written wrongly, data that were used before, and noise that nobody knows. The data are closed forms.
+//! Where data end to tell: intervals, values that are written wrongly, data that were used before, and
+//! noise that nobody knows. The data are closed forms.
 
 use fem::compare::compare;
 use fem::diagnose::{Verdict, diagnose};
-use fem::fit::{fit, fitted_before, fitted_text};
+use fem::fit::{fit, fitted_text};
 use fem::input::Source;
 use fem::measure::Measurements;
-use fem::model::Model;
+use fem::model::{Data, Model};
 use fem::progress::Progress;
 
 /// 95 % point of chi-squared with one degree of freedom.
@@ -25,8 +26,9 @@ fn noise(i: usize) -> f64 {
     (1..=12).map(uniform).sum::<f64>() - 6.0
 }
 
-/// An axis that grows towards a rest that it does not reach while it is looked at: slope and time constant are all but one parameter. At a closed
-/// end of an interval, and nowhere nearer, the best fit with the parameter held there has lost the quantile.
+/// An axis that grows towards a rest that it does not reach while it is looked at: slope and time constant
+/// are all but one parameter. At a closed end of an interval, and nowhere nearer, the best fit with the
+/// parameter held there has lost the quantile.
 #[test]
 fn an_interval_ends_where_the_best_of_the_others_has_lost_the_quantile() {
     let written = |slope: &str, time: &str| {
@@ -43,7 +45,7 @@ fn an_interval_ends_where_the_best_of_the_others_has_lost_the_quantile() {
         text.push_str(&format!("500,+,{t},{:.4},0.5\n", grown + 0.5 * noise(i)));
     }
     let data = measured(&free, text);
-    let found = fit(&free, &data).unwrap();
+    let found = fit(&Data::of(&free, data.clone()).unwrap()).unwrap();
     let chi2 = |f: &fem::fit::Fit| {
         let z = data.observed.iter().zip(&f.predicted).map(|(y, p)| (y - p) / 0.5e-6);
         z.map(|z| z * z).sum::<f64>()
@@ -58,7 +60,7 @@ fn an_interval_ends_where_the_best_of_the_others_has_lost_the_quantile() {
                 true => model(&written(&format!("{} um/m", shown(end)), "? min")),
                 false => model(&written("? um/m", &format!("{} min", shown(end)))),
             };
-            let lost = chi2(&fit(&held, &data).unwrap()) - best;
+            let lost = chi2(&fit(&Data::of(&held, data.clone()).unwrap()).unwrap()) - best;
             // Ends are found to 0.02 in the root of it.
             assert!((lost.sqrt() - QUANTILE.sqrt()).abs() < 0.05, "{}: {lost}", estimate.parameter.path);
         }
@@ -76,17 +78,18 @@ fn a_value_that_the_data_contradict_is_told_and_no_cause_is_made_up_for_it() {
         let force = 50.0 * i as f64;
         text.push_str(&format!("{force},load,{:.4},0.1\n", force / 60.0 + 0.1 * noise(i)));
     }
-    let data = measured(&wrong, text);
-    let diagnosis = diagnose(&wrong, &data, 3, &Progress::default()).unwrap();
+    let rows = measured(&wrong, text);
+    let data = Data::of(&wrong, rows.clone()).unwrap();
+    let diagnosis = diagnose(&data, 3, &Progress::default()).unwrap();
     assert_eq!(diagnosis.verdict, Verdict::Adequate, "{:?}", diagnosis.cautions);
     assert!(diagnosis.cautions.iter().any(|c| c.contains("joint.stiffness is written as 40.0 +- 1.0 N/um")));
-    let fitted = fit(&wrong, &data).unwrap();
+    let fitted = fit(&data).unwrap();
     assert!(fitted.estimates[0].warnings.iter().any(|w| w.contains("from what is written")), "{fitted:?}");
     // What was fitted to these rows knows them already.
-    let again = model(&fitted_text(&wrong, &data, &fitted));
-    assert!(fitted_before(&again, &data).is_some());
-    assert!(fitted_before(&wrong, &data).is_none());
-    assert!(fitted_before(&again, &data.some(|row| row > 0)).is_none());
+    let again = model(&fitted_text(&data, &fitted));
+    assert!(Data::of(&again, rows.clone()).unwrap().was_fitted_before());
+    assert!(!data.was_fitted_before());
+    assert!(!Data::of(&again, rows).unwrap().some(|row| row > 0).was_fitted_before());
 }
 
 /// A wave of 20 um that no model has, where the noise of half a micrometre is not told.
@@ -103,7 +106,7 @@ fn a_large_structure_shows_though_nobody_tells_the_noise() {
             let wave = 20.0 * (std::f64::consts::TAU * x / 500.0).sin();
             text.push_str(&format!("{x},+,{:.4}\n", wave + 0.5 * noise(i)));
         }
-        let found = compare(&plain, &measured(&plain, text)).unwrap();
+        let found = compare(&Data::of(&plain, measured(&plain, text)).unwrap()).unwrap();
         assert!(!found.adequate() && !found.features.is_empty(), "{rows} rows");
         assert!(found.features[0].text.contains("along position"), "{}", found.features[0].text);
     }

@@ -1,5 +1,5 @@
-//! Models against measurements whose truth is known. The measurements were made by code that shares nothing with the program: closed forms and
-//! quadrature, with seeded noise.
+//! Models against measurements whose truth is known. The measurements were made by code that shares nothing
+//! with the program: closed forms and quadrature, with seeded noise.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use fem::input::Source;
 use fem::measure::Measurements;
-use fem::model::Model;
+use fem::model::{Data, Model};
 use serde_json::Value as Json;
 
 /// A case with a hidden effect.
@@ -20,6 +20,12 @@ struct Hidden {
     model: Model,
     measurements: Measurements,
     truth: Json,
+}
+
+impl Hidden {
+    fn data(&self) -> Data<'_> {
+        Data::of(&self.model, self.measurements.clone()).unwrap()
+    }
 }
 
 fn folder() -> PathBuf {

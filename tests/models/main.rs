@@ -29,8 +29,8 @@ fn every_model_gives_the_number_of_its_header() {
         let model = Model::load(&path).unwrap_or_else(|e| panic!("{e}"));
         let (what, value) = stated(&model.source.text).unwrap_or_else(|| panic!("{} states no number", path.display()));
         let run = model.run(&Progress::default()).unwrap();
-        let largest = run.outcome.findings.iter().find(|f| f.key == "largest").unwrap();
-        let computed = largest.json["value"].as_f64().unwrap();
+        let largest = run.report.figures.iter().find(|f| f.key == "largest").unwrap();
+        let computed = largest.told("value").unwrap();
         assert!((computed - value).abs() < 6e-4, "{}: {what} is {computed}, stated {value}", path.display());
         models += 1;
     }

@@ -1,4 +1,5 @@
-//! NAFEMS LE1, elliptic membrane in plane stress (*The Standard NAFEMS Benchmarks*, 1990): σyy at D is 92.7 MPa.
+//! NAFEMS LE1, elliptic membrane in plane stress (*The Standard NAFEMS Benchmarks*, 1990): σyy at D is 92.7
+//! MPa.
 //!
 //! ```text
 //!  B +-._   outer (x/3.25)² + (y/2.75)² = 1, 10 MPa outwards      E 210 GPa, ν 0.3, t 0.1 m

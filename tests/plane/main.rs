@@ -1,5 +1,5 @@
-//! Plane finite elements against closed forms, the Fourier series of the ring and published benchmarks, and the rates at which their errors
-//! fall with the size of elements and steps.
+//! Plane finite elements against closed forms, the Fourier series of the ring and published benchmarks, and
+//! the rates at which their errors fall with the size of elements and steps.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 

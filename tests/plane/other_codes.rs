@@ -1,5 +1,5 @@
-//! The section that scikit-fem, NGSolve and CalculiX agree on: 0.10 × 0.05 m, k 45, ρ 7850, c 470, 50 kW/m² on x = 0,
-//! h = 100 W/m²K to 20 °C elsewhere, 200 steps of 1 s, quad4, 200 × 100 cells.
+//! The section that scikit-fem, NGSolve and CalculiX agree on: 0.10 × 0.05 m, k 45, ρ 7850, c 470, 50 kW/m²
+//! on x = 0, h = 100 W/m²K to 20 °C elsewhere, 200 steps of 1 s, quad4, 200 × 100 cells.
 
 use fem::element::plane::{Capacity, Conduction, Quad4};
 use fem::mesh::RectangleMesh;

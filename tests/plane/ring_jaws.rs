@@ -17,7 +17,8 @@ fn mesh(ring: SeriesRing, cells: [usize; 2], element: &'static dyn PlaneElement,
     RingMesh { outer_radius, inner_radius, circumferential: cells[0], radial: cells[1], element, grading }
 }
 
-/// Largest error of the bore over 720 angles, relative to peak to valley; and the displacements at the given angles.
+/// Largest error of the bore over 720 angles, relative to peak to valley; and the displacements at the
+/// given angles.
 fn error(ring: SeriesRing, mesh: &RingMesh, jaws: &[ContactArc]) -> f64 {
     let mesh = mesh.build().unwrap();
     let law = Elasticity::new(PlaneState::Stress, ring.youngs_modulus, ring.poisson_ratio, 0.0, ring.width).unwrap();
@@ -89,7 +90,8 @@ fn other_elements_and_graded_meshes_agree() {
     }
 }
 
-/// Jaws 2 and 3 out of place, forces in equilibrium, their mean kept: F_i ∝ sine of the angle between the other two.
+/// Jaws 2 and 3 out of place, forces in equilibrium, their mean kept: F_i ∝ sine of the angle between the
+/// other two.
 #[test]
 fn jaws_out_of_place_in_equilibrium() {
     let angles = [0.0, 123.0, 237.5].map(f64::to_radians);

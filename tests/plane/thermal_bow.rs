@@ -1,4 +1,5 @@
-//! A plate heated from above: elongation and bow from the temperature field, without stress where it is linear.
+//! A plate heated from above: elongation and bow from the temperature field, without stress where it is
+//! linear.
 
 use fem::element::plane::{ALL, Capacity, Conduction, Elasticity, PlaneState};
 use fem::mesh::RectangleMesh;

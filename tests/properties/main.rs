@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod formula;
+
 use std::collections::HashSet;
 
 use fem::input::Source;
@@ -33,14 +35,14 @@ fn host<'a>(models: &'a [Model], effect: &Description) -> &'a Model {
 }
 
 fn predict(model: &Model, effects: &[Active]) -> Vec<f64> {
-    model.system.equip(effects).predict(&Progress::default()).unwrap()
+    model.system.with_effects(effects).predict(&Progress::default()).unwrap()
 }
 
 #[test]
 fn a_neutral_effect_changes_nothing_and_a_plausible_one_something() {
     for process in ALL {
         let models = models(*process);
-        for effect in process.effects() {
+        for effect in &process.effects() {
             let model = host(&models, effect);
             let beside = beside(*process, effect);
             let with = |own: Active| predict(model, &[beside.clone(), vec![own]].concat());
@@ -75,9 +77,9 @@ fn the_catalogue_is_complete_and_consistent() {
         let effects = process.effects();
         let names: HashSet<&str> = effects.iter().map(|e| e.name).collect();
         assert_eq!(names.len(), effects.len(), "two effects share a name");
-        for effect in effects {
+        for effect in &effects {
             assert!(effect.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", effect.name);
-            for text in [effect.about, effect.law, effect.source] {
+            for text in [&*effect.about, &*effect.law, effect.source] {
                 assert!(!text.is_empty(), "{} leaves something unsaid", effect.name);
             }
             assert!(!effect.parameters.is_empty(), "{}", effect.name);
@@ -85,7 +87,7 @@ fn the_catalogue_is_complete_and_consistent() {
                 assert!(names.contains(other), "{} looks like {other}, which does not exist", effect.name);
                 assert!(!difference.is_empty());
             }
-            for p in effect.parameters {
+            for p in &*effect.parameters {
                 assert!(Unit::parse(p.kind.unit).is_ok());
                 assert!(p.range.0 < p.range.1, "{}.{}", effect.name, p.name);
                 assert!(

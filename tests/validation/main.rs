@@ -1,20 +1,21 @@
-//! The validation table: every row within its tolerance, and no row within it when its expected value is shifted.
+//! The validation table: every row within its tolerance, and no row within it when its expected value is
+//! shifted.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
-use fem::process::{ALL, Case, Tolerance};
+use fem::process::{Case, Tolerance};
 
 fn cases(process: &str) -> Vec<Case> {
-    let process = ALL.iter().find(|p| p.name() == process);
-    process.map(|p| p.validation()).unwrap_or_default()
+    fem::process::validation().find(|(name, _)| *name == process).map(|(_, cases)| cases).unwrap_or_default()
 }
 
 /// Every table: those of the processes, and that of budgets.
 fn tables() -> Vec<(&'static str, Vec<Case>)> {
-    ALL.iter().map(|p| (p.name(), p.validation())).chain([("budget", fem::budget::validation())]).collect()
+    fem::process::validation().chain([("budget", fem::budget::validation())]).collect()
 }
 
-/// The same row with an expected value that is off by three tolerances (or by the smallest difference that exists).
+/// The same row with an expected value that is off by three tolerances (or by the smallest difference that
+/// exists).
 fn shifted(case: &Case) -> Case {
     let shift = match case.tolerance {
         Tolerance::Relative(allowed) => 3.0 * allowed * case.expected.abs(),

@@ -1,4 +1,5 @@
-//! What VTK itself makes of the written shapes. Runs where a Python with VTK is named in `FEM_VTK_PYTHON` or is `python3`; elsewhere it says that it did not.
+//! What VTK itself makes of the written shapes. Runs where a Python with VTK is named in `FEM_VTK_PYTHON`
+//! or is `python3`; elsewhere it says that it did not.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -45,8 +46,9 @@ fn vtk_plays_the_ring_clamped_bored_and_released() {
     // Clamped: stressed and moved. Released: free of stress, and what was bored stays.
     assert!(largest(3, "equivalent_stress") > 50e6 && largest(0, "displacement") == 0.0);
     assert!(largest(9, "equivalent_stress") == 0.0);
-    // Near θ = 0 the bore stands out most: by what the model's header states, and by the mean that the least-squares circle took out of
-    // it, 1.946 um (Lame) for jaws that press with 2894.7 of 3000 N while boring.
+    // Near θ = 0 the bore stands out most: by what the model's header states, and by the mean that the
+    // least-squares circle took out of it, 1.946 um (Lame) for jaws that press with 2894.7 of 3000 N while
+    // boring.
     let expected = 28.034 + 1.946 * 2894.7 / 3000.0;
     assert!((1e6 * largest(9, "displacement") - expected).abs() < 0.02, "{}", 1e6 * largest(9, "displacement"));
 }
@@ -63,7 +65,8 @@ fn vtk_reads_every_frame_of_a_run() {
     // 121 nodes and 120 elements of 5 mm, two supports and the tool.
     assert_eq!((first["points"].as_u64(), first["cells"].as_u64()), (Some(124), Some(123)));
     let largest = |step: usize, field: &str| seen["steps"][step]["point_fields"][field]["range"][1].as_f64().unwrap();
-    // At the tailstock end of the pass the shaft itself is straight: the tailstock gives way by 450/40 + 0.2·√450 um.
+    // At the tailstock end of the pass the shaft itself is straight: the tailstock gives way by 450/40 +
+    // 0.2·√450 um.
     let expected = 1e-6 * (450.0 / 40.0 + 0.2 * 450f64.sqrt());
     assert!((largest(0, "displacement") / expected - 1.0).abs() < 1e-12);
     let bending = 450.0 * 0.6 / 4.0;

@@ -1,4 +1,4 @@
-//! `[model]` and `[[input]]` of a budget file.
+//! Reads `[model]` and `[[input]]` of a budget file.
 
 use std::cell::RefCell;
 
@@ -12,7 +12,7 @@ use crate::units::{Kind, Knowledge, MICRO, TEMPERATURE_RISE};
 /// Largest model file, bytes.
 const LARGEST: u64 = 4_000_000;
 
-/// Reads the model of a budget and what varies in it. A model file that is wrong goes to `broken`.
+/// Reads the model of a budget and its inputs. The problems of a wrong model file go to `broken`.
 pub fn read(reader: &Reader, broken: &RefCell<Option<InputError>>) -> Option<ModelPart> {
     let found = reader.optional_table("model", "a model that contributes a figure of its prediction", |t| {
         let file = t.file("file", "the model file", LARGEST);
@@ -62,7 +62,7 @@ pub fn read(reader: &Reader, broken: &RefCell<Option<InputError>>) -> Option<Mod
     Some(ModelPart { model, rows, inputs })
 }
 
-/// The observed row, and the one that is taken off.
+/// Reads the observed row, and the one that is subtracted.
 fn read_rows(t: &Reader, model: &Model, observable: Option<&str>) -> Rows {
     let observables = model.process.observables();
     let is_length = |kind: Kind| kind.canonical().dimension == MICRO.canonical().dimension;
@@ -184,12 +184,12 @@ fn read_varying(t: &Reader, model: &Model, rows: &Rows, name: &str, law: Law) ->
     {
         t.problem("half_field", wrong.message, "narrow the field, or move its middle");
     }
-    // What is above zero all over its field is so beyond it too.
+    // A quantity that is above zero all over its field is so beyond it too.
     let bounds = if centre - half >= 0.0 { Bounds::NotNegative } else { Bounds::Any };
     Some(Input { name: name.to_string(), target: Target::Coordinate(column), centre, half, law, bounds })
 }
 
-/// The kind in which a field of this kind is written: that of a temperature is a difference.
+/// Kind in which a field of this kind is written: that of a temperature is a difference.
 fn spread(kind: Kind) -> Kind {
     if kind.canonical().offset == 0.0 { kind } else { TEMPERATURE_RISE }
 }

@@ -1,9 +1,10 @@
-//! Draws against known moments and quantiles, within three standard errors that follow from the laws, not from the draws.
+//! Cases of Monte Carlo: known moments and quantiles, within three standard errors that follow from the
+//! laws, not from the draws.
 
-use super::{budget, row};
+use super::rig::{budget, row};
 use crate::process::{Case, Tolerance};
 
-/// Draws in every row.
+/// Samples in every row.
 const SAMPLES: f64 = 200_000.0;
 
 pub fn cases() -> Vec<Case> {
@@ -53,8 +54,8 @@ fn sum() -> Vec<Case> {
     moments("three laws and a systematic error", &format!("{errors}{fixed}"), known, source)
 }
 
-/// The sum of two equal uniform errors ±a is beyond d with (1 − d/2a)², so that all but the risk r lies within 2a·(1 − √r); the handbook's 3σ is √6·a,
-/// which no part reaches.
+/// The sum of two equal uniform errors ±a is beyond d with (1 − d/2a)², so that all but the risk r lies
+/// within 2a·(1 − √r); the handbook's 3σ is √6·a, which no part reaches.
 fn tails() -> Vec<Case> {
     let drawn = drawn(&[random(10.0, "uniform"), random(10.0, "uniform")].concat());
     let risk = statrs::function::erf::erfc(3.0 / std::f64::consts::SQRT_2);
@@ -71,7 +72,7 @@ fn tails() -> Vec<Case> {
     ]
 }
 
-/// Of a uniform error of ±10 um a quarter is beyond −6 and +9 um: (4 + 1)/20.
+/// A quarter of a uniform error of ±10 um lies beyond −6 and +9 um: (4 + 1)/20.
 fn rejects() -> Vec<Case> {
     let text = format!(
         "budget = {{ samples = {SAMPLES}, tolerance = {{ lower = \"-6 um\", upper = \"9 um\" }} }}\n{}",
@@ -89,7 +90,8 @@ fn rejects() -> Vec<Case> {
     }]
 }
 
-/// y = c·√Q of independent normal c and Q: E[y²] = E[c²]·E[Q], and E[√Q] by the trapezoidal rule over eight standard deviations.
+/// y = c·√Q of independent normal c and Q: E[y²] = E[c²]·E[Q], and E[√Q] by the trapezoidal rule over eight
+/// standard deviations.
 fn clamping() -> Vec<Case> {
     let (c, c_std) = (0.25, 0.05 / 3.0);
     let (q, q_std) = (5000.0, 1000.0 / 3.0);
@@ -103,7 +105,7 @@ fn clamping() -> Vec<Case> {
     let square = (c * c + c_std * c_std) * q;
     let std = (square - (c * root).powi(2)).sqrt();
     let text = "[[error]]\nname = \"clamping\"\nkind = \"random\"\nclamping = { c_min = \"0.2 um/N^n\", c_max = \"0.3 um/N^n\", force_min = \"4 kN\", force_max = \"6 kN\", n = 0.5 }\n";
-    // Nearly normal, so that its kurtosis is near 3; to be sure 4 is taken.
+    // The product is nearly normal with a kurtosis near 3; 4 is taken to be sure.
     let known = (c * root - c * q.sqrt(), std, 4.0);
     moments(
         "contact under a force that varies, drawn",

@@ -1,17 +1,17 @@
-//! (33)–(52) of the handbook.
+//! Cases of the formulas (33)–(52) of the handbook.
 
 use super::super::{Drill, Estimate};
-use super::{budget, row};
+use super::rig::{budget, row};
 use crate::process::{Case, Tolerance};
 
-/// What sums of doubles leave.
+/// Round-off of sums of doubles.
 const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
 
 pub fn cases() -> Vec<Case> {
     [sums(), setting(), setup(), batch(), drill(), risks()].concat()
 }
 
-/// Few draws: the handbook alone is asked.
+/// Few samples, for the handbook's rules alone are tested.
 const FEW: &str = "samples = 100";
 
 fn error(name: &str, kind: &str, size: &str) -> String {

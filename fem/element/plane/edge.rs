@@ -1,4 +1,5 @@
-//! Sides of elements: the curve x(s) = Σ Nₐ(s) xₐ, s from −1 at the start to 1 at the end, and integrals along it.
+//! Sides of elements: the curve x(s) = Σ Nₐ(s) xₐ, s from −1 at the start to 1 at the end, and integrals
+//! along it.
 //!
 //! ```text
 //!   0-------2-------1     second order: N0 = s (s − 1)/2, N1 = s (s + 1)/2, N2 = 1 − s²
@@ -6,7 +7,8 @@
 //!  s=-1            s=1    the body lies to the left
 //! ```
 //!
-//! The shape functions of every element reduce to these along its sides (a property test checks that they do).
+//! The shape functions of every element reduce to these along its sides (a property test checks that they
+//! do).
 
 use super::quadrature::LINE_3;
 
@@ -22,7 +24,7 @@ pub fn edge_shapes(nodes: usize, s: f64) -> [f64; EDGE_NODES] {
     }
 }
 
-/// Their derivatives by s.
+/// Derivatives of the shape functions of a side by s.
 pub fn edge_slopes(nodes: usize, s: f64) -> [f64; EDGE_NODES] {
     if nodes == 2 { [-0.5, 0.5, 0.0] } else { [s - 0.5, s + 0.5, -2.0 * s] }
 }
@@ -55,18 +57,18 @@ impl EdgeCurve {
         sum
     }
 
-    /// x(s), m.
+    /// Point x(s), m.
     pub fn point(&self, s: f64) -> [f64; 2] {
         self.combine(edge_shapes(self.nodes, s))
     }
 
-    /// dx/ds, m.
+    /// Tangent dx/ds, m.
     pub fn tangent(&self, s: f64) -> [f64; 2] {
         self.combine(edge_slopes(self.nodes, s))
     }
 
-    /// ∫ f dl from `from` to `to` (in s), where `add(dl, N, n dl)` adds f up at each quadrature point: length element
-    /// (m), shape functions, outward normal times the length element (m).
+    /// ∫ f dl from `from` to `to` (in s), where `add(dl, N, n dl)` adds f up at each quadrature point: length
+    /// element (m), shape functions, outward normal times the length element (m).
     pub fn integrate_over(&self, from: f64, to: f64, mut add: impl FnMut(f64, &[f64; EDGE_NODES], [f64; 2])) {
         let half = 0.5 * (to - from);
         for (place, weight) in LINE_3 {

@@ -13,7 +13,7 @@ use super::{MAX_NODES, Sampled, Square};
 /// Components of strain ε = (εxx, εyy, γxy) and of stress σ = (σxx, σyy, σxy).
 pub const STRAINS: usize = 3;
 
-/// What holds across the thickness.
+/// The condition across the thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaneState {
     /// σzz = 0: a plate, a ring free to widen.
@@ -73,7 +73,7 @@ impl Elasticity {
         Ok(Self { lambda, mu: e / (2.0 * (1.0 + nu)), thermal_stress: expansion * thermal, thickness })
     }
 
-    /// t, m.
+    /// Thickness t, m.
     pub fn thickness(&self) -> f64 {
         self.thickness
     }
@@ -90,7 +90,8 @@ impl Elasticity {
         0.5 * strain.iter().zip(stress).map(|(strain, stress)| strain * stress).sum::<f64>()
     }
 
-    /// Stiffness of an element, N/m: K_ab = t ∫ (λ ∇Nₐ⊗∇N_b + μ ∇N_b⊗∇Nₐ + μ ∇Nₐ·∇N_b I) dA, (nodes, nodes, 2, 2).
+    /// Stiffness of an element, N/m: K_ab = t ∫ (λ ∇Nₐ⊗∇N_b + μ ∇N_b⊗∇Nₐ + μ ∇Nₐ·∇N_b I) dA, (nodes, nodes,
+    /// 2, 2).
     pub fn stiffness(&self, sampled: &Sampled, coordinates: &[[f64; 2]], square: &mut Square<2>) {
         let products = sampled.gradient_products(coordinates);
         let (lambda, mu) = (self.lambda * self.thickness, self.mu * self.thickness);
@@ -126,7 +127,8 @@ impl Elasticity {
         forces
     }
 
-    /// Work (N m/K) of [`thermal_forces`](Self::thermal_forces) of a rise of 1 K at each node on a motion (m) of the nodes.
+    /// Work (N m/K) of [`thermal_forces`](Self::thermal_forces) of a rise of 1 K at each node on a motion (m)
+    /// of the nodes.
     pub fn thermal_work(
         &self,
         sampled: &Sampled,

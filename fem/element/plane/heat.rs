@@ -6,25 +6,25 @@
 
 use super::{Sampled, Square};
 
-/// How the heat capacity is spread over the nodes.
+/// The spread of the heat capacity over the nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Capacity {
     /// t ∫ ρc Nₐ N_b dA: higher accuracy; may overshoot in the first steps after a jump.
     #[default]
     Consistent,
-    /// Its diagonal, scaled to the element's whole capacity (Hinton, Rock and Zienkiewicz 1976): positive for every
-    /// element.
+    /// The diagonal of that, scaled to the element's whole capacity (Hinton, Rock and Zienkiewicz 1976):
+    /// positive for every element.
     Lumped,
 }
 
 /// The plane heat law of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conduction {
-    /// k, W/(m K).
+    /// Conductivity k, W/(m K).
     pub conductivity: f64,
-    /// ρc, J/(m³ K).
+    /// Heat capacity ρc, J/(m³ K).
     pub heat_capacity: f64,
-    /// t, m.
+    /// Thickness t, m.
     pub thickness: f64,
 }
 

@@ -1,7 +1,7 @@
 //! Plane elements: shapes (one file each), quadrature, and the weak forms of elasticity and heat conduction.
 //!
-//! An element is data and two functions ([`PlaneElement`]). Everything else (sampling, weak forms, meshes, the property
-//! tests) follows from the list [`ALL`]; a new element is one file and one line there.
+//! An element is data and two functions ([`PlaneElement`]). Everything else (sampling, weak forms, meshes,
+//! the property tests) follows from the list [`ALL`]; a new element is one file and one line there.
 
 #![allow(clippy::needless_range_loop, reason = "sums over pairs of nodes read best with their indices")]
 
@@ -35,17 +35,17 @@ use quadrature::Point;
 /// The most nodes an element has; arrays over nodes have this length and zeros at their end.
 pub const MAX_NODES: usize = 9;
 
-/// A square array over pairs of an element's nodes, of C × C blocks: `square[a][b][i][j]` couples component i of node
-/// a with component j of node b.
+/// A square array over pairs of an element's nodes, of C × C blocks: `square[a][b][i][j]` couples component i
+/// of node a with component j of node b.
 pub type Square<const C: usize> = [[[[f64; C]; C]; MAX_NODES]; MAX_NODES];
 
 /// A plane isoparametric element: x(ξ, η) = Σ Nₐ(ξ, η) xₐ.
 pub trait PlaneElement: Sync {
-    /// Its name in messages, such as `quad8`.
+    /// Name of the element in messages, such as `quad8`.
     fn name(&self) -> &'static str;
 
-    /// Reference coordinates (ξ, η) of the nodes: corners first, counter-clockwise, then the middles of the sides in
-    /// the order of the sides, then the centre. (nodes, 2)
+    /// Reference coordinates (ξ, η) of the nodes: corners first, counter-clockwise, then the middles of the
+    /// sides in the order of the sides, then the centre. (nodes, 2)
     fn reference(&self) -> &'static [[f64; 2]];
 
     /// Nodes of each side, counter-clockwise: start, end, and its middle in elements of second order.
@@ -57,7 +57,7 @@ pub trait PlaneElement: Sync {
     /// Shape functions Nₐ at (ξ, η).
     fn shapes(&self, at: [f64; 2]) -> [f64; MAX_NODES];
 
-    /// Their derivatives (∂Nₐ/∂ξ, ∂Nₐ/∂η) at (ξ, η).
+    /// Derivatives of the shape functions (∂Nₐ/∂ξ, ∂Nₐ/∂η) at (ξ, η).
     fn slopes(&self, at: [f64; 2]) -> [[f64; 2]; MAX_NODES];
 
     /// Number of nodes.

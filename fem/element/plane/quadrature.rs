@@ -1,9 +1,10 @@
-//! Quadrature over the reference triangle (0,0)–(1,0)–(0,1), the reference square [−1, 1]² and the line [−1, 1].
+//! Quadrature over the reference triangle (0,0)–(1,0)–(0,1), the reference square [−1, 1]² and the line [−1,
+//! 1].
 
 /// A quadrature point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// (ξ, η).
+    /// Reference coordinates (ξ, η).
     pub at: [f64; 2],
     /// Weight; the weights add up to the reference area (triangle ½, square 4).
     pub weight: f64,

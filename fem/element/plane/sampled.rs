@@ -7,9 +7,9 @@ use super::{MAX_NODES, PlaneElement};
 #[derive(Clone, Copy, Debug)]
 pub struct SampledPoint {
     weight: f64,
-    /// Nₐ.
+    /// Shape functions Nₐ.
     shapes: [f64; MAX_NODES],
-    /// (∂Nₐ/∂ξ, ∂Nₐ/∂η).
+    /// Their derivatives (∂Nₐ/∂ξ, ∂Nₐ/∂η).
     slopes: [[f64; 2]; MAX_NODES],
 }
 
@@ -20,8 +20,9 @@ pub struct Sampled {
     points: Vec<SampledPoint>,
 }
 
-/// The integrals ∫ ∂Nₐ/∂xᵢ ∂N_b/∂xⱼ dA (no unit) over one element, from which both the stiffness of an isotropic
-/// material and the conduction matrix are combined. `xy[a][b]` has the x-derivative at a; yx is its transpose.
+/// The integrals ∫ ∂Nₐ/∂xᵢ ∂N_b/∂xⱼ dA (no unit) over one element, from which both the stiffness of an
+/// isotropic material and the conduction matrix are combined. `xy[a][b]` has the x-derivative at a; yx is its
+/// transpose.
 #[derive(Clone, Debug)]
 pub struct GradientProducts {
     /// ∫ ∂Nₐ/∂x ∂N_b/∂x dA.

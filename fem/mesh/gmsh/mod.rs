@@ -1,12 +1,13 @@
 //! Gmsh meshes, format MSH 4.1, text and binary: plane elements, and sides named by physical curves.
 //!
-//! Of the file's nodes those of plane elements are kept (centres of circles are not). Elements that turn clockwise are
-//! turned over. Lengths have no unit in the file; the caller gives it. Format: Gmsh reference manual, "MSH file
-//! format".
+//! Only the file's nodes of plane elements are kept (centres of circles are not). Elements that turn
+//! clockwise are turned over. Lengths have no unit in the file; the caller gives it. Format: Gmsh reference
+//! manual, "MSH file format".
 //!
-//! An own reader: the crate mshio 0.4 forgets the tags of nodes whenever they are dense, though they need not be in
-//! order, and panics on malformed numbers.
+//! The reader is the crate's own: mshio 0.4 forgets the tags of nodes whenever they are dense, though they
+//! need not be in order, and panics on malformed numbers.
 
+mod error;
 mod reader;
 mod sections;
 #[cfg(test)]
@@ -16,68 +17,8 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::{Block, Mesh, MeshError, Side};
 use crate::element::plane::{PlaneElement, Quad4, Quad8, Quad9, Sampled, Tri3, Tri6};
+pub use error::GmshError;
 use sections::File;
-
-/// A Gmsh file that cannot be read.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum GmshError {
-    /// Not the format.
-    #[error("this is no Gmsh mesh of format 4.1 (write it with `gmsh -2 -format msh41`): {0}")]
-    Format(String),
-    /// A section is cut short or holds something else than numbers.
-    #[error("{section}, {place}: {problem}")]
-    Syntax {
-        /// The section.
-        section: &'static str,
-        /// Line (text) or byte (binary).
-        place: String,
-        /// What is wrong.
-        problem: String,
-    },
-    /// An element of a kind that is not plane, or not known here.
-    #[error("element {tag} is of Gmsh type {kind}; known are tri3, tri6, quad4, quad8, quad9 (types 2, 9, 3, 16, 10)")]
-    Kind {
-        /// Tag of the element in the file.
-        tag: u64,
-        /// Gmsh's number of the type.
-        kind: i32,
-    },
-    /// An element refers to a node that is not in the file.
-    #[error("element {element} has a node {node} that the file does not hold")]
-    UnknownNode {
-        /// Tag of the element in the file.
-        element: u64,
-        /// Tag of the node.
-        node: u64,
-    },
-    /// A node is off the plane.
-    #[error("node {node} is off the plane z = 0 by {z:.3e}")]
-    OffPlane {
-        /// Tag of the node in the file.
-        node: u64,
-        /// z in the unit of the file.
-        z: f64,
-    },
-    /// A physical curve does not follow the sides of elements.
-    #[error("element {element} of the physical curve `{name}` is not a side of a plane element")]
-    LooseLine {
-        /// Name of the curve.
-        name: String,
-        /// Tag of the line element in the file.
-        element: u64,
-    },
-    /// A physical point is no node of an element.
-    #[error("element {element} of the physical point `{name}` is at no node of a plane element")]
-    LoosePoint {
-        /// Name of the point.
-        name: String,
-        /// Tag of the point element in the file.
-        element: u64,
-    },
-    /// The elements are not a mesh; elements and nodes by their tags.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-}
 
 /// Reads a mesh whose lengths are in `unit` (m).
 ///
@@ -147,7 +88,7 @@ struct Nodes<'f> {
     unit: f64,
     numbers: HashMap<u64, u32>,
     nodes: Vec<[f64; 2]>,
-    /// Their tags in the file.
+    /// Tags of the nodes in the file.
     tags: Vec<u64>,
 }
 

@@ -15,7 +15,7 @@ pub(super) struct ElementBlock {
     pub elements: Vec<(u64, Vec<u64>)>,
 }
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Debug)]
 pub(super) struct File {
     /// Coordinates by tag.

@@ -1,6 +1,7 @@
 use super::*;
 
-/// Two quad4 and two tri3 over 2 × 1, the second quad clockwise, node tags dense but out of order, a stray point.
+/// Two quad4 and two tri3 over 2 × 1, the second quad clockwise, node tags dense but out of order, a stray
+/// point.
 const TEXT: &str = r#"$MeshFormat
 4.1 0 8
 $EndMeshFormat

@@ -1,14 +1,15 @@
-//! Measured and predicted deviations on the contour, magnified.
+//! Draws measured and predicted deviations on the contour, magnified.
 
 use crate::compare::Comparison;
 use crate::process::{Coordinate, Curve, Drawing, Holds, Places, Rows, Spot};
 
-/// More frames than these cannot be told apart in one picture.
+/// Most frames that can be told apart in one picture.
 const MOST_FRAMES: usize = 4;
-/// Rows whose outward directions are farther apart than this (cosine) do not belong to one line.
+/// Smallest cosine between the outward directions of rows that belong to one line.
 const BENT: f64 = 0.8;
 
-/// The rows of each frame: dots for what is measured, a line for what is predicted. `rows` with every coordinate resolved.
+/// Draws the rows of each frame: dots for measured values, a line for predicted ones. Every coordinate of
+/// `rows` is resolved.
 pub fn drawing(
     nominal: Vec<Vec<Spot>>,
     coordinates: &[Coordinate],
@@ -43,7 +44,7 @@ pub fn drawing(
     Drawing { name: "compared", title: format!("measured and predicted{of}"), nominal, curves }
 }
 
-/// Lines through spots that follow each other, broken at corners and closed all around.
+/// Makes lines through spots that follow each other, broken at corners and closed all around.
 fn lines(spots: Vec<Spot>) -> Vec<Vec<Spot>> {
     let near = |a: &Spot, b: &Spot| a.outward[0] * b.outward[0] + a.outward[1] * b.outward[1] > BENT;
     let mut pieces: Vec<Vec<Spot>> = Vec::new();
@@ -54,7 +55,7 @@ fn lines(spots: Vec<Spot>) -> Vec<Vec<Spot>> {
         }
     }
     if let [one] = pieces.as_mut_slice() {
-        // More than there and back again: all around.
+        // The spots go all around, not only there and back again.
         if one.len() > 8 && near(&one[0], &one[one.len() - 1]) && !near(&one[0], &one[one.len() / 2]) {
             one.push(one[0]);
         }
@@ -62,7 +63,8 @@ fn lines(spots: Vec<Spot>) -> Vec<Vec<Spot>> {
     pieces
 }
 
-/// What tells each frame from the others, as `, cw, 500 mm/min`: the coordinates that are the same within all and differ between some.
+/// Names each frame by the coordinates that are the same within every frame and differ between some, as `,
+/// cw, 500 mm/min`.
 fn names(coordinates: &[Coordinate], rows: &Rows, frames: &[(f64, Vec<usize>)]) -> Vec<String> {
     let value = |column: usize, row: &usize| rows.columns[column][*row];
     let tells = |column: &usize| {

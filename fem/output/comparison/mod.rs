@@ -1,4 +1,4 @@
-//! A comparison with measurements, as text, JSON and CSV.
+//! Writes a comparison with measurements as text, JSON and CSV.
 
 mod drawing;
 mod residuals;
@@ -13,13 +13,13 @@ pub(super) use text::{noise as noise_text, told};
 
 use serde_json::{Value as Json, json};
 
-use crate::compare::{Agreement, Comparison, Feature, Level, NoiseSource};
-use crate::measure::{Measurements, Seen};
+use crate::compare::{Agreement, Comparison, Feature, NoiseLevel, NoiseSource};
+use crate::measure::{MeasuredObservable, Measurements};
 use crate::process::{Coordinate, Holds, Process};
 use crate::units::Kind;
 
 impl NoiseSource {
-    /// The word in JSON.
+    /// Word in JSON.
     pub fn word(self) -> &'static str {
         match self {
             Self::Column => "column u",
@@ -29,7 +29,7 @@ impl NoiseSource {
     }
 }
 
-/// `fem compare --json`: `fem-comparison/1`.
+/// Makes the JSON of `fem compare --json`: `fem-comparison/1`.
 pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Json {
     let kind = measurements.kind();
     let noise = comparisons.first().map(|c| noise(&c.noise.level(measurements), kind));
@@ -45,9 +45,9 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
                 "line": measurements.lines[c.worst],
                 "at": place(process.coordinates(), measurements, c.worst),
             },
-            "chi2_per_dof": c.misfit,
+            "chi2_per_dof": c.reduced_chi2,
             "p_value": c.p_value,
-            "adequate": c.adequate(),
+            "adequate": c.adequacy(),
             "features": c.features.iter().map(feature).collect::<Vec<_>>(),
             "observables": observables(measurements, |s| c.agreement(measurements, s)),
         })
@@ -62,32 +62,36 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     })
 }
 
-/// The noise, in the unit in which errors are told together.
-pub(super) fn noise(noise: &Level, kind: Kind) -> Json {
+/// Makes the JSON of the noise, in the unit of the errors of all rows.
+pub(super) fn noise(noise: &NoiseLevel, kind: Kind) -> Json {
     json!({ "sigma": kind.from_si(noise.together()), "unit": kind.unit, "source": noise.source.word() })
 }
 
-/// How well each observable agrees.
-pub(super) fn observables(measurements: &Measurements, agreement: impl Fn(&Seen) -> Agreement) -> Vec<Json> {
-    let one = |seen: &Seen| {
+/// Makes the JSON of the agreement of each observable.
+pub(super) fn observables(
+    measurements: &Measurements,
+    agreement: impl Fn(&MeasuredObservable) -> Agreement,
+) -> Vec<Json> {
+    let one = |seen: &MeasuredObservable| {
         let [rms, sigma] = [agreement(seen).rms, agreement(seen).sigma].map(|si| seen.kind.from_si(si));
         json!({ "name": seen.name, "unit": seen.kind.unit, "rms": rms, "sigma": sigma })
     };
-    measurements.seen.iter().map(one).collect()
+    measurements.observables.iter().map(one).collect()
 }
 
-/// A place where a model fails.
+/// Makes the JSON of a feature of the residuals.
 pub(super) fn feature(feature: &Feature) -> Json {
     json!({
         "coordinate": feature.coordinate,
-        "shape": feature.shape.map(|s| s.word()),
+        "shape": feature.trend.map(|s| s.word()),
         "share": feature.share,
         "p_value": feature.p_value,
         "text": feature.text,
     })
 }
 
-/// The coordinates of a row that the file gives: labels as numbers or words, quantities with their units.
+/// Makes the JSON of the coordinates of a row that the file gives: labels as numbers or words, quantities
+/// with their units.
 fn place(coordinates: &[Coordinate], measurements: &Measurements, row: usize) -> Json {
     let mut place = serde_json::Map::new();
     for &i in &measurements.given {
@@ -102,7 +106,7 @@ fn place(coordinates: &[Coordinate], measurements: &Measurements, row: usize) ->
     Json::Object(place)
 }
 
-/// Without the digits that unit conversion leaves.
+/// Rounds off the digits that unit conversion leaves.
 fn rounded(value: f64) -> f64 {
     let digits = format!("{value:.9e}");
     digits.parse().unwrap_or(value)

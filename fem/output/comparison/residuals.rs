@@ -1,24 +1,25 @@
-//! `residuals.csv`: the measured rows with their prediction and what is left.
+//! Writes `residuals.csv`: the measured rows with their predictions and residuals.
 
 use crate::compare::Comparison;
-use crate::measure::{Measurements, Seen};
+use crate::measure::{MeasuredObservable, Measurements};
 use crate::units::Unit;
 
-/// The records in their order, as written, with `predicted [unit]` and `residual [unit]` in the file's own unit. Where the file has several
-/// observables each has its own two columns, `predicted_NAME` and `residual_NAME`, empty where it was not observed.
+/// Writes the records in their order, as written, with `predicted [unit]` and `residual [unit]` in the
+/// file's own unit. Where the file has several observables each has two columns of its own, `predicted_NAME`
+/// and `residual_NAME`, empty where it was not observed.
 pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let header = measurements.header.iter().cloned();
-    let several = measurements.seen.len() > 1;
-    let names = measurements.seen.iter().flat_map(|seen| names(seen, several));
+    let several = measurements.observables.len() > 1;
+    let names = measurements.observables.iter().flat_map(|seen| names(seen, several));
     // Writing to memory does not fail.
     let _ = writer.write_record(header.chain(names));
     let mut row = 0;
     for (number, record) in measurements.records.iter().enumerate() {
-        let mut added = vec![String::new(); 2 * measurements.seen.len()];
+        let mut added = vec![String::new(); 2 * measurements.observables.len()];
         while measurements.records_of.get(row) == Some(&number) {
             let own = measurements.observable(row);
-            let unit = unit(&measurements.seen[own]);
+            let unit = unit(&measurements.observables[own]);
             added[2 * own] = ((comparison.predicted[row] - unit.offset) / unit.factor).to_string();
             added[2 * own + 1] = (comparison.residuals[row] / unit.factor).to_string();
             row += 1;
@@ -28,12 +29,13 @@ pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 
-fn unit(seen: &Seen) -> Unit {
+fn unit(seen: &MeasuredObservable) -> Unit {
     Unit::parse(&seen.unit).unwrap_or(seen.kind.canonical())
 }
 
-/// The two columns of an observable. A residual has no zero point: that of a temperature in degC is in K.
-fn names(seen: &Seen, several: bool) -> [String; 2] {
+/// Names the two columns of an observable. A residual has no zero point: that of a temperature in degC is in
+/// K.
+fn names(seen: &MeasuredObservable, several: bool) -> [String; 2] {
     let of = if several { format!("_{}", seen.name) } else { String::new() };
     let residual = if unit(seen).offset == 0.0 { &seen.unit } else { seen.kind.unit };
     [format!("predicted{of} [{}]", seen.unit), format!("residual{of} [{residual}]")]

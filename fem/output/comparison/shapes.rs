@@ -1,10 +1,11 @@
-//! The measured and the predicted shape, to be played one after the other.
+//! Animates the measured and the predicted shape.
 
 use crate::compare::Comparison;
 use crate::process::{Animation, Cell, Field, Frame, Grid, Places};
 
-/// A frame for each value that rows have in common. Points are the measured rows, a line through them in the order of their places; `measured`,
-/// `predicted` and `residual` are the observable, the vectors move the points by what is measured and predicted.
+/// Makes a frame for each value that rows have in common. Points are the measured rows, joined by a line in
+/// the order of their places; `measured`, `predicted` and `residual` are values of the observable, and the
+/// vectors move the points by the measured and the predicted values.
 pub fn shapes(places: &Places, comparison: &Comparison) -> Animation {
     let mut frames: Vec<f64> = places.frames.clone();
     frames.sort_unstable_by(f64::total_cmp);
@@ -21,7 +22,7 @@ fn frame(at: f64, places: &Places, comparison: &Comparison) -> Frame {
         let by = |r: &usize| places.directions[*r].map(|d| d * (values[*r] - places.references[*r]));
         rows.iter().map(by).collect::<Vec<[f64; 3]>>()
     };
-    // As it was judged: without what the way of measuring is blind to.
+    // Measured values as they were compared, without datum directions.
     let measured: Vec<f64> = comparison.predicted.iter().zip(&comparison.residuals).map(|(p, r)| p + r).collect();
     let mut grid = Grid { points: rows.iter().map(|r| places.points[*r]).collect(), ..Grid::default() };
     for i in 0..rows.len() as u32 {

@@ -1,14 +1,14 @@
-//! A comparison for people.
+//! Writes a comparison for people.
 
 use std::fmt::Write;
 
 use super::place;
-use crate::compare::{Comparison, Feature, Level, NoiseSource};
-use crate::measure::{Measurements, Seen};
+use crate::compare::{Comparison, Feature, NoiseLevel, NoiseSource};
+use crate::measure::{MeasuredObservable, Measurements};
 use crate::output::plot;
 use crate::process::{Plot, Process};
 
-/// How the models compare, side by side, and where each fails.
+/// Writes the models side by side, and where each fails.
 pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> String {
     let kind = measurements.kind();
     let mut text = format!("{}: {} observations", measurements.name, measurements.len());
@@ -25,6 +25,7 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     for c in comparisons {
         let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
         let verdict = match (c.adequate(), c.p_value) {
+            _ if c.adequacy().is_none() => "not judged: too few rows, and no column u",
             (true, Some(_)) => "adequate: nothing is left but the noise",
             (false, None) if c.is_rougher() && c.features.is_empty() => {
                 "fails: far more is left than neighbouring rows scatter by, though along no coordinate"
@@ -35,32 +36,33 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         let _ = writeln!(
             text,
             "  {:<width$} {rms:>11.3} {bias:>+11.3} {worst:>+11.3} {:>11.3}   {verdict}",
-            c.model, c.misfit
+            c.model, c.reduced_chi2
         );
     }
     let _ = writeln!(text, "  rms, bias and worst in {}, measured less predicted", kind.unit);
-    for c in comparisons.iter().filter(|c| !c.adequate()) {
+    for c in comparisons.iter().filter(|c| c.adequacy() == Some(false)) {
         where_it_fails(&mut text, process, measurements, c);
     }
     text
 }
 
-/// How large the noise is, and how that is known.
-pub(in crate::output) fn noise(noise: &Level, measurements: &Measurements) -> String {
+/// Writes the size of the noise and its source.
+pub(in crate::output) fn noise(noise: &NoiseLevel, measurements: &Measurements) -> String {
     let source = match noise.source {
         NoiseSource::Column => "from the column u",
         NoiseSource::Repeats => "from repeated rows",
         NoiseSource::Estimated => "estimated from what is left",
     };
-    let own = |(seen, sigma): (&Seen, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
-    let all: Vec<String> = measurements.seen.iter().zip(&noise.of).map(own).collect();
+    let own =
+        |(seen, sigma): (&MeasuredObservable, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
+    let all: Vec<String> = measurements.observables.iter().zip(&noise.of).map(own).collect();
     format!("{} ({source})", all.join(" and "))
 }
 
-/// A smaller share of what is wrong is not told where there are larger ones.
+/// Smallest share of a feature that is told where there are larger ones.
 const SMALLEST_SHARE: f64 = 0.03;
 
-/// The features that are told.
+/// Selects the features that are told.
 pub(in crate::output) fn told(features: &[Feature]) -> impl Iterator<Item = &Feature> {
     features.iter().filter(|f| f.share >= SMALLEST_SHARE || features.len() < 3)
 }

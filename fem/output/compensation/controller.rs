@@ -1,6 +1,6 @@
-//! Tables as controllers take them.
+//! Writes tables as controllers take them.
 //!
-//! A value that is *added* goes onto the commanded position; it is what the deviation was, with the other sign.
+//! A value that is *added* goes onto the commanded position; it is the deviation with the other sign.
 
 use std::fmt::Write;
 
@@ -8,11 +8,11 @@ use crate::compensate::{Compensation, Course};
 use crate::positioning::{Direction, Table as Entries};
 use crate::process::{Column, Table};
 
-/// LinuxCNC's limit for a joint.
+/// Most triplets that LinuxCNC takes for a joint.
 const MOST_TRIPLETS: usize = 256;
 
 fn um(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    // To a thousandth of a nanometre: what is beyond is round-off of sums.
+    // Rounded to a thousandth of a nanometre: smaller digits are round-off of sums.
     values.map(|m| (m * 1e12).round() / 1e6).collect()
 }
 
@@ -20,7 +20,8 @@ fn mm(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values.map(|m| (m * 1e12).round() / 1e9).collect()
 }
 
-/// One row a point: what is added there, from point to point linearly, and how much more that is than at the point before.
+/// Makes one row a point: the value added there, linear from point to point, and its increment over the
+/// point before.
 pub fn points(table: &Entries) -> Table {
     let added: Vec<f64> = table.nodes.iter().map(|n| n.forward).collect();
     let steps = std::iter::once(0.0).chain(added.windows(2).map(|w| w[1] - w[0]));
@@ -34,7 +35,7 @@ pub fn points(table: &Entries) -> Table {
     }
 }
 
-/// One row a segment, from midway to midway between the targets, with what is added all along it.
+/// Makes one row a segment, from midway to midway between the targets, with the value added all along it.
 pub fn segments(table: &Entries) -> Table {
     let places: Vec<f64> = table.nodes.iter().map(|n| n.position).collect();
     let middles: Vec<f64> = places.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
@@ -50,7 +51,7 @@ pub fn segments(table: &Entries) -> Table {
     }
 }
 
-/// One row a point, with what is added on either way.
+/// Makes one row a point, with the value added in each direction.
 pub fn both_directions(table: &Entries) -> Table {
     Table {
         columns: vec![
@@ -61,8 +62,9 @@ pub fn both_directions(table: &Entries) -> Table {
     }
 }
 
-/// LinuxCNC's screw compensation, `COMP_FILE` with `COMP_FILE_TYPE = 0`: lines of nominal, forward and reverse position in machine units (mm), the positions
-/// that are really reached; rising, without comments, at most 256. `None` where there are more. `BACKLASH` of the joint is not used then.
+/// Makes LinuxCNC's screw compensation, `COMP_FILE` with `COMP_FILE_TYPE = 0`: lines of nominal, forward and
+/// reverse position in machine units (mm), the last two being the positions that are really reached; rising,
+/// without comments, at most 256. `None` where there are more. `BACKLASH` of the joint is not used then.
 pub fn linuxcnc(table: &Entries) -> Option<String> {
     if table.nodes.len() > MOST_TRIPLETS {
         return None;
@@ -77,7 +79,7 @@ pub fn linuxcnc(table: &Entries) -> Option<String> {
     Some(text)
 }
 
-/// The modelled axis along its travel, before and after.
+/// Makes the table of the modelled axis along its travel, before and after.
 pub fn predicted(compensation: &Compensation) -> Table {
     let [points, segments, both] = &compensation.schemes;
     let course = &points.modelled;

@@ -1,14 +1,13 @@
-//! `fem-compensation/1`.
+//! Writes a compensation as JSON: `fem-compensation/1`.
 
 use serde_json::{Map, Value as Json, json};
 
 use crate::compensate::{Compensation, LostMotion, Rules, Scheme};
-use crate::measure::Measurements;
-use crate::model::Model;
+use crate::model::Data;
 use crate::positioning::{Check, EDITION, Evaluation, PitchErrors, Quantity, Side, Step, Target};
 
-/// Lengths along the axis in mm, everything else in um; what is not known is null.
-pub fn json(model: &Model, measurements: &Measurements, c: &Compensation) -> Json {
+/// Makes the JSON: lengths along the axis in mm, everything else in um; unknown values are null.
+pub fn json(data: &Data, c: &Compensation) -> Json {
     let reversal = c.reversal.as_ref().map(|r| {
         let lost = |(position, lost): &(f64, f64)| json!({ "position": mm(*position), "b": um(-lost), "lost_motion": um(*lost) });
         json!({
@@ -19,9 +18,9 @@ pub fn json(model: &Model, measurements: &Measurements, c: &Compensation) -> Jso
     });
     json!({
         "schema": "fem-compensation/1",
-        "model": &*model.source.name,
-        "data": measurements.name,
-        "observations": measurements.len(),
+        "model": &*data.model.source.name,
+        "data": data.name,
+        "observations": data.len(),
         "unit": "um",
         "position_unit": "mm",
         "iso230": { "edition": EDITION, "targets": c.evaluation.targets.iter().map(target).collect::<Vec<_>>(), "quantities": quantities(&c.evaluation), "uncertainty_of_means": um(c.evaluation.uncertainty()) },
@@ -36,7 +35,7 @@ pub fn json(model: &Model, measurements: &Measurements, c: &Compensation) -> Jso
         },
         "before": c.before.iter().map(check).collect::<Vec<_>>(),
         "schemes": c.schemes.iter().map(scheme).collect::<Vec<_>>(),
-        "verdict": c.verdict.word(),
+        "verdict": c.feasibility.word(),
         "causes": c.causes.iter().map(|c| json!({ "cause": c.key, "finding": c.finding, "remedy": c.remedy })).collect::<Vec<_>>(),
         "agreement": { "rms": um(c.model.rms), "adequate": c.model.adequate, "fitted": c.model.fitted },
         "cautions": c.cautions,
@@ -52,7 +51,7 @@ fn mm(m: f64) -> f64 {
     (m * 1e12).round() / 1e9
 }
 
-/// By their symbols.
+/// Makes the JSON of the quantities, by their symbols.
 fn quantities(evaluation: &Evaluation) -> Map<String, Json> {
     let one = |q: &Quantity| {
         let entry = json!({ "name": q.name, "formula": q.formula, "value": q.value.map(um), "at": q.at.map(mm) });

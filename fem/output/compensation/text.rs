@@ -1,24 +1,23 @@
-//! A compensation for people.
+//! Writes a compensation for people.
 
 use std::fmt::Write;
 
-use crate::compensate::{Compensation, LostMotion, Rules, Verdict};
-use crate::measure::Measurements;
-use crate::model::Model;
+use crate::compensate::{Compensation, Feasibility, LostMotion, Rules};
+use crate::model::Data;
 use crate::positioning::{Check, EDITION, Evaluation, Quantity};
 
-/// Targets that are listed; all are in the files.
+/// Most targets that are listed; all are in the files.
 const LISTED: usize = 24;
 
-/// From the evaluation to the verdict. Writing to a String does not fail, here and below.
-pub fn text(model: &Model, measurements: &Measurements, c: &Compensation) -> String {
+/// Writes verdict, evaluation and tables. Writing to a String does not fail, here and below.
+pub fn text(data: &Data, c: &Compensation) -> String {
     let (targets, runs) = (c.evaluation.targets.len(), c.evaluation.runs());
     let times = if runs == 1 { "once".into() } else { format!("{runs} times") };
     let mut text = format!(
         "{} against {}: {} observations, {targets} targets, from each side {times} at least\n\n{}\n",
-        model.source.name,
-        measurements.name,
-        measurements.len(),
+        data.model.source.name,
+        data.name,
+        data.len(),
         verdict(c)
     );
     for cause in &c.causes {
@@ -42,19 +41,19 @@ pub fn text(model: &Model, measurements: &Measurements, c: &Compensation) -> Str
 }
 
 fn verdict(c: &Compensation) -> &'static str {
-    match c.verdict {
-        Verdict::Within => "within tolerance as it is: compensation can only improve it",
-        Verdict::Compensation => {
+    match c.feasibility {
+        Feasibility::Within => "within tolerance as it is: compensation can only improve it",
+        Feasibility::Compensation => {
             "compensation suffices: a pitch table and one backlash value bring the axis within tolerance"
         }
-        Verdict::BothDirections => {
+        Feasibility::BothDirections => {
             "one backlash value does not suffice: only a table for each direction brings the axis within tolerance"
         }
-        Verdict::Resolution => {
+        Feasibility::Resolution => {
             "compensation would reach the tolerance, but the controller's entries are too coarse for it"
         }
-        Verdict::Repair => "compensation cannot reach the tolerance: the mechanics must be repaired first",
-        Verdict::Unknown => {
+        Feasibility::Repair => "compensation cannot reach the tolerance: the mechanics must be repaired first",
+        Feasibility::Unknown => {
             "whether compensation suffices is not known: approach every target at least twice from each side"
         }
     }

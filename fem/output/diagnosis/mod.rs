@@ -7,11 +7,11 @@ pub use text::{settings, text};
 
 use serde_json::{Map, Value as Json, json};
 
+use super::falling::Falling;
 use super::fit::finite;
-use crate::diagnose::{Diagnosis, Missing, Next, Outlook, State, Verdict};
+use crate::diagnose::{Diagnosis, GoodnessOfFit, Missing, Next, Outlook, Verdict};
 use crate::fit::Estimate;
-use crate::measure::Measurements;
-use crate::model::Model;
+use crate::model::{Data, Model};
 use crate::process::Holds;
 use crate::units::Kind;
 
@@ -27,40 +27,53 @@ impl Verdict {
     }
 }
 
+/// The error of the model as it is re-fitted, and with each missing effect added.
+pub(super) fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
+    let kind = data.kind();
+    let first = (format!("{} re-fitted", data.model.stem().display()), diagnosis.before.rms);
+    let added = diagnosis.missing.iter().map(|m| (format!("+ {}", m.effect.name), m.goodness.rms));
+    Falling {
+        title: format!("root mean square error of {}", data.model.stem().display()),
+        steps: std::iter::once(first).chain(added).map(|(label, rms)| (label, kind.from_si(rms))).collect(),
+        noise: kind.from_si(diagnosis.noise.together()),
+        unit: kind.unit,
+    }
+}
+
 /// `fem diagnose --json`: `fem-diagnosis/1`.
-pub fn json(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> Json {
-    let kind = measurements.kind();
+pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
+    let kind = data.kind();
     let d = diagnosis;
     json!({
         "schema": "fem-diagnosis/1",
-        "model": &*model.source.name,
-        "data": measurements.name,
-        "observations": measurements.len(),
+        "model": &*data.model.source.name,
+        "data": data.name,
+        "observations": data.len(),
         "observations_used": d.rows,
         "cautions": d.cautions,
         "noise": super::comparison::noise(&d.noise, kind),
-        "before": state(&d.before, kind),
+        "before": goodness(&d.before, kind),
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
         "verdict": d.verdict.word(),
         "missing": d.missing.iter().map(|m| missing(m, kind)).collect::<Vec<_>>(),
-        "after": state(&d.after, kind),
+        "after": goodness(&d.after, kind),
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
         "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
         "unexplained": unexplained(d),
-        "next_measurement": d.next.as_ref().map(|n| next(n, model)).or_else(|| said_to_separate(d)),
-        "held_out_by": d.held_out_by,
+        "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
+        "held_out_by": d.cross_validation_by,
         "failed_trials": d.trials.0,
         "evaluations": d.trials.1,
-        "notes": measurements.notes,
+        "notes": data.notes_of_fit(),
     })
 }
 
-fn state(state: &State, kind: Kind) -> Json {
+fn goodness(goodness: &GoodnessOfFit, kind: Kind) -> Json {
     json!({
-        "rms": kind.from_si(state.rms),
-        "chi2_per_dof": finite(state.misfit),
-        "p_value": state.p_value,
-        "held_out": state.held_out.filter(|h| h.is_finite()),
+        "rms": kind.from_si(goodness.rms),
+        "chi2_per_dof": finite(goodness.reduced_chi2),
+        "p_value": goodness.p_value,
+        "held_out": goodness.cross_validation.filter(|h| h.is_finite()),
     })
 }
 
@@ -68,9 +81,9 @@ fn missing(missing: &Missing, kind: Kind) -> Json {
     let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
     json!({
         "effect": missing.effect.name,
-        "rms_after": kind.from_si(missing.state.rms),
-        "chi2_per_dof_after": finite(missing.state.misfit),
-        "held_out_after": missing.state.held_out.filter(|h| h.is_finite()),
+        "rms_after": kind.from_si(missing.goodness.rms),
+        "chi2_per_dof_after": finite(missing.goodness.reduced_chi2),
+        "held_out_after": missing.goodness.cross_validation.filter(|h| h.is_finite()),
         "p_value": missing.p_value,
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| e.name).collect::<Vec<_>>(),
@@ -101,7 +114,7 @@ fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
 
 /// Where nothing on the menu tells look-alikes apart: what the catalogue says would.
 fn said_to_separate(d: &Diagnosis) -> Option<Json> {
-    let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |r| (m.effect, *r)));
+    let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |r| (&m.effect, r)));
     let told = pairs.filter_map(|(a, b)| Some((a, b, text::separated(a, b)?)));
     let (a, b, by) = told.into_iter().next()?;
     Some(json!({
@@ -113,14 +126,14 @@ fn said_to_separate(d: &Diagnosis) -> Option<Json> {
 /// What to measure next, with its values in the coordinate's canonical unit.
 pub(super) fn next(next: &Next, model: &Model) -> Json {
     let coordinates = model.process.coordinates();
-    let kind = coordinates.iter().find(|c| c.name == next.further.coordinate).and_then(|c| match c.holds {
+    let kind = coordinates.iter().find(|c| c.name == next.experiment.coordinate).and_then(|c| match c.holds {
         Holds::Quantity(kind) => Some(kind),
         Holds::Number(_) | Holds::Word(_) => None,
     });
     json!({
-        "text": next.further.words,
-        "coordinate": next.further.coordinate,
-        "values": next.further.values.iter().map(|v| kind.map_or(*v, |k| k.from_si(*v))).collect::<Vec<_>>(),
+        "text": next.experiment.words,
+        "coordinate": next.experiment.coordinate,
+        "values": next.experiment.values.iter().map(|v| kind.map_or(*v, |k| k.from_si(*v))).collect::<Vec<_>>(),
         "unit": kind.map_or("", |k| k.unit),
         "observations": next.observations(),
         "repeats": next.repeats,

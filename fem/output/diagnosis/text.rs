@@ -1,28 +1,23 @@
-//! A diagnosis for people: the story from the failing model to the noise.
+//! Writes a diagnosis for people: the story from the failing model to the noise.
 
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::diagnose::{Diagnosis, Missing, Outlook, State, Verdict};
+use crate::diagnose::{Diagnosis, GoodnessOfFit, Missing, Outlook, Verdict};
 use crate::fit::{Estimate, Fit};
-use crate::measure::Measurements;
-use crate::model::{Model, Setting};
+use crate::model::{Data, Model, Setting};
 use crate::output::comparison;
 use crate::output::fit::Short;
 use crate::output::plot;
 use crate::process::{Description, Holds, Neutral, Plot};
 use crate::units::{Kind, Knowledge};
 
-/// The story. Writing to a String does not fail, here and below.
-pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -> String {
-    let (d, kind) = (diagnosis, measurements.kind());
-    let noise = comparison::noise_text(&d.noise, measurements);
-    let mut text = format!(
-        "{} against {}: {} observations, noise {noise}\n",
-        model.source.name,
-        measurements.name,
-        measurements.len()
-    );
+/// Writes the story. Writing to a String does not fail, here and below.
+pub fn text(data: &Data, diagnosis: &Diagnosis) -> String {
+    let (d, kind) = (diagnosis, data.kind());
+    let noise = comparison::noise_text(&d.noise, data);
+    let mut text =
+        format!("{} against {}: {} observations, noise {noise}\n", data.model.source.name, data.name, data.len());
     for caution in &d.cautions {
         let _ = writeln!(text, "\ncaution: {caution}");
     }
@@ -31,18 +26,18 @@ pub fn text(model: &Model, measurements: &Measurements, diagnosis: &Diagnosis) -
     for (i, missing) in d.missing.iter().enumerate() {
         cause(&mut text, i + 1, missing);
     }
-    errors(&mut text, model, d, kind);
+    errors(&mut text, data.model, d, kind);
     if structure_remains(d) {
         if !d.missing.is_empty() {
             let _ =
                 writeln!(text, "\nthe intervals count the noise alone: what remains may have bent the values further");
         }
         let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(d));
-        own_effect(&mut text, model, measurements, d);
+        own_effect(&mut text, data, d);
     }
     not_seen(&mut text, d);
     measure_next(&mut text, d);
-    commands(&mut text, model, measurements, d);
+    commands(&mut text, data, d);
     if d.trials.0 > 0 {
         let _ = writeln!(text, "\nthe model could not be computed at {} of {} trial values", d.trials.0, d.trials.1);
     }
@@ -85,7 +80,7 @@ fn where_it_fails(text: &mut String, d: &Diagnosis) {
 }
 
 fn cause(text: &mut String, number: usize, missing: &Missing) {
-    let effect = missing.effect;
+    let effect = &missing.effect;
     let _ = writeln!(text, "\ncause {number}: {}, {}", effect.name, effect.about);
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
     for e in &missing.estimates {
@@ -98,19 +93,19 @@ fn cause(text: &mut String, number: usize, missing: &Missing) {
         let _ = writeln!(text, "{}", line.trim_end());
     }
     let _ = writeln!(text, "  {}", chance(missing.p_value));
-    for rival in &missing.indistinguishable_from {
-        let by = separated(effect, rival).map_or(String::new(), |by| format!("; in general: {by}"));
-        let _ = writeln!(text, "  or {}: these data cannot tell{by}", rival.name);
+    for alternative in &missing.indistinguishable_from {
+        let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
+        let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.name);
     }
 }
 
-/// What the catalogue says would separate two effects.
+/// Finds what would separate two effects by the catalogue.
 pub fn separated(one: &Description, other: &Description) -> Option<&'static str> {
     let said = |a: &Description, b: &str| a.look_alikes.iter().find(|l| l.0 == b).map(|l| l.1);
     said(one, other.name).or_else(|| said(other, one.name))
 }
 
-/// How sure it is that something is there.
+/// Writes the p-value of an effect.
 fn chance(p: f64) -> String {
     match p {
         p if p < 1e-6 => "chance alone gives as much in less than one search in a million".into(),
@@ -122,28 +117,33 @@ fn name(e: &Estimate) -> &str {
     e.parameter.path.rsplit('.').next().unwrap_or_default()
 }
 
-/// The error falling.
+/// Writes the table of the falling error.
 fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
     let first = format!("{} re-fitted", model.source.name);
     let labels = d.missing.iter().map(|m| format!("+ {}", m.effect.name));
-    let lines: Vec<(String, &State)> = std::iter::once(first)
+    let lines: Vec<(String, &GoodnessOfFit)> = std::iter::once(first)
         .chain(labels)
-        .zip(std::iter::once(&d.before).chain(d.missing.iter().map(|m| &m.state)))
+        .zip(std::iter::once(&d.before).chain(d.missing.iter().map(|m| &m.goodness)))
         .collect();
     let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0).max(5);
-    let held = d.held_out_by.map_or(String::new(), |by| format!("held out by {by}"));
+    let held = d.cross_validation_by.map_or(String::new(), |by| format!("held out by {by}"));
     let _ = writeln!(text, "\n  {:<width$} {:>11} {:>11}   {held}", "model", "rms", "chi2/dof");
     let sigma = kind.from_si(d.noise.together());
-    for (label, state) in lines {
-        let out = state.held_out.filter(|h| h.is_finite()).map_or("-".into(), |h| format!("{:.3}", h * sigma));
-        let _ =
-            writeln!(text, "  {label:<width$} {:>11.3} {:>11.3}   {out:>11}", kind.from_si(state.rms), state.misfit);
+    for (label, goodness) in lines {
+        let out =
+            goodness.cross_validation.filter(|h| h.is_finite()).map_or("-".into(), |h| format!("{:.3}", h * sigma));
+        let _ = writeln!(
+            text,
+            "  {label:<width$} {:>11.3} {:>11.3}   {out:>11}",
+            kind.from_si(goodness.rms),
+            goodness.reduced_chi2
+        );
     }
     let _ = writeln!(text, "  {:<width$} {sigma:>11.3}", "noise");
     let _ = writeln!(text, "  in {}", kind.unit);
 }
 
-/// What remains, described.
+/// Describes the structure that remains.
 pub fn unexplained(d: &Diagnosis) -> String {
     match &d.remaining[..] {
         [] => "more is left than the noise explains, but along no coordinate".into(),
@@ -151,16 +151,17 @@ pub fn unexplained(d: &Diagnosis) -> String {
     }
 }
 
-/// How a cause that is not in the catalogue is written: over a coordinate along which something remains, or else over any of the file's.
-fn own_effect(text: &mut String, model: &Model, measurements: &Measurements, d: &Diagnosis) {
-    let coordinates = model.process.coordinates();
+/// Shows how to write a cause that is not in the catalogue: over a coordinate along which structure remains,
+/// or else over any of the file's.
+fn own_effect(text: &mut String, data: &Data, d: &Diagnosis) {
+    let coordinates = data.model.process.coordinates();
     let kind = |i: usize| match coordinates[i].holds {
         Holds::Quantity(kind) => Some((coordinates[i].name, kind)),
         Holds::Number(_) | Holds::Word(_) => None,
     };
-    let remaining = d.remaining.iter().flat_map(|f| f.axis.0.iter().copied());
-    let Some((name, along)) = remaining.chain(measurements.given.iter().copied()).find_map(kind) else { return };
-    let unit = measurements.seen[0].kind.unit;
+    let remaining = d.remaining.iter().flat_map(|f| f.along.0.iter().copied());
+    let Some((name, along)) = remaining.chain(data.given.iter().copied()).find_map(kind) else { return };
+    let unit = data.observables[0].kind.unit;
     let _ = writeln!(
         text,
         "  if you know the cause, write it into the model and diagnose again:\n    [effects.my-cause]\n    formula = \
@@ -169,26 +170,26 @@ fn own_effect(text: &mut String, model: &Model, measurements: &Measurements, d: 
     );
 }
 
-/// What else the data say of an effect.
+/// Writes a note on a candidate effect.
 pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
     if d.missing.iter().any(|m| m.effect == outlook.effect) {
         return "missing".into();
     }
-    let rival = d.missing.iter().find(|m| m.indistinguishable_from.contains(&outlook.effect));
-    if let Some(missing) = rival {
+    let alternative = d.missing.iter().find(|m| m.indistinguishable_from.contains(&outlook.effect));
+    if let Some(missing) = alternative {
         return format!("cannot be told from {} here", missing.effect.name);
     }
-    let Some(v) = &outlook.visibility else { return "it cannot be computed here".into() };
-    if structure_remains(d) && v.visible {
+    let Some(v) = &outlook.detection_limit else { return "it cannot be computed here".into() };
+    if structure_remains(d) && v.detectable {
         return "not judged while structure remains".into();
     }
-    match v.smallest.filter(|_| v.visible) {
-        Some(smallest) => format!("would have been seen from {} on", bound(outlook.effect, v.parameter, smallest)),
+    match v.smallest.filter(|_| v.detectable) {
+        Some(smallest) => format!("would have been seen from {} on", bound(&outlook.effect, v.parameter, smallest)),
         None => "cannot be seen in these data".into(),
     }
 }
 
-/// `rate = 0.4 um/km`, for a stiffness from above.
+/// Writes a detection limit: `rate >= 0.4 um/km`, for a stiffness `<=`.
 pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     let entry = effect.parameters.iter().find(|p| p.name == parameter);
     let unit = entry.map_or("", |p| p.kind.unit);
@@ -199,16 +200,16 @@ pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
 fn not_seen(text: &mut String, d: &Diagnosis) {
     let absent = |c: &&Outlook| {
         let named = d.missing.iter().any(|m| m.effect == c.effect || m.indistinguishable_from.contains(&c.effect));
-        !named && c.visibility.is_some()
+        !named && c.detection_limit.is_some()
     };
     let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
-    let seen = |c: &&&Outlook| c.visibility.as_ref().is_some_and(|v| v.visible);
-    // While structure remains nobody knows what it hides.
+    let seen = |c: &&&Outlook| c.detection_limit.as_ref().is_some_and(|v| v.detectable);
+    // Structure that remains may hide effects.
     if rest.iter().any(|c| seen(&c)) && !structure_remains(d) {
         let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, at a usual shape, from");
         let width = rest.iter().map(|c| c.effect.name.len()).max().unwrap_or(0);
         for c in rest.iter().filter(seen) {
-            let v = c.visibility.as_ref().and_then(|v| v.smallest.map(|s| bound(c.effect, v.parameter, s)));
+            let v = c.detection_limit.as_ref().and_then(|v| v.smallest.map(|s| bound(&c.effect, v.parameter, s)));
             let _ = writeln!(text, "  {:<width$}  {}", c.effect.name, v.unwrap_or_default());
         }
     }
@@ -226,31 +227,33 @@ fn measure_next(text: &mut String, d: &Diagnosis) {
     let _ = writeln!(
         text,
         "\nmeasure next\n  {}{often}: {} rows\n  it {tells} {}, by {:.1} sigma",
-        next.further.words,
+        next.experiment.words,
         next.observations(),
         pairs.join(", "),
         next.separation
     );
 }
 
-/// The settings with which an effect is added, as `fem add` takes them.
+/// Makes the settings with which an effect is added, as `fem add` takes them.
 pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     let setting = |e: &Estimate| {
         let k = e.parameter.kind;
         let entry = missing.effect.parameters.iter().find(|p| p.name == name(e));
-        // What the data leave open is known no better than what is plausible.
+        // A value that the data leave open is known no better than its plausible range.
         let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
-        let value = crate::fit::uncertain(k.from_si(e.value), (fit.doubt() * e.std / k.canonical().factor).min(widest));
+        let value =
+            crate::fit::uncertain(k.from_si(e.value), (fit.birge_ratio() * e.std / k.canonical().factor).min(widest));
         Setting { key: name(e).into(), value: format!("{value} {}", k.unit).trim_end().into() }
     };
     missing.estimates.iter().map(setting).collect()
 }
 
-fn commands(text: &mut String, model: &Model, measurements: &Measurements, d: &Diagnosis) {
+fn commands(text: &mut String, data: &Data, d: &Diagnosis) {
     if d.missing.is_empty() {
         return;
     }
-    let (file, data) = (quoted(&model.source.name), quoted(&measurements.name));
+    let model = data.model;
+    let (file, data) = (quoted(&model.source.name), quoted(&data.name));
     let _ = writeln!(text, "\nto go on");
     let mut from = model.source.name.to_string();
     for missing in &d.missing {
@@ -276,19 +279,19 @@ fn commands(text: &mut String, model: &Model, measurements: &Measurements, d: &D
         );
         return;
     }
-    // A fit with the effects' values in place would take them for known before, from data that it then counts twice.
+    // A fit with the effects' values in place would take them for priors, and count the data twice.
     let _ = writeln!(
         text,
         "  what the model knew roughly was bent by what was missing; all at once, every value re-fitted:\n  fem diagnose {file} --with {data} --add-to better.toml"
     );
-    // What stays unknown can be fitted, but not compared.
+    // A model with unknown values can be fitted, but not compared.
     let mut own = d.fit.estimates.iter().take(model.parameters.len());
     if own.all(|e| e.is_closed() || e.parameter.quantity.knowledge != Knowledge::Free) {
         let _ = writeln!(text, "  fem compare better.toml --with {data}");
     }
 }
 
-/// A word as a shell takes it.
+/// Quotes a word for a shell.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_./+,:@%".contains(c);
     if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }

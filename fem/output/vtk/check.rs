@@ -1,5 +1,5 @@
-//! What must hold before a grid is written: VTK's readers fail on each of these, or show the
-//! grid wrongly without a word.
+//! Checks a grid before it is written: VTK's readers fail on each of these problems, or show the grid
+//! wrongly without a word.
 
 use std::collections::HashSet;
 

@@ -1,10 +1,10 @@
-//! Why VTK output cannot be written: every variant says where and what was given.
+//! Errors of VTK output: every variant says where and what was given.
 
 use thiserror::Error;
 
 use crate::process::Cell;
 
-/// Why a grid or a list of frames cannot be written.
+/// Reason for which a grid or a list of frames cannot be written.
 #[derive(Debug, Error)]
 pub enum VtkError {
     /// VTK's readers refuse a file without points or cells.
@@ -20,7 +20,7 @@ pub enum VtkError {
     TooLarge {
         /// `points` or `cells`.
         what: &'static str,
-        /// How many there are.
+        /// Number of points or cells.
         count: usize,
     },
     /// A coordinate is NaN or infinite.

@@ -1,4 +1,4 @@
-//! The `.pvd` file: which `.vtu` belongs to which time.
+//! Writes the `.pvd` file, which gives every `.vtu` its time.
 
 use std::fmt::Write;
 

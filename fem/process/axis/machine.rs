@@ -2,35 +2,28 @@
 
 use std::sync::Arc;
 
-use super::model::Setup;
-use crate::positioning::Direction;
+use super::setup::Setup;
+use crate::process;
 
-/// An approach to a target.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
-    /// Commanded, m.
-    pub position: f64,
-    /// From which side.
-    pub direction: Direction,
-    /// Since the test began, s.
-    pub time: f64,
-}
+/// An effect on this machine, with `N` parameters.
+pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
 
-/// What is lost at each reversal through elasticity: friction winds the drive up, either way.
+/// Friction that winds the drive up at each reversal, either way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lost {
-    /// F, N.
+    /// Friction F of the slide, N.
     pub friction: f64,
-    /// Of nut, bearing and their seats, N/m.
+    /// Stiffness of nut, bearing and their seats, N/m.
     pub stiffness: f64,
 }
 
-/// A deviation that does not depend on the direction, m.
-pub type Error = Box<dyn Fn(&Moment) -> f64 + Send + Sync>;
+/// Deviation (m) at a commanded position (m) and a time since the test began (s), the same from either side.
+pub type Error = Box<dyn Fn(f64, f64) -> f64 + Send + Sync>;
 
-/// An axis with its effects. Effects act by play, by friction on the elastic drive, or by adding a deviation.
+/// An axis with its effects. Effects act by play, by friction on the elastic drive, or by adding a
+/// deviation.
 pub struct Machine {
-    /// What the model says.
+    /// The tables of the model.
     pub setup: Arc<Setup>,
     /// Kinematic clearance δ, m.
     pub gap: f64,
@@ -46,18 +39,14 @@ impl Machine {
         Self { setup, gap: 0.0, lost: None, errors: Vec::new() }
     }
 
-    /// Adds a deviation, m.
-    pub fn add(&mut self, error: impl Fn(&Moment) -> f64 + Send + Sync + 'static) {
+    /// Adds a deviation.
+    pub fn add(&mut self, error: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) {
         self.errors.push(Box::new(error));
     }
 
-    /// How far friction holds the slide back with the nut at `position`, F/C(x), 1/C = 1/stiffness + the screw's own compliance; m.
+    /// How far friction holds the slide back with the nut at `position` (m): F/C, 1/C = 1/stiffness + the
+    /// screw's own compliance; m.
     pub fn wind_up(&self, position: f64) -> f64 {
         self.lost.map_or(0.0, |l| l.friction * (1.0 / l.stiffness + self.setup.screw().compliance(position)))
-    }
-
-    /// Lost motion at a reversal at `position`: (kinematic, elastic), m.
-    pub fn lost_motion(&self, position: f64) -> (f64, f64) {
-        (self.gap, 2.0 * self.wind_up(position))
     }
 }

@@ -1,104 +1,84 @@
 //! Axis: where a feed axis really goes.
 //!
-//! deviation = actual − commanded position, at a target approached forwards (`+`) or backwards (`-`), in a run, at a time. The ideal axis goes where it
-//! is told; the ball screw is a bar on its bearing, stretched by whatever the slide's friction asks of it [seed 000, fig. 2].
+//! deviation = actual − commanded position, at a target approached forwards (`+`) or backwards (`-`), in a
+//! run, at a time. The ideal axis goes where it is told; the ball screw is a bar on its bearing, stretched
+//! by whatever the slide's friction asks of it [seed 000, fig. 2].
 
 mod effects;
-mod findings;
-mod job;
+mod forward;
 mod machine;
-mod model;
-mod observe;
-mod shapes;
+mod report;
+mod rows;
+mod setup;
 mod validation;
 
-pub use job::Axis as Driven;
-pub use machine::{Lost, Machine, Moment};
-pub use model::{Setup, Spacing};
+pub use machine::Machine;
+pub use setup::Setup;
+pub use validation::cases;
 
 use std::sync::Arc;
 
 use super::{
-    Active, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Places, Positioning, Process,
-    Rows, System,
+    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable,
+    Places, Positioning, Rows, RunReport,
 };
 use crate::input::Reader;
 
 /// The process `axis`.
 pub struct Axis;
 
-impl Process for Axis {
-    fn name(&self) -> &'static str {
-        "axis"
+impl Definition for Axis {
+    type Setup = Setup;
+    type Machine = Machine;
+
+    const NAME: &'static str = "axis";
+    const ABOUT: &'static str = "positioning of a feed axis driven by a ball screw";
+    const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
+    const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
+    const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    fn read(model: &Reader) -> Option<Setup> {
+        Some(Setup::read(model))
     }
 
-    fn about(&self) -> &'static str {
-        "positioning of a feed axis driven by a ball screw"
+    fn ideal(setup: Arc<Setup>) -> Machine {
+        Machine::ideal(setup)
     }
 
-    fn observables(&self) -> &'static [Observable] {
-        observe::OBSERVABLES
+    fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(setup, rows)
     }
 
-    fn coordinates(&self) -> &'static [Coordinate] {
-        observe::COORDINATES
+    fn programme(setup: &Setup) -> Rows {
+        rows::programme(setup)
     }
 
-    fn starting_model(&self) -> &'static str {
-        include_str!("new.toml")
+    fn places(_setup: &Setup, rows: &Rows) -> Option<Places> {
+        Some(rows::places(rows))
     }
 
-    fn effects(&self) -> Vec<&'static Description> {
-        effects::ALL.iter().map(|e| e.description()).collect()
+    fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+        rows::candidate_experiments(setup, rows)
     }
 
-    fn read(&self, model: &Reader) -> Box<dyn System> {
-        Box::new(Slide(Arc::new(Setup::read(model))))
+    fn positioning(setup: &Setup) -> Option<&dyn Positioning> {
+        Some(setup)
     }
 
-    fn validation(&self) -> Vec<Case> {
-        validation::cases()
-    }
-}
-
-/// An axis before any effect acts.
-struct Slide(Arc<Setup>);
-
-impl System for Slide {
-    fn admits(&self, effect: &str) -> Result<(), String> {
-        self.0.admits(effect)
+    fn limit(setup: &Setup, _observable: usize) -> Limit {
+        Limit {
+            size: setup.travel,
+            why: "as large as the travel",
+            help: "check friction, stiffness and slopes: a unit may be wrong",
+        }
     }
 
-    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
-        observe::misplaced(&self.0, rows)
+    fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        Ok(forward::observe(machine, rows))
     }
 
-    fn programme(&self) -> Rows {
-        observe::programme(&self.0)
+    fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+        Ok(report::report(machine, forward))
     }
-
-    fn resolved(&self, rows: &Rows) -> Rows {
-        rows.clone()
-    }
-
-    fn places(&self, rows: &Rows) -> Option<Places> {
-        Some(observe::places(rows))
-    }
-
-    fn menu(&self, rows: &Rows) -> Vec<Further> {
-        observe::menu(&self.0, rows)
-    }
-
-    fn positioning(&self) -> Option<&dyn Positioning> {
-        Some(&*self.0)
-    }
-
-    fn equip(&self, active: &[Active]) -> Box<dyn Job> {
-        Box::new(Driven::equip(self.0.clone(), active))
-    }
-}
-
-/// The effects that this process knows, by name.
-fn effect(name: &str) -> Option<&'static dyn Effect<Machine>> {
-    effects::ALL.iter().copied().find(|e| e.description().name == name)
 }

@@ -1,19 +1,21 @@
 //! The fewest blocks that keep a tolerance.
 //!
-//! From each place the longest block that keeps it is taken. What a block cuts too deep, and what it leaves between its ends, does not depend on where other
-//! blocks begin, and a part of a block that keeps a tolerance keeps it too; therefore no division into fewer blocks exists.
+//! The longest block that keeps it is taken from each place. The depth that a block cuts too deep, and the
+//! rest it leaves between its ends, do not depend on where other blocks begin, and a part of a block that
+//! keeps a tolerance keeps it too; therefore no division into fewer blocks exists.
 
-use super::extreme::peak;
+use super::guide::Guide;
 use super::motion::{Leg, Ray, Reach};
 use super::profile::Profile;
-use super::program::Guide;
+use super::search::peak;
 
 /// A block is as long as it can be to this part of its length.
 const PRECISION: f64 = 1e-5;
 /// Places at which the error of a block is looked at first.
 const SAMPLES: usize = 9;
 
-/// Where blocks begin between two places so that none errs by more than `tolerance` (m), with the last place and without the first.
+/// Places at which blocks begin between two others so that none errs by more than `tolerance` (m), with the
+/// last place and without the first.
 pub fn places(guide: &Guide, profile: &Profile, from: f64, to: f64, tolerance: f64) -> Vec<f64> {
     let error = |a: f64, b: f64| error(profile, guide, a, b);
     let mut places = Vec::new();
@@ -44,7 +46,7 @@ pub fn places(guide: &Guide, profile: &Profile, from: f64, to: f64, tolerance: f
 }
 
 /// The larger of what a single block leaves between its ends and of what it cuts too deep anywhere, m.
-pub fn error(profile: &Profile, guide: &Guide, from: f64, to: f64) -> f64 {
+fn error(profile: &Profile, guide: &Guide, from: f64, to: f64) -> f64 {
     let leg = guide.block(from, to);
     let radius = guide.radius();
     let left = |s: f64| {
@@ -56,8 +58,9 @@ pub fn error(profile: &Profile, guide: &Guide, from: f64, to: f64) -> f64 {
     thick.max(overcut(profile, &leg, radius, (from, to)))
 }
 
-/// How deep a wheel of `radius` cuts on a leg that is to grind the profile between two places, m: the radius less the distance of the profile from
-/// the wheel's centre, where that is shortest. Negative where the wheel stays clear.
+/// Depth to which a wheel of `radius` cuts on a leg that is to grind the profile between two places, m: the
+/// radius less the distance of the profile from the wheel's centre, where that is shortest. Negative where
+/// the wheel stays clear.
 pub fn overcut(profile: &Profile, leg: &Leg, radius: f64, (from, to): (f64, f64)) -> f64 {
     let depth = |t: f64| radius - profile.nearest(&leg.centre(t), from + t * (to - from)).1;
     peak(depth, 0.0, 1.0, SAMPLES).1

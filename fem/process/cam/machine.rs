@@ -2,49 +2,35 @@
 
 use std::sync::Arc;
 
-use super::model::Setup;
 use super::motion::{Motion, legs};
+use super::program::Pass;
+use super::setup::Setup;
+use crate::process;
+
+/// An effect on this machine, with `N` parameters.
+pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
 
 /// A grinder with its effects. Each changes one thing, so that they act in any order.
 #[derive(Clone, Debug)]
 pub struct Machine {
-    /// What the model says.
+    /// The tables of the model.
     pub setup: Arc<Setup>,
-    /// What the wheel has lost of its radius since it was programmed, m.
+    /// Radius that the wheel has lost since it was programmed, m.
     pub wear: f64,
-    /// By how much the slide is late, s.
+    /// Time by which the slide is late, s.
     pub lag: f64,
     /// Width of the play in the slide's feed, m.
     pub gap: f64,
-    /// Of the wheel's centre above the cam's axis, m.
+    /// Height of the wheel's centre above the cam's axis, m.
     pub height: f64,
-    /// By how much wheel and cam give way to each other, m/N.
+    /// Compliance of wheel, slide and cam against each other, m/N.
     pub compliance: f64,
-}
-
-/// How a cam is ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pass {
-    /// Mean speed of the cam, rad/s.
-    pub speed: f64,
-    /// Whether the programme runs from its end to its beginning.
-    pub is_reversed: bool,
 }
 
 impl Machine {
     /// The ideal grinder.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         Self { setup, wear: 0.0, lag: 0.0, gap: 0.0, height: 0.0, compliance: 0.0 }
-    }
-
-    /// Radius of the wheel as it is, m.
-    pub fn wheel_radius(&self) -> f64 {
-        self.setup.wheel_radius - self.wear
-    }
-
-    /// The programme as it runs when nothing is said.
-    pub fn usual(&self) -> Pass {
-        Pass { speed: self.setup.program.mean_speed, is_reversed: false }
     }
 
     /// The motion in a pass. Its blocks are numbered as they are executed.
@@ -54,10 +40,11 @@ impl Machine {
         let lag = self.lag * pass.speed / program.mean_speed;
         let reversed = pass.is_reversed.then(|| program.axes.reversed());
         let axes = reversed.as_ref().unwrap_or(&program.axes);
-        Motion::new(legs(axes, lag, self.gap, self.height), self.wheel_radius())
+        Motion::new(legs(axes, lag, self.gap, self.height), self.setup.wheel_radius - self.wear)
     }
 
-    /// What is left because wheel and cam give way to the force of the cut, m: F/k with F = force_per_rate·stock·feed.
+    /// The deviation that is left because wheel and cam give way to the force of the cut, m: F/k with F =
+    /// force_per_rate·stock·feed.
     pub fn given_way(&self, s: f64, pass: Pass) -> f64 {
         if self.compliance == 0.0 {
             return 0.0;

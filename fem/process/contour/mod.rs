@@ -1,110 +1,91 @@
 //! Contour: a circle or a rectangle that two servo axes travel together.
 //!
-//! Command → each axis behind its servo 1/(1 + s/Kv) → play → cyclic error → scale → squareness → centre → deviation from the path, positive outwards, plus
-//! spikes: in that order, in the steady state that laps before have brought about, at the commanded point [seed 000; ISO 230-4].
+//! Command → each axis behind its servo 1/(1 + s/Kv) → play → cyclic error → scale → squareness → centre →
+//! deviation from the path, positive outwards, plus spikes: in that order, in the steady state that laps
+//! before have brought about, at the commanded point [seed 000; ISO 230-4].
 
-mod circle;
 mod effects;
-mod findings;
-mod job;
+mod forward;
 mod machine;
-mod model;
 mod motion;
-mod observe;
 mod path;
-mod rectangle;
-mod reversing;
-mod shapes;
+mod report;
+mod rows;
+mod setup;
 mod validation;
 
-pub use job::Contouring;
-pub use machine::{Lap, Machine};
-pub use model::Setup;
+pub use machine::Machine;
 pub use path::{Direction, Path};
+pub use setup::Setup;
+pub use validation::cases;
 
 use std::sync::Arc;
 
 use super::{
-    Active, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Places, Process, Rows, Spot,
-    System,
+    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable,
+    Places, Rows, RunReport, Spot,
 };
 use crate::input::Reader;
 
 /// The process `contour`.
 pub struct Contour;
 
-impl Process for Contour {
-    fn name(&self) -> &'static str {
-        "contour"
+impl Definition for Contour {
+    type Setup = Setup;
+    type Machine = Machine;
+
+    const NAME: &'static str = "contour";
+    const ABOUT: &'static str = "circle or rectangle travelled by two servo axes";
+    const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
+    const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
+    const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    fn read(model: &Reader) -> Option<Setup> {
+        Some(Setup::read(model))
     }
 
-    fn about(&self) -> &'static str {
-        "circle or rectangle travelled by two servo axes"
+    fn ideal(setup: Arc<Setup>) -> Machine {
+        Machine::ideal(setup)
     }
 
-    fn observables(&self) -> &'static [Observable] {
-        observe::OBSERVABLES
+    fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(setup, rows)
     }
 
-    fn coordinates(&self) -> &'static [Coordinate] {
-        observe::COORDINATES
+    fn programme(setup: &Setup) -> Rows {
+        rows::programme(setup)
     }
 
-    fn starting_model(&self) -> &'static str {
-        include_str!("new.toml")
+    fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+        rows::resolved(setup, rows)
     }
 
-    fn effects(&self) -> Vec<&'static Description> {
-        effects::ALL.iter().map(|e| e.description()).collect()
+    fn places(setup: &Setup, rows: &Rows) -> Option<Places> {
+        Some(rows::places(setup, rows))
     }
 
-    fn read(&self, model: &Reader) -> Box<dyn System> {
-        Box::new(TwoAxes(Arc::new(Setup::read(model))))
+    fn contour(setup: &Setup) -> Option<Vec<Vec<Spot>>> {
+        Some(setup.path.drawn())
     }
 
-    fn validation(&self) -> Vec<Case> {
-        validation::cases()
-    }
-}
-
-/// Two axes on their path, before any effect acts.
-struct TwoAxes(Arc<Setup>);
-
-impl System for TwoAxes {
-    fn admits(&self, effect: &str) -> Result<(), String> {
-        self.0.admits(effect)
+    fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+        rows::candidate_experiments(setup, rows)
     }
 
-    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
-        observe::misplaced(&self.0, rows)
+    fn limit(setup: &Setup, _observable: usize) -> Limit {
+        Limit {
+            size: setup.path.reach(),
+            why: "that is no contour any more",
+            help: "check feed, gain and dimensions: a unit may be wrong",
+        }
     }
 
-    fn programme(&self) -> Rows {
-        observe::programme(&self.0)
+    fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        forward::observe(machine, rows)
     }
 
-    fn resolved(&self, rows: &Rows) -> Rows {
-        observe::resolved(&self.0, rows)
+    fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+        report::report(machine, forward)
     }
-
-    fn places(&self, rows: &Rows) -> Option<Places> {
-        Some(shapes::places(&self.0, rows))
-    }
-
-    fn contour(&self) -> Option<Vec<Vec<Spot>>> {
-        Some(self.0.path.drawn())
-    }
-
-    fn menu(&self, rows: &Rows) -> Vec<Further> {
-        observe::menu(&self.0, rows)
-    }
-
-    fn equip(&self, active: &[Active]) -> Box<dyn Job> {
-        Box::new(Contouring::equip(self.0.clone(), active))
-    }
-}
-
-/// The effects that this process knows, by name.
-fn effect(name: &str) -> Option<&'static dyn Effect<Machine>> {
-    effects::ALL.iter().copied().find(|e| e.description().name == name)
 }

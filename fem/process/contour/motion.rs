@@ -1,5 +1,5 @@
-//! One axis behind its servo 1/(1 + s/K), in the steady state of a closed path: where it is over time, and where it turns round. Exact: a sine stays
-//! a sine, and what a ramp leaves dies away exponentially.
+//! One axis behind its servo 1/(1 + s/K), in the steady state of a closed path: where it is over time, and
+//! where it turns round. Exact: a sine stays a sine, and what a ramp leaves dies away exponentially.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -28,7 +28,8 @@ pub enum Motion {
     },
 }
 
-/// A straight command and the axis behind it: u(τ) = from + velocity·(τ − 1/K) + excess·e^(−Kτ), τ from `begin`.
+/// A straight command and the axis behind it: u(τ) = from + velocity·(τ − 1/K) + excess·e^(−Kτ), τ from
+/// `begin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ramp {
     /// s from the beginning of the lap.
@@ -75,8 +76,8 @@ impl Motion {
             ramps.push(Ramp { begin, duration, from: side.from[axis], velocity: feed * side.along[axis], excess: 0.0 });
             begin += duration;
         }
-        // The lag changes from side to side, and position does not jump: E' = E·e^(−KT) + (v' − v)/K. Once round from nothing, and the lap that
-        // comes back to where it began is that over 1 − e^(−K·period).
+        // The lag changes from side to side, and position does not jump: E' = E·e^(−KT) + (v' − v)/K. Once
+        // round from nothing, and the lap that comes back to where it began is that over 1 − e^(−K·period).
         let mut excess = 0.0;
         for lap in 0..2 {
             let mut before = ramps.last().copied();
@@ -136,7 +137,8 @@ impl Ramp {
     }
 }
 
-/// On a ramp that goes the other way than the last one that went anywhere, the axis turns round when v = K·E·e^(−Kτ).
+/// On a ramp that goes the other way than the last one that went anywhere, the axis turns round when v =
+/// K·E·e^(−Kτ).
 fn turns(gain: f64, ramps: &[Ramp]) -> Vec<Turn> {
     let mut heading = ramps.iter().rev().map(|r| r.velocity).find(|v| *v != 0.0).unwrap_or(0.0);
     let mut turns = Vec::new();

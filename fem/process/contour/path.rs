@@ -3,8 +3,10 @@
 use std::f64::consts::TAU;
 
 use crate::process::Spot;
+use crate::units::{ANGLE, LENGTH};
 
-/// Components of a velocity below this part of it are round-off: an axis that stands still does not turn round.
+/// Components of a velocity below this part of it are round-off: an axis that stands still does not turn
+/// round.
 const STILL: f64 = 1e-12;
 
 /// A closed path.
@@ -107,7 +109,8 @@ impl Path {
         }
     }
 
-    /// The sides of a rectangle counter-clockwise, from the one that its first axis points at; none of a circle.
+    /// The sides of a rectangle counter-clockwise, from the one that its first axis points at; none of a
+    /// circle.
     pub fn sides(&self) -> Vec<Side> {
         let Self::Rectangle { width, height, angle } = *self else { return Vec::new() };
         let (sine, cosine) = angle.sin_cos();
@@ -141,7 +144,8 @@ impl Path {
         }
     }
 
-    /// Where a ray from the centre meets the rectangle; at a corner, the side that it begins counter-clockwise.
+    /// Where a ray from the centre meets the rectangle; at a corner, the side that it begins
+    /// counter-clockwise.
     fn on_side(&self, ray: [f64; 2]) -> Point {
         let sides = self.sides();
         let reach = |s: &Side| dot(s.from, s.outward) / dot(ray, s.outward);
@@ -181,20 +185,12 @@ impl Path {
     /// In a few words.
     pub fn words(&self) -> String {
         match *self {
-            Self::Circle { radius } => format!("circle of radius {} mm", rounded(1e3 * radius)),
-            Self::Rectangle { width, height, angle } => format!(
-                "rectangle of {} by {} mm at {} deg",
-                rounded(1e3 * width),
-                rounded(1e3 * height),
-                rounded(angle.to_degrees())
-            ),
+            Self::Circle { radius } => format!("circle of radius {}", LENGTH.told(radius)),
+            Self::Rectangle { width, height, angle } => {
+                format!("rectangle of {} by {} at {}", LENGTH.told(width), LENGTH.told(height), ANGLE.told(angle))
+            }
         }
     }
-}
-
-/// To six digits, as people write a dimension or a feed.
-pub fn rounded(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// The scalar product.

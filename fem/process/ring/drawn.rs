@@ -1,50 +1,66 @@
-//! A ring whose mesh was drawn: any plane body with a round bore, which jaws hold on a circle about the bore's centre. Keyways, flats and holes are in the mesh.
+//! A ring whose mesh was drawn: any plane body with a round bore, which jaws hold on a circle about the
+//! bore's centre. Keyways, flats and holes are in the mesh.
 //!
-//! The sides `bore` are what is bored; `jaw-1`, `jaw-2` … are where the jaws press, counter-clockwise: sides, over which the force is spread evenly, or points, which
-//! are line loads. The bore's centre is the origin, and the mesh is turned so that jaw 1 stands at 0°. A jaw may be moved and spread to wherever the border is
-//! on the jaws' circle; its load is integrated exactly at any angle. The body floats: after the jaws have closed its bore is where its own first harmonic is zero.
+//! The sides `bore` are bored; `jaw-1`, `jaw-2` … are where the jaws press, counter-clockwise: sides, over
+//! which the force is spread evenly, or points, which are line loads. The bore's centre is the origin, and
+//! the mesh is turned so that jaw 1 stands at 0°. A jaw may be moved and spread to wherever the border is on
+//! the jaws' circle; its load is integrated exactly at any angle. The body floats: after the jaws have
+//! closed its bore is where its own first harmonic is zero.
 
 use std::f64::consts::TAU;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
-use super::response::{Jaw, unsolvable};
+use super::circle::evenly;
+use super::jaws::Jaw;
+use super::response::unsolvable;
 use crate::element::plane::{Elasticity, PlaneState};
+use crate::input::Cache;
 use crate::mesh::{BORE, Mesh, Side};
 use crate::process::Failure;
 use crate::solve::elastic::{ElasticSystem, Loads};
-use crate::solve::ring::{Bore, BoreShape, ContactArc, JawCircle};
+use crate::solve::ring::{Bore, BoreShape, JawCircle};
+use crate::units::{ANGLE, LENGTH};
 
 /// Nodes are on a circle that differ in radius by less than this part of it: coordinates may be rounded.
 const ROUND: f64 = 1e-5;
 /// Arcs of jaws are alike, and jaws evenly spaced, that differ by less (rad).
 const ALIKE: f64 = 1e-4;
-/// Loads whose solutions are kept.
-const MOST_SHAPES: usize = 64;
+
+/// A mesh as it was read, and the number of jaws in which it is held.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// The mesh of the file, lengths in m.
+    pub mesh: Arc<Mesh>,
+    /// Number of jaws.
+    pub jaws: usize,
+}
+
+/// Equal are those of the same reading; numbers are not compared.
+impl PartialEq for Held {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.mesh, &other.mesh) && self.jaws == other.jaws
+    }
+}
 
 /// A drawn ring, checked and ready to be solved.
 #[derive(Debug)]
 pub struct Drawn {
-    /// Turned so that jaw 1 stands at 0. Elements of lengths in m.
+    /// The mesh, turned so that jaw 1 stands at 0; lengths in m.
     pub mesh: Arc<Mesh>,
-    /// Of the jaws' circle, m.
+    /// Radius of the jaws' circle, m.
     pub outer_radius: f64,
-    /// Of the bore, m.
+    /// Radius of the bore, m.
     pub inner_radius: f64,
-    /// Where the jaws stand, rad.
+    /// Angles at which the jaws stand, rad.
     pub jaws: Vec<f64>,
-    /// Over which full angle each presses, rad; 0 where they are drawn as points.
+    /// Full angle over which each presses, rad; 0 where they are drawn as points.
     pub arc: f64,
     bore: Bore,
     circle: JawCircle,
-    solved: Solved,
-}
-
-/// What has been solved: factors by Poisson's ratio, with E = b = 1, and shapes by the jaws.
-#[derive(Debug, Default)]
-struct Solved {
-    /// One is enough: only a fit of Poisson's ratio asks for another.
-    system: Mutex<Option<(f64, Arc<Body>)>>,
-    shapes: Mutex<Vec<(f64, Vec<Jaw>, BoreShape)>>,
+    /// Factors by Poisson's ratio, with E = b = 1. One is enough: only a fit of that ratio asks for another.
+    systems: Cache<f64, Body, 1>,
+    /// Shapes of the bore by Poisson's ratio and jaws.
+    shapes: Cache<(f64, Vec<Jaw>), BoreShape, 64>,
 }
 
 /// The factored stiffness.
@@ -61,23 +77,24 @@ impl Drawn {
     /// The ring with this mesh, held by so many jaws.
     ///
     /// # Errors
-    /// What of the mesh is no ring in such a chuck.
+    /// The mesh is no ring in such a chuck, and why.
     pub fn new(mesh: &Mesh, jaws: usize) -> Result<Self, String> {
         let inner_radius = bore_radius(mesh)?;
         let outer_radius = jaw_radius(mesh, jaws)?;
         let seats: Vec<Seat> = (1..=jaws).map(|jaw| seat(mesh, jaw)).collect::<Result<_, _>>()?;
         let arc = seats[0].arc;
         if let Some(k) = seats.iter().position(|seat| (seat.arc - arc).abs() > ALIKE) {
-            let (own, first) = (seats[k].arc.to_degrees(), arc.to_degrees());
-            return Err(format!("`jaw-{}` presses over {own:.2} deg and `jaw-1` over {first:.2} deg", k + 1));
+            let (own, first) = (ANGLE.shown(seats[k].arc), ANGLE.shown(arc));
+            return Err(format!("`jaw-{}` presses over {own:.2} and `jaw-1` over {first:.2}", k + 1));
         }
-        let angles = places(&seats)?;
+        let jaws = angles(&seats)?;
         let mesh = Arc::new(mesh.clone().turned(-seats[0].angle));
         let bore = Bore::new(&mesh).map_err(|error| error.to_string())?;
         let on_circle: Vec<Side> =
             mesh.boundary().into_iter().filter(|side| is_on(&mesh, *side, outer_radius)).collect();
         let circle = JawCircle::new(&mesh, &on_circle);
-        Ok(Self { mesh, outer_radius, inner_radius, jaws: angles, arc, bore, circle, solved: Solved::default() })
+        let (systems, shapes) = Default::default();
+        Ok(Self { mesh, outer_radius, inner_radius, jaws, arc, bore, circle, systems, shapes })
     }
 
     /// Adds the forces of jaws, `force` being that of an even share, N.
@@ -86,18 +103,15 @@ impl Drawn {
     /// A jaw stands or reaches beyond the circle that the mesh has.
     pub fn press(&self, loads: &mut Loads, jaws: &[Jaw], force: f64) -> Result<(), Failure> {
         for (k, jaw) in jaws.iter().enumerate() {
-            let push = ContactArc { angle: jaw.angle, width: jaw.arc, force: force * jaw.share };
-            if !self.circle.carries(&push) {
-                let (at, over) = (jaw.angle.to_degrees(), jaw.arc.to_degrees());
+            let load = jaw.load(force);
+            if !self.circle.carries(&load) {
+                let (at, over) = (ANGLE.shown(jaw.angle), ANGLE.shown(jaw.arc));
                 return Err(Failure {
-                    message: format!(
-                        "jaw {} at {at:.2} deg over {over:.2} deg is not on the circle of the mesh",
-                        k + 1
-                    ),
+                    message: format!("jaw {} at {at:.2} over {over:.2} is not on the circle of the mesh", k + 1),
                     help: "move the jaw to where the border is round, or draw more of the circle".into(),
                 });
             }
-            self.circle.press(loads, &push).map_err(|error| unsolvable(&error))?;
+            self.circle.press(loads, &load).map_err(unsolvable)?;
         }
         Ok(())
     }
@@ -106,35 +120,16 @@ impl Drawn {
     ///
     /// # Errors
     /// A jaw is off the body, or its equations cannot be solved.
-    pub fn bore_under(&self, poisson_ratio: f64, jaws: &[Jaw]) -> Result<BoreShape, Failure> {
-        // A panic while a list was held leaves it whole: entries are added and removed in one step each.
-        let shapes = || self.solved.shapes.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_same = |(nu, known, _): &&(f64, Vec<Jaw>, BoreShape)| *nu == poisson_ratio && known == jaws;
-        if let Some((.., shape)) = shapes().iter().find(is_same) {
-            return Ok(shape.clone());
-        }
-        let mut loads = Loads::none(&self.mesh);
-        self.press(&mut loads, jaws, 1.0)?;
-        let solution = self.system(poisson_ratio)?.solve(&loads).map_err(|error| unsolvable(&error))?;
-        let shape = self.bore.shape(&solution.nodes);
-        let mut list = shapes();
-        if list.len() >= MOST_SHAPES {
-            list.remove(0);
-        }
-        list.push((poisson_ratio, jaws.to_vec(), shape.clone()));
-        Ok(shape)
-    }
-
-    fn system(&self, poisson_ratio: f64) -> Result<Arc<Body>, Failure> {
-        let mut known = self.solved.system.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, system)) = known.as_ref().filter(|(nu, _)| *nu == poisson_ratio) {
-            return Ok(system.clone());
-        }
-        let law = Elasticity::new(PlaneState::Stress, 1.0, poisson_ratio, 0.0, 1.0);
-        let law = law.map_err(|error| unsolvable(&error))?;
-        let system = Arc::new(ElasticSystem::free(self.mesh.clone(), law).map_err(|error| unsolvable(&error))?);
-        *known = Some((poisson_ratio, system.clone()));
-        Ok(system)
+    pub fn bore_under(&self, poisson_ratio: f64, jaws: &[Jaw]) -> Result<Arc<BoreShape>, Failure> {
+        self.shapes.get_or((poisson_ratio, jaws.to_vec()), |_| {
+            let mut loads = Loads::none(&self.mesh);
+            self.press(&mut loads, jaws, 1.0)?;
+            let system = self.systems.get_or(poisson_ratio, |_| {
+                let law = Elasticity::new(PlaneState::Stress, 1.0, poisson_ratio, 0.0, 1.0).map_err(unsolvable)?;
+                ElasticSystem::free(self.mesh.clone(), law).map_err(unsolvable)
+            })?;
+            Ok(self.bore.shape(&system.solve(&loads).map_err(unsolvable)?.nodes))
+        })
     }
 }
 
@@ -156,10 +151,11 @@ fn common_radius(mesh: &Mesh, nodes: &[u32], name: &str) -> Result<f64, String> 
     sorted.sort_unstable_by(f64::total_cmp);
     let radius = sorted[sorted.len() / 2];
     let Some(i) = radii.iter().position(|r| (r / radius - 1.0).abs() >= ROUND) else { return Ok(radius) };
-    let [x, y] = mesh.nodes()[nodes[i] as usize].map(|x| 1e3 * x);
-    let (own, radius) = (1e3 * radii[i], 1e3 * radius);
+    let [x, y] = mesh.nodes()[nodes[i] as usize].map(|x| LENGTH.from_si(x));
+    let (own, radius) = (LENGTH.shown(radii[i]), LENGTH.shown(radius));
     Err(format!(
-        "{name} is no circle about the origin: its node at ({x:.4}, {y:.4}) mm has a radius of {own:.4} mm, not {radius:.4} mm"
+        "{name} is no circle about the origin: its node at ({x:.4}, {y:.4}) mm has a radius of {own:.4}, \
+         not {radius:.4}"
     ))
 }
 
@@ -169,10 +165,10 @@ fn bore_radius(mesh: &Mesh) -> Result<f64, String> {
     let covered =
         mesh.sides(BORE).map_or(0.0, |sides| sides.iter().map(|&side| mesh.curve(side).length()).sum::<f64>());
     // Straight sides are chords, shorter than their arcs by a hundredth at most where eight go around.
-    let around = covered / (TAU * radius);
-    match (0.95..1.05).contains(&around) {
+    let around = covered / radius;
+    match (0.95..1.05).contains(&(around / TAU)) {
         true => Ok(radius),
-        false => Err(format!("`bore` covers {:.0} deg of its circle and not all of it", 360.0 * around)),
+        false => Err(format!("`bore` covers {:.0} of its circle and not all of it", ANGLE.shown(around))),
     }
 }
 
@@ -223,28 +219,27 @@ fn seat(mesh: &Mesh, jaw: usize) -> Result<Seat, String> {
     match (covered - (high - low)).abs() < ALIKE {
         true => Ok(Seat { angle: angle_of(first) + 0.5 * (low + high), arc: high - low }),
         false => Err(format!(
-            "`{name}` is not one arc: it covers {:.2} of {:.2} deg",
-            covered.to_degrees(),
-            (high - low).to_degrees()
+            "`{name}` is not one arc: it covers {:.2} of {:.2}",
+            ANGLE.from_si(covered),
+            ANGLE.shown(high - low)
         )),
     }
 }
 
-/// Where the jaws stand from jaw 1 (rad): three wherever they can press in equilibrium, others evenly.
-fn places(seats: &[Seat]) -> Result<Vec<f64>, String> {
-    let spacing = TAU / seats.len() as f64;
-    let places: Vec<f64> =
+/// Angles of the jaws from jaw 1 (rad): three wherever they can press in equilibrium, others evenly.
+fn angles(seats: &[Seat]) -> Result<Vec<f64>, String> {
+    let angles: Vec<f64> =
         seats.iter().map(|seat| (seat.angle - seats[0].angle + ALIKE).rem_euclid(TAU) - ALIKE).collect();
-    let even: Vec<f64> = (0..seats.len()).map(|k| spacing * k as f64).collect();
-    if places.iter().zip(&even).all(|(place, even)| (place - even).abs() < ALIKE) {
+    let even = evenly(seats.len());
+    if angles.iter().zip(&even).all(|(angle, even)| (angle - even).abs() < ALIKE) {
         return Ok(even);
     }
-    let shown = || places.iter().map(|place| format!("{:.2}", place.to_degrees())).collect::<Vec<_>>().join(", ");
-    if places.windows(2).any(|pair| pair[1] < pair[0]) {
+    let shown = || angles.iter().map(|a| format!("{:.2}", ANGLE.from_si(*a))).collect::<Vec<_>>().join(", ");
+    if angles.windows(2).any(|pair| pair[1] < pair[0]) {
         return Err(format!("jaws are numbered counter-clockwise, and stand at {} deg from jaw 1", shown()));
     }
-    match *places {
-        [_, b, c] if b < 0.5 * TAU && c - b < 0.5 * TAU && c > 0.5 * TAU => Ok(places),
+    match *angles {
+        [_, b, c] if b < 0.5 * TAU && c - b < 0.5 * TAU && c > 0.5 * TAU => Ok(angles),
         [_, _, _] => Err(format!("jaws at {} deg cannot press in equilibrium", shown())),
         _ => Err(format!(
             "jaws at {} deg are not evenly spaced, and statics does not say what each presses with",

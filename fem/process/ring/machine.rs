@@ -2,51 +2,77 @@
 
 use std::sync::Arc;
 
-use super::model::Setup;
+use super::jaws::{self, Jaw};
+use super::setup::Setup;
+use crate::process::{self, Failure};
+
+/// An effect on this machine, with `N` parameters.
+pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
 
 /// A point of the bore of a ring in a set-up.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// From jaw 1, rad.
+pub struct BorePoint {
+    /// Angle from jaw 1, rad.
     pub angle: f64,
-    /// Of the ring's mark from jaw 1, rad.
+    /// Angle of the ring's mark from jaw 1, rad.
     pub orientation: f64,
     /// Radial deviation of the bore before boring, m.
     pub blank: f64,
 }
 
 /// A radial deviation of the released bore that does not depend on the jaws, m.
-pub type Mark = Box<dyn Fn(&Place) -> f64 + Send + Sync>;
+type Mark = Box<dyn Fn(&BorePoint) -> f64 + Send + Sync>;
 
-/// A chuck and a cut with their effects. Effects act by moving jaws, by spreading or taking away their force, or by leaving a mark on the bore.
+/// A chuck and a cut with their effects. Effects act by moving jaws, by spreading or taking away their
+/// force, or by leaving a mark on the bore.
 pub struct Machine {
-    /// What the model says.
+    /// The tables of the model.
     pub setup: Arc<Setup>,
-    /// Where the jaws stand, rad.
-    pub jaws: Vec<f64>,
-    /// Full angle over which each presses, rad; 0 for a line load.
+    /// Angles at which the jaws stand, rad.
+    pub jaw_angles: Vec<f64>,
+    /// Full angle over which each jaw presses, rad; 0 for a line load.
     pub arc: f64,
     /// Σ m·r of a jaw, which the spindle's turning pulls outwards, kg·m.
     pub jaw_moment: f64,
     /// Deviations of the bored and released ring that add up.
-    pub marks: Vec<Mark>,
+    marks: Vec<Mark>,
 }
 
 impl Machine {
-    /// The ideal machine: jaws where the model has them, evenly spaced and each pressing along a line unless a mesh says otherwise; the spindle true and cold.
+    /// The ideal machine: jaws where the model has them, evenly spaced and each pressing along a line unless
+    /// a mesh says otherwise; the spindle true and cold.
     pub fn ideal(setup: Arc<Setup>) -> Self {
-        let (jaws, arc) = (setup.places(), setup.arc());
-        Self { setup, jaws, arc, jaw_moment: 0.0, marks: Vec::new() }
+        let (jaw_angles, arc) = (setup.jaw_angles.clone(), setup.arc);
+        Self { setup, jaw_angles, arc, jaw_moment: 0.0, marks: Vec::new() }
     }
 
     /// Adds a deviation of the released bore, m.
-    pub fn mark(&mut self, mark: impl Fn(&Place) -> f64 + Send + Sync + 'static) {
+    pub fn mark(&mut self, mark: impl Fn(&BorePoint) -> f64 + Send + Sync + 'static) {
         self.marks.push(Box::new(mark));
     }
 
-    /// Force of a jaw while the spindle turns at `speed` (rad/s), from its `force` at standstill (N): F = max(0, F₀ − m·r·ω²).
+    /// Deviation of the released bore that does not depend on the jaws, m.
+    pub fn marks_at(&self, point: &BorePoint) -> f64 {
+        self.marks.iter().map(|mark| mark(point)).sum()
+    }
+
+    /// The jaws with their forces in equilibrium.
+    ///
+    /// # Errors
+    /// The jaws stand where they cannot hold a ring, or press on each other's place.
+    pub fn jaws(&self) -> Result<Vec<Jaw>, Failure> {
+        jaws::in_equilibrium(&self.jaw_angles, self.arc)
+    }
+
+    /// Force of a jaw while the spindle turns at `speed` (rad/s), from its `force` at standstill (N):
+    /// F = max(0, F₀ − m·r·ω²).
     pub fn force_at(&self, force: f64, speed: f64) -> f64 {
         (force - self.jaw_moment * speed * speed).max(0.0)
+    }
+
+    /// Force of a jaw while the model's ring is bored, N.
+    pub fn boring_force(&self) -> f64 {
+        self.force_at(self.setup.jaw_force, self.setup.speed())
     }
 
     /// Speed above which the ring is let go, rad/s; infinite where the jaws do not lighten.

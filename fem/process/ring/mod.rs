@@ -1,113 +1,98 @@
 //! Ring: the bore of a ring that a jaw chuck holds by its outside.
 //!
-//! The jaws squeeze the ring by u_r(θ), the bore is cut round, and released it moves back: deviation(θ) = −u_r(Ri, θ), positive outwards, θ = 0 at
-//! jaw 1 [seed 002, ring in a three-jaw chuck]. Clamped and not yet bored it is +u_r. What the cut itself does wrong adds to the released bore.
+//! The jaws squeeze the ring by u_r(θ), the bore is cut round, and released it moves back:
+//! deviation(θ) = −u_r(Ri, θ), positive outwards, θ = 0 at jaw 1 [seed 002, ring in a three-jaw chuck].
+//! Clamped and not yet bored it is +u_r. Errors of the cut itself add to the released bore.
 
 mod circle;
 mod drawn;
 mod effects;
-mod findings;
-mod job;
+mod forward;
+mod jaws;
 mod machine;
-mod model;
-mod observe;
+mod report;
 mod response;
-mod shapes;
+mod rows;
+mod setup;
 mod validation;
 
 pub use drawn::Drawn;
-pub use job::{BoreMotion, Ring as Chucked};
-pub use machine::{Machine, Place};
-pub use model::{Body, MeshSize, Reference, Setup};
-pub use response::{BoreSeries, Jaw, Response, response};
+pub use machine::{BorePoint, Machine};
+pub use response::MeshSize;
+pub use setup::{Body, Lobe, Reference, Setup};
+pub use validation::cases;
 
 use std::sync::Arc;
 
 use super::{
-    Active, Blind, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Places, Process, Rows,
-    Spot, System,
+    CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Definition, Failure, Forward, Limit, Misplaced,
+    Observable, Places, Rows, RunReport, Spot,
 };
 use crate::input::Reader;
 
 /// The process `ring`.
 pub struct Ring;
 
-impl Process for Ring {
-    fn name(&self) -> &'static str {
-        "ring"
+impl Definition for Ring {
+    type Setup = Setup;
+    type Machine = Machine;
+
+    const NAME: &'static str = "ring";
+    const ABOUT: &'static str = "bore of a ring clamped in a jaw chuck";
+    const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
+    const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
+    const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    fn read(model: &Reader) -> Option<Setup> {
+        Some(Setup::read(model))
     }
 
-    fn about(&self) -> &'static str {
-        "bore of a ring clamped in a jaw chuck"
+    fn ideal(setup: Arc<Setup>) -> Machine {
+        Machine::ideal(setup)
     }
 
-    fn observables(&self) -> &'static [Observable] {
-        observe::OBSERVABLES
+    fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(rows)
     }
 
-    fn coordinates(&self) -> &'static [Coordinate] {
-        observe::COORDINATES
+    fn programme(setup: &Setup) -> Rows {
+        rows::programme(setup)
     }
 
-    fn starting_model(&self) -> &'static str {
-        include_str!("new.toml")
+    fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+        rows::resolved(setup, rows)
     }
 
-    fn effects(&self) -> Vec<&'static Description> {
-        effects::ALL.iter().map(|e| e.description()).collect()
+    fn places(setup: &Setup, rows: &Rows) -> Option<Places> {
+        Some(rows::places(setup, rows))
     }
 
-    fn read(&self, model: &Reader) -> Box<dyn System> {
-        Box::new(Chuck(Arc::new(Setup::read(model))))
+    fn contour(setup: &Setup) -> Option<Vec<Vec<Spot>>> {
+        Some(vec![Spot::circle(setup.inner_radius)])
     }
 
-    fn validation(&self) -> Vec<Case> {
-        validation::cases()
-    }
-}
-
-/// A ring in its chuck, before any effect acts.
-struct Chuck(Arc<Setup>);
-
-impl System for Chuck {
-    fn admits(&self, effect: &str) -> Result<(), String> {
-        self.0.admits(effect)
+    fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
+        rows::datum_directions(setup, rows)
     }
 
-    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
-        observe::misplaced(rows)
+    fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+        rows::candidate_experiments(setup, rows)
     }
 
-    fn programme(&self) -> Rows {
-        observe::programme(&self.0)
+    fn limit(setup: &Setup, _observable: usize) -> Limit {
+        Limit {
+            size: setup.inner_radius,
+            why: "that is no ring any more",
+            help: "check forces, dimensions and material: a unit may be wrong",
+        }
     }
 
-    fn resolved(&self, rows: &Rows) -> Rows {
-        observe::resolved(&self.0, rows)
+    fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        forward::observe(machine, rows)
     }
 
-    fn blind(&self, rows: &Rows) -> Vec<Blind> {
-        observe::blind(&self.0, rows)
+    fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+        report::report(machine, forward)
     }
-
-    fn places(&self, rows: &Rows) -> Option<Places> {
-        Some(observe::places(&self.0, rows))
-    }
-
-    fn contour(&self) -> Option<Vec<Vec<Spot>>> {
-        Some(vec![Spot::circle(self.0.inner_radius)])
-    }
-
-    fn menu(&self, rows: &Rows) -> Vec<Further> {
-        observe::menu(&self.0, rows)
-    }
-
-    fn equip(&self, active: &[Active]) -> Box<dyn Job> {
-        Box::new(Chucked::equip(self.0.clone(), active))
-    }
-}
-
-/// The effects that this process knows, by name.
-fn effect(name: &str) -> Option<&'static dyn Effect<Machine>> {
-    effects::ALL.iter().copied().find(|e| e.description().name == name)
 }

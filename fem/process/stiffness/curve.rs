@@ -1,9 +1,9 @@
-//! The curve of a joint: what it gives way by under a force that rises, and under one that falls again.
+//! The curve of a joint: how far it gives way under a force that rises, and under one that falls again.
 
-use super::model::Setup;
-use crate::joint::Joint;
+use super::setup::Setup;
+use crate::joint::{Contact, Joint};
 
-/// Which way the force goes.
+/// The way the force goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     /// Up from no force.
@@ -12,19 +12,26 @@ pub enum Branch {
     Unload,
 }
 
-/// A joint with its effects. Friction comes first: of the force F it leaves S to the spring, and the laws of spring, preload and contact are laws of S.
-/// Only clearance asks for F itself.
+impl Branch {
+    /// Its position among the words of the coordinate.
+    pub fn word(self) -> f64 {
+        f64::from(self as u8)
+    }
+}
+
+/// A joint. Friction comes first: of the force F it leaves S to the spring, and the laws of spring, preload
+/// and contact are laws of S. Only clearance asks for F itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// k, N/m.
+    /// Stiffness k of the spring, N/m.
     stiffness: f64,
-    /// At which loading ends, N.
+    /// Force at which loading ends, N.
     pub max_force: f64,
-    /// f, N.
+    /// Friction f, N.
     pub friction: f64,
     /// Clearance, taken up as soon as a force acts, m.
     pub gap: f64,
-    /// F₀ of two springs that press on each other, N; 0 where there is one.
+    /// Preload F₀ of two springs that press on each other, N; 0 where there is one spring.
     pub preload: f64,
     /// Contacts in series, under S.
     pub contacts: Joint,
@@ -37,7 +44,8 @@ impl Curve {
         Self { stiffness, max_force, friction: 0.0, gap: 0.0, preload: 0.0, contacts: Joint::default() }
     }
 
-    /// S, the force on the spring under F, N. Friction holds the first f of the load; when the force turns back it holds until 2f are gone.
+    /// S, the force on the spring under F, N. Friction holds the first f of the load; when the force turns
+    /// back it holds until 2f are gone.
     pub fn spring_force(&self, force: f64, branch: Branch) -> f64 {
         match branch {
             Branch::Load => (force - self.friction).max(0.0),
@@ -51,7 +59,8 @@ impl Curve {
         self.bend(self.spring_force(force, branch)) + clearance
     }
 
-    /// What spring, preload and contacts give way by under S, m. Of two springs both resist until one is relaxed, at S = 2F₀.
+    /// How far spring, preload and contacts give way under S, m. Of two springs both resist until one is
+    /// relaxed, at S = 2F₀.
     fn bend(&self, s: f64) -> f64 {
         let both = s.min(2.0 * self.preload);
         (0.5 * both + (s - both)) / self.stiffness + self.contacts.displacement(s)
@@ -61,7 +70,7 @@ impl Curve {
     fn work_at(&self, s: f64) -> f64 {
         let both = s.min(2.0 * self.preload);
         let spring = (0.25 * both * both + 0.5 * (s * s - both * both)) / self.stiffness;
-        let contact = |c: &crate::joint::Contact| c.displacement(s) * s * c.exponent / (c.exponent + 1.0);
+        let contact = |c: &Contact| c.displacement(s) * s * c.exponent / (c.exponent + 1.0);
         spring + self.contacts.contacts.iter().map(contact).sum::<f64>()
     }
 
@@ -79,7 +88,8 @@ impl Curve {
 
     /// Work of friction ∮F dy over loading and unloading, J: the area between the curves.
     ///
-    /// While the joint moves F = S ± f, so that the area is ∫(S + f)dy up to the largest S₁ less ∫(S − f)dy from what is left at no force, S₀, on.
+    /// While the joint moves F = S ± f, so that the area is ∫(S + f)dy up to the largest S₁ less ∫(S − f)dy
+    /// from what is left at no force, S₀, on.
     pub fn loop_area(&self) -> f64 {
         let most = self.spring_force(self.max_force, Branch::Load);
         let left = self.spring_force(0.0, Branch::Unload);

@@ -8,11 +8,10 @@ use crate::mesh::{Mesh, RectangleMesh};
 use crate::process::Segment;
 use crate::units::LENGTH;
 
-/// Elements along a rod and along a plane body where nobody says.
-const USUAL: (u32, u32) = (60, 40);
-/// And at most.
-const MOST: (f64, f64) = (20_000.0, 2_000.0);
-/// Elements across a rectangle, at least.
+/// Elements along a body where nobody says, and at most.
+const ALONG_ROD: [f64; 2] = [60.0, 20_000.0];
+const ALONG_PLANE: [f64; 2] = [40.0, 2_000.0];
+/// Least number of elements across a rectangle.
 const ACROSS: usize = 4;
 
 /// A body that is heated.
@@ -27,11 +26,12 @@ pub enum Body {
 /// A plane body of even width.
 #[derive(Clone, Debug)]
 pub struct Plane {
-    /// Length along x and height along y of a rectangle with a corner at the origin, m; `None` for a mesh from a file.
+    /// Length along x and height along y of a rectangle with a corner at the origin, m; `None` for a mesh
+    /// from a file.
     pub size: Option<[f64; 2]>,
-    /// Across the plane, m.
+    /// Width across the plane, m.
     pub width: f64,
-    /// From a file.
+    /// Mesh from a file.
     pub mesh: Option<Arc<Mesh>>,
 }
 
@@ -51,7 +51,8 @@ impl Body {
         let width = t.quantity("width", LENGTH, "across the plane, of a mesh from a file").positive().optional();
         let given = [!segments.is_empty(), rectangle.is_some(), t.has("file")];
         if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
-            let help = "give one of segments = [{ length, diameter }] (a rod), rectangle = { length, height, width } and file = \"plate.msh\"";
+            let help = "give one of segments = [{ length, diameter }] (a rod), rectangle = { length, height, width } \
+                        and file = \"plate.msh\"";
             t.problem("segments", "a body has one shape", help);
         }
         if t.has("file") && width.is_none() {
@@ -64,12 +65,30 @@ impl Body {
         }
     }
 
-    /// Along x, from the base on, m.
-    pub fn length(&self) -> f64 {
+    /// Its smallest and largest x, m; a rod starts at its base.
+    pub fn extent(&self) -> [f64; 2] {
         match self {
-            Self::Rod(segments) => segments.iter().map(|s| s.length).sum(),
-            Self::Plane(plane) => plane.extent(0)[1],
+            Self::Rod(segments) => [0.0, segments.iter().map(|s| s.length).sum()],
+            Self::Plane(plane) => plane.extent(0),
         }
+    }
+
+    /// Where it ends along x, m from the base.
+    pub fn length(&self) -> f64 {
+        self.extent()[1]
+    }
+
+    /// A plane body.
+    pub fn plane(&self) -> Option<&Plane> {
+        match self {
+            Self::Rod(_) => None,
+            Self::Plane(plane) => Some(plane),
+        }
+    }
+
+    /// Whether it has a section at every x: a mesh from a file has none.
+    pub fn has_sections(&self) -> bool {
+        self.plane().is_none_or(|plane| plane.size.is_some())
     }
 
     /// Names of its edges.
@@ -87,14 +106,9 @@ impl Body {
         matches!(self, Self::Rod(_)) || ["left", "right"].iter().all(|end| edges.iter().any(|e| e == end))
     }
 
-    /// Elements along it where nobody says.
-    pub fn usual_elements(&self) -> u32 {
-        if matches!(self, Self::Rod(_)) { USUAL.0 } else { USUAL.1 }
-    }
-
-    /// Elements along it, at most.
-    pub fn most_elements(&self) -> f64 {
-        if matches!(self, Self::Rod(_)) { MOST.0 } else { MOST.1 }
+    /// Elements along it where nobody says, and at most.
+    pub fn elements(&self) -> [f64; 2] {
+        if matches!(self, Self::Rod(_)) { ALONG_ROD } else { ALONG_PLANE }
     }
 }
 
@@ -111,7 +125,7 @@ impl Plane {
         }
     }
 
-    /// The height at which it is looked at where nobody says: half way up.
+    /// Height at which it is looked at where nobody says, m: half way up.
     pub fn middle(&self) -> f64 {
         let [low, high] = self.extent(1);
         0.5 * (low + high)

@@ -2,42 +2,48 @@
 
 use std::sync::Arc;
 
-use super::model::{Setup, Source};
+use super::setup::{Setup, Time};
+use crate::process;
+use crate::solve::rod::PointSource;
+
+/// An effect on this machine, with `N` parameters.
+pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
 
 /// Surroundings whose temperature swings: a(t) = amplitude·[sin(ωt + phase) − sin phase].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
-    /// K.
+    /// Half of the swing, K.
     pub amplitude: f64,
-    /// rad/s.
+    /// Angular frequency, rad/s.
     pub omega: f64,
-    /// rad.
+    /// Phase at the start, rad.
     pub phase: f64,
 }
 
 /// A thermal joint across the section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// m from the base.
+    /// Place, m from the base.
     pub at: f64,
-    /// W/(m² K).
+    /// Conductance per area, W/(m² K).
     pub conductance: f64,
 }
 
-/// A body in its surroundings with their effects. Effects open ways for heat, bring more of it, or delay what instruments show.
+/// A body in its surroundings with their effects: these open ways for heat, bring more of it, or delay what
+/// instruments show.
 #[derive(Clone, Debug)]
 pub struct Machine {
-    /// What the model says.
+    /// The tables of the model.
     pub setup: Arc<Setup>,
     /// Film coefficient of all that is free, W/(m² K).
     pub convection: f64,
-    /// From x = 0 to the surroundings, W/K.
+    /// Conductance from x = 0 to the surroundings, W/K.
     pub base: f64,
-    /// Of the surroundings, one on top of the other.
+    /// Drifts of the surroundings, one on top of the other.
     pub drifts: Vec<Drift>,
-    /// The model's, then those of effects.
-    pub sources: Vec<Source>,
-    /// Of a rod.
+    /// Sources of the model, then those of effects.
+    pub sources: Vec<PointSource>,
+    /// Joints of a rod.
     pub contacts: Vec<Contact>,
     /// Time constant of temperature sensors, s.
     pub lag: f64,
@@ -48,6 +54,15 @@ impl Machine {
     pub fn ideal(setup: Arc<Setup>) -> Self {
         let sources = setup.sources.clone();
         Self { setup, convection: 0.0, base: 0.0, drifts: Vec::new(), sources, contacts: Vec::new(), lag: 0.0 }
+    }
+
+    /// The same in elements twice as long, where they are the program's own, and in these steps (s).
+    #[must_use]
+    pub fn coarser(&self, step: f64) -> Self {
+        let setup = &*self.setup;
+        let time = Time { step: Some(step), ..setup.time };
+        let coarse = Setup { time, element_size: 2.0 * setup.element_size, ..setup.clone() };
+        Self { setup: Arc::new(coarse), ..self.clone() }
     }
 
     /// Rise of the surroundings at a time (s), K.

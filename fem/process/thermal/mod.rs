@@ -1,114 +1,86 @@
 //! Thermal: temperature and growth of a body that is heated, over time.
 //!
-//! A rod by one-dimensional conduction with sources at points, ρcA T_t = (kA T_x)_x − h p (T − T_a) + Σ Q δ, or a plane body by finite elements. All
-//! is at the temperature of the surroundings at the start; surfaces and ends are insulated unless an effect, or an edge of a plane body, opens
-//! them. The free end moves by ∫ α (T − T₀) dx [seed 002 (35)–(39)]; a plane body also bows where it is warmer above than below.
+//! A rod by one-dimensional conduction with sources at points, ρcA T_t = (kA T_x)_x − h p (T − T_a) +
+//! Σ Q δ, or a plane body by finite elements. All is at the temperature of the surroundings at the start;
+//! surfaces and ends are insulated unless an effect, or an edge of a plane body, opens them. The free end
+//! moves by ∫ α (T − T₀) dx [seed 002 (35)–(39)]; a plane body also bows where it is warmer above
+//! than below.
 
 mod body;
 mod effects;
-mod findings;
 mod follow;
-mod job;
+mod forward;
 mod machine;
-mod model;
-mod observe;
 mod plate;
+mod report;
 mod rod;
-mod shapes;
+mod rows;
+mod setup;
 mod validation;
 
-pub use body::{Body, Plane};
-pub use follow::{Followed, Look, Span};
-pub use job::Heated;
-pub use machine::{Contact, Drift, Machine};
-pub use model::{Boundary, Condition, Setup, Source, Time};
+pub use machine::Machine;
+pub use setup::Setup;
+pub use validation::cases;
 
 use std::sync::Arc;
 
 use super::{
-    Active, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Places, Process, Rows, System,
+    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Rows,
+    RunReport,
 };
 use crate::input::Reader;
 
 /// The process `thermal`.
 pub struct Thermal;
 
-impl Process for Thermal {
-    fn name(&self) -> &'static str {
-        "thermal"
+impl Definition for Thermal {
+    type Setup = Setup;
+    type Machine = Machine;
+
+    const NAME: &'static str = "thermal";
+    const ABOUT: &'static str = "temperature and growth of a heated body over time";
+    const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
+    const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
+    const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    fn read(model: &Reader) -> Option<Setup> {
+        Some(Setup::read(model))
     }
 
-    fn about(&self) -> &'static str {
-        "temperature and growth of a heated body over time"
+    fn ideal(setup: Arc<Setup>) -> Machine {
+        Machine::ideal(setup)
     }
 
-    fn observables(&self) -> &'static [Observable] {
-        observe::OBSERVABLES
+    fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(setup, rows)
     }
 
-    fn coordinates(&self) -> &'static [Coordinate] {
-        observe::COORDINATES
+    fn programme(setup: &Setup) -> Rows {
+        rows::programme(setup)
     }
 
-    fn starting_model(&self) -> &'static str {
-        include_str!("new.toml")
+    fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+        rows::resolved(setup, rows)
     }
 
-    fn effects(&self) -> Vec<&'static Description> {
-        effects::ALL.iter().map(|e| e.description()).collect()
+    fn reach(setup: &Setup, coordinate: &str) -> Option<(f64, f64)> {
+        (coordinate == "x").then(|| setup.body.extent().into())
     }
 
-    fn read(&self, model: &Reader) -> Box<dyn System> {
-        Box::new(Bench(Arc::new(Setup::read(model))))
+    fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+        rows::candidate_experiments(setup, rows)
     }
 
-    fn validation(&self) -> Vec<Case> {
-        validation::cases()
-    }
-}
-
-/// A body with its heaters, before any effect acts.
-struct Bench(Arc<Setup>);
-
-impl System for Bench {
-    fn admits(&self, effect: &str) -> Result<(), String> {
-        self.0.admits(effect)
+    fn limit(setup: &Setup, observable: usize) -> Limit {
+        rows::limit(setup, observable)
     }
 
-    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
-        observe::misplaced(&self.0, rows)
+    fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        forward::observe(machine, rows)
     }
 
-    fn programme(&self) -> Rows {
-        observe::programme(&self.0)
+    fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+        report::report(machine, forward)
     }
-
-    fn resolved(&self, rows: &Rows) -> Rows {
-        observe::resolved(&self.0, rows)
-    }
-
-    fn places(&self, _: &Rows) -> Option<Places> {
-        None
-    }
-
-    fn reach(&self, coordinate: &str) -> Option<(f64, f64)> {
-        match (&self.0.body, coordinate) {
-            (Body::Plane(plane), "x") => Some(plane.extent(0).into()),
-            (rod, "x") => Some((0.0, rod.length())),
-            _ => None,
-        }
-    }
-
-    fn menu(&self, rows: &Rows) -> Vec<Further> {
-        observe::menu(&self.0, rows)
-    }
-
-    fn equip(&self, active: &[Active]) -> Box<dyn Job> {
-        Box::new(Heated::equip(self.0.clone(), active))
-    }
-}
-
-/// The effects that this process knows, by name.
-fn effect(name: &str) -> Option<&'static dyn Effect<Machine>> {
-    effects::ALL.iter().copied().find(|e| e.description().name == name)
 }

@@ -3,26 +3,29 @@
 use std::sync::Arc;
 
 use super::body::Plane;
-use super::follow::{Followed, Look, Span, unsolvable};
+use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
-use super::model::{self, Setup};
+use super::setup::{self, Setup};
 use crate::element::plane::{Capacity, Conduction, Elasticity, PlaneState};
 use crate::mesh::Mesh;
 use crate::process::Failure;
 use crate::solve::conduction::{Condition, History, Instant, Run, ThermalSystem};
 use crate::solve::elastic::{ElasticSystem, Loads};
-use crate::solve::rod::Probe;
+use crate::solve::rod::{PointSource, Probe, Track};
+use crate::units::LENGTH;
 
-/// What the edges without a condition of their own are called.
+/// Name of the edges without a condition of their own.
 const FREE: &str = "free";
 
 /// Follows a plane body.
 ///
 /// # Errors
 /// It cannot be computed, or a place is not on it.
-pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], span: &Span) -> Result<Followed, Failure> {
-    let setup = &machine.setup;
-    let mesh = with_free_edges(setup, plane)?;
+pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch: Watch) -> Result<Followed, Failure> {
+    let setup = &*machine.setup;
+    let mut mesh = Arc::unwrap_or_clone(plane.mesh(setup.element_size).map_err(|e| unsolvable(&e))?);
+    let taken: Vec<&str> = setup.boundaries.iter().map(|b| b.edge.as_str()).collect();
+    mesh.name_rest(FREE, &taken).map_err(|e| unsolvable(&e))?;
     let law = Conduction {
         conductivity: setup.material.conductivity,
         heat_capacity: setup.material.density * setup.material.specific_heat,
@@ -31,37 +34,16 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], span: &Span) -> 
     let conditions = conditions(machine, plane, &mesh);
     let system = ThermalSystem::new(&mesh, law, Capacity::Consistent, &conditions).map_err(|e| unsolvable(&e))?;
     let probes = probes(setup, plane, &mesh, looks)?;
-    let switches = switches(machine);
-    let run = Run { scheme: setup.time.scheme, step: span.step, end: span.end };
-    let mut followed = Followed::of(looks.len());
+    let switches: Vec<f64> = conditions.iter().flat_map(Condition::switches).collect();
+    let mut track = Track::new(looks.len());
     let observe = |now: Instant<'_>| {
         let read = |p: &Probe| p.weights.iter().map(|(node, weight)| weight * now.at(*node)).sum::<f64>();
-        let switched = now.time == 0.0 || now.time == span.end || switches.contains(&now.time);
-        followed.track.push(now.time, switched, probes.iter().map(read));
-        followed.picture(span, now.time, || now.temperatures());
+        let switched = now.time == 0.0 || now.time == run.end || switches.contains(&now.time);
+        track.push(now.time, switched, probes.iter().map(read));
+        watch(now.time, &|| now.temperatures());
     };
-    let energy = system.run(&vec![0.0; mesh.nodes().len()], &run, observe);
-    followed.energy = energy.map_err(|e| unsolvable(&e))?;
-    Ok(followed)
-}
-
-/// The mesh with its free edges named.
-fn with_free_edges(setup: &Setup, plane: &Plane) -> Result<Mesh, Failure> {
-    let mesh = plane.mesh(setup.element_size).map_err(|e| unsolvable(&e))?;
-    let mut mesh = Arc::unwrap_or_clone(mesh);
-    let taken: Vec<&str> = setup.boundaries.iter().map(|b| b.edge.as_str()).collect();
-    mesh.name_rest(FREE, &taken).map_err(|e| unsolvable(&e))?;
-    Ok(mesh)
-}
-
-/// Times (s) at which something is switched.
-fn switches(machine: &Machine) -> Vec<f64> {
-    let of_sources = machine.sources.iter().flat_map(|s| s.on.as_flattened());
-    let of_edges = machine.setup.boundaries.iter().flat_map(|b| match &b.condition {
-        model::Condition::Flux { on, .. } => on.as_flattened(),
-        _ => &[],
-    });
-    of_sources.chain(of_edges).copied().collect()
+    let energy = system.run(&vec![0.0; mesh.nodes().len()], run, observe);
+    Ok(Followed { track, energy: energy.map_err(|e| unsolvable(&e))? })
 }
 
 /// Everything that heats and cools, as rises over the temperature at the start.
@@ -73,15 +55,15 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
     for boundary in &setup.boundaries {
         let sides = boundary.edge.clone();
         all.push(match &boundary.condition {
-            model::Condition::Flux { flux, on } => Condition::Flux { sides, flux: *flux, on: on.clone() },
-            model::Condition::Convection { coefficient, ambient } => {
-                let ambient = ambient.map_or(around.clone(), |own| History::Constant(setup.rise(own)));
+            setup::Condition::Flux { flux, on } => Condition::Flux { sides, flux: *flux, on: on.clone() },
+            setup::Condition::Convection { coefficient, ambient } => {
+                let ambient = ambient.map_or(around.clone(), |own| History::Constant(own - setup.ambient));
                 Condition::Convection { sides, coefficient: *coefficient, ambient }
             }
-            model::Condition::Temperature(own) => {
-                Condition::Temperature { sides, temperature: History::Constant(setup.rise(*own)) }
+            setup::Condition::Temperature(own) => {
+                Condition::Temperature { sides, temperature: History::Constant(own - setup.ambient) }
             }
-            model::Condition::Moving { speed, width, flux, from } => {
+            setup::Condition::Moving { speed, width, flux, from } => {
                 Condition::MovingFlux { sides, flux: *flux, width: *width, start: *from, speed: *speed }
             }
         });
@@ -95,18 +77,15 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
         let coefficient = machine.base / (height * plane.width);
         all.push(Condition::Convection { sides: "left".into(), coefficient, ambient: around });
     }
-    for source in &machine.sources {
-        let nodes = section(mesh, source.at).into_iter();
-        all.extend(nodes.map(|(node, share)| Condition::Source {
-            node,
-            power: share * source.power,
-            on: source.on.clone(),
-        }));
+    for PointSource { at, power, on } in &machine.sources {
+        let part = |(node, share): (usize, f64)| Condition::Source { node, power: share * power, on: on.clone() };
+        all.extend(section(mesh, *at).into_iter().map(part));
     }
     all
 }
 
-/// The section of a rectangle at x (m) as shares of its nodes, which sum to one: along it every element is crossed from bottom to top.
+/// The section of a rectangle at x (m) as shares of its nodes, which sum to one: along it every element is
+/// crossed from bottom to top.
 fn section(mesh: &Mesh, x: f64) -> Vec<(usize, f64)> {
     /// Gauss points along the way through an element, exact for its shape functions: (η, weight).
     const POINTS: [(f64, f64); 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
@@ -132,7 +111,8 @@ fn section(mesh: &Mesh, x: f64) -> Vec<(usize, f64)> {
     shares
 }
 
-/// How the rises of all nodes add up to what is looked at. What the body does is weighed by reciprocity, and solved for once.
+/// How the rises of all nodes add up to what is looked at. What the body does is weighed by reciprocity, and
+/// solved for once.
 fn probes(setup: &Setup, plane: &Plane, mesh: &Mesh, looks: &[Look]) -> Result<Vec<Probe>, Failure> {
     let shape = |look: &&Look| !matches!(look, Look::Rise { .. });
     let elastic = match looks.iter().find(shape) {
@@ -164,7 +144,7 @@ pub fn elasticity(setup: &Setup, plane: &Plane) -> Result<Elasticity, Failure> {
 
 fn off_body([x, y]: [f64; 2]) -> Failure {
     Failure {
-        message: format!("the place x = {:.3} mm, y = {:.3} mm is not on the body", 1e3 * x, 1e3 * y),
+        message: format!("the place x = {:.3}, y = {:.3} is not on the body", LENGTH.shown(x), LENGTH.shown(y)),
         help: "give places on it; y is half way up where it is left out".into(),
     }
 }

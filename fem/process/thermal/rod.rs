@@ -1,9 +1,10 @@
 //! A heated rod.
 
-use super::follow::{Followed, Look, Span, unsolvable};
+use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
 use crate::process::{Failure, Segment};
-use crate::solve::rod::{Joint, PointSource, Probe, Rod, RodPiece, RodSystem, Stepping};
+use crate::solve::conduction::Run;
+use crate::solve::rod::{Joint, Probe, Rod, RodPiece, RodSystem, Stepping, Track};
 
 /// The rod of a machine.
 pub fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
@@ -28,7 +29,7 @@ pub fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
         pieces: segments.iter().map(piece).collect(),
         base: machine.base,
         joints: machine.contacts.iter().map(|c| Joint { at: c.at, conductance: c.conductance * area(c.at) }).collect(),
-        sources: machine.sources.iter().map(|s| PointSource { at: s.at, power: s.power, on: s.on.clone() }).collect(),
+        sources: machine.sources.clone(),
     }
 }
 
@@ -36,18 +37,23 @@ pub fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
 ///
 /// # Errors
 /// It cannot be computed.
-pub fn follow(machine: &Machine, segments: &[Segment], looks: &[Look], span: &Span) -> Result<Followed, Failure> {
+pub fn follow(
+    machine: &Machine,
+    segments: &[Segment],
+    looks: &[Look],
+    run: &Run,
+    watch: Watch,
+) -> Result<Followed, Failure> {
     let rod = rod(machine, segments);
     let system = RodSystem::new(&rod, machine.setup.element_size).map_err(|e| unsolvable(&e))?;
     let probes: Vec<Probe> = looks.iter().map(|look| probe(&system, machine, *look)).collect();
-    let stepping = Stepping { scheme: machine.setup.time.scheme, step: span.step, end: span.end };
-    let mut followed = Followed::of(looks.len());
+    let stepping = Stepping { scheme: run.scheme, step: run.step, end: run.end };
+    let mut track = Track::new(looks.len());
     let energy = system.run(&stepping, &|t| machine.around(t), |time, nodes, switched| {
-        followed.track.push(time, switched, probes.iter().map(|p| p.read(nodes)));
-        followed.picture(span, time, || nodes.to_vec());
+        track.push(time, switched, probes.iter().map(|p| p.read(nodes)));
+        watch(time, &|| nodes.to_vec());
     });
-    followed.energy = energy.map_err(|e| unsolvable(&e))?;
-    Ok(followed)
+    Ok(Followed { track, energy: energy.map_err(|e| unsolvable(&e))? })
 }
 
 fn probe(system: &RodSystem, machine: &Machine, look: Look) -> Probe {

@@ -25,24 +25,32 @@ pub enum Force {
 /// P = C·s^y·t^x·HBⁿ with s in mm/rev, t in mm, P in N [seed law (16)].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceLaw {
-    /// C.
-    pub coefficient: f64,
-    /// x, of the depth.
-    pub depth_exponent: f64,
-    /// y, of the feed.
-    pub feed_exponent: f64,
-    /// HBⁿ.
-    pub hardness_factor: f64,
+    /// C·HBⁿ, for feed and depth in SI units.
+    coefficient: f64,
+    /// x.
+    depth_exponent: f64,
+    /// y.
+    feed_exponent: f64,
+}
+
+/// The settings of the cut at one point, which set its force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conditions {
+    /// Force at the set depth, which acts where the deflection is not fed back, N.
+    pub force: f64,
+    /// Force P₀ at the depth t₀, which the feedback starts from, N.
+    pub nominal: f64,
+    /// t₀, m: the model's own depth, or that of an earlier pass.
+    pub nominal_depth: f64,
+    /// Depth t that the tool is set to there, m; below zero where the blank is smaller than the set
+    /// diameter.
+    pub set_depth: f64,
 }
 
 impl ForceLaw {
     /// Radial force in N at a depth in m and a feed in m/rad.
     pub fn force(&self, depth: f64, feed: f64) -> f64 {
-        let feed_per_rev = FEED.from_si(feed);
-        self.coefficient
-            * feed_per_rev.powf(self.feed_exponent)
-            * (1e3 * depth.max(0.0)).powf(self.depth_exponent)
-            * self.hardness_factor
+        self.coefficient * feed.powf(self.feed_exponent) * depth.max(0.0).powf(self.depth_exponent)
     }
 }
 
@@ -58,8 +66,8 @@ impl Cut {
             let to = t.quantity("to", LENGTH, "where it ends; the headstock end if left out").or(0.0);
             for (key, x) in [("from", from), ("to", to)] {
                 if x < 0.0 || x > length * (1.0 + 1e-12) {
-                    let help = format!("the shaft reaches from 0 mm to {} mm", 1e3 * length);
-                    t.problem(key, format!("the tool would stand outside the shaft, at {} mm", 1e3 * x), help);
+                    let help = format!("the shaft reaches from 0 mm to {}", LENGTH.told(length));
+                    t.problem(key, format!("the tool would stand outside the shaft, at {}", LENGTH.told(x)), help);
                 }
             }
             if from == to {
@@ -82,7 +90,9 @@ fn read_force(t: &Reader) -> Force {
         let hardness_exponent = number("n", "exponent of the hardness").not_negative().or(0.0);
         let hardness = number("HB", "Brinell hardness").positive();
         let hardness = if hardness_exponent == 0.0 { hardness.or(1.0) } else { hardness.required() };
-        ForceLaw { coefficient, depth_exponent, feed_exponent, hardness_factor: hardness.powf(hardness_exponent) }
+        let units = FEED.from_si(1.0).powf(feed_exponent) * LENGTH.from_si(1.0).powf(depth_exponent);
+        let coefficient = coefficient * hardness.powf(hardness_exponent) * units;
+        ForceLaw { coefficient, depth_exponent, feed_exponent }
     });
     match (given, law) {
         (Some(force), None) => Force::Given(force),

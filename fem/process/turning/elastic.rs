@@ -1,22 +1,10 @@
 //! The deflection under the tool: shaft, supports, carriage and force in one equilibrium.
 
+use super::cut::Conditions;
 use super::machine::Machine;
-use super::model::Setup;
+use super::setup::Setup;
 use crate::joint::Joint;
 use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
-
-/// What sets the force at one point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conditions {
-    /// Force at the set depth, which acts where the deflection is not fed back, N.
-    pub force: f64,
-    /// Force P₀ at the depth t₀, which the feedback starts from, N.
-    pub nominal: f64,
-    /// t₀, m: the model's own depth, or that of an earlier pass.
-    pub nominal_depth: f64,
-    /// Depth t that the tool is set to there, m; below zero where the blank is smaller than the set diameter.
-    pub set_depth: f64,
-}
 
 /// The equilibrium at one tool position.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,20 +39,21 @@ impl<'a> Elastic<'a> {
         Self { shaft, joints, carriage: &machine.carriage, feedback: machine.feedback, setup: &machine.setup }
     }
 
-    /// The diameter error (m) that the passes before the last leave at x with the tool there, at position number `i`: where the force is fed back
-    /// each copies what it meets.
+    /// The diameter error (m) that the passes before the last leave at x with the tool there, at position
+    /// number `i`: where the force is fed back each copies what it meets.
     ///
     /// # Errors
     /// The joints found no equilibrium.
     pub fn before(&self, i: usize, x: f64) -> Result<f64, JointsError> {
-        if self.feedback.is_none_or(|e| e == 0.0) {
+        if self.feedback.is_none_or(|exponent| exponent == 0.0) {
             return Ok(0.0);
         }
         let blank = self.setup.blank.error(x, self.setup.length());
         self.setup.passes.iter().try_fold(blank, |error, pass| Ok(self.pass(i, pass.conditions(error))?.1))
     }
 
-    /// Force (N) of a pass, and the diameter error (m) that it leaves: twice the gap, or all that it does not reach.
+    /// Force (N) of a pass, and the diameter error (m) that it leaves: twice the gap, or all that it does
+    /// not reach.
     ///
     /// # Errors
     /// The joints found no equilibrium.
@@ -100,10 +89,11 @@ impl<'a> Elastic<'a> {
         Ok(Deflection { force, supports, shaft, carriage, total, rate })
     }
 
-    /// The deflection takes depth off the cut, and the force with it: P = P₀·(t_d/t₀)^e, t_d = t_set − y(P) ≥ 0.
+    /// The deflection takes depth off the cut, and the force with it: P = P₀·(t_d/t₀)^e, t_d = t_set − y(P)
+    /// ≥ 0.
     ///
-    /// t_d + y(P(t_d)) rises with t_d from 0 to beyond t_set, so the root is bracketed; Newton's step is taken where it
-    /// stays inside the bracket.
+    /// t_d + y(P(t_d)) rises with t_d from 0 to beyond t_set, so the root is bracketed; Newton's step is
+    /// taken where it stays inside the bracket.
     fn fed_back(&self, i: usize, at: Conditions, exponent: f64) -> Result<Deflection, JointsError> {
         if at.set_depth <= 0.0 || at.nominal == 0.0 {
             return self.under(i, 0.0, None);
@@ -123,7 +113,8 @@ impl<'a> Elastic<'a> {
             let slope = 1.0 + deflection.rate * exponent * deflection.force / depth;
             let newton = depth - excess / slope;
             let inside = newton > low && newton < high;
-            // The depth may be a tiny part of what is set, so it is halved by ratio and every step is measured against it.
+            // The depth may be a tiny part of what is set, so it is halved by ratio and every step is
+            // measured against it.
             let halved = if low > 0.0 { (low * high).sqrt() } else { 1e-2 * high };
             let next = if inside { newton } else { halved };
             if (inside && (next - depth).abs() <= NEWTON_STEP * depth)
@@ -138,7 +129,8 @@ impl<'a> Elastic<'a> {
     }
 }
 
-/// A step of Newton's method that is this short, relative to the depth, has left an error of about its square.
+/// A step of Newton's method that is this short, relative to the depth, has left an error of about its
+/// square.
 const NEWTON_STEP: f64 = 1e-8;
 /// A bracket that cannot be halved any more.
 const ROUND_OFF: f64 = 4e-16;

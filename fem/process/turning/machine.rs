@@ -2,19 +2,22 @@
 
 use std::sync::Arc;
 
-use super::model::Setup;
-use crate::joint::{Contact, Joint};
-use crate::process::Failure;
+use super::setup::Setup;
+use crate::joint::Joint;
+use crate::process::{self, Failure};
 use crate::solve::Hold;
 
-/// Where and when a point of a part is turned.
+/// An effect on this machine, with `N` parameters.
+pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
+
+/// Place and time at which a point of a part is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
-    /// From the headstock, m.
+    /// Distance from the headstock, m.
     pub x: f64,
     /// Finished diameter there, m.
     pub diameter: f64,
-    /// Since the start of the batch, s.
+    /// Time since the start of the batch, s.
     pub time: f64,
     /// Cutting path of the tool so far, m.
     pub path: f64,
@@ -26,7 +29,7 @@ pub type Shift = Box<dyn Fn(&Moment) -> f64 + Send + Sync>;
 /// A lathe with its effects. Effects act on it by yielding at a joint, by tilting the chuck, by feeding the
 /// deflection back into the force, or by adding a shift.
 pub struct Machine {
-    /// What the model says.
+    /// The tables of the model.
     pub setup: Arc<Setup>,
     /// Support at x = 0.
     pub headstock: Joint,
@@ -54,21 +57,24 @@ impl Machine {
     }
 
     /// Adds a change of diameter, m.
-    pub fn shift(&mut self, shift: impl Fn(&Moment) -> f64 + Send + Sync + 'static) {
+    pub fn add_shift(&mut self, shift: impl Fn(&Moment) -> f64 + Send + Sync + 'static) {
         self.shifts.push(Box::new(shift));
     }
-}
 
-impl Joint {
-    /// Puts a spring of `stiffness` N/m in series; infinite changes nothing.
-    pub fn soften(&mut self, stiffness: f64) {
-        self.spring_compliance += 1.0 / stiffness;
+    /// Everything but force that changes the diameter at a moment, m.
+    pub fn shift_at(&self, moment: &Moment) -> f64 {
+        self.shifts.iter().map(|shift| shift(moment)).sum()
     }
 
-    /// Puts a contact y = c·Qⁿ in series; c = 0 changes nothing.
-    pub fn add_contact(&mut self, coefficient: f64, exponent: f64) {
-        if coefficient != 0.0 {
-            self.contacts.push(Contact { coefficient, exponent });
-        }
+    /// The same when the tool is at `x` on `part` by the schedule of the model.
+    pub fn shift_on(&self, part: usize, x: f64) -> f64 {
+        let Setup { schedule, .. } = &*self.setup;
+        let (time, path) = (schedule.time(part, x), schedule.path(part, x));
+        self.shift_at(&Moment { x, diameter: self.setup.diameter(x), time, path })
+    }
+
+    /// Whether the deflection changes the force.
+    pub fn feeds_back(&self) -> bool {
+        self.feedback.is_some_and(|exponent| exponent != 0.0)
     }
 }

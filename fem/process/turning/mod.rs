@@ -1,111 +1,96 @@
 //! Turning: the diameter profile of every part of a batch of shafts.
 //!
-//! The tool stands at x and pushes the shaft away by y(x); the diameter grows by ΔD = 2·y(x), and everything that moves the
-//! tool nose toward or away from the axis adds to it.
+//! The tool stands at x and pushes the shaft away by y(x); the diameter grows by ΔD = 2·y(x), and everything
+//! that moves the tool nose toward or away from the axis adds to it.
 
 mod cut;
 mod effects;
 mod elastic;
-mod findings;
-mod job;
-mod lathe;
+mod forward;
+mod heating;
 mod machine;
-mod menu;
-mod model;
-mod observe;
 mod passes;
 mod refinement;
+mod report;
+mod rows;
 mod schedule;
-mod shapes;
+mod setup;
 mod validation;
 
-pub use super::Segment;
-pub use cut::{Cut, Force, ForceLaw};
-pub use elastic::{Conditions, Deflection, Elastic};
-pub use lathe::Lathe;
-pub use machine::{Machine, Moment};
-pub use model::{Setup, Workholding};
-pub use passes::{Blank, EarlierPass};
-pub use schedule::Schedule;
+pub use forward::{condense, deflections};
+pub use machine::Machine;
+pub use setup::Setup;
+pub use validation::cases;
 
 use std::sync::Arc;
 
 use super::{
-    Active, Case, Coordinate, Description, Effect, Further, Job, Misplaced, Observable, Places, Process, Rows, System,
+    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable,
+    Places, Rows, RunReport,
 };
 use crate::input::Reader;
+use crate::progress::Progress;
 
 /// The process `turning`.
 pub struct Turning;
 
-impl Process for Turning {
-    fn name(&self) -> &'static str {
-        "turning"
+impl Definition for Turning {
+    type Setup = Setup;
+    type Machine = Machine;
+
+    const NAME: &'static str = "turning";
+    const ABOUT: &'static str = "diameter profile of every shaft of a turned batch";
+    const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
+    const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
+    const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    fn read(model: &Reader) -> Option<Setup> {
+        Some(Setup::read(model))
     }
 
-    fn about(&self) -> &'static str {
-        "diameter profile of every shaft of a turned batch"
+    fn ideal(setup: Arc<Setup>) -> Machine {
+        Machine::ideal(setup)
     }
 
-    fn observables(&self) -> &'static [Observable] {
-        observe::OBSERVABLES
+    fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(setup, rows)
     }
 
-    fn coordinates(&self) -> &'static [Coordinate] {
-        observe::COORDINATES
+    fn programme(setup: &Setup) -> Rows {
+        rows::programme(setup)
     }
 
-    fn starting_model(&self) -> &'static str {
-        include_str!("new.toml")
+    fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+        rows::resolved(setup, rows)
     }
 
-    fn effects(&self) -> Vec<&'static Description> {
-        effects::ALL.iter().map(|e| e.description()).collect()
+    fn places(setup: &Setup, rows: &Rows) -> Option<Places> {
+        Some(rows::places(setup, rows))
     }
 
-    fn read(&self, model: &Reader) -> Box<dyn System> {
-        Box::new(Bench(Arc::new(Setup::read(model))))
+    fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+        rows::candidate_experiments(setup, rows)
     }
 
-    fn validation(&self) -> Vec<Case> {
-        validation::cases()
-    }
-}
-
-/// A set-up lathe, before any effect acts.
-struct Bench(Arc<Setup>);
-
-impl System for Bench {
-    fn admits(&self, effect: &str) -> Result<(), String> {
-        self.0.workholding.admits(effect)
+    /// A kilometre.
+    fn limit(_setup: &Setup, _observable: usize) -> Limit {
+        Limit {
+            size: 1e3,
+            why: "no diameter can be so wrong",
+            help: "check the model for values that are far too large",
+        }
     }
 
-    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
-        observe::misplaced(&self.0, rows)
+    fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        forward::observe(machine, rows)
     }
 
-    fn programme(&self) -> Rows {
-        observe::programme(&self.0)
+    fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {
+        forward::predict(machine, programme, progress)
     }
 
-    fn resolved(&self, rows: &Rows) -> Rows {
-        observe::resolved(&self.0, rows)
+    fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+        report::report(machine, forward)
     }
-
-    fn places(&self, rows: &Rows) -> Option<Places> {
-        Some(observe::places(&self.0, rows))
-    }
-
-    fn menu(&self, rows: &Rows) -> Vec<Further> {
-        menu::menu(&self.0, rows)
-    }
-
-    fn equip(&self, active: &[Active]) -> Box<dyn Job> {
-        Box::new(Lathe::equip(self.0.clone(), active))
-    }
-}
-
-/// The effects that this process knows, by name.
-fn effect(name: &str) -> Option<&'static dyn Effect<Machine>> {
-    effects::ALL.iter().copied().find(|e| e.description().name == name)
 }

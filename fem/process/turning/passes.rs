@@ -1,16 +1,18 @@
-//! Several passes: each copies, smaller, the error that the one before has left [seed 000; seed 002 (17)-(28)].
+//! Several passes: each copies, smaller, the error that the one before has left [seed 000; seed 002
+//! (17)-(28)].
 //!
-//! `[[pass]]` are the passes before that of `[cut]`, in their order. A pass is set to a depth t; where the work is too large by e (of the diameter) it is set
-//! to t + e/2, and leaves e' = 2y, y the deflection under the force of the depth that is really cut. What moves the tool alike in every pass (a guideway,
-//! a setting) copies nothing. The shaft is the finished one throughout, and stiffer than that while it is still thick.
+//! `[[pass]]` are the passes before that of `[cut]`, in their order. A pass is set to a depth t; where the
+//! work is too large by e (of the diameter) it is set to t + e/2, and leaves e' = 2y, y the deflection under
+//! the force of the depth that is really cut. What moves the tool alike in every pass (a guideway, a
+//! setting) copies nothing. The shaft is the finished one throughout, and stiffer than that while it is
+//! still thick.
 
 use std::f64::consts::TAU;
 
-use super::cut::{Cut, Force};
-use super::elastic::Conditions;
+use super::cut::{Conditions, Cut, Force};
 use super::schedule::Pass;
 use crate::input::Reader;
-use crate::units::{ANGLE, FEED, FORCE, LENGTH, SPINDLE_SPEED};
+use crate::units::{ANGLE, FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
 
 /// Most passes: more than any shaft gets.
 const MOST: usize = 100;
@@ -47,7 +49,8 @@ struct Wave {
 }
 
 impl EarlierPass {
-    /// Reads `[[pass]]`. Without a force of its own a pass has that of `[cut]`, by its force law or at the same feed.
+    /// Reads `[[pass]]`. Without a force of its own a pass has that of `[cut]`, by its force law or at the
+    /// same feed.
     pub fn read_all(model: &Reader, cut: &Cut, last: &Pass) -> Vec<Self> {
         let all =
             model.list("pass", "the passes before that of [cut], in their order", |t, _| Self::read(t, cut, last));
@@ -100,10 +103,7 @@ impl Blank {
         let waves =
             t.list("blank", "waves of the blank's diameter along the shaft, which force-feedback copies", |t, _| {
                 Wave {
-                    waves: t
-                        .quantity("waves", crate::units::NUMBER, "waves along the whole shaft")
-                        .not_negative()
-                        .required(),
+                    waves: t.quantity("waves", NUMBER, "waves along the whole shaft").not_negative().required(),
                     amplitude: t.quantity("amplitude", LENGTH, "half of peak to valley of the diameter").required(),
                     phase: t.quantity("phase", ANGLE, "of the crest from the headstock, in the wave").or(0.0),
                 }
@@ -111,7 +111,11 @@ impl Blank {
         let points = t.list("blank_points", "the blank's diameter error at places, linear between", |t, _| {
             let at = t.quantity("at", LENGTH, "distance from the headstock").not_negative().required();
             if at > length * (1.0 + 1e-12) {
-                t.problem("at", "the place lies beyond the shaft", format!("the shaft is {} mm long", 1e3 * length));
+                t.problem(
+                    "at",
+                    "the place lies beyond the shaft",
+                    format!("the shaft is {} long", LENGTH.told(length)),
+                );
             }
             (at, t.quantity("error", LENGTH, "how much larger the diameter is than set").required())
         });

@@ -1,16 +1,19 @@
-//! What the passes make of the blank's error, one after the other, and what that says of allowance and stiffness.
+//! Refinement of the blank's error by the passes, one after the other, and what it says of allowance and
+//! stiffness.
 //!
-//! Refinement goes by two names that are each other's reciprocal: K = after/before [seed 000], q = before/after [seed 002 (28), whose divisor is the error
-//! of the part]. Errors are the whole spread of the diameter along the pass. Of what is inherited, apart from what each pass bends anew, a system of stiffness j
-//! leaves C/(j + C), C the force per depth [seed 002 (27)].
-
-use serde_json::json;
+//! Refinement goes by two names that are each other's reciprocal: K = after/before [seed 000], q =
+//! before/after [seed 002 (28), whose divisor is the error of the part]. Errors are the whole spread of the
+//! diameter along the pass. Of what is inherited, apart from what each pass bends anew, a system of
+//! stiffness j leaves C/(j + C), C the force per depth [seed 002 (27)].
 
 use super::elastic::Elastic;
-use super::lathe::Lathe;
-use crate::process::{Column, Failure, Finding, Table};
+use super::forward::condense;
+use super::machine::Machine;
+use super::rows::{COORDINATES, X};
+use crate::process::{Column, Datum, Failure, Figure, Table};
+use crate::units::{FORCE, LENGTH, MICRO};
 
-/// What is left of an inherited error is followed down to this part.
+/// An inherited error is followed down to this part of it.
 const NOTHING: f64 = 1e-9;
 
 /// A pass and what it makes of the error that it meets.
@@ -32,18 +35,19 @@ pub struct Refinement {
 }
 
 impl Refinement {
-    /// Follows the error through all passes. `None` where there is one pass and a true blank, or where nothing is copied.
+    /// Follows the error through all passes. `None` where there is one pass and a true blank, or where
+    /// nothing is copied.
     ///
     /// # Errors
     /// No equilibrium at some position.
-    pub fn of(lathe: &Lathe, positions: &[f64]) -> Result<Option<Self>, Failure> {
-        let setup = lathe.setup();
+    pub fn of(machine: &Machine, positions: &[f64]) -> Result<Option<Self>, Failure> {
+        let setup = &machine.setup;
         let single = setup.passes.is_empty() && setup.blank.is_true();
-        if single || lathe.machine.feedback.is_none_or(|e| e == 0.0) {
+        if single || !machine.feeds_back() {
             return Ok(None);
         }
-        let shaft = lathe.condense(positions)?;
-        let elastic = Elastic::new(&lathe.machine, &shaft);
+        let shaft = condense(machine, positions)?;
+        let elastic = Elastic::new(machine, &shaft);
         let length = setup.length();
         let mut passes: Vec<Report> = Vec::new();
         let mut errors: Vec<f64> = positions.iter().map(|x| setup.blank.error(*x, length)).collect();
@@ -53,7 +57,7 @@ impl Refinement {
         for number in 0..=setup.passes.len() {
             let conditions = |error: f64| match setup.passes.get(number) {
                 Some(pass) => pass.conditions(error),
-                None => lathe.conditions(error),
+                None => setup.conditions(error),
             };
             let mut report = Report {
                 depth: conditions(0.0).set_depth,
@@ -74,8 +78,8 @@ impl Refinement {
         Ok(Some(Self { passes, inherited }))
     }
 
-    /// One finding for all passes.
-    pub fn finding(&self) -> Finding {
+    /// One figure for all passes.
+    pub fn figure(&self) -> Figure {
         let mut lines =
             vec!["   depth mm    force N   before um    after um   K = after/before   q = before/after".to_string()];
         let mut list = Vec::new();
@@ -85,42 +89,44 @@ impl Refinement {
             lines.push(format!(
                 "{:>2} {:>8.4} {force:>10.1} {:>11.3} {:>11.3} {:>18} {:>18}",
                 number + 1,
-                1e3 * pass.depth,
-                1e6 * before,
-                1e6 * after,
+                LENGTH.from_si(pass.depth),
+                MICRO.from_si(before),
+                MICRO.from_si(after),
                 shown(ratio(after, before)),
                 shown(ratio(before, after))
             ));
-            list.push(json!({
-                "pass": number + 1,
-                "depth": 1e3 * pass.depth,
-                "depth_unit": "mm",
-                "force": [pass.force.0, pass.force.1],
-                "force_unit": "N",
-                "before": 1e6 * before,
-                "after": 1e6 * after,
-                "unit": "um",
-                "K": ratio(after, before),
-                "q": ratio(before, after),
-            }));
+            // Each pass tells its own units.
+            list.push(Datum::record([
+                ("pass", (number + 1).into()),
+                ("depth", LENGTH.from_si(pass.depth).into()),
+                ("depth_unit", LENGTH.unit.into()),
+                ("force", Datum::List(vec![pass.force.0.into(), pass.force.1.into()])),
+                ("force_unit", FORCE.unit.into()),
+                ("before", MICRO.from_si(before).into()),
+                ("after", MICRO.from_si(after).into()),
+                ("unit", MICRO.unit.into()),
+                ("K", ratio(after, before).into()),
+                ("q", ratio(before, after).into()),
+            ]));
         }
         let (before, after) = (self.first(), self.last());
         let (k, q) = (ratio(after, before), ratio(before, after));
         lines.push(format!(
             "all                    {:>11.3} {:>11.3} {:>18} {:>18}",
-            1e6 * before,
-            1e6 * after,
+            MICRO.from_si(before),
+            MICRO.from_si(after),
             shown(k),
             shown(q)
         ));
         lines.push(format!("of an error that is only inherited {:.4} % is left", 100.0 * self.inherited));
         lines.extend(self.advice());
-        Finding {
-            key: "passes",
-            label: "passes",
-            text: lines.join(&format!("\n{}", " ".repeat(27))),
-            json: json!({ "list": list, "K": k, "q": q, "inherited": self.inherited, "stiffer": self.stiffer() }),
-        }
+        Figure::new("passes", "passes")
+            .lines(lines)
+            .entry("list", Datum::List(list))
+            .entry("K", k)
+            .entry("q", q)
+            .entry("inherited", self.inherited)
+            .entry("stiffer", self.stiffer())
     }
 
     /// Smaller allowances in later passes, and fewer passes of a stiffer system [seed 000].
@@ -135,21 +141,28 @@ impl Refinement {
         let own = self.last() - self.inherited * self.first();
         if own > self.inherited * self.first() {
             advice.push(format!(
-                "most of what is left, {:.3} um, the last pass bends anew: another pass as deep would leave as much, a shallower one less",
-                1e6 * own
+                "most of what is left, {:.3}, the last pass bends anew: another pass as deep would leave as much, a \
+                 shallower one less",
+                MICRO.shown(own)
             ));
         }
         if let Some(passes) = self.stiffer() {
             let given = self.passes.len();
-            advice.push(match passes {
-                p if p < given => format!("at twice the stiffness {p} passes of {given} would leave no more of what is inherited"),
-                _ => format!("even at twice the stiffness no fewer than {given} passes would leave as little of what is inherited"),
+            advice.push(match passes < given {
+                true => format!(
+                    "at twice the stiffness {passes} passes of {given} would leave no more of what is inherited"
+                ),
+                false => format!(
+                    "even at twice the stiffness no fewer than {given} passes would leave as little of what is \
+                     inherited"
+                ),
             });
         }
         advice
     }
 
-    /// How many passes at twice the stiffness leave no more of an inherited error. With K = C/(j + C) for each, K/(2 − K) is that of 2j.
+    /// How many passes at twice the stiffness leave no more of an inherited error. With K = C/(j + C) for
+    /// each, K/(2 − K) is that of 2j.
     fn stiffer(&self) -> Option<usize> {
         let each = self.inherited.max(NOTHING).powf(1.0 / self.passes.len() as f64);
         let stiff = each / (2.0 - each);
@@ -167,14 +180,17 @@ impl Refinement {
 
     /// The errors before and after each pass, position by position.
     pub fn table(&self, positions: &[f64]) -> Table {
-        let all = || self.passes.iter().enumerate();
-        let um = |of: fn(&Report) -> &Vec<f64>| all().flat_map(|(_, p)| of(p).iter().map(|e| 1e6 * e)).collect();
+        let numbers = (1..=self.passes.len()).flat_map(|number| vec![number as f64; positions.len()]);
+        let x = positions.repeat(self.passes.len());
+        let errors = |name, of: fn(&Report) -> &Vec<f64>| {
+            Column::quantities(name, MICRO, &self.passes.iter().flat_map(of).copied().collect::<Vec<_>>())
+        };
         Table {
             columns: vec![
-                Column::numbers("pass", None, all().flat_map(|(i, p)| vec![(i + 1) as f64; p.after.len()]).collect()),
-                Column::numbers("x", Some("mm"), all().flat_map(|_| positions.iter().map(|x| 1e3 * x)).collect()),
-                Column::numbers("before", Some("um"), um(|p| &p.before)),
-                Column::numbers("after", Some("um"), um(|p| &p.after)),
+                Column::numbers("pass", None, numbers.collect()),
+                Column::coordinate(&COORDINATES[X], &x),
+                errors("before", |pass| &pass.before),
+                errors("after", |pass| &pass.after),
             ],
         }
     }

@@ -1,6 +1,6 @@
 //! When and after how much cutting each point of each part is turned.
 
-use super::Segment;
+use crate::process::Segment;
 
 /// One pass of the tool along the shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +56,7 @@ pub struct Schedule {
 
 impl Schedule {
     /// `earlier` is how long the passes before take on each part, s.
-    pub(super) fn new(
+    pub fn new(
         pass: Pass,
         earlier: f64,
         (parts, cycle_time): (usize, f64),
@@ -99,7 +99,8 @@ impl Schedule {
         self.start(part) + (x - self.pass.from).abs() / self.pass.speed()
     }
 
-    /// Cutting path of the tool until it is at `x` on `part`, m: ∫πD dx per feed, over all earlier parts and this one.
+    /// Cutting path of the tool until it is at `x` on `part`, m: ∫πD dx per feed, over all earlier parts and
+    /// this one.
     pub fn path(&self, part: usize, x: f64) -> f64 {
         let whole = self.path_between(self.pass.from, self.pass.to);
         (part.saturating_sub(1)) as f64 * whole + self.path_between(self.pass.from, x)

@@ -5,15 +5,16 @@ use nalgebra::{DMatrix, DVector};
 use super::{BeamError, Load, Settled, Support};
 use crate::joint::JointState;
 
-/// Residual at which forces and displacements count as in equilibrium, relative to the terms of each equation.
+/// Residual at which forces and displacements count as in equilibrium, relative to the terms of each
+/// equation.
 const TOLERANCE: f64 = 1e-13;
 const MAX_ITERATIONS: usize = 80;
 
 /// A beam on supports that hold both ways.
 pub(super) struct Carried {
-    /// Of every support, those that do not carry included, N.
+    /// Force of every support, N; those that do not carry are included.
     pub forces: Vec<f64>,
-    /// As it lies.
+    /// The beam at rest.
     pub beam: Settled,
 }
 
@@ -39,16 +40,17 @@ struct Problem<'a> {
     loads: &'a [Load],
     /// |x_i − x_j|³/(12 EI) between supports, m/N.
     influence: DMatrix<f64>,
-    /// What the loads bend at the supports, m.
+    /// Deflection of the supports' places by the loads, m.
     bent: Vec<f64>,
     /// Middle and half of the supports' span, m, about which turns are counted.
     middle: f64,
     half: f64,
-    /// ΣF, N.
+    /// Sum of the loads ΣF, N.
     total: f64,
 }
 
-/// A trial: where each joint stands on its path, and the rigid motion (at the middle, and at its half span beyond), m.
+/// A trial: where each joint stands on its path, and the rigid motion (at the middle, and at its half span
+/// beyond), m.
 struct Trial {
     path: Vec<f64>,
     rigid: [f64; 2],
@@ -91,7 +93,7 @@ impl<'a> Problem<'a> {
         (forces, rigid)
     }
 
-    /// What loads and reactions bend at a support, m.
+    /// Deflection of a support's place by loads and reactions, m.
     fn bent_at(&self, i: usize, forces: &[f64]) -> f64 {
         self.bent[i] - forces.iter().enumerate().map(|(j, q)| self.influence[(i, j)] * q).sum::<f64>()
     }

@@ -1,14 +1,16 @@
-//! A uniform beam that is pressed on supports and held by nothing else: how it bends, and which supports it leaves.
+//! A uniform beam that is pressed on supports and held by nothing else: how it bends, and which supports it
+//! leaves.
 //!
-//! Supports only press. Where one carries a force Q > 0 the beam sinks there by the support's y(Q); where it carries nothing the beam may lift off.
-//! All forces on the beam balance, and then
+//! Supports only press. Where one carries a force Q > 0 the beam sinks there by the support's y(Q); where it
+//! carries nothing the beam may lift off. All forces on the beam balance, and then
 //!
 //! ```text
 //!     w(x) = a + b·x + Σ F·|x − s|³/(12 EI)        over loads F and reactions −Q, at s
 //! ```
 //!
-//! bends it exactly, with free ends: |x|³/12 has the fourth derivative δ, and balance takes moment and shear off the ends. The reactions follow from
-//! the force method: w = y(Q) at every support that carries, which is one small system whatever the beam's length.
+//! bends it exactly, with free ends: |x|³/12 has the fourth derivative δ, and balance takes moment and shear
+//! off the ends. The reactions follow from the force method: w = y(Q) at every support that carries, which is
+//! one small system whatever the beam's length.
 
 mod carried;
 mod settle;
@@ -23,27 +25,28 @@ use crate::joint::Joint;
 /// A support under the beam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Support {
-    /// From the beam's end, m.
+    /// Distance from the beam's end, m.
     pub at: f64,
-    /// How it yields.
+    /// The law by which it yields.
     pub joint: Joint,
 }
 
 /// A force that presses the beam down.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
-    /// From the beam's end, m.
+    /// Distance from the beam's end, m.
     pub at: f64,
-    /// N, zero or more.
+    /// Force, N; zero or more.
     pub force: f64,
 }
 
-/// What a support carries.
+/// The reaction of a support.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reaction {
-    /// Q, N; zero where the beam has lifted off.
+    /// Force Q, N; zero where the beam has lifted off.
     pub force: f64,
-    /// Displacement of the beam there, m: what the support sinks by, or, below zero, how far the beam has lifted off.
+    /// Displacement of the beam there, m: what the support sinks by, or, below zero, how far the beam has
+    /// lifted off.
     pub displacement: f64,
 }
 
@@ -53,11 +56,11 @@ pub enum BeamError {
     /// The loads press outside the supports.
     #[error("the part tips: what presses on it acts at x = {:.3} mm as a whole, and the supports reach from {:.3} to {:.3} mm", 1e3 * at, 1e3 * from, 1e3 * to)]
     Tips {
-        /// Where the resultant acts, m.
+        /// Place of the resultant, m.
         at: f64,
-        /// First support, m.
+        /// Place of the first support, m.
         from: f64,
-        /// Last support, m.
+        /// Place of the last support, m.
         to: f64,
     },
     /// Newton's method or the choice of supports did not come to an end.
@@ -71,13 +74,13 @@ pub enum BeamError {
 /// A beam at rest on its supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
-    /// EI, N m².
+    /// Flexural rigidity EI, N m².
     rigidity: f64,
-    /// (s, F): loads, and reactions with a minus sign.
+    /// Forces (s, F): loads, and reactions with a minus sign.
     forces: Vec<(f64, f64)>,
     /// Rigid part of the displacement, a + b·x.
     rigid: (f64, f64),
-    /// In the order of the supports.
+    /// Reactions in the order of the supports.
     pub reactions: Vec<Reaction>,
 }
 

@@ -1,15 +1,16 @@
-//! Which supports carry the beam.
+//! The choice of the supports that carry the beam.
 
 use super::carried::{Carried, carry};
 use super::{BeamError, Load, Reaction, Settled, Support};
 
-/// A reaction, or a support pressed into, that is this small against what acts is none.
+/// Reactions, and depths pressed into supports, that are this small against the loads count as zero.
 const NOTHING: f64 = 1e-11;
 
 /// Lays a beam of rigidity EI (N m²) on two or more supports at different places under loads of zero or more.
 ///
-/// The support that would pull most is taken away, the one that the beam would sink into most is put back, until there is neither: the forces and
-/// displacements so found are unique, for they make the complementary energy least.
+/// The support that would pull most is taken away, the one that the beam would sink into most is put back,
+/// until there is neither: the forces and displacements so found are unique, for they make the complementary
+/// energy least.
 ///
 /// # Errors
 /// The loads press outside the supports, or no equilibrium was found.
@@ -45,7 +46,8 @@ pub fn settle(rigidity: f64, supports: &[Support], loads: &[Load]) -> Result<Set
     Err(BeamError::NoEquilibrium { load: total })
 }
 
-/// Supports that pull, and supports that the beam sinks into though they carry nothing; each with how much, as a part of what acts.
+/// Supports that pull, and supports that the beam sinks into though they carry nothing; each with how much,
+/// as a part of what acts.
 fn wrong(supports: &[Support], carrying: &[bool], carried: &Carried, total: f64) -> Vec<(usize, f64)> {
     let size = supports.iter().map(|s| carried.beam.deflection(s.at).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let of = |i: usize| match carrying[i] {
@@ -55,7 +57,8 @@ fn wrong(supports: &[Support], carrying: &[bool], carried: &Carried, total: f64)
     (0..supports.len()).map(|i| (i, of(i))).filter(|(_, by)| *by > NOTHING).collect()
 }
 
-/// Of two supports one was taken away because all that presses acts beyond the other: the nearest one there.
+/// The support to put back where one of two was taken away because the resultant acts beyond the other: the
+/// nearest one there.
 fn beyond(supports: &[Support], gone: usize, carrying: &[bool], resultant: f64) -> Option<usize> {
     let left = carrying.iter().position(|c| *c)?;
     let side = (supports[left].at - supports[gone].at).signum();

@@ -1,4 +1,4 @@
-//! What heats and cools a body.
+//! Conditions that heat and cool a body.
 
 use std::fmt;
 use std::sync::Arc;
@@ -41,30 +41,30 @@ pub enum Condition {
     Flux {
         /// Name of the sides.
         sides: String,
-        /// W/m², positive into the body.
+        /// Heat flux, W/m², positive into the body.
         flux: f64,
         /// Intervals (s) in which it is on; none means always.
         on: Vec<[f64; 2]>,
     },
-    /// A strip of flux that moves along straight sides, in the direction of growing x (or y where the sides are
-    /// upright) for a positive speed.
+    /// A strip of flux that moves along straight sides, in the direction of growing x (or y where the sides
+    /// are upright) for a positive speed.
     MovingFlux {
         /// Name of the sides.
         sides: String,
-        /// W/m² under the strip.
+        /// Heat flux under the strip, W/m².
         flux: f64,
         /// Width of the strip, m.
         width: f64,
-        /// Where its middle is at t = 0: x (or y), m.
+        /// Place of its middle at t = 0: x (or y), m.
         start: f64,
-        /// m/s.
+        /// Speed of the strip, m/s.
         speed: f64,
     },
     /// A source (W) on a node.
     Source {
         /// The node.
         node: usize,
-        /// W.
+        /// Power, W.
         power: f64,
         /// Intervals (s) in which it is on; none means always.
         on: Vec<[f64; 2]>,
@@ -73,14 +73,14 @@ pub enum Condition {
     Convection {
         /// Name of the sides.
         sides: String,
-        /// h, W/(m² K).
+        /// Heat transfer coefficient h, W/(m² K).
         coefficient: f64,
         /// T_a over time.
         ambient: History,
     },
     /// Loss h (T − T_a) through both faces of the sheet, everywhere.
     Faces {
-        /// h, W/(m² K).
+        /// Heat transfer coefficient h, W/(m² K).
         coefficient: f64,
         /// T_a over time.
         ambient: History,
@@ -96,7 +96,7 @@ pub enum Condition {
 
 impl Condition {
     /// Times (s) at which the condition jumps.
-    pub(super) fn switches(&self) -> Vec<f64> {
+    pub fn switches(&self) -> Vec<f64> {
         match self {
             Self::Flux { on, .. } | Self::Source { on, .. } => on.as_flattened().to_vec(),
             _ => Vec::new(),
@@ -106,7 +106,7 @@ impl Condition {
 
 /// Heat (W) into nodes per unit of an amplitude.
 pub(super) struct Supply {
-    /// (Node, W per unit).
+    /// Each node with its power per unit, W.
     pub shares: Vec<(usize, f64)>,
     pub amplitude: Amplitude,
 }
@@ -118,8 +118,8 @@ pub(super) enum Amplitude {
 }
 
 impl Amplitude {
-    /// Value at `time`; whether it is on is asked for `within`, a time inside the step, so that both ends of a step see
-    /// the same side of a switch.
+    /// Value at `time`; whether it is on is asked for `within`, a time inside the step, so that both ends of
+    /// a step see the same side of a switch.
     pub fn at(&self, time: f64, within: f64) -> f64 {
         match self {
             Self::Switched(value, on) => {
@@ -175,7 +175,8 @@ impl MovingStrip {
         Ok(Self { sides: sides.iter().map(own).collect(), flux_times_thickness, width, start, speed })
     }
 
-    /// Adds the heat (W) at `time` to `add(node, W)`, integrated exactly over the part of each side under the strip.
+    /// Adds the heat (W) at `time` to `add(node, W)`, integrated exactly over the part of each side under the
+    /// strip.
     pub fn heat(&self, mesh: &Mesh, time: f64, mut add: impl FnMut(usize, f64)) {
         let middle = self.start + self.speed * time;
         for &(side, from, to) in &self.sides {

@@ -1,4 +1,4 @@
-//! Where the heat went.
+//! The balance of heat: where it went.
 
 /// Heat over a run, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

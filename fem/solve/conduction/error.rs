@@ -1,4 +1,4 @@
-//! How a thermal problem can fail.
+//! Errors of a thermal problem.
 
 use crate::mesh::MeshError;
 use crate::solve::sparse::SparseError;
@@ -17,9 +17,9 @@ pub enum ThermalError {
     Value {
         /// The quantity and its unit.
         quantity: &'static str,
-        /// What it may be.
+        /// The values that it may have.
         range: &'static str,
-        /// What was given.
+        /// The value given.
         value: f64,
     },
     /// The node of a source does not exist.
@@ -30,7 +30,7 @@ pub enum ThermalError {
         /// The last node.
         last: usize,
     },
-    /// There are not as many temperatures as nodes.
+    /// The number of temperatures is not that of the nodes.
     #[error("{given} initial temperatures for {nodes} nodes")]
     Initial {
         /// Temperatures given.

@@ -1,18 +1,19 @@
-//! Time stepping: diagonally implicit Runge–Kutta with one γ, so that all stages share one factor of C + γ Δt K.
+//! Time stepping: diagonally implicit Runge–Kutta with one γ, so that all stages share one factor of C + γ Δt
+//! K.
 //!
 //! ```text
 //!   (C + γ Δt K) kᵢ = f(t + cᵢ Δt) − K (T + Δt Σⱼ aᵢⱼ kⱼ),     T ← T + Δt Σ bᵢ kᵢ
 //! ```
 
-/// How to step in time.
+/// A scheme of time stepping.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Scheme {
     /// One stage, second order, no damping of what is faster than the step: rings after jumps.
     CrankNicolson,
     /// One stage, first order, strong damping.
     BackwardEuler,
-    /// Two stages, second order, L-stable and stiffly accurate, γ = 1 − 1/√2 (Alexander 1977): follows jumps without
-    /// ringing.
+    /// Two stages, second order, L-stable and stiffly accurate, γ = 1 − 1/√2 (Alexander 1977): follows jumps
+    /// without ringing.
     #[default]
     Sdirk2,
 }
@@ -21,7 +22,7 @@ pub enum Scheme {
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
 impl Scheme {
-    /// γ.
+    /// The coefficient γ.
     pub(in crate::solve) fn gamma(self) -> f64 {
         match self {
             Self::CrankNicolson => 0.5,

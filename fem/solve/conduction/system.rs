@@ -14,7 +14,7 @@ pub struct ThermalSystem<'m> {
     pub(super) freedoms: Freedoms,
     /// Conduction and convection, W/K.
     pub(super) conductance: Matrix,
-    /// J/K.
+    /// Heat capacity, J/K.
     pub(super) capacity: Matrix,
     pub(super) analysis: Analysis,
     /// Prescribed temperature of the held nodes, in the order of the matrix.
@@ -123,8 +123,8 @@ impl<'m> ThermalSystem<'m> {
         }
     }
 
-    /// Adds the heat (W, in the order of the matrix) of fluxes and sources at `time`; `within` lies inside the step.
-    /// The sum.
+    /// Adds the heat (W, in the order of the matrix) of fluxes and sources at `time`; `within` lies inside
+    /// the step. The sum.
     pub(super) fn supply(&self, time: f64, within: f64, heat: &mut [f64]) -> f64 {
         let mut sum = self.add_supplies(&self.supplies, time, within, heat);
         for strip in &self.strips {
@@ -136,7 +136,8 @@ impl<'m> ThermalSystem<'m> {
         sum
     }
 
-    /// Adds the heat (W) that convection brings from surroundings at their temperature to a body at 0. The sum.
+    /// Adds the heat (W) that convection brings from surroundings at their temperature to a body at 0. The
+    /// sum.
     pub(super) fn add_ambient(&self, time: f64, heat: &mut [f64]) -> f64 {
         self.add_supplies(&self.ambients, time, time, heat)
     }
@@ -182,7 +183,8 @@ fn check_film(film: f64) -> Result<(), ThermalError> {
     ThermalError::check(film >= 0.0 && film.is_finite(), "film coefficient (W/(m² K))", "zero or above", film)
 }
 
-/// Adds the convection of all sides to the conduction; the heat that it brings per kelvin of the surroundings.
+/// Adds the convection of all sides to the conduction; the heat that it brings per kelvin of the
+/// surroundings.
 fn convections(
     conductance: &mut Matrix,
     mesh: &Mesh,
@@ -204,7 +206,8 @@ fn convections(
     Ok(ambients)
 }
 
-/// Nodes with a prescribed temperature, ascending, and their temperatures; where sides meet, the first condition counts.
+/// Nodes with a prescribed temperature, ascending, and their temperatures; where sides meet, the first
+/// condition counts.
 fn prescribed(mesh: &Mesh, conditions: &[Condition]) -> Result<(Vec<usize>, Vec<History>), ThermalError> {
     let mut held: Vec<(usize, History)> = Vec::new();
     for condition in conditions {

@@ -3,21 +3,21 @@
 use super::{Energy, Scheme, ThermalError, ThermalSystem};
 use crate::solve::sparse::{Matrix, Solver};
 
-/// How to run.
+/// How a run steps through time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
     /// Time stepping.
     pub scheme: Scheme,
     /// Longest step, s. Between two switches all steps are equal and not longer.
     pub step: f64,
-    /// s; a run starts at 0.
+    /// End of the run, s; it starts at 0.
     pub end: f64,
 }
 
 /// The end of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<'t> {
-    /// s.
+    /// Time, s.
     pub time: f64,
     numbered: &'t [f64],
     system: &'t ThermalSystem<'t>,
@@ -42,7 +42,8 @@ impl std::fmt::Debug for ThermalSystem<'_> {
 }
 
 impl ThermalSystem<'_> {
-    /// Runs from `initial` temperatures (of all nodes) and shows the end of every step, and the start, to `observe`.
+    /// Runs from `initial` temperatures (of all nodes) and shows the end of every step, and the start, to
+    /// `observe`.
     ///
     /// # Errors
     /// A value out of range; a step that cannot be factored.

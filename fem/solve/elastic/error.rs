@@ -1,4 +1,4 @@
-//! How an elastic solve can fail.
+//! Errors of an elastic solve.
 
 use std::fmt;
 
@@ -8,9 +8,9 @@ use crate::solve::sparse::SparseError;
 /// A motion that no support resists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LooseMotion {
-    /// It can slide in this direction (unit vector).
+    /// The body can slide in this direction (unit vector).
     Slide([f64; 2]),
-    /// It can turn about this place (m).
+    /// The body can turn about this place (m).
     Turn([f64; 2]),
 }
 
@@ -37,7 +37,7 @@ pub enum ElasticError {
     Loose {
         /// An element of the loose piece, from 0.
         element: usize,
-        /// What it can do.
+        /// The motion that is left to it.
         motion: LooseMotion,
     },
     /// A prescribed displacement refers to a node that does not exist, or twice to one freedom.
@@ -45,7 +45,7 @@ pub enum ElasticError {
     Prescribed {
         /// The node.
         node: usize,
-        /// What is wrong.
+        /// Why it cannot be prescribed.
         reason: &'static str,
     },
     /// The loads of a free body are not in equilibrium.

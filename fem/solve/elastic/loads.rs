@@ -85,9 +85,10 @@ impl Loads {
         }
     }
 
-    /// Work (N m/K) that these loads do on the thermal expansion of a free body, for a rise of 1 K at each node; `displacements` (m) are those
-    /// under the loads. By reciprocity that is the loads' work on the displacement by the rise, so that a load of one, in equilibrium with
-    /// itself, weighs the rises of all nodes to a displacement.
+    /// Work (N m/K) that these loads do on the thermal expansion of a free body, for a rise of 1 K at each
+    /// node; `displacements` (m) are those under the loads. By reciprocity that is the loads' work on the
+    /// displacement by the rise, so that a load of one, in equilibrium with itself, weighs the rises of all
+    /// nodes to a displacement.
     pub fn thermal_work(mesh: &Mesh, law: &Elasticity, displacements: &[[f64; 2]]) -> Vec<f64> {
         let sampled: Vec<Sampled> = mesh.blocks().iter().map(|block| Sampled::new(block.element())).collect();
         let mut work = vec![0.0; mesh.nodes().len()];
@@ -105,7 +106,8 @@ impl Loads {
         work
     }
 
-    /// Sum of the forces (N), sum of the moments about `centre` (N m), and sum of the sizes of the forces (N).
+    /// Sum of the forces (N), sum of the moments about `centre` (N m), and sum of the sizes of the forces
+    /// (N).
     pub fn resultant(&self, mesh: &Mesh, centre: [f64; 2]) -> ([f64; 2], f64, f64) {
         let (mut force, mut moment, mut size) = ([0.0; 2], 0.0, 0.0);
         for (node, own) in mesh.nodes().iter().zip(self.forces.chunks_exact(2)) {

@@ -3,9 +3,10 @@
 use crate::element::plane::{Elasticity, MAX_NODES, STRAINS, Sampled};
 use crate::mesh::Mesh;
 
-/// Stress (σxx, σyy, σxy) in Pa at every node: that of the displacement's own derivatives, averaged over the elements
-/// at the node. (A fit through the quadrature points carried to the nodes was tried: at the edge of a hole, where stress
-/// matters most, it is worse, 92.26 against 92.81 of 92.7 MPa in NAFEMS LE1 on 48 × 24 quad8.) `rises` are the rises of temperature at the nodes (K), empty for none.
+/// Stress (σxx, σyy, σxy) in Pa at every node: that of the displacement's own derivatives, averaged over the
+/// elements at the node. (A fit through the quadrature points carried to the nodes was tried: at the edge of
+/// a hole, where stress matters most, it is worse, 92.26 against 92.81 of 92.7 MPa in NAFEMS LE1 on 48 × 24
+/// quad8.) `rises` are the rises of temperature at the nodes (K), empty for none.
 pub fn nodal_stresses(mesh: &Mesh, law: &Elasticity, displacements: &[[f64; 2]], rises: &[f64]) -> Vec<[f64; STRAINS]> {
     let sampled: Vec<Sampled> = mesh.blocks().iter().map(|block| Sampled::new(block.element())).collect();
     let mut sums = vec![([0.0; STRAINS], 0.0); mesh.nodes().len()];

@@ -12,7 +12,7 @@ pub struct Prescribed {
     pub node: usize,
     /// 0 = x, 1 = y.
     pub axis: usize,
-    /// m.
+    /// Displacement, m.
     pub displacement: f64,
 }
 
@@ -60,8 +60,8 @@ const LOOSE: f64 = 1e-10;
 
 /// The first piece of the mesh that can move as a rigid body, by one of its elements, and how.
 ///
-/// Rows g of the constraints over the rigid motions (slide x, slide y, turn · size) of each piece add up to the Gram
-/// matrix Σ g gᵀ; a motion in its null space is loose.
+/// Rows g of the constraints over the rigid motions (slide x, slide y, turn · size) of each piece add up to
+/// the Gram matrix Σ g gᵀ; a motion in its null space is loose.
 fn loose_motion(mesh: &Mesh, prescribed: &[Prescribed]) -> Option<(usize, LooseMotion)> {
     let pieces = mesh.pieces();
     let count = pieces.iter().max().map_or(0, |&last| last as usize + 1);

@@ -32,7 +32,7 @@ pub struct Displacements {
     pub nodes: Vec<[f64; 2]>,
     /// Force (N) of the support on the body at every prescribed freedom, in the order of the freedoms.
     pub reactions: Vec<(usize, f64)>,
-    /// How well the equations are satisfied.
+    /// Accuracy with which the equations are satisfied.
     pub accuracy: Accuracy,
 }
 
@@ -46,8 +46,8 @@ impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
         Self::new(mesh, law, prescribed.to_vec(), false)
     }
 
-    /// A free body: three freedoms are fixed to take its rigid motion away. They must carry no force, and every
-    /// solution is checked for that.
+    /// A free body: three freedoms are fixed to take its rigid motion away. They must carry no force, and
+    /// every solution is checked for that.
     ///
     /// # Errors
     /// A mesh of several pieces; a stiffness that cannot be factored.
@@ -100,7 +100,8 @@ impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
     /// Displacements under `loads`.
     ///
     /// # Errors
-    /// A load that is not finite; loads of a free body that are not in equilibrium; a solution without accuracy.
+    /// A load that is not finite; loads of a free body that are not in equilibrium; a solution without
+    /// accuracy.
     pub fn solve(&self, loads: &Loads) -> Result<Displacements, ElasticError> {
         if let Some(freedom) = loads.forces().iter().position(|force| !force.is_finite()) {
             return Err(SparseError::Load { node: freedom / 2, value: loads.forces()[freedom] }.into());

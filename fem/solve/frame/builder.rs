@@ -1,14 +1,12 @@
 //! A straight shaft of beam elements with its supports.
 
 use super::error::{FrameError, SolveError};
-use super::linear::FactoredFrame;
-use super::newton;
-use super::solution::Solution;
 use super::support::{Direction, Resistance, Support, loose_motion};
 use crate::element::BeamPiece;
 use crate::joint::Joint;
 
-/// A straight shaft: one beam element a piece, node i at the end of piece i − 1, loads and supports at the nodes.
+/// A straight shaft: one beam element a piece, node i at the end of piece i − 1, loads and supports at the
+/// nodes.
 ///
 /// w (m) is positive the way the tool force pushes, θ = dw/dx (rad); all quantities SI.
 ///
@@ -17,7 +15,10 @@ use crate::joint::Joint;
 /// let piece = BeamPiece { length: 0.3, flexural_rigidity: 26.4e3, shear_rigidity: f64::INFINITY };
 /// let shaft = Frame::new(&[piece, piece])?
 ///     .translational_spring(0, 60e6)?
-///     .joint(2, Joint { spring_compliance: 1.0 / 40e6, contacts: vec![Contact { coefficient: 0.2e-6, exponent: 0.5 }] })?;
+///     .joint(2, Joint {
+///         spring_compliance: 1.0 / 40e6,
+///         contacts: vec![Contact { coefficient: 0.2e-6, exponent: 0.5 }],
+///     })?;
 /// let solution = shaft.solve(&[(1, 500.0)])?;
 /// assert!((solution.reactions[1].value - 250.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -79,22 +80,6 @@ impl Frame {
     /// The rigid motion that the supports leave, if any; such a frame is refused by the solvers.
     pub fn loose_motion(&self) -> Option<super::LooseMotion> {
         loose_motion(&self.supports, &self.positions)
-    }
-
-    /// Factors the stiffness once for many load cases.
-    ///
-    /// # Errors
-    /// [`SolveError::Loose`], [`SolveError::Nonlinear`], [`SolveError::NotPositiveDefinite`], [`SolveError::OutOfMemory`].
-    pub fn factor(&self) -> Result<FactoredFrame<'_>, SolveError> {
-        FactoredFrame::new(self)
-    }
-
-    /// Solves one load case: `loads` are (node, force in N), several on a node add.
-    ///
-    /// # Errors
-    /// Those of [`Frame::factor`] save `Nonlinear`, a wrong load, or [`SolveError::NotConverged`].
-    pub fn solve(&self, loads: &[(usize, f64)]) -> Result<Solution, SolveError> {
-        if self.is_linear() { self.factor()?.solve(loads) } else { newton::solve(self, loads) }
     }
 
     pub(super) fn pieces(&self) -> &[BeamPiece] {

@@ -31,7 +31,8 @@ pub(super) struct Factor {
     values: Vec<f64>,
 }
 
-/// faer's view of the pattern of `upper`, without a copy; its checks cannot fail on what nalgebra-sparse has checked.
+/// faer's view of the pattern of `upper`, without a copy; its checks cannot fail on what nalgebra-sparse has
+/// checked.
 fn pattern_view(upper: &CscMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
     SymbolicSparseColMatRef::new_checked(upper.nrows(), upper.ncols(), upper.col_offsets(), None, upper.row_indices())
 }

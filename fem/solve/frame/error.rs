@@ -1,4 +1,4 @@
-//! What can be wrong with a frame, and how its solve can fail.
+//! Errors of a frame and of its solve.
 
 use super::solution::Convergence;
 use super::support::LooseMotion;
@@ -16,7 +16,7 @@ pub enum FrameError {
         piece: usize,
         /// The quantity and its unit.
         quantity: &'static str,
-        /// What was given.
+        /// The value given.
         value: f64,
     },
     /// The node does not exist.
@@ -32,7 +32,7 @@ pub enum FrameError {
     Spring {
         /// The node of the spring.
         node: usize,
-        /// What was given (N/m or N m/rad).
+        /// The value given (N/m or N m/rad).
         value: f64,
     },
     /// A fixed degree of freedom can carry no second support: the two reactions would be undetermined.
@@ -62,7 +62,7 @@ pub enum SolveError {
     Load {
         /// The loaded node.
         node: usize,
-        /// What was given (N).
+        /// The value given (N).
         force: f64,
     },
     /// Only a frame without nonlinear joints can be factored once for all loads.

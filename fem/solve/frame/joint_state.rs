@@ -3,8 +3,9 @@
 use super::system::Motion;
 use crate::joint::Joint;
 
-/// Bounds of the tangent stiffness κ. Neither changes the solution, only the last steps toward it where they bind.
-/// Softest, as part of the secant stiffness at half the load: κ = 0 at Q = 0 would leave the shaft loose.
+/// Bounds of the tangent stiffness κ. Neither changes the solution, only the last steps toward it where they
+/// bind. Softest, as part of the secant stiffness at half the load: κ = 0 at Q = 0 would leave the shaft
+/// loose.
 const SOFTEST: f64 = 1e-6;
 /// Stiffest, as multiple of the node's own stiffness: stands for a joint that is rigid (y′ = 0).
 const STIFFEST: f64 = 1e3;
@@ -19,11 +20,13 @@ pub(super) struct JointState<'f> {
     pub force: f64,
     /// Force (N) that balances the shaft at its present displacements; equal to `force` at the solution.
     pub balance: f64,
-    /// Stiffness (N/m) with which the rest of the shaft, other joints included, resists this joint's displacement.
+    /// Stiffness (N/m) with which the rest of the shaft, other joints included, resists this joint's
+    /// displacement.
     pub rest: f64,
     /// Stiffness (N/m) of the node without the joint: the diagonal entry.
     own: f64,
-    /// Q/y(Q) (N/m) at half the load: the stiffness to start with and the scale that compares forces with gaps.
+    /// Q/y(Q) (N/m) at half the load: the stiffness to start with and the scale that compares forces with
+    /// gaps.
     pub secant: f64,
 }
 
@@ -55,17 +58,17 @@ impl<'f> JointState<'f> {
         motion[self.freedom].0 - self.law.displacement(self.force)
     }
 
-    /// Takes the compliance (m/N) of the shaft at this joint, with the joint's own `stiffness` in it, and keeps the
-    /// stiffness of the rest: 1/a = e + κ. A rest below the part `rounding` of the node's own stiffness is none: the
-    /// force is statically determinate.
+    /// Takes the compliance (m/N) of the shaft at this joint, with the joint's own `stiffness` in it, and
+    /// keeps the stiffness of the rest: 1/a = e + κ. A rest below the part `rounding` of the node's own
+    /// stiffness is none: the force is statically determinate.
     pub fn set_rest(&mut self, compliance: f64, stiffness: f64, rounding: f64) {
         let rest = 1.0 / compliance - stiffness;
         self.rest = if rest > rounding * self.own { rest } else { 0.0 };
     }
 
-    /// Force Q (N) on the law where shaft and joint meet if the rest of the shaft, now at displacement `w` (m) with
-    /// the force `balance` (N) between them, gives way linearly: e (w − y(Q)) + balance − Q = 0. For a single joint
-    /// on a linear shaft this is the solution, however curved the law.
+    /// Force Q (N) on the law where shaft and joint meet if the rest of the shaft, now at displacement `w`
+    /// (m) with the force `balance` (N) between them, gives way linearly: e (w − y(Q)) + balance − Q = 0. For
+    /// a single joint on a linear shaft this is the solution, however curved the law.
     pub fn meeting_force(&self, w: f64, balance: f64) -> f64 {
         let offset = self.rest * w + balance;
         // Q lies between 0 and the offset, at any power of ten: bisection over the representable numbers
@@ -79,7 +82,8 @@ impl<'f> JointState<'f> {
         f64::from_bits(high).copysign(offset)
     }
 
-    /// Squared distance (N²) of the shaft at `w` (m) and `balance` (N) from the joint's law, along the load line.
+    /// Squared distance (N²) of the shaft at `w` (m) and `balance` (N) from the joint's law, along the load
+    /// line.
     pub fn distance(&self, w: f64, balance: f64) -> f64 {
         let force = self.meeting_force(w, balance);
         (balance - force).powi(2) + (self.secant * (w - self.law.displacement(force))).powi(2)

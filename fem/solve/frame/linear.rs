@@ -21,8 +21,8 @@ impl<'f> FactoredFrame<'f> {
         Ok(Self { system, tangent })
     }
 
-    /// Solves K u = f for `loads` (node, force in N), several on a node adding, and refines u until the unbalanced
-    /// force is below 1e-10 of the load and the last change of u below 1e-12 of u.
+    /// Solves K u = f for `loads` (node, force in N), several on a node adding, and refines u until the
+    /// unbalanced force is below 1e-10 of the load and the last change of u below 1e-12 of u.
     ///
     /// # Errors
     /// A wrong load, or [`SolveError::NotConverged`] where the factor is too inexact to refine.
@@ -30,5 +30,16 @@ impl<'f> FactoredFrame<'f> {
         let loads = self.system.frame().load_vector(loads)?;
         let (motion, convergence) = self.system.solve(&self.tangent, &loads)?;
         Ok(self.system.solution(&motion, &loads, &[], convergence))
+    }
+}
+
+impl Frame {
+    /// Factors the stiffness once for many load cases.
+    ///
+    /// # Errors
+    /// [`SolveError::Loose`], [`SolveError::Nonlinear`], [`SolveError::NotPositiveDefinite`],
+    /// [`SolveError::OutOfMemory`].
+    pub fn factor(&self) -> Result<FactoredFrame<'_>, SolveError> {
+        FactoredFrame::new(self)
     }
 }

@@ -1,5 +1,6 @@
-//! The plain finite-element solve of a shaft: assemble, factor, solve, check. It is the independent check of the fast sweep, shares nothing with
-//! it but the beam's rigidities, and its only refinement is that the balance of forces is evaluated in twofold precision.
+//! The plain finite-element solve of a shaft: assemble, factor, solve, check. It is the independent check of
+//! the fast sweep, shares nothing with it but the beam's rigidities, and its only refinement is that the
+//! balance of forces is evaluated in twofold precision.
 
 mod builder;
 mod cholesky;

@@ -5,17 +5,18 @@
 //!   f − F(u) − Σ e Q = 0        balance at every unknown (F: elements and springs, linear)
 //!   w − y(Q)         = 0        every joint on its law
 //! ```
-//! With the law linearised at Q, y(Q + dQ) ≈ y(Q) + dQ/κ, κ = 1/y′(Q), a step condenses to the frame's unknowns,
+//! With the law linearised at Q, y(Q + dQ) ≈ y(Q) + dQ/κ, κ = 1/y′(Q), a step condenses to the frame's
+//! unknowns,
 //! ```text
 //!   (K + Σ κ e eᵀ) du = f − F(u) − Σ e Q − Σ e κ (w − y(Q)),        Q + dQ = Q + κ (dw + w − y(Q)),
 //! ```
-//! symmetric and positive definite. The forces Q + dQ balance, but are off the law; each joint goes back onto its
-//! law along its load line, the linear response of the rest of the shaft. That makes the step exact for joints
-//! whose force is statically determinate and for a single joint, and passes Q = 0, where a contact y = c Qⁿ has
-//! κ = 0, without a singular matrix. The first step takes secants at half the load for tangents.
+//! symmetric and positive definite. The forces Q + dQ balance, but are off the law; each joint goes back onto
+//! its law along its load line, the linear response of the rest of the shaft. That makes the step exact for
+//! joints whose force is statically determinate and for a single joint, and passes Q = 0, where a contact y =
+//! c Qⁿ has κ = 0, without a singular matrix. The first step takes secants at half the load for tangents.
 //!
-//! Steps are full at first; where they do not converge the solve starts again, finally with a line search on the
-//! distance of the joints from their laws.
+//! Steps are full at first; where they do not converge the solve starts again, finally with a line search on
+//! the distance of the joints from their laws.
 
 use super::builder::Frame;
 use super::error::SolveError;
@@ -24,7 +25,7 @@ use super::solution::{Convergence, Solution};
 use super::support::{Resistance, Support};
 use super::system::{FORCE_TOLERANCE, INCREMENT_TOLERANCE, Motion, System, Tangent, ratio};
 
-/// How to go along the Newton steps.
+/// Control of the Newton steps.
 #[derive(Clone, Copy)]
 struct Attempt {
     /// Whether a line search shortens the steps.
@@ -35,16 +36,16 @@ struct Attempt {
     most: usize,
 }
 
-/// Attempts in turn: nearly every frame converges in fewer than ten steps of the first; very light loads on very
-/// soft joints need the second, cycles between pressing and pulling the third.
+/// Attempts in turn: nearly every frame converges in fewer than ten steps of the first; very light loads on
+/// very soft joints need the second, cycles between pressing and pulling the third.
 const ATTEMPTS: [Attempt; 3] = [
     Attempt { searched: false, rounding: 1e-14, most: 25 },
     Attempt { searched: false, rounding: 1e-11, most: 25 },
     Attempt { searched: true, rounding: 1e-14, most: 100 },
 ];
 
-/// A joint's own force tolerance, relative to the load: the joint is on its law if its displacement is that of a
-/// force so near. Matters only at Q = 0, where the displacement of y = cQⁿ feels the rounding of Q.
+/// A joint's own force tolerance, relative to the load: the joint is on its law if its displacement is that
+/// of a force so near. Matters only at Q = 0, where the displacement of y = cQⁿ feels the rounding of Q.
 const JOINT_FORCE_TOLERANCE: f64 = 1e-12;
 
 /// Displacements below this part of the first step's count as this part: with all loads on a rigid support
@@ -139,7 +140,8 @@ impl<'s, 'f> Newton<'s, 'f> {
         self.joints.iter().map(stiffness).collect()
     }
 
-    /// Moves the balancing forces by `step` toward `forces`, then each joint onto its law along its load line.
+    /// Moves the balancing forces by `step` toward `forces`, then each joint onto its law along its load
+    /// line.
     fn set_forces(
         &mut self,
         tangent: &Tangent,
@@ -158,7 +160,8 @@ impl<'s, 'f> Newton<'s, 'f> {
         Ok(())
     }
 
-    /// The first of the steps 1, 1/2, 1/4 … that brings the joints nearer to their laws, or the best of twelve.
+    /// The first of the steps 1, 1/2, 1/4 … that brings the joints nearer to their laws, or the best of
+    /// twelve.
     fn step_length(&self, change: &Motion, forces: &[f64]) -> f64 {
         let distance = |step: f64| -> f64 {
             let pairs = self.joints.iter().zip(forces);
@@ -206,7 +209,7 @@ impl<'s, 'f> Newton<'s, 'f> {
         [-slack, slack].map(|slack| joint.law.displacement(joint.force + slack))
     }
 
-    /// Where the iteration stands after displacements changed by `change` (m).
+    /// State of the iteration after displacements changed by `change` (m).
     fn convergence(&self, change: f64) -> Convergence {
         let mut misfit = 0.0_f64;
         for joint in &self.joints {
@@ -222,8 +225,8 @@ impl<'s, 'f> Newton<'s, 'f> {
         }
     }
 
-    /// Forces balance, every joint is on its law, and the last change of the displacements is negligible: below
-    /// the tolerance or what the force tolerance of a joint explains.
+    /// Forces balance, every joint is on its law, and the last change of the displacements is negligible:
+    /// below the tolerance or what the force tolerance of a joint explains.
     fn converged(&self, convergence: &Convergence) -> bool {
         let width = |joint| {
             let [low, high] = self.band(joint);
@@ -233,5 +236,15 @@ impl<'s, 'f> Newton<'s, 'f> {
         convergence.force_residual <= FORCE_TOLERANCE
             && convergence.joint_misfit <= INCREMENT_TOLERANCE
             && convergence.increment <= INCREMENT_TOLERANCE + ratio(explained, self.size())
+    }
+}
+
+impl Frame {
+    /// Solves one load case: `loads` are (node, force in N), several on a node add.
+    ///
+    /// # Errors
+    /// Those of [`Frame::factor`] save `Nonlinear`, a wrong load, or [`SolveError::NotConverged`].
+    pub fn solve(&self, loads: &[(usize, f64)]) -> Result<Solution, SolveError> {
+        if self.is_linear() { self.factor()?.solve(loads) } else { solve(self, loads) }
     }
 }

@@ -3,7 +3,7 @@
 use crate::joint::Joint;
 use std::fmt;
 
-/// What a support is, for people and for [`super::Reaction`].
+/// Kinds of supports, for people and for [`super::Reaction`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SupportKind {
     /// A linear spring against w; its reaction is a force (N).
@@ -18,7 +18,7 @@ pub enum SupportKind {
     Joint,
 }
 
-/// How a support resists.
+/// The resistance of a support.
 #[derive(Clone, Debug)]
 pub(super) enum Resistance {
     /// Force = stiffness (N/m or N m/rad) × displacement.
@@ -29,7 +29,7 @@ pub(super) enum Resistance {
     Joint(Joint),
 }
 
-/// Which displacement of a node a support resists.
+/// The displacement of a node that a support resists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Direction {
     Translation,

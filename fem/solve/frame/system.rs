@@ -17,9 +17,9 @@ pub(super) const INCREMENT_TOLERANCE: f64 = 1e-11;
 /// Refinements before giving up: each gains the digits the factor is good for, usually six and more.
 const MAX_REFINEMENTS: usize = 40;
 
-/// Displacements of all degrees of freedom (m, rad; w of node i at 2i, θ at 2i + 1) in twofold precision: forces
-/// are differences of displacements times large stiffnesses, and in plain doubles an element of 1/1000 of the
-/// shaft balances only to about 1e-8 of the load (estimate: 2⁻⁵³ × stiffness × displacement).
+/// Displacements of all degrees of freedom (m, rad; w of node i at 2i, θ at 2i + 1) in twofold precision:
+/// forces are differences of displacements times large stiffnesses, and in plain doubles an element of 1/1000
+/// of the shaft balances only to about 1e-8 of the load (estimate: 2⁻⁵³ × stiffness × displacement).
 pub(super) type Motion = Vec<fx128>;
 
 /// Numbering and stiffness of a frame without its joints.
@@ -88,8 +88,9 @@ impl<'f> System<'f> {
 
     /// Solves K u = f for `loads` f (N, N m, over all degrees of freedom) with the stiffness K of `tangent`.
     ///
-    /// Iterative refinement: u += K⁻¹(f − F(u)) with the factored K and the forces F(u) of the elements in twofold
-    /// precision, until the unbalanced force is below 1e-10 of the load and the change of u below 1e-12 of u.
+    /// Iterative refinement: u += K⁻¹(f − F(u)) with the factored K and the forces F(u) of the elements in
+    /// twofold precision, until the unbalanced force is below 1e-10 of the load and the change of u below
+    /// 1e-12 of u.
     pub fn solve(&self, tangent: &Tangent, loads: &[f64]) -> Result<(Motion, Convergence), SolveError> {
         let mut motion = self.at_rest();
         let mut unbalanced = loads.to_vec();
@@ -118,8 +119,8 @@ impl<'f> System<'f> {
         Err(SolveError::NotConverged(convergence))
     }
 
-    /// Forces f − F(u) over all degrees of freedom that elements and springs leave unbalanced under `loads` (N,
-    /// N m). At a fixed one this is what the support carries.
+    /// Forces f − F(u) over all degrees of freedom that elements and springs leave unbalanced under `loads`
+    /// (N, N m). At a fixed one this is what the support carries.
     pub fn unbalanced(&self, motion: &Motion, loads: &[f64]) -> Vec<f64> {
         let mut forces = loads.to_vec();
         for (node, piece) in self.frame.pieces().iter().enumerate() {
@@ -159,8 +160,8 @@ impl<'f> System<'f> {
         largest(motion.iter().map(|displacement| displacement.0).enumerate(), self.frame.length())
     }
 
-    /// The answer at `motion` under `loads`; `joint_forces` is what the joints carry (N), in their order among the
-    /// supports.
+    /// The answer at `motion` under `loads`; `joint_forces` is what the joints carry (N), in their order
+    /// among the supports.
     pub fn solution(&self, motion: &Motion, loads: &[f64], joint_forces: &[f64], convergence: Convergence) -> Solution {
         let unbalanced = self.unbalanced(motion, loads);
         let mut joint_forces = joint_forces.iter();

@@ -1,8 +1,8 @@
 //! The rise at the tool for any film coefficient, from a few that were solved.
 //!
-//! The rise is an analytic function of the loss. In u = h/(h + h*), with h* the coefficient whose cooling time is a quarter of the pass, it is
-//! nearly a polynomial, and the one through the Chebyshev points of 0 ≤ u ≤ 10/11 (ends included) follows it closely: a search that tries hundreds
-//! of coefficients solves fifteen.
+//! The rise is an analytic function of the loss. In u = h/(h + h*), with h* the coefficient whose cooling
+//! time is a quarter of the pass, it is nearly a polynomial, and the one through the Chebyshev points of 0 ≤
+//! u ≤ 10/11 (ends included) follows it closely: a search that tries hundreds of coefficients solves fifteen.
 
 use rayon::prelude::*;
 
@@ -18,7 +18,7 @@ const LARGEST: f64 = 10.0;
 pub struct AnyLoss {
     half: f64,
     points: Vec<Point>,
-    /// Whose knots all rises are given at.
+    /// A solution at whose knots all rises are given.
     reference: ToolTemperature,
     /// The rise of every point at every knot of the reference, knot after knot.
     rises: Vec<[f64; POINTS]>,
@@ -32,10 +32,11 @@ struct Point {
 }
 
 impl AnyLoss {
-    /// For a rod whose pieces carry the loss of a film coefficient of one, to a tolerance relative to the largest rise.
+    /// Solves for a rod whose pieces carry the loss of a film coefficient of one, to a tolerance relative to
+    /// the largest rise.
     ///
     /// # Errors
-    /// As of [`moving_source`].
+    /// Those of [`moving_source`].
     pub fn solve(pieces: &[RodPiece], pass: &Pass, tolerance: f64) -> Result<Self, HeatError> {
         let duration = (pass.to - pass.from).abs() / pass.speed;
         let slowest = pieces.iter().map(|p| p.heat_capacity / p.loss).fold(f64::INFINITY, f64::min);

@@ -3,11 +3,11 @@
 use super::RodPiece;
 use super::wave::Wave;
 
-/// Growth of the cells on the coarsest mesh at a tolerance of 1; the extrapolated error goes with its fourth power, so
-/// that three meshes are enough at most tolerances.
+/// Growth of the cells on the coarsest mesh at a tolerance of 1; the extrapolated error goes with its fourth
+/// power, so that three meshes are enough at most tolerances.
 const GROWTH: f64 = 3.8;
-/// `smallest` in `graded` over the natural length of the problem, at a tolerance of 1. The rise begins with the root of
-/// the time, so the first step and cell leave an error in proportion to this.
+/// `smallest` in `graded` over the natural length of the problem, at a tolerance of 1. The rise begins with
+/// the root of the time, so the first step and cell leave an error in proportion to this.
 const SMALLEST: f64 = 10.0;
 /// Tightest and loosest tolerance that still change the coarsest mesh.
 const TOLERANCES: [f64; 2] = [1e-6, 1e-3];
@@ -18,12 +18,12 @@ const MARGIN: f64 = 6.0;
 /// No piece and no stretch has more cells or steps than this in a half, on the coarsest mesh.
 const MOST: f64 = 1e3;
 
-/// How cells and steps are graded.
+/// The grading of cells and steps.
 pub(super) struct Grading {
     level: u32,
     /// Growth from cell to cell on the coarsest mesh.
     pub(super) growth: f64,
-    /// For `graded`, m.
+    /// Smallest cell of `graded`, m.
     pub(super) smallest: f64,
     /// Lengths of the front over which heat is forgotten.
     pub(super) reach: f64,
@@ -37,7 +37,8 @@ impl Grading {
         Self { level, growth, smallest, reach: MARGIN - tolerance.ln() }
     }
 
-    /// Times (s) of the steps of a stretch: the rise begins with a root of the time and ends with an exponential.
+    /// Times (s) of the steps of a stretch: the rise begins with a root of the time and ends with an
+    /// exponential.
     pub(super) fn times(&self, wave: &Wave, duration: f64) -> Vec<f64> {
         let half = 0.5 * duration;
         let roots = graded(half.sqrt(), self.smallest / wave.spread(1.0), 0.5 * self.growth, self.level);
@@ -47,8 +48,8 @@ impl Grading {
     }
 }
 
-/// Points from 0 (left out) to `length`: a cell at a distance d from 0 is about `growth` times (`smallest` + d) long.
-/// Every level keeps the points of the one before and halves its cells.
+/// Points from 0 (left out) to `length`: a cell at a distance d from 0 is about `growth` times (`smallest` +
+/// d) long. Every level keeps the points of the one before and halves its cells.
 pub(super) fn graded(length: f64, smallest: f64, growth: f64, level: u32) -> Vec<f64> {
     let stretch = (growth * length / smallest).ln_1p();
     let count = (stretch / growth).ceil().clamp(2.0, MOST) * f64::from(1_u32 << level);
@@ -66,7 +67,7 @@ pub(super) fn joined(from_start: &[f64], from_end: &[f64]) -> Vec<f64> {
 pub(super) struct Element {
     /// A sixth of its heat capacity, J/K.
     pub(super) mass: f64,
-    /// W/K
+    /// Its conductance, W/K.
     stiffness: f64,
     /// A sixth of its loss, W/K.
     loss: f64,

@@ -3,9 +3,10 @@
 use std::f64::consts::SQRT_2;
 use std::ops::Range;
 
+use super::RodPiece;
 use super::mesh::{Element, Grading, graded, joined};
+use super::rise::{Knot, Stretch, cubic};
 use super::wave::{Side, Wave};
-use super::{Knot, RodPiece, Stretch, cubic};
 
 /// Stretches shorter than this part of the pass are left out.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -14,10 +15,10 @@ const STAGE: f64 = 2.0 - SQRT_2;
 /// Weight of the end of the first stage in the second.
 const WEIGHT: f64 = 0.5 * SQRT_2 / STAGE;
 
-/// What the wave does at the first and last node of the piece the tool is in.
+/// The wave at the first and last node of the piece the tool is in.
 #[derive(Clone, Copy)]
 struct Edges {
-    /// Its rise, K/W.
+    /// Its rise there, K/W.
     rise: [f64; 2],
     /// Heat it brings to them, W/W.
     heat: [f64; 2],
@@ -33,8 +34,8 @@ impl Edges {
 
 /// A rod with its mesh and its state; the tool moves to the right.
 ///
-/// `rise` (K/W) is the whole rise at the nodes, but without the wave inside the piece the tool is in, where it is the
-/// remainder. The ends of that piece hold the whole rise, so its elements subtract the wave there.
+/// `rise` (K/W) is the whole rise at the nodes, but without the wave inside the piece the tool is in, where
+/// it is the remainder. The ends of that piece hold the whole rise, so its elements subtract the wave there.
 pub(super) struct Rod<'a> {
     pieces: &'a [RodPiece],
     speed: f64,
@@ -91,7 +92,8 @@ impl<'a> Rod<'a> {
         stretches
     }
 
-    /// Follows the tool for `duration` (s) in the piece between `nodes`; then the wave joins the rise at the nodes.
+    /// Follows the tool for `duration` (s) in the piece between `nodes`; then the wave joins the rise at the
+    /// nodes.
     fn stretch(&mut self, wave: &Wave, nodes: [usize; 2], duration: f64) -> Vec<Knot> {
         let [first, last] = nodes;
         let (left, right) = (self.x[first], self.x[last]);
@@ -117,7 +119,8 @@ impl<'a> Rod<'a> {
         knots
     }
 
-    /// The elements of the piece between `nodes` and of those near a tool that goes from `begin` to `end` (m).
+    /// The elements of the piece between `nodes` and of those near a tool that goes from `begin` to `end`
+    /// (m).
     fn window(&self, [first, last]: [usize; 2], begin: f64, end: f64) -> Range<usize> {
         let behind = self.ends.iter().rev().find(|&&node| begin - self.x[node] >= self.reach);
         let ahead = self.ends.iter().find(|&&node| self.x[node] - end >= self.reach);

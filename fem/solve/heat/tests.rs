@@ -70,7 +70,8 @@ fn image(a: f64, b: f64, beta: f64, r: f64) -> f64 {
     PI.sqrt() / (4.0 * q) * (first - common * erfcx(far))
 }
 
-/// Rise (K/W) at the tool at `x` in a uniform rod with insulated ends, cold when the tool left `from`: all images.
+/// Rise (K/W) at the tool at `x` in a uniform rod with insulated ends, cold when the tool left `from`: all
+/// images.
 fn uniform(rod: &RodPiece, from: f64, x: f64, speed: f64) -> f64 {
     let root = (rod.conductance / rod.heat_capacity).sqrt();
     let (length, z, v) = (rod.length / root, x / root, speed * (x - from).signum() / root);
@@ -104,8 +105,8 @@ fn cosines(rod: &RodPiece, from: f64, x: f64, speed: f64, terms: u32) -> f64 {
     (sum + others) / (rod.heat_capacity * rod.length)
 }
 
-/// Rise (K/W) at the tool at `x` in two half-infinite rods of equal loss / heat capacity that meet at 0; the tool goes
-/// right from `from` < 0.
+/// Rise (K/W) at the tool at `x` in two half-infinite rods of equal loss / heat capacity that meet at 0; the
+/// tool goes right from `from` < 0.
 fn two_rods(rods: &[RodPiece; 2], from: f64, x: f64, speed: f64) -> f64 {
     let effusivity = rods.map(|rod| (rod.conductance * rod.heat_capacity).sqrt());
     let root = rods.map(|rod| (rod.conductance / rod.heat_capacity).sqrt());

@@ -6,21 +6,21 @@ use super::RodPiece;
 
 /// A source of 1 W that starts at `start` in an infinite cold rod of one piece and moves to the right.
 ///
-/// With alpha = k A / (rho c A), beta = loss / (rho c A), a = (x - x_tool) / sqrt(alpha), b = speed / sqrt(alpha) and
-/// r = sqrt(time) the rise is 1 / sqrt(pi k A rho c A) times the integral from 0 to r of
+/// With alpha = k A / (rho c A), beta = loss / (rho c A), a = (x - x_tool) / sqrt(alpha), b = speed /
+/// sqrt(alpha) and r = sqrt(time) the rise is 1 / sqrt(pi k A rho c A) times the integral from 0 to r of
 /// exp(-beta s^2 - (a + b s^2)^2 / (4 s^2)) ds: the heat released s^2 seconds ago, with 2 s ds for the time.
 pub(super) struct Wave {
     start: f64,
     speed: f64,
     /// sqrt(alpha), m/s^(1/2)
     spread: f64,
-    /// 1/s
+    /// loss / (rho c A), 1/s
     beta: f64,
     /// 1 / sqrt(pi k A rho c A), K/(W s^(1/2))
     unit: f64,
 }
 
-/// On which side of the source a point lies. At the source the slope has two values.
+/// The side of the source on which a point lies. At the source the slope has two values.
 #[derive(Clone, Copy)]
 pub(super) enum Side {
     Left,
@@ -39,12 +39,12 @@ impl Wave {
         }
     }
 
-    /// Where the source stands after `time` (s), m.
+    /// Place of the source after `time` (s), m.
     pub(super) fn tool(&self, time: f64) -> f64 {
         self.start + self.speed * time
     }
 
-    /// How far (m) heat diffuses in `time` (s).
+    /// Distance (m) over which heat diffuses in `time` (s).
     pub(super) fn spread(&self, time: f64) -> f64 {
         self.spread * time.sqrt()
     }
@@ -60,7 +60,8 @@ impl Wave {
         self.at(self.tool(time), Side::Right, time).0
     }
 
-    /// Rise (K/W) and k A d(rise)/dx (W/W) at `x` (m), which lies on that side of the source, after `time` (s).
+    /// Rise (K/W) and k A d(rise)/dx (W/W) at `x` (m), which lies on that side of the source, after `time`
+    /// (s).
     pub(super) fn at(&self, x: f64, side: Side, time: f64) -> (f64, f64) {
         let sign = match side {
             Side::Left => -1.0,
@@ -75,7 +76,8 @@ impl Wave {
         let (a, b) = (sign * distance, self.speed / self.spread);
         let q = (self.beta + 0.25 * b * b).sqrt();
         let (near, far) = (0.5 * distance / r - q * r, 0.5 * distance / r + q * r);
-        // `first` and `second` are e^(-a b / 2 -+ |a| q) erfc(near, far), without the overflow of either factor.
+        // `first` and `second` are e^(-a b / 2 -+ |a| q) erfc(near, far), without the overflow of either
+        // factor.
         let common = (-self.beta * time - (0.5 * (a + b * time) / r).powi(2)).exp();
         let first = if near >= 0.0 {
             common * erfcx(near)

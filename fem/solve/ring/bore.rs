@@ -32,8 +32,8 @@ impl Bore {
         Ok(Self { arcs: all_around(mesh, BORE)?.into() })
     }
 
-    /// The bore after `displacements` of the nodes (m), without the rigid shift: radial loads in equilibrium bring no
-    /// first harmonic about, so that what there is of it is where the body happened to be held.
+    /// The bore after `displacements` of the nodes (m), without the rigid shift: radial loads in equilibrium
+    /// bring no first harmonic about, so that what there is of it is where the body happened to be held.
     pub fn shape(&self, displacements: &[[f64; 2]]) -> BoreShape {
         let own = |arc: &Arc| {
             let mut motion = [[0.0; 2]; 3];

@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use crate::element::plane::{EDGE_NODES, EdgeCurve, edge_shapes};
 use crate::mesh::{Mesh, MeshError, Side, SideNodes};
 
-/// One side on the circle: an arc from the angle `start` over `span` (rad), where `span` < 0 for a side that runs
-/// clockwise.
+/// One side on the circle: an arc from the angle `start` over `span` (rad), where `span` < 0 for a side that
+/// runs clockwise.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
     curve: EdgeCurve,
@@ -25,8 +25,8 @@ impl Arc {
         Self { curve, nodes, start, span: wrapped(angle(1.0) - start) }
     }
 
-    /// Parameter s of the side's point at `angle` beyond its start (rad, with the sign of the span), by Newton's
-    /// method on the polar angle of x(s).
+    /// Parameter s of the side's point at `angle` beyond its start (rad, with the sign of the span), by
+    /// Newton's method on the polar angle of x(s).
     pub fn parameter(&self, angle: f64) -> f64 {
         let (sine, cosine) = (self.start + angle).sin_cos();
         let mut s = 2.0 * angle / self.span - 1.0;
@@ -47,7 +47,7 @@ impl Arc {
         edge_shapes(self.curve.nodes(), self.parameter(angle))
     }
 
-    /// How far `angle` (rad) lies counter-clockwise beyond the lower end of the arc, in [0, 2π).
+    /// Angle from the lower end of the arc to `angle` (rad), counter-clockwise, in [0, 2π).
     pub fn beyond(&self, angle: f64) -> f64 {
         (angle - self.low()).rem_euclid(TAU)
     }

@@ -5,8 +5,8 @@
 //!   fₐ = −F Nₐ(s(φ)) (cos φ, sin φ)ᵀ           for w = 0, a line load
 //! ```
 //!
-//! s(θ) is the parameter of the side at the polar angle θ, so that every part of the load acts through the centre and
-//! the sum of the forces is exact, wherever the arc begins and ends within the sides.
+//! s(θ) is the parameter of the side at the polar angle θ, so that every part of the load acts through the
+//! centre and the sum of the forces is exact, wherever the arc begins and ends within the sides.
 
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ use crate::element::plane::quadrature::LINE_5;
 use crate::mesh::{Mesh, MeshError, OUTSIDE, Side};
 use crate::solve::elastic::Loads;
 
-/// What one jaw does.
+/// The load of one jaw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactArc {
     /// Angle of its middle φ, rad.
@@ -26,7 +26,7 @@ pub struct ContactArc {
     pub force: f64,
 }
 
-/// What of a body's border jaws can press on: sides on a circle about the origin.
+/// The part of a body's border that jaws can press on: sides on a circle about the origin.
 #[derive(Clone, Debug)]
 pub struct JawCircle {
     arcs: Vec<Arc>,
@@ -87,7 +87,8 @@ pub fn add_jaws(loads: &mut Loads, mesh: &Mesh, jaws: &[ContactArc]) -> Result<(
     jaws.iter().try_for_each(|jaw| circle.press(loads, jaw))
 }
 
-/// Adds a radial force of `density`(θ) newtons per radian, positive inwards, all around the sides [`OUTSIDE`].
+/// Adds a radial force of `density`(θ) newtons per radian, positive inwards, all around the sides
+/// [`OUTSIDE`].
 #[cfg(test)]
 pub(super) fn add_radial(loads: &mut Loads, mesh: &Mesh, density: impl Fn(f64) -> f64) -> Result<(), MeshError> {
     for arc in &all_around(mesh, OUTSIDE)? {
@@ -100,7 +101,8 @@ pub(super) fn add_radial(loads: &mut Loads, mesh: &Mesh, density: impl Fn(f64) -
     Ok(())
 }
 
-/// How far (rad) an angle is off a side, and the nearest place on the side as an angle beyond its lower end.
+/// Distance (rad) of an angle from a side, and the nearest place on the side as an angle beyond its lower
+/// end.
 fn nearest(arc: &Arc, angle: f64) -> (f64, f64) {
     let (span, beyond) = (arc.span.abs(), arc.beyond(angle));
     let (above, below) = (beyond - span, TAU - beyond);
@@ -111,7 +113,8 @@ fn nearest(arc: &Arc, angle: f64) -> (f64, f64) {
     }
 }
 
-/// The parts of a side on which a jaw presses, as angles beyond the lower end of the side; the jaw may begin below the side and reach it after a turn.
+/// The parts of a side on which a jaw presses, as angles beyond the lower end of the side; the jaw may begin
+/// below the side and reach it after a turn.
 fn parts(arc: &Arc, jaw: &ContactArc) -> impl Iterator<Item = (f64, f64)> {
     let (span, width) = (arc.span.abs(), jaw.width);
     let from = arc.beyond(jaw.angle - 0.5 * width);

@@ -1,4 +1,5 @@
-//! A ring pressed by jaws: loads on its outer circle at any angle, displacement of its bore at any angle; and waves of load, by a single cell.
+//! A ring pressed by jaws: loads on its outer circle at any angle, displacement of its bore at any angle; and
+//! waves of load, by a single cell.
 
 mod bore;
 mod circle;

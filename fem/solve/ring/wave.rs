@@ -1,16 +1,17 @@
-//! What a wave of radial load around a ring of equal cells does to its bore, from a single cell.
+//! The effect of a wave of radial load around a ring of equal cells on its bore, from a single cell.
 //!
-//! The structured mesh is the same after a turn by one cell, and stays the same when it is turned over. Under a radial load of cos mθ newtons per
-//! radian on the outside every node therefore moves by u_r = a·cos mθ, u_t = b·sin mθ with a, b alike for all nodes of one radius and place in the cell: of
-//! the many thousand unknowns those of one cell's nodes are left. With K' the stiffness of an element between polar components, α and β the angles of its
-//! nodes, the mean over all N cells is
+//! The structured mesh is the same after a turn by one cell, and stays the same when it is turned over. Under
+//! a radial load of cos mθ newtons per radian on the outside every node therefore moves by u_r = a·cos mθ,
+//! u_t = b·sin mθ with a, b alike for all nodes of one radius and place in the cell: of the many thousand
+//! unknowns those of one cell's nodes are left. With K' the stiffness of an element between polar components,
+//! α and β the angles of its nodes, the mean over all N cells is
 //!
 //! ```text
 //!   rr, tt: ½ cos m(α − β) K'      rt: ½ sin m(β − α) K'      tr: ½ sin m(α − β) K'      0 < m < N/2
 //! ```
 //!
-//! a banded system that is solved in microseconds and has the very solution of the whole mesh. For m = 0 the factor is 1 and only u_r counts; m = 1 is a rigid
-//! shift, which loads in equilibrium do not ask for.
+//! a banded system that is solved in microseconds and has the very solution of the whole mesh. For m = 0 the
+//! factor is 1 and only u_r counts; m = 1 is a rigid shift, which loads in equilibrium do not ask for.
 
 use std::f64::consts::{PI, TAU};
 
@@ -20,9 +21,9 @@ use crate::element::plane::{EDGE_NODES, EdgeCurve, Elasticity, MAX_NODES, PlaneE
 /// A ring of equal cells, about the origin.
 #[derive(Clone, Copy, Debug)]
 pub struct WaveRing {
-    /// Ro, m.
+    /// Outer radius Ro, m.
     pub outer_radius: f64,
-    /// Ri, m.
+    /// Inner radius Ri, m.
     pub inner_radius: f64,
     /// Cells around.
     pub circumferential: usize,
@@ -30,7 +31,7 @@ pub struct WaveRing {
     pub radial: usize,
     /// A quadrilateral of first or second order without a node in its middle.
     pub element: &'static dyn PlaneElement,
-    /// Its elasticity.
+    /// Elastic law of the ring.
     pub law: Elasticity,
 }
 
@@ -92,12 +93,12 @@ impl WaveRing {
         Cell { ring: self, stiffnesses, nodes, count, band }
     }
 
-    /// Of one cell, rad.
+    /// Angle of one cell, rad.
     fn angle(&self) -> f64 {
         TAU / self.circumferential as f64
     }
 
-    /// After so many half cells from the bore, m.
+    /// Radius at `half` half cells from the bore, m.
     fn radius(&self, half: usize) -> f64 {
         let part = half as f64 / (2 * self.radial) as f64;
         self.inner_radius * (1.0 - part) + self.outer_radius * part
@@ -126,8 +127,9 @@ fn polar(square: &Square<2>, angles: &[f64]) -> Square<2> {
 }
 
 impl Cell {
-    /// cₘ (m/N rad): the bore moves by u_r = cₘ·cos mθ under a radial load of cos mθ newtons per radian, inwards, on the outside. Zero for m = 1; `None`
-    /// for waves shorter than two cells, and where rounding leaves the ring no stiffness.
+    /// cₘ (m/N rad): the bore moves by u_r = cₘ·cos mθ under a radial load of cos mθ newtons per radian,
+    /// inwards, on the outside. Zero for m = 1; `None` for waves shorter than two cells, and where rounding
+    /// leaves the ring no stiffness.
     pub fn compliance(&self, m: usize) -> Option<f64> {
         if m == 1 {
             return Some(0.0);
@@ -179,7 +181,7 @@ impl Cell {
     fn edge(&self, m: usize, half: usize) -> Vec<(usize, f64)> {
         let layer = if half == 0 { 0 } else { self.ring.radial - 1 };
         let side = if half == 0 { -1.0 } else { 1.0 };
-        // In the order of the shapes along a side: start, end, middle.
+        // The order of the shapes along a side: start, end, middle.
         let order = |eta: f64| if eta == 0.0 { 2 } else { usize::from(eta > 0.0) };
         let reference = self.ring.element.reference().iter().zip(&self.nodes[layer]);
         let mut nodes = [(0.0, 0); EDGE_NODES];
@@ -270,7 +272,8 @@ mod tests {
     use crate::mesh::{Grading, RingMesh};
     use crate::solve::elastic::{ElasticSystem, Loads};
 
-    /// One cell gives what the whole mesh gives, to round-off, for elements of either order, odd numbers of cells and waves up to the shortest.
+    /// One cell gives what the whole mesh gives, to round-off, for elements of either order, odd numbers of
+    /// cells and waves up to the shortest.
     #[test]
     fn one_cell_gives_what_the_whole_mesh_gives() {
         let law = Elasticity::new(PlaneState::Stress, 210e9, 0.3, 0.0, 0.02).unwrap();

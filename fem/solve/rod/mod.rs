@@ -1,11 +1,14 @@
-//! Temperature along a rod over time: sources at points, loss to the surroundings from the surface and through the base, joints that resist.
+//! Temperature along a rod over time: sources at points, loss to the surroundings from the surface and
+//! through the base, joints that resist.
 //!
 //! ```text
-//!   ρcA θ_t = (kA θ_x)_x − h p (θ − a(t)) + Σ Q δ(x − x_Q),    kA θ_x = G (θ − a(t)) at x = 0,    kA θ_x = g [θ] at a joint
+//!   ρcA θ_t = (kA θ_x)_x − h p (θ − a(t)) + Σ Q δ(x − x_Q)
+//!   kA θ_x = G (θ − a(t)) at x = 0,    kA θ_x = g [θ] at a joint
 //! ```
-//! θ is the rise over the temperature that all had at the start, a that of the surroundings. Linear elements with a node at every source, joint
-//! and change of section; the capacity is the mean of the lumped and the consistent one, which follows slow waves to fourth order (Goudreau and
-//! Taylor 1973), so that only what sources switch is second order. Every step solves a tridiagonal system.
+//! θ is the rise over the temperature that all had at the start, a that of the surroundings. Linear elements
+//! with a node at every source, joint and change of section; the capacity is the mean of the lumped and the
+//! consistent one, which follows slow waves to fourth order (Goudreau and Taylor 1973), so that only what
+//! sources switch is second order. Every step solves a tridiagonal system.
 
 mod run;
 mod system;
@@ -26,18 +29,18 @@ pub use super::heat::RodPiece;
 /// A section across which heat flows as g times the difference of the temperatures on both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
-    /// From the base, m.
+    /// Distance from the base, m.
     pub at: f64,
-    /// g, W/K; above zero.
+    /// Conductance g, W/K; above zero.
     pub conductance: f64,
 }
 
 /// A source of heat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointSource {
-    /// From the base, m.
+    /// Distance from the base, m.
     pub at: f64,
-    /// W.
+    /// Power, W.
     pub power: f64,
     /// Intervals (s) in which it is on; none means always.
     pub on: Vec<[f64; 2]>,
@@ -46,13 +49,13 @@ pub struct PointSource {
 /// A rod from its base at 0 to its free end, which is insulated.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rod {
-    /// From the base on.
+    /// Pieces from the base on.
     pub pieces: Vec<RodPiece>,
-    /// G, the conductance from the base to the surroundings, W/K; zero or above.
+    /// Conductance G from the base to the surroundings, W/K; zero or above.
     pub base: f64,
-    /// In any order.
+    /// Joints in any order.
     pub joints: Vec<Joint>,
-    /// In any order.
+    /// Sources in any order.
     pub sources: Vec<PointSource>,
 }
 
@@ -77,7 +80,7 @@ impl fmt::Display for RodError {
 impl std::error::Error for RodError {}
 
 impl Rod {
-    /// m.
+    /// Length, m.
     pub fn length(&self) -> f64 {
         self.pieces.iter().map(|p| p.length).sum()
     }

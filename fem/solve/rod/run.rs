@@ -3,23 +3,24 @@
 use super::tridiagonal::{Factor, dot};
 use super::{Energy, RodError, RodSystem, Scheme};
 
-/// After a switch the first step is halved so often: what a jump starts changes as the root of time.
+/// Halvings of the first step after a switch: a jump acts as the root of time.
 const HALVINGS: i32 = 5;
 
-/// How to step.
+/// How a run steps through time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stepping {
-    /// Of every step.
+    /// Scheme of every step.
     pub scheme: Scheme,
     /// Longest step, s.
     pub step: f64,
-    /// s; a run starts at 0.
+    /// End of the run, s; it starts at 0.
     pub end: f64,
 }
 
 impl RodSystem {
-    /// Runs from no rise anywhere and shows the start and the end of every step to `observe`: the time (s), the rises of all nodes (K), and
-    /// whether a source may be switched there. `ambient` is the rise of the surroundings over time.
+    /// Runs from no rise anywhere and shows the start and the end of every step to `observe`: the time (s),
+    /// the rises of all nodes (K), and whether a source may be switched there. `ambient` is the rise of the
+    /// surroundings over time.
     ///
     /// # Errors
     /// A step or an end out of range.
@@ -57,7 +58,7 @@ impl RodSystem {
         Ok(energy)
     }
 
-    /// 0, the switches, and the end.
+    /// The times 0, of the switches, and of the end.
     fn intervals(&self, end: f64) -> Vec<f64> {
         let mut times: Vec<f64> = self.switches().filter(|time| *time > 0.0 && *time < end).collect();
         times.extend([0.0, end]);
@@ -67,7 +68,8 @@ impl RodSystem {
     }
 }
 
-/// Steps that fill `whole`: equal and no longer than `step`, the first of them halved again and again towards its start.
+/// Steps that fill `whole`: equal and no longer than `step`, the first of them halved again and again towards
+/// its start.
 fn lengths(whole: f64, step: f64) -> Vec<f64> {
     let count = (whole / step - 1e-9).ceil().max(1.0);
     let length = whole / count;
@@ -82,7 +84,7 @@ struct Stepper<'s> {
     scheme: Scheme,
     length: f64,
     factor: Factor,
-    /// Of the stages, K/s.
+    /// Rates of the stages, K/s.
     rates: Vec<Vec<f64>>,
     base: Vec<f64>,
 }
@@ -100,7 +102,7 @@ impl<'s> Stepper<'s> {
         }
     }
 
-    /// As of `conduction`: (C + γΔt K)·kᵢ = f(t + cᵢΔt) − K·(θ + Δt Σ aᵢⱼkⱼ).
+    /// One step, as in `conduction`: (C + γΔt K)·kᵢ = f(t + cᵢΔt) − K·(θ + Δt Σ aᵢⱼkⱼ).
     fn step(&mut self, time: f64, ambient: &dyn Fn(f64) -> f64, state: &mut [f64], energy: &mut Energy) {
         let (system, length, gamma) = (self.system, self.length, self.scheme.gamma());
         let weights = self.scheme.weights();

@@ -11,17 +11,17 @@ const LEAST: usize = 4;
 /// A rod cut into elements, assembled.
 #[derive(Clone, Debug)]
 pub struct RodSystem {
-    /// Of the nodes, m, rising; two at a joint.
+    /// Places of the nodes, m, rising; two at a joint.
     pub x: Vec<f64>,
-    /// J/K.
+    /// Heat capacity, J/K.
     pub(super) capacity: Tridiagonal,
     /// Conduction and loss, W/K.
     pub(super) conductance: Tridiagonal,
     /// Heat to surroundings that are 1 K colder, W/K.
     pub(super) losses: Vec<f64>,
-    /// Of all nodes.
+    /// Loss of all nodes together.
     pub(super) loss: f64,
-    /// J/K of every node.
+    /// Heat capacity of every node, J/K.
     pub(super) stores: Vec<f64>,
     /// Sources at their nodes.
     pub(super) sources: Vec<(usize, PointSource)>,
@@ -85,7 +85,7 @@ impl RodSystem {
     }
 }
 
-/// Where nodes must stand: ends of pieces, sources and joints, rising.
+/// Places that need a node: ends of pieces, sources and joints, rising.
 fn breaks(rod: &Rod) -> Vec<f64> {
     let mut ends = vec![0.0];
     for piece in &rod.pieces {

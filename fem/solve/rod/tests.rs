@@ -2,7 +2,8 @@ use std::f64::consts::PI;
 
 use super::{Energy, Joint, PointSource, Rod, RodError, RodPiece, RodSystem, Scheme, Stepping, Track, lagged};
 
-/// Rounding of flows between elements, kA/ℓ·θ, which are some hundred times what comes in, over some hundred steps.
+/// Rounding of flows between elements, kA/ℓ·θ, which are some hundred times what comes in, over some hundred
+/// steps.
 const ROUNDING: f64 = 1e-12;
 const SCHEMES: [Scheme; 3] = [Scheme::CrankNicolson, Scheme::BackwardEuler, Scheme::Sdirk2];
 
@@ -31,7 +32,8 @@ fn none(_: f64) -> f64 {
     0.0
 }
 
-/// Rise at x of a rod of length l, insulated but for the flux Q into x = l (Carslaw and Jaeger 1959, 3.8 (3)).
+/// Rise at x of a rod of length l, insulated but for the flux Q into x = l (Carslaw and Jaeger 1959, 3.8
+/// (3)).
 fn heated_end(x: f64, time: f64, power: f64) -> f64 {
     let (l, alpha, k) = (0.2, 0.06 / 4000.0, 0.06);
     let series: f64 = (1..400)

@@ -1,16 +1,16 @@
-//! What was followed through time, and read at any time.
+//! Values that were followed through time, and their reading at any time.
 
 use crate::solve::heat::cubic;
 
 /// A weighted sum over the nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
-    /// (Node, weight)
+    /// Each node with its weight.
     pub weights: Vec<(usize, f64)>,
 }
 
 impl Probe {
-    /// Of the values of all nodes.
+    /// The sum over the values of all nodes.
     pub fn read(&self, nodes: &[f64]) -> f64 {
         self.weights.iter().map(|(node, weight)| weight * nodes[*node]).sum()
     }
@@ -19,16 +19,16 @@ impl Probe {
 /// Probes read at the end of every step.
 #[derive(Clone, Debug, Default)]
 pub struct Track {
-    /// s, rising.
+    /// Times, s, rising.
     pub times: Vec<f64>,
     /// Positions in `times` between which all is smooth.
     pub switches: Vec<usize>,
-    /// Of every probe at every time.
+    /// Value of every probe at every time.
     pub values: Vec<Vec<f64>>,
 }
 
 impl Track {
-    /// Of so many probes, with nothing read yet.
+    /// A track of `probes` probes with nothing read yet.
     pub fn new(probes: usize) -> Self {
         Self { values: vec![Vec::new(); probes], ..Self::default() }
     }
@@ -42,8 +42,8 @@ impl Track {
         self.values.iter_mut().zip(values).for_each(|(all, value)| all.push(value));
     }
 
-    /// Values (one for every time) at a time between: by the cubic through four times of the same smooth stretch. Before the first and after the
-    /// last they stay what they are there.
+    /// Values (one for every time) at a time between: by the cubic through four times of the same smooth
+    /// stretch. Before the first and after the last they stay what they are there.
     pub fn at(&self, values: &[f64], time: f64) -> f64 {
         let (Some(first), Some(last)) = (self.times.first(), self.times.last()) else { return f64::NAN };
         let time = time.clamp(*first, *last);
@@ -55,8 +55,8 @@ impl Track {
     }
 }
 
-/// What an instrument with this time constant (s) shows of values over time: τ y' = v − y, y = v at the start, exactly where v is straight between
-/// the times.
+/// Values over time as an instrument with this time constant (s) shows them: τ y' = v − y, y = v at the
+/// start, exactly where v is straight between the times.
 pub fn lagged(times: &[f64], values: &[f64], time_constant: f64) -> Vec<f64> {
     let mut shown: Vec<f64> = values.first().copied().into_iter().collect();
     for (t, v) in times.windows(2).zip(values.windows(2)) {

@@ -3,9 +3,9 @@
 /// A symmetric tridiagonal matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tridiagonal {
-    /// (n)
+    /// Diagonal entries (n).
     pub diagonal: Vec<f64>,
-    /// Between i and i + 1. (n − 1)
+    /// Entries between i and i + 1 (n − 1).
     pub beside: Vec<f64>,
 }
 
@@ -45,17 +45,18 @@ impl Tridiagonal {
     }
 }
 
-/// A positive definite tridiagonal matrix, eliminated from both ends towards the middle: the two ways do not wait for each other.
+/// A positive definite tridiagonal matrix, eliminated from both ends towards the middle: the two ways do not
+/// wait for each other.
 #[derive(Clone, Debug)]
 pub struct Factor {
-    /// What is carried to the next row towards the middle.
+    /// Multiplier that carries each row to the next one towards the middle.
     carried: Vec<f64>,
-    /// 1/pivot
+    /// Inverse of each pivot.
     inverse: Vec<f64>,
 }
 
 impl Factor {
-    /// Of a + factor · b, both positive semidefinite and a definite, so that no pivot vanishes.
+    /// The factor of a + factor · b, both positive semidefinite and a definite, so that no pivot vanishes.
     pub fn of_sum(a: &Tridiagonal, factor: f64, b: &Tridiagonal) -> Self {
         let size = a.diagonal.len();
         let beside = |i: usize| a.beside[i] + factor * b.beside[i];

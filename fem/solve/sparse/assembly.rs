@@ -1,9 +1,9 @@
 //! Assembly of element matrices straight into the columns of the matrix.
 //!
-//! The columns are divided into ranges, each owned by one task: it adds up, in the order of the elements, what the
-//! elements give to its columns. Elements at the border of two ranges are computed twice, which costs little because
-//! ranges of elimination order are compact pieces of the mesh. No entry is written by two tasks, and the sums do
-//! not depend on the number of threads.
+//! The columns are divided into ranges, each owned by one task: it adds up, in the order of the elements,
+//! what the elements give to its columns. Elements at the border of two ranges are computed twice, which
+//! costs little because ranges of elimination order are compact pieces of the mesh. No entry is written by
+//! two tasks, and the sums do not depend on the number of threads.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -18,8 +18,8 @@ use crate::mesh::{Element, Mesh};
 const RANGES: usize = 16;
 
 impl Matrix {
-    /// Adds up over all elements the matrices that `element` writes into the square it is given (from the element,
-    /// its sampled shape functions, and its nodes' coordinates in m).
+    /// Adds up over all elements the matrices that `element` writes into the square it is given (from the
+    /// element, its sampled shape functions, and its nodes' coordinates in m).
     ///
     /// # Errors
     /// [`SparseError::NotFinite`] names the element.

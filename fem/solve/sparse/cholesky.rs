@@ -13,11 +13,12 @@ use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 
+use super::error::FactorError;
 use super::triangles::{Halves, Triangles};
 use super::{Matrix, Pattern, numeric};
 
-/// Pivot over diagonal entry below which a freedom counts as loose: rounding leaves some 1e-16 of the entry, the softest
-/// sound meshes (a million unknowns in a slender body) more than 1e-11.
+/// Pivot over diagonal entry below which a freedom counts as loose: rounding leaves some 1e-16 of the entry,
+/// the softest sound meshes (a million unknowns in a slender body) more than 1e-11.
 const LOOSE: f64 = 1e-13;
 
 /// The supernodes: always there, because the analysis was told to make them.
@@ -26,14 +27,6 @@ fn supernodes(symbolic: &SymbolicCholesky<u32>) -> Option<&SymbolicSupernodalCho
         SymbolicCholeskyRaw::Supernodal(symbolic) => Some(symbolic),
         SymbolicCholeskyRaw::Simplicial(_) => None,
     }
-}
-
-/// Why there is no factor.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum FactorError {
-    /// The pivot of this number is zero, negative or not a number.
-    Pivot(usize),
-    OutOfMemory,
 }
 
 /// The pattern of the factor, found once for all matrices of one pattern.

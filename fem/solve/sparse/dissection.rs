@@ -1,14 +1,15 @@
 //! Nested dissection from the geometry of a mesh.
 //!
 //! ```text
-//!   +-------+-+-------+     A set of nodes is cut at the median of its longer direction; the nodes of one side that
-//!   |   A   |S|   B   |     have neighbours on the other side are the separator S, taken from the side that gives
-//!   |       | |       |     fewer. A and B are eliminated first, each cut in the same way, then S: what fills in
-//!   +-------+-+-------+     between A and B is nothing.
+//!   +-------+-+-------+     A set of nodes is cut at the median of its longer direction; the nodes of one
+//!   |   A   |S|   B   |     side that have neighbours on the other side are the separator S, taken from the
+//!   |       | |       |     side that gives fewer. A and B are eliminated first, each cut in the same way,
+//!   +-------+-+-------+     then S: nothing fills in between A and B.
 //! ```
 //!
-//! A mesh around a hole is unrolled first (angle times mean radius, radius), so that cuts run across the ring; its first
-//! cut opens it at two places. George (1973); Heath and Raghavan (1995) for cuts by coordinates.
+//! A mesh around a hole is unrolled first (angle times mean radius, radius), so that cuts run across the
+//! ring; its first cut opens it at two places. George (1973); Heath and Raghavan (1995) for cuts by
+//! coordinates.
 
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -57,8 +58,8 @@ fn bounds(points: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
 struct Dissection<'a> {
     graph: &'a Graph,
     chart: &'a [[f64; 2]],
-    /// Region of every node: a set that is being cut has its own number; 0 is a separator. Tasks on different regions
-    /// never look at each other's nodes, for those have no common edge.
+    /// Region of every node: a set that is being cut has its own number; 0 is a separator. Tasks on different
+    /// regions never look at each other's nodes, for those have no common edge.
     regions: &'a [AtomicU32],
 }
 
@@ -80,7 +81,8 @@ impl Dissection<'_> {
         }
     }
 
-    /// Cuts `set` into A, B and the separator, in this order; the sizes of A and B. None where the nodes coincide.
+    /// Cuts `set` into A, B and the separator, in this order; the sizes of A and B. None where the nodes
+    /// coincide.
     fn cut(&self, set: &mut [u32], region: u32) -> Option<[usize; 2]> {
         let bounds = bounds(set.iter().map(|&node| self.chart[node as usize]));
         let extent = bounds.map(|[low, high]| high - low);
@@ -112,8 +114,8 @@ impl Dissection<'_> {
         Some(sizes)
     }
 
-    /// Marks the separator between the `sides` of `set`: of the nodes next to the other side, those of the side that
-    /// has fewer.
+    /// Marks the separator between the `sides` of `set`: of the nodes next to the other side, those of the
+    /// side that has fewer.
     fn separate(&self, set: &[u32], sides: [u32; 2]) {
         let mut borders = [Vec::new(), Vec::new()];
         for &node in set {

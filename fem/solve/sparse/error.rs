@@ -1,4 +1,4 @@
-//! How a sparse solve can fail.
+//! Errors of a sparse solve.
 
 /// A system that has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -8,7 +8,7 @@ pub enum SparseError {
     Singular {
         /// The node, from 0.
         node: usize,
-        /// Where it is (m).
+        /// Place of the node (m).
         at: [f64; 2],
         /// Component of the freedom at this node, from 0.
         component: usize,
@@ -24,7 +24,7 @@ pub enum SparseError {
     Load {
         /// The node, from 0.
         node: usize,
-        /// What was given.
+        /// The value given.
         value: f64,
     },
     /// The solution does not satisfy the equations.
@@ -39,4 +39,12 @@ pub enum SparseError {
         /// Number of unknowns.
         unknowns: usize,
     },
+}
+
+/// Why there is no factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum FactorError {
+    /// The pivot of this number is zero, negative or not a number.
+    Pivot(usize),
+    OutOfMemory,
 }

@@ -13,7 +13,8 @@ pub struct Freedoms {
 }
 
 impl Freedoms {
-    /// Numbers the freedoms of nodes eliminated in `order`; those in `held` (freedoms) have prescribed values.
+    /// Numbers the freedoms of nodes eliminated in `order`; those in `held` (freedoms) have prescribed
+    /// values.
     pub fn new(components: usize, order: &[u32], held: &[usize]) -> Self {
         let count = components * order.len();
         let mut is_held = vec![false; count];

@@ -1,4 +1,4 @@
-//! Which nodes share an element.
+//! The graph of a mesh: nodes that share an element.
 
 use rayon::prelude::*;
 

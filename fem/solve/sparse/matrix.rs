@@ -21,7 +21,7 @@ impl Matrix {
         (&self.pattern, &mut self.values)
     }
 
-    /// Its pattern.
+    /// The pattern of the matrix.
     pub fn pattern(&self) -> &Arc<Pattern> {
         &self.pattern
     }

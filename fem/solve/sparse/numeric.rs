@@ -1,13 +1,14 @@
-//! The numbers of a sparse Cholesky factor, supernode by supernode, two halves of the elimination tree at a time.
+//! The numbers of a sparse Cholesky factor, supernode by supernode, two halves of the elimination tree at a
+//! time.
 //!
 //! ```text
 //!   L_s := A_s − Σ_d L_d(rows ≥ s) L_d(columns of s)ᵀ      over the supernodes d before s that reach into it
 //!   L_s := L_s (top block factored)⁻ᵀ
 //! ```
 //!
-//! Each finished supernode waits in the list of the next one that it reaches into (Ng and Peyton 1993). Dense kernels are
-//! faer's. The halves share no supernode ([`Halves`]); the top follows when both are done. The result does not depend
-//! on the number of threads.
+//! Each finished supernode waits in the list of the next one that it reaches into (Ng and Peyton 1993). Dense
+//! kernels are faer's. The halves share no supernode ([`Halves`]); the top follows when both are done. The
+//! result does not depend on the number of threads.
 
 use std::ops::Range;
 
@@ -20,7 +21,7 @@ use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::{Accum, MatMut, MatRef, Par};
 
 use super::Matrix;
-use super::cholesky::FactorError;
+use super::error::FactorError;
 use super::triangles::Halves;
 
 /// No supernode.
@@ -62,13 +63,13 @@ struct Task<'a> {
     matrix: &'a Matrix,
 }
 
-/// Which supernodes wait for which: linked lists.
+/// Lists of the supernodes that wait for each supernode, linked.
 struct Lists {
     nodes: Range<usize>,
     heads: Vec<u32>,
     next: Vec<u32>,
     positions: Vec<u32>,
-    /// Those that reach beyond `nodes`.
+    /// Supernodes that reach beyond `nodes`.
     beyond: Vec<Waiting>,
 }
 
@@ -96,8 +97,8 @@ impl<'a> Task<'a> {
         self.symbolic.col_ptr_for_val()[node] as usize
     }
 
-    /// Factors the supernodes `nodes` into `own`. `before` holds the values of all supernodes before them, of which
-    /// those of `waiting` reach into them. Returns those that wait for what follows.
+    /// Factors the supernodes `nodes` into `own`. `before` holds the values of all supernodes before them, of
+    /// which those of `waiting` reach into them. Returns those that wait for what follows.
     fn run(
         &self,
         nodes: Range<usize>,
@@ -182,8 +183,8 @@ impl Work {
         }
     }
 
-    /// Takes away what `other` gives to the block, from its row `position` on; its first row beyond the block's
-    /// columns.
+    /// Takes away what `other` gives to the block, from its row `position` on; its first row beyond the
+    /// block's columns.
     fn update(
         &mut self,
         shape: Shape<'_>,

@@ -7,7 +7,7 @@ use faer::sparse::linalg::amd;
 use super::dissection::dissect;
 use super::{Graph, SparseError};
 
-/// How to find an order of elimination with little fill.
+/// A way to find an order of elimination with little fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Order {
     /// Nested dissection by coordinates: least work in the factorisation of large meshes.
@@ -15,13 +15,13 @@ pub enum Order {
     Dissection,
     /// Approximate minimum degree (faer): needs no coordinates.
     MinimumDegree,
-    /// As the nodes are numbered.
+    /// The order in which the nodes are numbered.
     Natural,
 }
 
 impl Order {
-    /// The nodes in their order of elimination; `nodes` are their coordinates (m). The order is post-ordered: every
-    /// subtree of the elimination tree is contiguous, as supernodes need it.
+    /// The nodes in their order of elimination; `nodes` are their coordinates (m). The order is post-ordered:
+    /// every subtree of the elimination tree is contiguous, as supernodes need it.
     ///
     /// # Errors
     /// No memory.

@@ -75,8 +75,8 @@ impl Pattern {
         &self.rows[self.starts[number] as usize..self.starts[number + 1] as usize]
     }
 
-    /// The upper triangle of the leading block of `free` columns in compressed columns: (starts, rows). This is what
-    /// the symbolic analysis of an already ordered matrix needs.
+    /// The upper triangle of the leading block of `free` columns in compressed columns: (starts, rows). This
+    /// is what the symbolic analysis of an already ordered matrix needs.
     pub(super) fn leading_upper(&self) -> (Vec<u32>, Vec<u32>) {
         let free = self.free_rows.len();
         let lower = |number: usize| &self.column(number)[..self.free_rows[number] as usize];

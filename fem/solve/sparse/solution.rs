@@ -1,6 +1,6 @@
 //! Factor once, solve often, and check every answer.
 
-use super::cholesky::FactorError;
+use super::error::FactorError;
 use super::{Analysis, Factor, Freedoms, Matrix, SparseError};
 
 /// Largest residual of an accepted solution, relative to |A||x| + |b|.
@@ -8,7 +8,7 @@ const ACCEPTED: f64 = 1e-11;
 /// Residual below which refinement has nothing to gain.
 const ROUNDING: f64 = 1e-14;
 
-/// How well a solution satisfies its equations.
+/// The accuracy with which a solution satisfies its equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
     /// Largest entry of b − A x over max |A| max |x| + max |b|.
@@ -44,8 +44,8 @@ impl Solver {
         &self.factor
     }
 
-    /// Solves the free rows of A x = b for the free part of `x`, whose held part is given; `b` counts in free rows
-    /// only. Checks the residual and refines once.
+    /// Solves the free rows of A x = b for the free part of `x`, whose held part is given; `b` counts in free
+    /// rows only. Checks the residual and refines once.
     ///
     /// # Errors
     /// [`SparseError::Inaccurate`].
@@ -73,8 +73,8 @@ impl Solver {
         }
     }
 
-    /// Overwrites `right_side` (over the free numbers) with the solution, without a check: for many steps of one
-    /// system whose accuracy is checked by its balance.
+    /// Overwrites `right_side` (over the free numbers) with the solution, without a check: for many steps of
+    /// one system whose accuracy is checked by its balance.
     pub fn solve_unchecked(&self, right_side: &mut [f64]) {
         self.factor.solve_in_place(right_side);
     }

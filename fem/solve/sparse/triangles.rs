@@ -4,9 +4,10 @@
 //!   [ first half | second half | top ]     columns in elimination order
 //! ```
 //!
-//! The elimination tree falls apart below its top: the two halves share no row but those of the top, so that two
-//! tasks solve with them at a time. Each sums up what it gives to the top by itself, and the sums are added in a fixed
-//! order: the result does not depend on the number of threads. The work is reading the factor once for each triangle.
+//! The elimination tree falls apart below its top: the two halves share no row but those of the top, so that
+//! two tasks solve with them at a time. Each sums up what it gives to the top by itself, and the sums are
+//! added in a fixed order: the result does not depend on the number of threads. The work is reading the
+//! factor once for each triangle.
 
 use std::ops::Range;
 
@@ -18,7 +19,7 @@ const SMALL: usize = 200_000;
 const HALF: f64 = 0.62;
 const TOP: f64 = 0.25;
 
-/// Where the elimination tree falls into two halves: the supernodes `..middle`, `middle..top`, and `top..`.
+/// The two halves of the elimination tree: the supernodes `..middle`, `middle..top`, and `top..`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Halves {
     pub middle: usize,
@@ -26,7 +27,8 @@ pub(super) struct Halves {
 }
 
 impl Halves {
-    /// Takes supernodes away from the end (the root) until the trees below fall into two groups of about equal size.
+    /// Takes supernodes away from the end (the root) until the trees below fall into two groups of about
+    /// equal size.
     pub fn find(symbolic: &SymbolicSupernodalCholesky<u32>) -> Option<Self> {
         let entries = symbolic.col_ptr_for_val();
         let whole = f64::from(entries[symbolic.n_supernodes()]);

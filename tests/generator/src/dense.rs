@@ -1,4 +1,5 @@
-//! Least-squares projection by Gram-Schmidt with re-orthogonalisation: the columns are few, so nothing finer is needed.
+//! Least-squares projection by Gram-Schmidt with re-orthogonalisation: the columns are few, so nothing
+//! finer is needed.
 
 /// An orthonormal basis of a growing span.
 #[derive(Debug, Clone, Default)]
@@ -25,7 +26,8 @@ impl Basis {
         }
     }
 
-    /// What of `vector` the span cannot imitate. Twice is enough (Kahan): the second pass removes the first one's rounding.
+    /// What of `vector` the span cannot imitate. Twice is enough (Kahan): the second pass removes the first
+    /// one's rounding.
     pub fn remainder(&self, vector: &[f64]) -> Vec<f64> {
         let mut rest = vector.to_vec();
         for _ in 0..2 {
@@ -69,8 +71,9 @@ pub fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
     right
 }
 
-/// Root of `f` between `low` and `high`, where it changes sign, by Chandrupatla's mixture of bisection and inverse quadratic steps:
-/// safe at the infinite slope of a contact law at zero force, and a few steps where the function is nearly straight.
+/// Root of `f` between `low` and `high`, where it changes sign, by Chandrupatla's mixture of bisection and
+/// inverse quadratic steps: safe at the infinite slope of a contact law at zero force, and a few steps
+/// where the function is nearly straight.
 pub fn root(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b, mut fa, mut fb) = (high, low, f(high), f(low));
     let (mut c, mut fc);

@@ -6,8 +6,8 @@ use crate::law::Cause;
 use crate::random::Random;
 use crate::visibility::Nuisance;
 
-/// Size of what three effects of the catalogue, the best of many draws, leave of the (standardised) shape; negative amplitudes
-/// are allowed to them, which makes the check stricter than physics.
+/// Size of what three effects of the catalogue, the best of many draws, leave of the (standardised) shape;
+/// negative amplitudes are allowed to them, which makes the check stricter than physics.
 pub fn what_catalogue_leaves(
     job: &dyn Job,
     causes: &[Cause],

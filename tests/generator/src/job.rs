@@ -27,7 +27,8 @@ pub struct Shown {
     pub std: f64,
 }
 
-/// Something that is made and measured: all numbers of one observable in one unit, rows in the order of the file.
+/// Something that is made and measured: all numbers of one observable in one unit, rows in the order of the
+/// file.
 pub trait Job {
     /// The word after `process =`.
     fn process(&self) -> &'static str;

@@ -1,4 +1,5 @@
-//! Effects and the laws of their parameters: what can be drawn, and how an effect is brought to a wanted visibility.
+//! Effects and the laws of their parameters: what can be drawn, and how an effect is brought to a wanted
+//! visibility.
 
 use crate::random::{Random, figures};
 

@@ -1,8 +1,10 @@
-//! Practice cases with a hidden physical effect, made by other code and other numerics than the program under test: see [`turning`], [`ring`] and
-//! [`thermal`]. Laws, signs and units are those that `fem effects` states.
+//! Practice cases with a hidden physical effect, made by other code and other numerics than the program
+//! under test: see [`turning`], [`ring`] and [`thermal`]. Laws, signs and units are those that `fem
+//! effects` states.
 //!
-//! Every case is decided by its seed. lambda is the length of an effect's signature, in standard deviations, after projection onto
-//! the tangent of all `+-` parameters of the written model with their prior rows appended.
+//! Every case is decided by its seed. lambda is the length of an effect's signature, in standard
+//! deviations, after projection onto the tangent of all `+-` parameters of the written model with their
+//! prior rows appended.
 
 pub mod dense;
 pub mod foreign;
@@ -38,7 +40,8 @@ pub struct Process {
     pub name: &'static str,
     /// Its effects.
     pub laws: &'static [Law],
-    /// A job that admits these effects and does not show them; None where there is none, or the draw was not lucky.
+    /// A job that admits these effects and does not show them; None where there is none, or the draw was
+    /// not lucky.
     pub draw_job: DrawJob,
     /// Effects that no measurement tells apart.
     pub never_together: &'static [[&'static str; 2]],
@@ -68,10 +71,11 @@ pub struct Truth {
     pub lambda: Vec<f64>,
     /// Standard deviation of the noise of each row, SI.
     pub noise_of_rows: Vec<f64>,
-    /// What is left of each lambda when the other hidden effects are re-fitted too; for outside structure, when the best three
-    /// effects of the catalogue are fitted to it.
+    /// What is left of each lambda when the other hidden effects are re-fitted too; for outside structure,
+    /// when the best three effects of the catalogue are fitted to it.
     pub apart: Vec<f64>,
-    /// Share of each lambda squared that stands in the rows; the rest is a contradiction of the written `+-` values.
+    /// Share of each lambda squared that stands in the rows; the rest is a contradiction of the written
+    /// `+-` values.
     pub in_rows: Vec<f64>,
     /// lambda without the prior rows, the `+-` parameters wholly free: what the rows alone can show.
     pub free: Vec<f64>,
@@ -92,7 +96,8 @@ pub struct Case {
     pub data: String,
     /// The same job measured again: same design, same truth, new noise.
     pub fresh: String,
-    /// The model file with everything known and the hidden effects added: what a perfect diagnosis would arrive at.
+    /// The model file with everything known and the hidden effects added: what a perfect diagnosis would
+    /// arrive at.
     pub revealed: String,
     /// The measurement file without noise.
     pub exact: String,
@@ -103,7 +108,8 @@ pub struct Case {
 /// How many draws of job and effect are tried before a wish is given up.
 const ATTEMPTS: usize = 60;
 
-/// Smallest and largest noise where nothing of the catalogue is hidden, as parts of the smallest and largest that a workshop has.
+/// Smallest and largest noise where nothing of the catalogue is hidden, as parts of the smallest and
+/// largest that a workshop has.
 const PLAIN_NOISE: (f64, f64) = (6.0, 0.5);
 
 impl Process {
@@ -128,8 +134,9 @@ impl Process {
         (0..ATTEMPTS).find_map(|_| self.attempt(&[effect], lambda, &mut random))
     }
 
-    /// A case with `count` different hidden effects, the weakest at the given lambda, the others up to four times that.
-    /// Pairs that nothing tells apart are avoided, and so are sets of which a member vanishes behind the others.
+    /// A case with `count` different hidden effects, the weakest at the given lambda, the others up to four
+    /// times that. Pairs that nothing tells apart are avoided, and so are sets of which a member vanishes
+    /// behind the others.
     pub fn several(&self, count: usize, lambda: f64, seed: u64) -> Case {
         let mut random = self.random("several", seed);
         let names: Vec<&'static str> = self.laws.iter().map(|law| law.0).collect();
@@ -150,7 +157,8 @@ impl Process {
         }
     }
 
-    /// A case whose structure no effect of the catalogue can make, at the given lambda after the nuisance is projected out.
+    /// A case whose structure no effect of the catalogue can make, at the given lambda after the nuisance
+    /// is projected out.
     pub fn outside(&self, lambda: f64, seed: u64) -> Case {
         let mut random = self.random("outside", seed);
         loop {

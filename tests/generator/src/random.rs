@@ -1,4 +1,5 @@
-//! The only source of chance: xoshiro256** seeded through SplitMix64, so that a seed means the same case for ever.
+//! The only source of chance: xoshiro256** seeded through SplitMix64, so that a seed means the same case
+//! for ever.
 
 /// A deterministic stream of random numbers.
 #[derive(Debug, Clone)]
@@ -8,7 +9,8 @@ pub struct Random {
 }
 
 impl Random {
-    /// A stream of its own for every (label, seed), so that neighbouring seeds and different kinds of case do not share draws.
+    /// A stream of its own for every (label, seed), so that neighbouring seeds and different kinds of case
+    /// do not share draws.
     pub fn new(label: &str, seed: u64) -> Self {
         let label =
             label.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));

@@ -1,4 +1,5 @@
-//! Brings drawn effects to a wanted visibility: first by the noise, and where that would be absurd by the effects' sizes.
+//! Brings drawn effects to a wanted visibility: first by the noise, and where that would be absurd by the
+//! effects' sizes.
 
 use crate::job::Job;
 use crate::law::{Cause, scaled};
@@ -23,8 +24,9 @@ pub struct Tuned {
     pub free: Vec<f64>,
 }
 
-/// Solves for the noise at which the weakest of `drawn` has the wanted lambda; scales down effects more than `SPREAD` times as
-/// visible, and all of them when the noise would be larger than plausible. None when that fails.
+/// Solves for the noise at which the weakest of `drawn` has the wanted lambda; scales down effects more
+/// than `SPREAD` times as visible, and all of them when the noise would be larger than plausible. None when
+/// that fails.
 pub fn tune(job: &dyn Job, shown: &[Cause], drawn: Vec<Cause>, lambda: f64, random: &mut Random) -> Option<Tuned> {
     let mut factors = vec![1.0; drawn.len()];
     let goals: Vec<f64> = drawn.iter().map(|_| random.log_uniform(1.0, SPREAD) * lambda).collect();

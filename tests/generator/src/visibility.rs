@@ -1,11 +1,12 @@
-//! lambda: how many standard deviations of an effect remain after the nuisance parameters have imitated what they can.
+//! lambda: how many standard deviations of an effect remain after the nuisance parameters have imitated
+//! what they can.
 
 use crate::dense::{Basis, norm};
 use crate::job::Job;
 use crate::law::Cause;
 
-/// Tangents of the `+-` parameters at the truth, with their prior rows, and what cannot be measured: the directions in which a fit can bend
-/// the model. Rows are told in the noise of each at a noise of one.
+/// Tangents of the `+-` parameters at the truth, with their prior rows, and what cannot be measured: the
+/// directions in which a fit can bend the model. Rows are told in the noise of each at a noise of one.
 #[derive(Debug, Clone)]
 pub struct Nuisance {
     tangents: Vec<Vec<f64>>,
@@ -25,7 +26,8 @@ impl Nuisance {
         }
     }
 
-    /// A direction in the standardised residual space: rows/sigma, then the prior rows (untouched by anything but the nuisance).
+    /// A direction in the standardised residual space: rows/sigma, then the prior rows (untouched by
+    /// anything but the nuisance).
     pub fn standardised(&self, rows: &[f64], sigma: f64) -> Vec<f64> {
         let rows = rows.iter().zip(&self.scales).map(|(r, scale)| r / (sigma * scale));
         rows.chain(self.weights.iter().map(|_| 0.0)).collect()
@@ -63,7 +65,8 @@ impl Nuisance {
         (norm(&rest[..signature.len()]) / norm(&rest)).powi(2)
     }
 
-    /// The noise at which the weakest signature has just this lambda (lambda falls with sigma), or None outside 1e-3..1e3 um.
+    /// The noise at which the weakest signature has just this lambda (lambda falls with sigma), or None
+    /// outside 1e-3..1e3 um.
     pub fn sigma_for(&self, signatures: &[Vec<f64>], lambda: f64) -> Option<f64> {
         let weakest = |sigma: f64| signatures.iter().map(|s| self.lambda(s, sigma)).fold(f64::INFINITY, f64::min);
         let (mut low, mut high) = (1e-3_f64, 1e3_f64);

@@ -4,8 +4,8 @@ use crate::job::Job;
 use crate::law::{Cause, unit};
 use std::fmt::Write as _;
 
-/// The model file; `values` (one per shown parameter) replaces the `+-` by known values, and `more` are further effects.
-/// The user's file is `model(job, None, &[])`.
+/// The model file; `values` (one per shown parameter) replaces the `+-` by known values, and `more` are
+/// further effects. The user's file is `model(job, None, &[])`.
 pub fn model(job: &dyn Job, values: Option<&[f64]>, more: &[Cause]) -> String {
     let mut text = format!("title = \"case\"\nprocess = \"{}\"\n\n{}", job.process(), job.tables());
     for (i, s) in job.shown().iter().enumerate() {

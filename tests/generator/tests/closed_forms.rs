@@ -93,7 +93,8 @@ fn contact_and_feedback() {
     close(force_error(&job, &[spring, feedback])[0], 2.0 * a * 700.0 / (1.0 + a), 1e-9);
 }
 
-/// Rod of length L with insulated ends, images at 2mL +- x': integral of the kernel along the tool's way, tau = u^2.
+/// Rod of length L with insulated ends, images at 2mL +- x': integral of the kernel along the tool's way,
+/// tau = u^2.
 fn green(d: f64, length: f64, convection: f64, v: f64, x: f64) -> f64 {
     let (alpha, rc) = (50.0 / (7850.0 * 470.0), 7850.0 * 470.0);
     let beta = 4.0 * convection / (rc * d);

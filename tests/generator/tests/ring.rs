@@ -14,7 +14,8 @@ fn even_pressure_is_lames() {
     }
 }
 
-/// Of a thin ring n equal forces F move the loaded points inwards by (F R^3/2EI)[(β/2 + sin 2β/4)/sin²β − 1/β], β = π/n.
+/// Of a thin ring n equal forces F move the loaded points inwards by (F R^3/2EI)[(β/2 + sin 2β/4)/sin²β −
+/// 1/β], β = π/n.
 #[test]
 fn thin_rings() {
     for n in [2usize, 3, 4] {
@@ -33,7 +34,8 @@ fn thin_rings() {
     }
 }
 
-/// The thick ring of 50 and 40 mm, 20 mm wide, E 210 GPa, three jaws of 2 kN over 10°: u_r as seed 002's chuck squeezes it, by Michell's series of another program.
+/// The thick ring of 50 and 40 mm, 20 mm wide, E 210 GPa, three jaws of 2 kN over 10°: u_r as seed 002's
+/// chuck squeezes it, by Michell's series of another program.
 #[test]
 fn a_thick_ring_to_the_digits_of_michells_series() {
     let c = compliances(0.8, NU, 3);

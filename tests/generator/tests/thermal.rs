@@ -24,7 +24,8 @@ fn close(a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() < tolerance, "{a} against {b}");
 }
 
-/// Carslaw and Jaeger: an insulated bar with a constant flux F at one end, T = F/(kL)[κt + (3x²−L²)/6 − (2L²/π²) Σ (−1)ⁿ/n² e^(−κn²π²t/L²) cos(nπx/L)].
+/// Carslaw and Jaeger: an insulated bar with a constant flux F at one end, T = F/(kL)[κt + (3x²−L²)/6 −
+/// (2L²/π²) Σ (−1)ⁿ/n² e^(−κn²π²t/L²) cos(nπx/L)].
 #[test]
 fn flux_into_an_insulated_bar() {
     let (l, k, kappa, flux) = (0.2, 50.0, 50.0 / (7850.0 * 470.0), 5.0 / AREA);
@@ -68,7 +69,8 @@ fn a_joint_and_a_base() {
     close(found[1], 5.0 / 0.2 + 0.17 * slope + 5.0 / (3000.0 * AREA), 1e-3);
 }
 
-/// A short stout rod is a lump: C T' = G (T_a − T), T_a = A [sin(ωt + φ) − sin φ], solved by variation of constants.
+/// A short stout rod is a lump: C T' = G (T_a − T), T_a = A [sin(ωt + φ) − sin φ], solved by variation of
+/// constants.
 #[test]
 fn surroundings_that_drift() {
     let mut rod = rod();

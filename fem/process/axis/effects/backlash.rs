@@ -1,36 +1,27 @@
 //! Kinematic clearance: play in the nut and the bearings that a reversal has to take up.
 //!
-//! On the way forwards the slide stands where it should, on the way back it lags by δ = gap (m): y = x − δ [seed 000, fig. 2a]. The same all along
-//! the screw. Left out: play that wear has made larger in the middle of the screw.
+//! On the way forwards the slide stands where it should, on the way back it lags by δ = gap (m): y = x − δ
+//! [seed 000, fig. 2a]. The same all along the screw. Left out: play that wear has made larger in the middle
+//! of the screw.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::MICRO;
 
 /// `backlash`.
-pub struct Backlash;
-
-static DESCRIPTION: Description = Description {
+pub static BACKLASH: Effect<1> = Effect {
     name: "backlash",
     about: "play in nut and bearings that each reversal takes up",
     law: "deviation += gap, approaching in -",
     source: "seed 000, fig. 2a",
-    parameters: &[Parameter::amplitude("gap", MICRO, "clearance in all", (0.5, 200.0))],
+    parameters: [Parameter::amplitude("gap", MICRO, "clearance in all", (0.5, 200.0))],
     look_alikes: &[
         ("elastic-lost-motion", "targets from end to end of the screw: elastic clearance grows away from the bearing"),
         ("thermal-growth", "the order of approaches: + always before - lets drift pass for play"),
     ],
+    needs: nothing,
+    act: |[gap], machine| machine.gap += gap,
 };
-
-impl Effect<Machine> for Backlash {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.gap += values["gap"];
-    }
-}
 
 #[cfg(test)]
 mod tests {

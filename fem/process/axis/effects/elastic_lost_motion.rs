@@ -1,41 +1,32 @@
 //! Elastic clearance: friction of the slide winds the drive up before anything moves.
 //!
-//! The slide stays behind by F/C either way: deviation ∓ F/C(x), 1/C = 1/stiffness + |x − fixed_at|/(EA), F the friction (N), stiffness that of nut and
-//! bearing (N/m), EA the screw's axial rigidity [seed 000, fig. 2b: y = x − F/C]. It grows along the screw, away from the bearing. With a
-//! second fixed bearing (`also_fixed_at`) both lengths of screw carry. In light machines the kinematic gap rules, in heavy ones this one. Left out:
-//! friction that depends on the speed, and stick-slip.
+//! The slide stays behind by F/C either way: deviation ∓ F/C(x), 1/C = 1/stiffness + |x − fixed_at|/(EA), F
+//! the friction (N), stiffness that of nut and bearing (N/m), EA the screw's axial rigidity [seed 000, fig.
+//! 2b: y = x − F/C]. It grows along the screw, away from the bearing. With a second fixed bearing
+//! (`also_fixed_at`) both lengths of screw carry. In light machines the kinematic gap rules, in heavy ones
+//! this one. Left out: friction that depends on the speed, and stick-slip.
 
-use super::super::{Lost, Machine};
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::{Effect, Lost};
+use crate::process::{Parameter, nothing};
 use crate::units::{FORCE, STIFFNESS};
-
-/// `elastic-lost-motion`.
-pub struct ElasticLostMotion;
 
 /// Where the spring does not switch the effect: friction does.
 const SPRING: (f64, f64) = (20.0, 2000.0);
 
-static DESCRIPTION: Description = Description {
+/// `elastic-lost-motion`.
+pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
     name: "elastic-lost-motion",
     about: "friction winds up screw, nut and bearing before the slide moves",
     law: "deviation += sign*friction*(1/stiffness + |position - fixed_at|/(E*A)), sign -1 in +, +1 in -",
     source: "seed 000, fig. 2b",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("friction", FORCE, "of the slide", (10.0, 10_000.0)),
         Parameter::shape("stiffness", STIFFNESS, "of nut and bearing together", SPRING),
     ],
     look_alikes: &[("backlash", "targets from end to end of the screw: play is the same all along")],
+    needs: nothing,
+    act: |[friction, stiffness], machine| machine.lost = Some(Lost { friction, stiffness }),
 };
-
-impl Effect<Machine> for ElasticLostMotion {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.lost = Some(Lost { friction: values["friction"], stiffness: values["stiffness"] });
-    }
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,39 +1,32 @@
 //! An error that comes back with every turn of the screw.
 //!
-//! A·sin(2πx/lead + phase), A in m. Eccentric bearings, the screw's own drunkenness and interpolation errors of an encoder on the screw repeat
-//! each turn. At targets that are multiples of the lead it is the same everywhere and cannot be seen. Left out: harmonics of the turn.
+//! A·sin(2πx/lead + phase), A in m. Eccentric bearings, the screw's own drunkenness and interpolation errors
+//! of an encoder on the screw repeat each turn. At targets that are multiples of the lead it is the same
+//! everywhere and cannot be seen. Left out: harmonics of the turn.
 
 use std::f64::consts::TAU;
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `periodic-error`.
-pub struct PeriodicError;
-
-static DESCRIPTION: Description = Description {
+pub static PERIODIC_ERROR: Effect<2> = Effect {
     name: "periodic-error",
     about: "an error that repeats with every turn of the screw",
     law: "deviation += amplitude*sin(2*pi*position/lead + phase)",
     source: "seed 000, periodic error within a pitch",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 30.0)),
         Parameter::phase("phase", ANGLE, "of the sine at the position 0", 360.0),
     ],
     look_alikes: &[("reference-shift", "targets that are no multiples of the lead: only there a turn's error varies")],
+    needs: nothing,
+    act: |[amplitude, phase], machine| {
+        let lead = machine.setup.lead;
+        machine.add(move |position, _| amplitude * (TAU * (position / lead).fract() + phase).sin());
+    },
 };
-
-impl Effect<Machine> for PeriodicError {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (amplitude, phase, lead) = (values["amplitude"], values["phase"], machine.setup.lead);
-        machine.add(move |at| amplitude * (TAU * (at.position / lead).fract() + phase).sin());
-    }
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,33 +1,23 @@
 //! The reference point is off.
 //!
-//! The same offset (m) everywhere: the reference switch, or where the comparison was set to zero. ISO 230-2 quantities do not see it.
+//! The same offset (m) everywhere: the reference switch, or where the comparison was set to zero. ISO 230-2
+//! quantities do not see it.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::MICRO;
 
 /// `reference-shift`.
-pub struct ReferenceShift;
-
-static DESCRIPTION: Description = Description {
+pub static REFERENCE_SHIFT: Effect<1> = Effect {
     name: "reference-shift",
     about: "the reference point is off",
     law: "deviation += offset",
     source: "seed 001, readings from a reference point",
-    parameters: &[Parameter::signed("offset", MICRO, "of the reference point", (-100.0, 100.0))],
+    parameters: [Parameter::signed("offset", MICRO, "of the reference point", (-100.0, 100.0))],
     look_alikes: &[],
+    needs: nothing,
+    act: |[offset], machine| machine.add(move |_, _| offset),
 };
-
-impl Effect<Machine> for ReferenceShift {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let offset = values["offset"];
-        machine.add(move |_| offset);
-    }
-}
 
 #[cfg(test)]
 mod tests {

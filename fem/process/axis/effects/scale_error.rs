@@ -2,32 +2,21 @@
 //!
 //! slope·x, slope in m/m. At the position 0 nothing is wrong, wherever the travel begins.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `scale-error`.
-pub struct ScaleError;
-
-static DESCRIPTION: Description = Description {
+pub static SCALE_ERROR: Effect<1> = Effect {
     name: "scale-error",
     about: "lead or scale is off all along the travel",
     law: "deviation += slope*position",
     source: "seed 001, pitch errors",
-    parameters: &[Parameter::signed("slope", SLOPE, "error per length", (-200.0, 200.0))],
+    parameters: [Parameter::signed("slope", SLOPE, "error per length", (-200.0, 200.0))],
     look_alikes: &[("thermal-growth", "cold and warm: growth follows the time, a scale does not")],
+    needs: nothing,
+    act: |[slope], machine| machine.add(move |position, _| slope * position),
 };
-
-impl Effect<Machine> for ScaleError {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let slope = values["slope"];
-        machine.add(move |at| slope * at.position);
-    }
-}
 
 #[cfg(test)]
 mod tests {

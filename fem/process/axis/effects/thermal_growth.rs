@@ -1,21 +1,22 @@
 //! The screw warms as it works, and grows away from its fixed bearing.
 //!
-//! slope·(1 − e^(−t/τ))·(x − fixed_at), slope (m/m) what the growth tends to, τ the time constant (s), t the time since the test began with a cold
-//! axis. Negative where a warm axis cools. τ is that of a rod in air, ρ·c·d/4h: 5 min for a screw of 30 mm at 100 W/m²K. Left out: cooling in pauses, and a screw that is warmer in the middle.
+//! slope·(1 − e^(−t/τ))·(x − fixed_at), slope (m/m) what the growth tends to, τ the time constant (s), t the
+//! time since the test began with a cold axis. Negative where a warm axis cools. τ is that of a rod in air,
+//! ρ·c·d/4h: 5 min for a screw of 30 mm at 100 W/m²K. Left out: cooling in pauses, and a screw that is
+//! warmer in the middle.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use super::super::setup::Setup;
+use crate::process::Parameter;
 use crate::units::{SLOPE, TIME};
 
 /// `thermal-growth`.
-pub struct ThermalGrowth;
-
-static DESCRIPTION: Description = Description {
+pub static THERMAL_GROWTH: Effect<2> = Effect {
     name: "thermal-growth",
     about: "the screw warms and grows away from its fixed bearing",
     law: "deviation += slope*(1 - exp(-time/time_constant))*(position - fixed_at)",
     source: "seed 002 (35)-(39), first order in time",
-    parameters: &[
+    parameters: [
         Parameter::signed("slope", SLOPE, "growth per length of the warm screw", (-200.0, 200.0)),
         Parameter::shape("time_constant", TIME, "time constant of the warming", (5.0, 120.0)),
     ],
@@ -23,16 +24,17 @@ static DESCRIPTION: Description = Description {
         ("scale-error", "cold and warm: only growth follows the time"),
         ("backlash", "the order of approaches: + always before - lets drift pass for play"),
     ],
+    needs: a_free_end,
+    act: |[slope, time_constant], machine| {
+        let fixed_at = machine.setup.fixed_at;
+        machine.add(move |position, time| -slope * (-time / time_constant).exp_m1() * (position - fixed_at));
+    },
 };
 
-impl Effect<Machine> for ThermalGrowth {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (slope, time_constant, fixed_at) = (values["slope"], values["time_constant"], machine.setup.fixed_at);
-        machine.add(move |at| -slope * (-at.time / time_constant).exp_m1() * (at.position - fixed_at));
+fn a_free_end(setup: &Setup) -> Result<(), String> {
+    match setup.also_fixed_at {
+        Some(_) => Err("needs a screw that is free to grow, and this one is held by a bearing at either end".into()),
+        None => Ok(()),
     }
 }
 

@@ -5,7 +5,8 @@ use crate::positioning::Direction::{Backward, Forward};
 use crate::positioning::{Direction, Evaluation, Law, PitchErrors, Reversal, Table};
 use crate::process::Case;
 
-/// P1 to P6 forwards and N6 to N1 backwards (um) at 0, 100, … 500 mm; as in the seed there is no reading at P6 and none at N1.
+/// P1 to P6 forwards and N6 to N1 backwards (um) at 0, 100, … 500 mm; as in the seed there is no reading at
+/// P6 and none at N1.
 const FORWARDS: [f64; 5] = [0.0, 4.0, 6.0, 11.0, 13.0];
 const BACKWARDS: [f64; 5] = [10.0, 14.0, 17.0, 23.0, 24.0];
 

@@ -13,7 +13,8 @@ pub fn cases() -> Vec<Case> {
     let abbe = axis("[abbe-error]\nheight = \"-9 um\"");
     let shift = axis("[reference-shift]\noffset = \"-4.5 um\"");
     let all = axis(
-        "[backlash]\ngap = \"7 um\"\n[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"\n[scale-error]\nslope = \"25 um/m\"",
+        "[backlash]\ngap = \"7 um\"\n[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"\n\
+         [scale-error]\nslope = \"25 um/m\"",
     );
     let um = |name: &str, expected: f64, computed: f64, source| {
         row(name, "deviation", (expected, computed, "um"), CANCELLED, source)

@@ -1,4 +1,5 @@
-//! The validation table of axes: closed forms, effects by hand, and positioning tests whose evaluation is known.
+//! The validation table of axes: closed forms, effects by hand, and positioning tests whose evaluation is
+//! known.
 
 mod compensation;
 mod effects;

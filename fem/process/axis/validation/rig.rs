@@ -1,11 +1,12 @@
 //! Axes and tests for the table.
 
-use std::sync::Arc;
-
-use super::super::{Driven, Moment, Setup, effect};
+use super::super::{Axis, rows};
 use crate::positioning::{Approach, Direction, Evaluation};
 pub(super) use crate::process::row;
-use crate::process::{Tolerance, set_up};
+use crate::process::{Assembled, ForwardModel, Tolerance, assembled};
+
+/// An axis with its effects.
+pub type Machine = Assembled<Axis>;
 
 /// What sums of doubles leave.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
@@ -23,17 +24,16 @@ pub fn rigidity() -> f64 {
     210e9 * std::f64::consts::PI * 0.02 * 0.02
 }
 
-/// The axis with one effect given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
-pub fn axis(effects: &str) -> Option<Driven> {
-    let describe = |name: &str| Some(effect(name)?.description());
-    let (setup, active) = set_up(AXIS, effects, Setup::read, describe)?;
-    Some(Driven::equip(Arc::new(setup), &active))
+/// The axis with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no
+/// row can pass by it.
+pub fn axis(effects: &str) -> Option<Machine> {
+    assembled(AXIS, effects)
 }
 
 /// Deviation in um at a position (mm), forwards or backwards, after minutes.
-pub fn deviation(axis: &Option<Driven>, position: f64, direction: Direction, minutes: f64) -> f64 {
-    let at = Moment { position: 1e-3 * position, direction, time: 60.0 * minutes };
-    axis.as_ref().map_or(f64::NAN, |a| 1e6 * a.deviation(&at))
+pub fn deviation(axis: &Option<Machine>, position: f64, direction: Direction, minutes: f64) -> f64 {
+    let rows = rows::rows([(1e-3 * position, direction, 1.0, 60.0 * minutes)]);
+    axis.as_ref().and_then(|a| a.observe(&rows).ok()).map_or(f64::NAN, |d| 1e6 * d[0])
 }
 
 /// A test from its readings (position mm, direction, deviation um).

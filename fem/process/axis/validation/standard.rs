@@ -29,7 +29,8 @@ fn stage() -> Evaluation {
 fn published() -> Vec<Case> {
     let quantities = stage().quantities();
     let report = "report of the ecmccfg example";
-    // Of E and R the report's own figures contradict the standard; these follow from its readings by the standard's formulas.
+    // Of E and R the report's own figures contradict the standard; these follow from its readings by the
+    // standard's formulas.
     let standard = "readings of the ecmccfg example, ISO 230-2 by separate code";
     let rows: [(&str, f64, &str); 7] = [
         ("B", 0.0122, report),

@@ -1,36 +1,28 @@
 //! The wheel's centre runs above or below the cam's axis.
 //!
-//! The slide brings the wheel's centre to (x, h) instead of (x, 0): its distance from the axis is √(x² + h²), and it stands at another angle of the cam, by
-//! atan(h/x), counter-clockwise positive. Mostly the profile is turned thereby, a little more where the cam is small. Left out: a height that changes along the slide.
+//! The slide brings the wheel's centre to (x, h) instead of (x, 0): its distance from the axis is √(x² +
+//! h²), and it stands at another angle of the cam, by atan(h/x), counter-clockwise positive. Mostly the
+//! profile is turned thereby, a little more where the cam is small. Left out: a height that changes along the
+//! slide.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::MICRO;
 
 /// `centre-height`.
-pub struct CentreHeight;
-
-static DESCRIPTION: Description = Description {
+pub static CENTRE_HEIGHT: Effect<1> = Effect {
     name: "centre-height",
     about: "the wheel's centre runs above (+, counter-clockwise) or below the cam's axis",
     law: "wheel centre at (x, height): radius sqrt(x^2 + height^2), angle atan(height/x)",
     source: "geometry of the slide",
-    parameters: &[Parameter::signed("height", MICRO, "of the wheel's centre above the cam's axis", (-500.0, 500.0))],
+    parameters: [Parameter::signed("height", MICRO, "of the wheel's centre above the cam's axis", (-500.0, 500.0))],
     look_alikes: &[
         ("servo-lag", "another cam speed: a lag grows with it, a height does not"),
         ("infeed-backlash", "the programme run from its end: a backlash changes its sign, a height does not"),
     ],
+    needs: nothing,
+    act: |[height], machine| machine.height = height,
 };
-
-impl Effect<Machine> for CentreHeight {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.height += values["height"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -38,7 +30,8 @@ mod tests {
 
     #[test]
     fn a_wheel_above_the_axis_turns_the_profile_forward() {
-        // At 90 and 270 deg of a circle about (4, 0) mm: turned by h/x, and farther out by h²/2x; x = √(195² − 4²) there.
+        // At 90 and 270 deg of a circle about (4, 0) mm: turned by h/x, and farther out by h²/2x; x =
+        // √(195² − 4²) there.
         let x = (195.0f64 * 195.0 - 16.0).sqrt();
         let computed = deviations("centre-height", &[300.0], &[90.0, 270.0]);
         // The normal there leans so that of the way sideways 384^½/20 stands along it.

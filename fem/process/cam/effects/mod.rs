@@ -6,29 +6,29 @@ mod infeed_backlash;
 mod servo_lag;
 mod wheel_wear;
 
-use super::Machine;
-use crate::process::Effect;
+use super::machine::Machine;
+use super::setup::Setup;
+use crate::process::CatalogueEffect;
 
 /// The registry.
-pub const ALL: &[&dyn Effect<Machine>] = &[
-    &wheel_wear::WheelWear,
-    &servo_lag::ServoLag,
-    &infeed_backlash::InfeedBacklash,
-    &centre_height::CentreHeight,
-    &grinding_deflection::GrindingDeflection,
+pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
+    &wheel_wear::WHEEL_WEAR,
+    &servo_lag::SERVO_LAG,
+    &infeed_backlash::INFEED_BACKLASH,
+    &centre_height::CENTRE_HEIGHT,
+    &grinding_deflection::GRINDING_DEFLECTION,
 ];
 
 #[cfg(test)]
 mod bench {
     //! A grinder to try effects on.
 
-    use std::sync::Arc;
+    use super::super::CamGrinding;
+    use super::super::rows;
+    use crate::process::{ForwardModel, with_effect};
 
-    use super::super::{Cam, Setup, effect};
-    use crate::input::Reader;
-    use crate::process::Active;
-
-    /// A circle of 20 mm radius, 4 mm beside the cam's axis, and a wheel of 175 mm; 3600 blocks err by 2 nm at most.
+    /// A circle of 20 mm radius, 4 mm beside the cam's axis, and a wheel of 175 mm; 3600 blocks err by 2 nm
+    /// at most.
     const MODEL: &str = r#"
         wheel = { radius = "175 mm" }
         cut = { stock = "20 um", force_per_rate = "10 N/(mm^2/s)" }
@@ -40,15 +40,9 @@ mod bench {
 
     /// Deviation in um at polar angles (deg), with one effect of these canonical values.
     pub fn deviations(name: &str, canonical: &[f64], degrees: &[f64]) -> Vec<f64> {
-        let model = toml_edit::Document::parse(MODEL).unwrap();
-        let (setup, _, problems) = Reader::document(model.as_table(), Setup::read);
-        assert_eq!(problems, []);
-        let description = effect(name).unwrap().description();
-        let values = description.parameters.iter().zip(canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
-        let cam = Cam::equip(Arc::new(setup.unwrap()), &[Active { description, values, written: None }]);
-        let pass = cam.machine.usual();
-        let motion = cam.machine.motion(pass);
-        let at = |angle: &f64| cam.deviation(&motion, cam.setup().profile.at_angle(angle.to_radians()), pass);
-        degrees.iter().map(|angle| 1e6 * at(angle).unwrap()).collect()
+        let cam = with_effect::<CamGrinding>(MODEL, name, canonical);
+        let angles = degrees.iter().map(|angle| angle.to_radians()).collect();
+        let deviations = cam.observe(&rows::around(angles, cam.setup().program.usual())).unwrap();
+        deviations.iter().map(|d| 1e6 * d).collect()
     }
 }

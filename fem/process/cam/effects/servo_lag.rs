@@ -1,38 +1,30 @@
 //! The slide is late against the cam.
 //!
-//! The slide stands where it was commanded `time` ago, when the cam was ω·time behind. At one speed of the cam the whole profile is thereby turned by
-//! ω·time against its keyway, the way in which the grinding point goes; the deviation is that of a turned profile, about ω·time·dr/ds·r. A
-//! cam axis that is late does the same with the other sign: only the difference of the two lags shows, and `time` is that of the slide less that of the cam
-//! (negative where the cam's is longer). Left out: a lag that changes with frequency.
+//! The slide stands where it was commanded `time` ago, when the cam was ω·time behind. At one speed of the
+//! cam the whole profile is thereby turned by ω·time against its keyway, the way in which the grinding
+//! point goes; the deviation is that of a turned profile, about ω·time·dr/ds·r. A cam axis that is late
+//! does the same with the other sign: only the difference of the two lags shows, and `time` is that of the
+//! slide less that of the cam (negative where the cam's is longer). Left out: a lag that changes with
+//! frequency.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::SHORT_TIME;
 
 /// `servo-lag`.
-pub struct ServoLag;
-
-static DESCRIPTION: Description = Description {
+pub static SERVO_LAG: Effect<1> = Effect {
     name: "servo-lag",
     about: "the slide is late against the cam (or the cam early: only the difference shows)",
     law: "x(t) = x_commanded(t - time): the cam angle at which the slide acts is late by omega*time",
     source: "seed 003 (interpolation of cam and slide)",
-    parameters: &[Parameter::signed("time", SHORT_TIME, "of the slide less that of the cam", (-20.0, 20.0))],
+    parameters: [Parameter::signed("time", SHORT_TIME, "of the slide less that of the cam", (-20.0, 20.0))],
     look_alikes: &[
         ("centre-height", "another cam speed: a lag grows with it, a height does not"),
         ("infeed-backlash", "another cam speed; a backlash is the same on steep and gentle flanks"),
     ],
+    needs: nothing,
+    act: |[time], machine| machine.lag = time,
 };
-
-impl Effect<Machine> for ServoLag {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.lag += values["time"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -40,8 +32,8 @@ mod tests {
 
     #[test]
     fn the_profile_is_turned_against_its_keyway() {
-        // The circle about (4, 0) lies about (4cos δ, 4sin δ), δ = 20 rpm · 5 ms; along the normal n of a point of the old one
-        // s = n·d − r + √(r² − d² + (n·d)²).
+        // The circle about (4, 0) lies about (4cos δ, 4sin δ), δ = 20 rpm · 5 ms; along the normal n of a
+        // point of the old one s = n·d − r + √(r² − d² + (n·d)²).
         let turned = 20.0 * std::f64::consts::TAU / 60.0 * 5e-3;
         let d = [4e3 * (f64::cos(turned) - 1.0), 4e3 * f64::sin(turned)];
         for angle in [10.0f64, 90.0, 200.0, 315.0] {

@@ -1,36 +1,27 @@
 //! The wheel is smaller than the one that the programme was made for.
 //!
-//! Every position of the wheel's centre is that of the programmed radius R; a wheel of R − loss leaves `loss` on a profile whose programme is exact,
-//! and a little else on one whose blocks are long, for it bridges their waves less. Left out: wear within one cam.
+//! Every position of the wheel's centre is that of the programmed radius R; a wheel of R − loss leaves
+//! `loss` on a profile whose programme is exact, and a little else on one whose blocks are long, for it
+//! bridges their waves less. Left out: wear within one cam.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::MICRO;
 
 /// `wheel-wear`.
-pub struct WheelWear;
-
-static DESCRIPTION: Description = Description {
+pub static WHEEL_WEAR: Effect<1> = Effect {
     name: "wheel-wear",
     about: "the wheel is smaller than the one that the programme was made for",
     law: "wheel radius = wheel.radius - loss; deviation of an exact programme += loss",
     source: "geometry of the envelope (seed 003)",
-    parameters: &[Parameter::amplitude("loss", MICRO, "of the radius", (1.0, 300.0))],
+    parameters: [Parameter::amplitude("loss", MICRO, "of the radius", (1.0, 300.0))],
     look_alikes: &[(
         "grinding-deflection",
         "where the feed of the grinding point differs: arcs against straight flanks, or half the cam speed",
     )],
+    needs: nothing,
+    act: |[loss], machine| machine.wear = loss,
 };
-
-impl Effect<Machine> for WheelWear {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.wear += values["loss"];
-    }
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,18 +1,20 @@
 //! A stretch of the motion on which slide and cam go linearly.
 
+use super::super::search::root;
 use super::reach::{Ray, Reach, lowest_of_capsule};
 use crate::process::cam::profile::{Vector, direction, left};
 
-/// Shorter parts of a leg are not divided any more: over one a wheel moves by less than round-off in what it leaves.
+/// Shorter parts of a leg are not divided any more: over one a wheel moves by less than round-off in what it
+/// leaves.
 const SHORTEST: f64 = 1e-8;
 /// Parts that can wait: one more than the halvings down to the shortest.
 const LEVELS: usize = 32;
 
-/// What is proved of what a part of a leg leaves, over time.
+/// The shape over time, as far as it is proved, of what a part of a leg leaves.
 enum Bend {
     Convex,
     Concave,
-    /// Nothing.
+    /// Nothing is proved.
     Open,
 }
 
@@ -21,13 +23,13 @@ enum Bend {
 pub struct Leg {
     /// Polar angle of the slide's line in the cam at the beginning, and by how much it grows, rad.
     pub turn: (f64, f64),
-    /// Where the slide stands at the beginning, and by how much it moves, m.
+    /// Place of the slide at the beginning, and its way, m.
     pub slide: (f64, f64),
     /// Height of the wheel above the cam's axis, m.
     pub height: f64,
     /// Block of the programme to which it belongs.
     pub block: usize,
-    /// Which part of the block it is: from, to.
+    /// The part of the block that it is: from, to.
     pub part: (f64, f64),
     /// The wheel's centre at both ends, m.
     pub ends: [Vector; 2],
@@ -84,11 +86,14 @@ impl Leg {
         (self.greatest_slide() * rate * rate).hypot((3.0 * self.slide.1 - self.height * rate) * rate) * rate.abs()
     }
 
-    /// Lowers `best` by what a wheel of `radius` leaves along the ray between two times of this leg, which has number `leg`.
+    /// Lowers `best` by what a wheel of `radius` leaves along the ray between two times of this leg, which
+    /// has number `leg`.
     ///
-    /// What is left, g(t), is W'·u/(u·n) in its slope, with u from the point that is cut to the wheel's centre: where the slope
-    /// vanishes the wheel touches its envelope. A part of the leg on which g is proved convex holds one such point at most, between ends
-    /// whose slopes tell whether there is one; where g is proved concave an end is lowest; other parts are halved. Parts that by their chord cannot lie lower are left out.
+    /// The rest g(t) that a position leaves has the slope W'·u/(u·n), with u from the point
+    /// that is cut to the wheel's centre: where the slope vanishes the wheel touches its envelope. A part of
+    /// the leg on which g is proved convex holds one such point at most, between ends whose slopes tell
+    /// whether there is one; where g is proved concave an end is lowest; other parts are halved. Parts that
+    /// by their chord cannot lie lower are left out.
     pub fn lower(&self, ray: &Ray, radius: f64, leg: usize, times: (f64, f64), best: &mut Reach) {
         // Halving in order of time, no more than one part waits on each level.
         let mut parts = [times; LEVELS];
@@ -103,20 +108,22 @@ impl Leg {
                 continue;
             }
             let middle = 0.5 * (from + to);
+            let mut take = |t| best.lower(Reach { left: ray.left_by(&self.centre(t), radius), leg, at: t });
             match self.bend(ray, radius, middle, 0.5 * (to - from)) {
-                Bend::Convex => best.take(ray, radius, leg, self.lowest(ray, radius, from, to), self),
+                Bend::Convex => take(self.lowest(ray, radius, from, to)),
                 Bend::Open if to - from > SHORTEST && waiting + 2 <= LEVELS => {
                     parts[waiting] = (middle, to);
                     parts[waiting + 1] = (from, middle);
                     waiting += 2;
                 }
-                Bend::Concave | Bend::Open => [from, to].into_iter().for_each(|t| best.take(ray, radius, leg, t, self)),
+                Bend::Concave | Bend::Open => [from, to].into_iter().for_each(take),
             }
         }
     }
 
-    /// How g bends for certain within `half` of `middle`: g'' has the sign of u·W'' + b'²/(R·cos²β), with b the distance of the
-    /// centre beside the ray and sin β = b/R, and neither term can change by more than its bound.
+    /// The bend of g for certain within `half` of `middle`: g'' has the sign of u·W'' + b'²/(R·cos²β),
+    /// with b the distance of the centre beside the ray and sin β = b/R, and neither term can change by more
+    /// than its bound.
     fn bend(&self, ray: &Ray, radius: f64, middle: f64, half: f64) -> Bend {
         let (speed, acceleration) = (self.greatest_speed(), self.greatest_acceleration());
         let [centre, velocity, accelerated] = self.motion(middle);
@@ -143,7 +150,7 @@ impl Leg {
         }
     }
 
-    /// Where g is least between two times between which it is convex.
+    /// The time at which g is least between two times between which it is convex.
     fn lowest(&self, ray: &Ray, radius: f64, from: f64, to: f64) -> f64 {
         // (W'·u, its derivative by t)
         let slope = |t: f64| {
@@ -163,22 +170,16 @@ impl Leg {
         if slope(to).0 <= 0.0 {
             return to;
         }
-        let (mut low, mut high) = (from, to);
-        let mut t = 0.5 * (from + to);
-        for _ in 0..60 {
+        let step = |t: f64| {
             let (value, bend) = slope(t);
-            *(if value < 0.0 { &mut low } else { &mut high }) = t;
-            let newton = t - value / bend;
-            // g is flat there: at this distance from its least it is the same to round-off.
-            if (newton - t).abs() < 1e-11 {
-                break;
-            }
-            t = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        }
-        t
+            -value / bend
+        };
+        // g is flat there: at this distance from its least it is the same to round-off.
+        root(step, 0.5 * (from + to), (from, to), 1e-11)
     }
 
-    /// The unit normal of the path that points away from the cam, where the path is walked the way of `sense`.
+    /// The unit normal of the path that points away from the cam, where the path is walked the way of
+    /// `sense`.
     pub fn outwards(&self, t: f64, sense: f64) -> Vector {
         -left(&self.velocity(t).normalize()) * sense
     }
@@ -188,7 +189,7 @@ impl Leg {
         self.centre(t) - self.outwards(t, sense) * radius
     }
 
-    /// By how much the grinding point moves along the envelope per t, forwards positive, m.
+    /// Speed of the grinding point along the envelope by t, forwards positive, m.
     pub fn grinding_speed(&self, t: f64, radius: f64, sense: f64) -> f64 {
         let [_, velocity, acceleration] = self.motion(t);
         let speed = velocity.norm();
@@ -197,7 +198,8 @@ impl Leg {
         speed * (1.0 - radius * curvature)
     }
 
-    /// Length of the whole envelope of a wheel of `radius` over the leg, m, by Gauss's rule on eight parts; the integrand is smooth.
+    /// Length of the whole envelope of a wheel of `radius` over the leg, m, by Gauss's rule on eight parts;
+    /// the integrand is smooth.
     pub fn envelope(&self, radius: f64, sense: f64) -> f64 {
         const PARTS: u32 = 8;
         let side = 0.6f64.sqrt();

@@ -1,8 +1,9 @@
 //! The motion of the wheel about the cam as the machine makes it, and what the wheel leaves of the cam.
 //!
-//! Seen from the cam the wheel's centre runs W(t) = x·e(φ) + h·e⊥(φ): x is where the slide stands, φ how far the cam has turned, h the height of the wheel
-//! above the cam's axis. Over a [`Leg`] x and φ go linearly in time, so that W is an arc of an Archimedean spiral. What is left of the cam
-//! along the normal of a point of its profile is the least that any position of the wheel leaves there.
+//! Seen from the cam the wheel's centre runs W(t) = x·e(φ) + h·e⊥(φ): x is where the slide stands, φ
+//! how far the cam has turned, h the height of the wheel above the cam's axis. Over a [`Leg`] x and φ go
+//! linearly in time, so that W is an arc of an Archimedean spiral. What is left of the cam along the normal
+//! of a point of its profile is the least that any position of the wheel leaves there.
 
 mod leg;
 mod path;
@@ -21,7 +22,7 @@ use tree::Tree;
 pub struct Motion {
     legs: Vec<Leg>,
     tree: Tree,
-    /// Of the wheel as it is, m.
+    /// Radius of the wheel as it is, m.
     radius: f64,
 }
 
@@ -46,8 +47,8 @@ impl Motion {
         self.legs.partition_point(|leg| leg.block < block).min(self.legs.len() - 1)
     }
 
-    /// What is left along a ray, and which position of the wheel cuts it last: to round-off the least over the whole motion. The search
-    /// begins at leg `guess`. `None` where the wheel never comes.
+    /// The rest along a ray, and the position of the wheel that cuts it last: to round-off the least over
+    /// the whole motion. The search begins at leg `guess`. `None` where the wheel never comes.
     pub fn left_along(&self, ray: &Ray, guess: usize) -> Option<Reach> {
         let mut best = Reach::none();
         self.legs[guess].lower(ray, self.radius, guess, (0.0, 1.0), &mut best);
@@ -55,13 +56,6 @@ impl Motion {
             self.legs[leg].lower(ray, self.radius, leg, (0.0, 1.0), &mut best);
             best.left
         });
-        best.found()
-    }
-
-    /// The same by some of the legs alone.
-    pub fn left_by(&self, ray: &Ray, legs: impl Iterator<Item = usize>) -> Option<Reach> {
-        let mut best = Reach::none();
-        legs.for_each(|leg| self.legs[leg].lower(ray, self.radius, leg, (0.0, 1.0), &mut best));
         best.found()
     }
 

@@ -1,18 +1,18 @@
-//! From a programme to the motion that slide and cam make of it.
+//! The motion that slide and cam make of a programme.
 
 use std::f64::consts::TAU;
 
-use super::Leg;
+use super::leg::Leg;
 use super::play::play;
 
-/// What is commanded over a turn: where slide and cam stand when blocks begin, and at the end of the last.
+/// The commands of a turn: places of slide and cam when blocks begin, and at the end of the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
-    /// When, s; rising from 0.
+    /// Times, s; rising from 0.
     pub times: Vec<f64>,
     /// Polar angle of the wheel's centre in the cam, counted on, rad.
     pub turns: Vec<f64>,
-    /// Of the wheel's centre from the cam's axis, m.
+    /// Distance of the wheel's centre from the cam's axis, m.
     pub slides: Vec<f64>,
 }
 
@@ -38,7 +38,7 @@ impl Axes {
         self.times.partition_point(|t| *t <= time).clamp(1, self.times.len() - 1) - 1
     }
 
-    /// Where the cam stands at any time.
+    /// Angle of the cam at any time, rad.
     fn turn(&self, time: f64) -> f64 {
         let rounds = (time / self.period()).floor();
         let time = time - rounds * self.period();
@@ -56,8 +56,8 @@ impl Axes {
     }
 }
 
-/// The legs of the motion when the slide is late by `lag` (s), driven through play of width `gap` (m), and the wheel stands `height` (m) above the cam's axis.
-/// Legs belong to the blocks that the slide executes.
+/// The legs of the motion when the slide is late by `lag` (s), driven through play of width `gap` (m), and
+/// the wheel stands `height` (m) above the cam's axis. Legs belong to the blocks that the slide executes.
 pub fn legs(axes: &Axes, lag: f64, gap: f64, height: f64) -> Vec<Leg> {
     let commands: Vec<(f64, f64)> = axes.times.iter().copied().zip(axes.slides.iter().copied()).collect();
     let mut bends = if gap > 0.0 { play(&commands, gap) } else { commands };

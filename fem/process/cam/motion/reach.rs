@@ -1,21 +1,21 @@
-//! How far a wheel reaches down the normal of a point of the profile.
+//! The reach of a wheel down the normal of a point of the profile.
 
-use super::Leg;
 use crate::process::cam::profile::{Place, Vector, left};
 
 /// The normal of a point of the profile, along which what is left is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// On the profile, m.
+    /// A point on the profile, m.
     pub point: Vector,
-    /// Outwards, of unit length.
+    /// The unit vector outwards.
     pub normal: Vector,
 }
 
-/// What a position of the wheel leaves.
+/// A position of the wheel and what it leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
-    /// From the profile outwards, m: positive where material is left, negative where too much is cut.
+    /// The rest from the profile outwards, m: positive where material is left, negative where too much is
+    /// cut.
     pub left: f64,
     /// The leg on which it is cut.
     pub leg: usize,
@@ -35,17 +35,18 @@ impl Ray {
         left(&self.normal)
     }
 
-    /// How far beside the ray a point lies, m.
+    /// Distance of a point beside the ray, m.
     pub fn beside(&self, point: &Vector) -> f64 {
         self.normal.perp(&(point - self.point))
     }
 
-    /// How far above the tangent of the profile a point lies, m.
+    /// Height of a point above the tangent of the profile, m.
     pub fn above(&self, point: &Vector) -> f64 {
         self.normal.dot(&(point - self.point))
     }
 
-    /// What a wheel of `radius` about `centre` leaves; infinite where it does not meet the ray, or stands below the tangent, on the other side of the cam.
+    /// The rest that a wheel of `radius` about `centre` leaves, m; infinite where it does not meet the ray,
+    /// or stands below the tangent, on the other side of the cam.
     pub fn left_by(&self, centre: &Vector, radius: f64) -> f64 {
         let (above, beside) = (self.above(centre), self.beside(centre));
         // As a product: near the edge of the wheel nothing is lost.
@@ -65,17 +66,17 @@ impl Reach {
         (self.leg != usize::MAX).then_some(self)
     }
 
-    /// Takes the position of a leg at t, if it leaves less.
-    pub fn take(&mut self, ray: &Ray, radius: f64, leg: usize, t: f64, motion: &Leg) {
-        let left = ray.left_by(&motion.centre(t), radius);
-        if left < self.left {
-            *self = Self { left, leg, at: t };
+    /// Takes another, if it leaves less.
+    pub fn lower(&mut self, other: Self) {
+        if other.left < self.left {
+            *self = other;
         }
     }
 }
 
-/// No wheel of `radius` whose centre lies within `bow` of a chord leaves less than this along the ray. A wheel of `radius + bow` that runs along the chord leaves
-/// above − √((R+bow)² − beside²), convex as above and beside are linear: its least is where the slope of the circle is that of the chord.
+/// No wheel of `radius` whose centre lies within `bow` of a chord leaves less than this along the ray. A
+/// wheel of `radius + bow` that runs along the chord leaves above − √((R+bow)² − beside²), convex as
+/// above and beside are linear: its least is where the slope of the circle is that of the chord.
 pub fn lowest_of_capsule(ray: &Ray, ends: &[Vector; 2], radius: f64, bow: f64) -> f64 {
     let [above, next_above] = ends.map(|p| ray.above(&p));
     if above.max(next_above) + bow <= 0.0 {
@@ -85,7 +86,8 @@ pub fn lowest_of_capsule(ray: &Ray, ends: &[Vector; 2], radius: f64, bow: f64) -
     let (rise, drift) = (next_above - above, next_beside - beside);
     let reach = radius + bow;
     let length = rise.hypot(drift);
-    // Where along the chord: the slope vanishes at beside = −reach·rise/length, taken with the sign of the drift.
+    // Where along the chord: the slope vanishes at beside = −reach·rise/length, taken with the sign of the
+    // drift.
     let wanted = if length > 0.0 { -reach * rise / length * drift.signum() } else { beside };
     let part =
         if drift == 0.0 { if rise < 0.0 { 1.0 } else { 0.0 } } else { ((wanted - beside) / drift).clamp(0.0, 1.0) };

@@ -1,4 +1,4 @@
-//! What is left against brute force: every position of the wheel in turn, and no other code.
+//! The motion against brute force: every position of the wheel in turn, and no other code.
 
 use super::*;
 use crate::process::cam::profile::direction;
@@ -40,7 +40,8 @@ fn nothing_is_left_that_any_position_would_cut() {
             }
             for guess in [0, 7, 23] {
                 let found = motion.left_along(&ray, guess).map_or(f64::INFINITY, |reach| reach.left);
-                // Between neighbouring positions, 25 um apart at most, what is left dips by less than 25² um²/8R/cos².
+                // Between neighbouring positions, 25 um apart at most, what is left dips by less than 25²
+                // um²/8R/cos².
                 assert!(found <= brute && (brute - found < 2e-8 || brute == found), "{seed} {i}: {found} and {brute}");
             }
         }

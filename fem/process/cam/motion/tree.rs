@@ -1,6 +1,6 @@
 //! The legs of a motion in a binary tree, so that few need be looked at.
 
-use super::Leg;
+use super::leg::Leg;
 use super::reach::{Ray, lowest_of_capsule};
 use crate::process::cam::profile::Vector;
 
@@ -31,7 +31,8 @@ impl Tree {
         Self(nodes)
     }
 
-    /// Visits every leg that may leave less than `limit` along the ray, likely ones first; the visit gives the limit from then on.
+    /// Visits every leg that may leave less than `limit` along the ray, likely ones first; the visit gives
+    /// the limit from then on.
     pub fn search(&self, ray: &Ray, radius: f64, mut limit: f64, mut visit: impl FnMut(usize) -> f64) {
         let lowest = |i: usize| lowest_of_capsule(ray, &self.0[i].ends, radius, self.0[i].bow);
         let root = self.0.len() - 1;

@@ -1,14 +1,18 @@
 //! A profile drawn as a closed chain of lines and arcs.
 
 use std::cell::RefCell;
+use std::f64::consts::TAU;
 
-use super::{Curve, Profile, Vector, left, turn};
+use super::closed::Profile;
+use super::curve::Curve;
+use super::plane::{Vector, left, turn};
 use crate::input::Reader;
 use crate::units::{ANGLE, LENGTH};
 
-/// Where a chain ends beside its start by more than this, m, it is open. Less cannot be seen in a deviation.
+/// A chain that ends beside its start by more than this, m, is open. Less cannot be seen in a deviation.
 const OPEN: f64 = 1e-7;
-/// Segments that meet at more than this angle, rad, are not tangent. At less, a wheel of 1 m leaves or takes R·δ²/8 = 4 nm.
+/// Segments that meet at more than this angle, rad, are not tangent. At less, a wheel of 1 m leaves or takes
+/// R·δ²/8 = 4 nm.
 const KINK: f64 = 1.75e-4;
 /// A tangent that passes nearer to the axis than this part of the profile's size points at it.
 const RADIAL: f64 = 1e-3;
@@ -16,9 +20,9 @@ const RADIAL: f64 = 1e-3;
 /// A line or an arc of the model file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segment {
-    /// What it is, for people.
+    /// Its name, for people.
     pub name: String,
-    /// Into how many blocks it is divided, where it says so itself.
+    /// Number of its blocks, where it says so itself.
     pub blocks: Option<usize>,
 }
 
@@ -27,11 +31,11 @@ pub struct Segment {
 pub struct Drawn {
     /// The curve.
     pub profile: Profile,
-    /// In the order of the file.
+    /// The segments in the order of the file.
     pub segments: Vec<Segment>,
 }
 
-/// What has been drawn so far.
+/// The chain as it is drawn so far.
 struct Pen {
     at: Vector,
     /// Direction in which the last segment ends.
@@ -62,11 +66,8 @@ pub fn read_chain(t: &Reader) -> Option<Drawn> {
             (Some(to), None) => pen.borrow_mut().line(t, i, to),
             (None, Some((centre, sweep))) => pen.borrow_mut().arc(t, i, centre, sweep),
             _ => {
-                t.problem(
-                    "",
-                    "a segment is either a line or an arc",
-                    "write { line = { to = [\"14 mm\", \"0 mm\"] } }",
-                );
+                let help = "write { line = { to = [\"14 mm\", \"0 mm\"] } }";
+                t.problem("", "a segment is either a line or an arc", help);
                 None
             }
         };
@@ -94,7 +95,7 @@ impl Pen {
         }
         self.draw(t, segment, vec![Curve::line(self.at, to)], "line");
         self.at = to;
-        Some(format!("line of {} mm", figure(1e3 * length)))
+        Some(format!("line of {} mm", figure(length)))
     }
 
     fn arc(&mut self, t: &Reader, segment: usize, centre: Option<[f64; 2]>, sweep: f64) -> Option<String> {
@@ -104,20 +105,17 @@ impl Pen {
         if !(radius.is_finite() && sweep.is_finite()) {
             return None;
         }
-        if radius < OPEN || sweep == 0.0 || sweep.abs() > 2.0 * std::f64::consts::PI + 1e-9 {
-            let message = format!("an arc of radius {} mm by {} deg is none", 1e3 * radius, sweep.to_degrees());
-            t.problem(
-                "arc",
-                message,
-                "its centre lies away from where the chain stands; it sweeps up to 360 deg either way",
-            );
+        if radius < OPEN || sweep == 0.0 || sweep.abs() > TAU + 1e-9 {
+            let message = format!("an arc of radius {} by {} is none", LENGTH.told(radius), ANGLE.told(sweep));
+            let help = "its centre lies away from where the chain stands; it sweeps up to 360 deg either way";
+            t.problem("arc", message, help);
             return None;
         }
         let curves = Curve::arcs(centre, radius, from.y.atan2(from.x), sweep);
         let end = curves.last().map_or(self.at, |c| c.point(c.length));
         self.draw(t, segment, curves, "arc");
         self.at = end;
-        Some(format!("R{} about ({}, {})", figure(1e3 * radius), figure(1e3 * centre.x), figure(1e3 * centre.y)))
+        Some(format!("R{} about ({}, {})", figure(radius), figure(centre.x), figure(centre.y)))
     }
 
     /// Takes curves whose first must go on in the direction of the last.
@@ -126,12 +124,9 @@ impl Pen {
         if let (Some(before), Some(after)) = (self.along, begins) {
             let kink = turn(&before, &after);
             if kink.abs() > KINK {
-                let message = format!("the segment turns by {:.3} deg where it begins", kink.to_degrees());
-                t.problem(
-                    key,
-                    message,
-                    "segments must be tangent: round the corner by an arc, or give coordinates more digits",
-                );
+                let message = format!("the segment turns by {:.3} where it begins", ANGLE.shown(kink));
+                let help = "segments must be tangent: round the corner by an arc, or give coordinates more digits";
+                t.problem(key, message, help);
             }
         }
         self.first = self.first.or(begins);
@@ -152,15 +147,14 @@ impl Pen {
         }
         let gap = (self.at - start).norm();
         if gap > OPEN {
-            let (x, y) = (1e3 * self.at.x, 1e3 * self.at.y);
-            let message =
-                format!("the chain is open: it ends at ({x:.6} mm, {y:.6} mm), {:.4} mm from its start", 1e3 * gap);
+            let [x, y, gap] = [self.at.x, self.at.y, gap].map(|length| LENGTH.shown(length));
+            let message = format!("the chain is open: it ends at ({x:.6}, {y:.6}), {gap:.4} from its start");
             return refuse(message, "end it where it starts, to a ten-thousandth of a millimetre");
         }
         if let (Some(first), Some(last)) = (self.first, self.along) {
             let kink = turn(&last, &first);
             if kink.abs() > KINK {
-                let message = format!("the chain turns by {:.3} deg where it closes", kink.to_degrees());
+                let message = format!("the chain turns by {:.3} where it closes", ANGLE.shown(kink));
                 return refuse(message, "the last segment must be tangent to the first");
             }
         }
@@ -169,17 +163,15 @@ impl Pen {
         for (segment, curve) in &self.curves {
             if curve.least_arm(sense) < RADIAL * size {
                 let message = format!("segment {} runs towards the cam's axis or turns back about it", segment + 1);
-                let help = "the profile must lie around the axis (0, 0), and every direction from there meet it once: a polar grinder, and the column `angle`, cannot tell its points apart otherwise";
+                let help = "the profile must lie around the axis (0, 0), and every direction from there meet it once: \
+                            a polar grinder, and the column `angle`, cannot tell its points apart otherwise";
                 return refuse(message, help);
             }
         }
         let around: f64 = self.curves.iter().map(|c| turn(&c.1.point(0.0), &c.1.point(c.1.length))).sum();
-        if (around.abs() - std::f64::consts::TAU).abs() > 1e-3 {
-            let turns = around / std::f64::consts::TAU;
-            return refuse(
-                format!("the chain goes {turns:.2} times round the axis and crosses itself"),
-                "it must go round once",
-            );
+        if (around.abs() - TAU).abs() > 1e-3 {
+            let message = format!("the chain goes {:.2} times round the axis and crosses itself", around / TAU);
+            return refuse(message, "it must go round once");
         }
         Some(Profile::new(self.curves, sense))
     }
@@ -189,9 +181,8 @@ fn tangent(curve: &Curve, x: f64) -> Vector {
     left(&curve.place(x, 1.0).normal)
 }
 
-/// A number of a few digits, for names.
-fn figure(value: f64) -> String {
-    let rounded = (value * 1e3).round() / 1e3;
+/// A length (m) in mm with a few digits, for names.
+fn figure(length: f64) -> f64 {
     // Not −0.
-    format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
+    (LENGTH.from_si(length) * 1e3).round() / 1e3 + 0.0
 }

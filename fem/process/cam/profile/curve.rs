@@ -1,10 +1,15 @@
 //! Curves that profiles are made of.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-use super::{LONGEST_ARC, Lift, Place, Vector, direction, left};
+use super::lift::Lift;
+use super::plane::{Place, Vector, direction, left};
 
-/// What a curve is.
+/// Longest arc in one curve, rad.
+const LONGEST_ARC: f64 = 0.25 * PI;
+
+/// The kinds of curves.
 #[derive(Clone, Debug, PartialEq)]
 enum Shape {
     /// Straight.
@@ -12,14 +17,14 @@ enum Shape {
     /// Part of a circle; `way` is 1 counter-clockwise about its centre, −1 clockwise.
     Arc { centre: Vector, radius: f64, from: f64, way: f64 },
     /// One interval of a lift table.
-    Lift { lift: std::sync::Arc<Lift>, interval: usize },
+    Lift { lift: Arc<Lift>, interval: usize },
 }
 
 /// A curve from x = 0 to its length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     shape: Shape,
-    /// m.
+    /// Length, m.
     pub length: f64,
 }
 
@@ -30,7 +35,8 @@ impl Curve {
         Self { shape: Shape::Line { from, along: (to - from) / length }, length }
     }
 
-    /// An arc about `centre` from the angle `from` by `sweep`, rad, counter-clockwise positive; long ones in several curves.
+    /// An arc about `centre` from the angle `from` by `sweep`, rad, counter-clockwise positive; long ones in
+    /// several curves.
     pub fn arcs(centre: Vector, radius: f64, from: f64, sweep: f64) -> Vec<Self> {
         let count = (sweep.abs() / LONGEST_ARC - 1e-9).ceil().max(1.0);
         let part = sweep / count;
@@ -42,7 +48,7 @@ impl Curve {
     }
 
     /// One interval of a lift table.
-    pub fn lift(lift: &std::sync::Arc<Lift>, interval: usize) -> Self {
+    pub fn lift(lift: &Arc<Lift>, interval: usize) -> Self {
         Self { length: lift.length(interval), shape: Shape::Lift { lift: lift.clone(), interval } }
     }
 
@@ -70,7 +76,8 @@ impl Curve {
         }
     }
 
-    /// x of the point in a direction (a unit vector) from the origin, by a closed form; beyond the ends where there is none. `None` for a curve that has no closed form.
+    /// x of the point in a direction (a unit vector) from the origin, by a closed form; beyond the ends where
+    /// there is none. `None` for a curve that has no closed form.
     pub fn towards(&self, direction: &Vector, sense: f64) -> Option<f64> {
         match &self.shape {
             Shape::Line { from, along } => Some(-direction.perp(from) / direction.perp(along)),
@@ -106,7 +113,8 @@ impl Curve {
         }
     }
 
-    /// Smallest distance from the origin to the tangent (P × t), taken positive where the curve goes round the way of `sense`, m.
+    /// Smallest distance from the origin to the tangent (P × t), taken positive where the curve goes round
+    /// the way of `sense`, m.
     pub fn least_arm(&self, sense: f64) -> f64 {
         let arm = |x: f64| {
             let place = self.place(x, sense);

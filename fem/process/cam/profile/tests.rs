@@ -1,8 +1,12 @@
 //! Places of a profile found by angle, by nearness and by length.
 
+use std::f64::consts::PI;
+
+use super::curve::Curve;
 use super::*;
 
-/// Two noses of 20 mm about (±30, 0) mm, joined by hollows of 50 mm; counter-clockwise, or mirrored and clockwise.
+/// Two noses of 20 mm about (±30, 0) mm, joined by hollows of 50 mm; counter-clockwise, or mirrored and
+/// clockwise.
 fn hollow(sense: f64) -> Profile {
     let (r, c, h) = (20e-3, 30e-3, (70e-3f64 * 70e-3 - 30e-3 * 30e-3).sqrt());
     let half = (h / c).atan();
@@ -26,7 +30,7 @@ fn the_curve_closes_and_its_normals_turn_with_it() {
     for sense in [1.0, -1.0] {
         let profile = hollow(sense);
         let length = profile.length();
-        assert!((profile.at(0.0).point - profile.before(length).point).norm() < 1e-15);
+        assert!((profile.at(0.0).point - profile.at((1.0 - 1e-15) * length).point).norm() < 1e-15);
         for i in 0..200 {
             let s = length * (f64::from(i) + 0.3) / 200.0;
             let (a, b, middle) = (profile.at(s - 1e-7), profile.at(s + 1e-7), profile.at(s));

@@ -1,4 +1,4 @@
-//! The validation table of cams: what the source prints, and what closed forms say of simple profiles.
+//! The validation table of cams: numbers that the source prints, and closed forms of simple profiles.
 
 mod circles;
 mod effects;

@@ -2,34 +2,24 @@
 //!
 //! x·cos α + y·sin α on a circle: the set-up of the instrument, not an error of the machine.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::MICRO;
 
 /// `centre-offset`.
-pub struct CentreOffset;
-
-static DESCRIPTION: Description = Description {
+pub static CENTRE_OFFSET: Effect<2> = Effect {
     name: "centre-offset",
     about: "the contour lies beside the centre from which it is measured",
     law: "x*cos(alpha) + y*sin(alpha)",
     source: "set-up of the instrument (ISO 230-4)",
-    parameters: &[
+    parameters: [
         Parameter::signed("x", MICRO, "of the contour along x", (-100.0, 100.0)),
         Parameter::signed("y", MICRO, "of the contour along y", (-100.0, 100.0)),
     ],
     look_alikes: &[],
+    needs: nothing,
+    act: |[x, y], machine| machine.centre = [x, y],
 };
-
-impl Effect<Machine> for CentreOffset {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.centre = [values["x"], values["y"]];
-    }
-}
 
 #[cfg(test)]
 mod tests {

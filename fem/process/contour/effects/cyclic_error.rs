@@ -1,49 +1,50 @@
 //! An axis is wrong by a wave over each turn of its screw or each period of its scale.
 //!
-//! position += amplitude·sin(2π·position/lead + phase), the position counted from the contour's centre. On a straight side at φ to the axis the wave is
-//! lead/cos φ long [seed 000].
+//! position += amplitude·sin(2π·position/lead + phase), the position counted from the contour's centre. On
+//! a straight side at φ to the axis the wave is lead/cos φ long [seed 000].
 
-use super::super::Machine;
-use super::super::machine::Cyclic;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::{Cyclic, Effect, Machine};
+use super::super::setup::Setup;
+use crate::process::Parameter;
 use crate::units::{ANGLE, MICRO};
 
-/// `cyclic-error-x`, `cyclic-error-y`.
-pub struct CyclicError {
-    axis: usize,
-    description: &'static Description,
-}
+/// `cyclic-error-x`.
+pub static X: Effect<2> = cyclic_error(
+    "cyclic-error-x",
+    "x is wrong by a wave over each turn of its screw",
+    |[amplitude, phase], machine| {
+        machine.cyclic[0] = Cyclic { amplitude, phase };
+    },
+);
+/// `cyclic-error-y`.
+pub static Y: Effect<2> = cyclic_error(
+    "cyclic-error-y",
+    "y is wrong by a wave over each turn of its screw",
+    |[amplitude, phase], machine| {
+        machine.cyclic[1] = Cyclic { amplitude, phase };
+    },
+);
 
-/// Of the x axis.
-pub static X: CyclicError = CyclicError { axis: 0, description: &DESCRIPTION_X };
-/// Of the y axis.
-pub static Y: CyclicError = CyclicError { axis: 1, description: &DESCRIPTION_Y };
-
-static DESCRIPTION_X: Description = describe("cyclic-error-x", "x is wrong by a wave over each turn of its screw");
-static DESCRIPTION_Y: Description = describe("cyclic-error-y", "y is wrong by a wave over each turn of its screw");
-const PARAMETERS: &[Parameter] = &[
-    Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 50.0)),
-    Parameter::phase("phase", ANGLE, "at the contour's centre", 360.0),
-];
-
-const fn describe(name: &'static str, about: &'static str) -> Description {
-    Description {
+const fn cyclic_error(name: &'static str, about: &'static str, act: fn([f64; 2], &mut Machine)) -> Effect<2> {
+    Effect {
         name,
         about,
         law: "position += amplitude*sin(2*pi*position/lead + phase), lead = drives.lead",
         source: "seed 000 (error within the period of the feedback)",
-        parameters: PARAMETERS,
+        parameters: [
+            Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 50.0)),
+            Parameter::phase("phase", ANGLE, "at the contour's centre", 360.0),
+        ],
         look_alikes: &[],
+        needs: a_lead,
+        act,
     }
 }
 
-impl Effect<Machine> for CyclicError {
-    fn description(&self) -> &'static Description {
-        self.description
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.cyclic[self.axis] = Cyclic { amplitude: values["amplitude"], phase: values["phase"] };
+fn a_lead(setup: &Setup) -> Result<(), String> {
+    match setup.lead {
+        Some(_) => Ok(()),
+        None => Err("needs its period: lead = \"10 mm\" in [drives]".into()),
     }
 }
 

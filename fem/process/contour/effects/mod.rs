@@ -8,34 +8,32 @@ mod scale_mismatch;
 mod servo_mismatch;
 mod squareness;
 
-use super::Machine;
-use crate::process::Effect;
+use super::machine::Machine;
+use super::setup::Setup;
+use crate::process::CatalogueEffect;
 
 /// The registry.
-pub const ALL: &[&dyn Effect<Machine>] = &[
-    &servo_mismatch::ServoMismatch,
+pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
+    &servo_mismatch::SERVO_MISMATCH,
     &backlash::X,
     &backlash::Y,
     &reversal_spike::X,
     &reversal_spike::Y,
-    &squareness::Squareness,
-    &scale_mismatch::ScaleMismatch,
+    &squareness::SQUARENESS,
+    &scale_mismatch::SCALE_MISMATCH,
     &cyclic_error::X,
     &cyclic_error::Y,
-    &centre_offset::CentreOffset,
+    &centre_offset::CENTRE_OFFSET,
 ];
 
 #[cfg(test)]
 mod bench {
     //! A machine to try effects on.
 
-    use std::sync::Arc;
-
-    use super::super::machine::Lap;
+    use super::super::Contour;
+    use super::super::forward::Lap;
     use super::super::path::Direction;
-    use super::super::{Contouring, Setup, effect};
-    use crate::input::Reader;
-    use crate::process::Active;
+    use crate::process::with_effect;
 
     pub const DIRECTIONS: [Direction; 2] = [Direction::CounterClockwise, Direction::Clockwise];
 
@@ -45,18 +43,14 @@ mod bench {
         drives = { gain = "50 /s", lead = "10 mm" }
     "#;
 
-    /// What an effect of these canonical values changes at an angle (deg), um.
+    /// Change that an effect of these canonical values makes at an angle (deg), um.
     pub fn change(name: &str, canonical: &[f64], direction: Direction, angle: f64) -> f64 {
-        let model = toml_edit::Document::parse(MODEL).unwrap();
-        let (setup, _, problems) = Reader::document(model.as_table(), Setup::read);
-        assert_eq!(problems, []);
-        let setup = Arc::new(setup);
-        let description = effect(name).unwrap().description();
-        let values = description.parameters.iter().zip(canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
-        let [ideal, real] = [&[][..], &[Active { description, values, written: None }]].map(|active| {
-            let job = Contouring::equip(setup.clone(), active);
-            Lap::new(&job.machine, direction, setup.feed).deviation(&setup.path.at(angle.to_radians()))
-        });
-        1e6 * (real - ideal)
+        let real = with_effect::<Contour>(MODEL, name, canonical);
+        let ideal = super::Machine::ideal(real.machine().setup.clone());
+        let deviation = |machine| {
+            let setup = &real.machine().setup;
+            Lap::new(machine, direction, setup.feed).deviation(&setup.path.at(angle.to_radians()))
+        };
+        1e6 * (deviation(real.machine()) - deviation(&ideal))
     }
 }

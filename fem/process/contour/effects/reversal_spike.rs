@@ -1,57 +1,46 @@
 //! An axis sticks for a moment when it turns round, and jumps after its command.
 //!
-//! After the axis turns round the tool stands outside the path by height·e^(−Δt/τ) along the axis, of which |cos α| (x) or |sin α| (y) shows: Δt counts
-//! from where the axis turns round behind its servo and before its play. Of earlier reversals nothing is kept.
+//! After the axis turns round the tool stands outside the path by height·e^(−Δt/τ) along the axis, of which
+//! |cos α| (x) or |sin α| (y) shows: Δt counts from where the axis turns round behind its servo and before
+//! its play. Of earlier reversals nothing is kept.
 
-use super::super::Machine;
-use super::super::machine::Spike;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::{Effect, Machine, Spike};
+use crate::process::{Parameter, nothing};
 use crate::units::{MICRO, SHORT_TIME};
 
-/// `reversal-spike-x`, `reversal-spike-y`.
-pub struct ReversalSpike {
-    axis: usize,
-    description: &'static Description,
-}
-
-/// Of the x axis.
-pub static X: ReversalSpike = ReversalSpike { axis: 0, description: &DESCRIPTION_X };
-/// Of the y axis.
-pub static Y: ReversalSpike = ReversalSpike { axis: 1, description: &DESCRIPTION_Y };
-
-static DESCRIPTION_X: Description = describe(
+/// `reversal-spike-x`.
+pub static X: Effect<2> = reversal_spike(
     "reversal-spike-x",
     "x sticks when it turns round, and leaves a spike that fades",
     "deviation += height*exp(-dt/time_constant)*|cos(alpha)|, dt since x turned round",
+    |[height, time_constant], machine| machine.spikes[0] = Spike { height, time_constant },
 );
-static DESCRIPTION_Y: Description = describe(
+/// `reversal-spike-y`.
+pub static Y: Effect<2> = reversal_spike(
     "reversal-spike-y",
     "y sticks when it turns round, and leaves a spike that fades",
     "deviation += height*exp(-dt/time_constant)*|sin(alpha)|, dt since y turned round",
+    |[height, time_constant], machine| machine.spikes[1] = Spike { height, time_constant },
 );
-const PARAMETERS: &[Parameter] = &[
-    Parameter::amplitude("height", MICRO, "of the spike at the reversal", (0.5, 100.0)),
-    Parameter::shape("time_constant", SHORT_TIME, "in which it fades", (10.0, 1000.0)),
-];
 
-const fn describe(name: &'static str, about: &'static str, law: &'static str) -> Description {
-    Description {
+const fn reversal_spike(
+    name: &'static str,
+    about: &'static str,
+    law: &'static str,
+    act: fn([f64; 2], &mut Machine),
+) -> Effect<2> {
+    Effect {
         name,
         about,
         law,
         source: "stick and slip at reversal (ISO 230-4)",
-        parameters: PARAMETERS,
+        parameters: [
+            Parameter::amplitude("height", MICRO, "of the spike at the reversal", (0.5, 100.0)),
+            Parameter::shape("time_constant", SHORT_TIME, "in which it fades", (10.0, 1000.0)),
+        ],
         look_alikes: &[],
-    }
-}
-
-impl Effect<Machine> for ReversalSpike {
-    fn description(&self) -> &'static Description {
-        self.description
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.spikes[self.axis] = Spike { height: values["height"], time_constant: values["time_constant"] };
+        needs: nothing,
+        act,
     }
 }
 

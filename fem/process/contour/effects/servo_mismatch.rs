@@ -1,39 +1,33 @@
 //! The servos of x and y follow with unequal gains.
 //!
-//! Kvx = Kv(1 + m/2), Kvy = Kv(1 − m/2): each axis lags by v/Kv of its own, and the tool leaves the path by what differs. Counter-clockwise
-//! round a circle (v/2)·sin 2α·(1/Kvx − 1/Kvy), clockwise the opposite: an ellipse at 45°. Along a straight side at β it is the offset
-//! v(Kvx − Kvy)/(2KvxKvy)·sin 2β outwards, counter-clockwise [seed 000], so that of a rectangle one size grows by twice as much and the other
-//! shrinks. Computed through the servos themselves, not by the formula. Left out: gains that change with the feed.
+//! Kvx = Kv(1 + m/2), Kvy = Kv(1 − m/2): each axis lags by v/Kv of its own, and the tool leaves the path by
+//! what differs. Counter-clockwise round a circle (v/2)·sin 2α·(1/Kvx − 1/Kvy), clockwise the opposite: an
+//! ellipse at 45°. Along a straight side at β it is the offset v(Kvx − Kvy)/(2KvxKvy)·sin 2β outwards,
+//! counter-clockwise [seed 000], so that of a rectangle one size grows by twice as much and the other
+//! shrinks. Computed through the servos themselves, not by the formula. Left out: gains that change with
+//! the feed.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::NUMBER;
 
 /// `servo-mismatch`.
-pub struct ServoMismatch;
-
-static DESCRIPTION: Description = Description {
+pub static SERVO_MISMATCH: Effect<1> = Effect {
     name: "servo-mismatch",
     about: "the servos of x and y follow with unequal gains, and a circle becomes an ellipse at 45 deg",
     law: "Kvx = Kv*(1 + mismatch/2), Kvy = Kv*(1 - mismatch/2): (v/2)*sin(2*alpha)*(1/Kvx - 1/Kvy) ccw, the opposite cw",
     source: "seed 000, fig. 1 (printed there with the sign of a straight side)",
-    parameters: &[Parameter::signed("mismatch", NUMBER, "difference of the gains over their mean", (-0.3, 0.3))],
+    parameters: [Parameter::signed("mismatch", NUMBER, "difference of the gains over their mean", (-0.3, 0.3))],
     look_alikes: &[(
         "squareness",
         "the other way round, or another feed: a mismatch changes its sign and grows with the feed",
     )],
-};
-
-impl Effect<Machine> for ServoMismatch {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let half = 0.5 * values["mismatch"];
+    needs: nothing,
+    act: |[mismatch], machine| {
+        let half = 0.5 * mismatch;
         machine.gains = [1.0 + half, 1.0 - half].map(|part| part * machine.setup.gain);
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {

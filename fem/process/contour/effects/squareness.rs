@@ -1,32 +1,23 @@
 //! The y axis leans towards x.
 //!
-//! x += angle·y, angle in rad, positive where the angle between the axes is below 90°: (angle·R/2)·sin 2α on a circle, the same both ways round.
+//! x += angle·y, angle in rad, positive where the angle between the axes is below 90°: (angle·R/2)·sin 2α
+//! on a circle, the same both ways round.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `squareness`.
-pub struct Squareness;
-
-static DESCRIPTION: Description = Description {
+pub static SQUARENESS: Effect<1> = Effect {
     name: "squareness",
     about: "the axes are not square to each other, and a circle becomes an ellipse at 45 deg",
     law: "x += angle*y: (angle*R/2)*sin(2*alpha), the same ccw and cw",
     source: "geometry of two axes",
-    parameters: &[Parameter::signed("angle", SLOPE, "what y leans towards x", (-200.0, 200.0))],
+    parameters: [Parameter::signed("angle", SLOPE, "what y leans towards x", (-200.0, 200.0))],
     look_alikes: &[("servo-mismatch", "the other way round, or another feed: squareness stays as it is")],
+    needs: nothing,
+    act: |[angle], machine| machine.squareness = angle,
 };
-
-impl Effect<Machine> for Squareness {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.squareness = values["angle"];
-    }
-}
 
 #[cfg(test)]
 mod tests {

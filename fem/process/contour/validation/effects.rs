@@ -1,4 +1,5 @@
-//! First-order formulas of effects, the servos following at once. What they leave out is of the second order in amplitude over radius.
+//! First-order formulas of effects, the servos following at once. What they leave out is of the second
+//! order in amplitude over radius.
 
 use std::f64::consts::TAU;
 

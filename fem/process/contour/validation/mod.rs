@@ -1,4 +1,5 @@
-//! The validation table of contours: what closed forms, first-order formulas and stepping through time say, and what the program computes from a model file.
+//! The validation table of contours: what closed forms, first-order formulas and stepping through time say,
+//! and what the program computes from a model file.
 
 mod effects;
 mod play;

@@ -65,18 +65,19 @@ pub fn cases() -> Vec<Case> {
     cases.push(row(
         "play of 8 um in x",
         "step at the reversal",
-        (1e6 * GAP, found(&x_only, "reversals", "/list/0/step"), "um"),
+        (1e6 * GAP, figure_of(&x_only, "reversals", "/list/0/step"), "um"),
         Tolerance::Absolute(1e6 * second),
         "the whole gap; tolerance gap^2/R",
     ));
     cases.push(row(
         "play of 8 um in x",
         "flat",
-        ((2.0 * GAP / RADIUS).sqrt().to_degrees(), found(&x_only, "reversals", "/list/0/flat"), "deg"),
+        ((2.0 * GAP / RADIUS).sqrt().to_degrees(), figure_of(&x_only, "reversals", "/list/0/flat"), "deg"),
         Tolerance::Relative(GAP / RADIUS),
         "sqrt(2*gap/R); tolerance gap/R",
     ));
-    // Wider than the stroke: x stays in the middle, and of the circle a line along y is left, v/Kv off the centre when x is commanded farthest.
+    // Wider than the stroke: x stays in the middle, and of the circle a line along y is left, v/Kv off the
+    // centre when x is commanded farthest.
     let stuck = machine(&text, "[backlash-x]\ngap = \"301 mm\"");
     let lag = 1.0 / 60.0 / STIFF;
     cases.push(micro(

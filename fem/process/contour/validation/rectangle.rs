@@ -10,7 +10,8 @@ pub fn cases() -> Vec<Case> {
     [offsets(), seed(), corners(), others()].concat()
 }
 
-/// v(Kvx − Kvy)/(2KvxKvy)·sin 2β outwards, counter-clockwise, β the direction of travel; clockwise the opposite.
+/// v(Kvx − Kvy)/(2KvxKvy)·sin 2β outwards, counter-clockwise, β the direction of travel; clockwise the
+/// opposite.
 fn offsets() -> Vec<Case> {
     let machine = machine(&rectangle(30.0, 50.0), "[servo-mismatch]\nmismatch = 0.1");
     let (x, y): (f64, f64) = (50.0 * 1.05, 50.0 * 0.95);
@@ -38,7 +39,7 @@ fn seed() -> Vec<Case> {
     let machine = machine(text, "[servo-mismatch]\nmismatch = 0.25");
     let rounding = Tolerance::Relative(0.25f64.powi(2) / 4.0 / (1.0 - 0.25f64.powi(2) / 4.0) * (1.0 + 1e-3));
     let source = "seed 000, 2*delta; tolerance m^2/4 of its rounding";
-    let size = |name: &str| 1e-3 * found(&machine, "sizes", &format!("/ccw/{name}"));
+    let size = |name: &str| 1e-3 * figure_of(&machine, "sizes", &format!("/ccw/{name}"));
     vec![
         // Width lies between the sides that are travelled at 135 deg, height between those at 45 deg.
         row(
@@ -58,14 +59,15 @@ fn seed() -> Vec<Case> {
         row(
             "square at 45 deg, 0.025 mm at 600 mm/min and 50 /s",
             "mismatch allowed",
-            (0.25, found(&machine, "tolerance", "/mismatch_allowed"), "-"),
+            (0.25, figure_of(&machine, "tolerance", "/mismatch_allowed"), "-"),
             ROUND_OFF,
             "seed 000, dKv/Kv = 2*delta*Kv/v",
         ),
     ]
 }
 
-/// Equal servos round a right angle along (−e^(−t), t − 1 + e^(−t)), in v/Kv and 1/Kv from the corner on: nearest where that is square to the way.
+/// Equal servos round a right angle along (−e^(−t), t − 1 + e^(−t)), in v/Kv and 1/Kv from the corner on:
+/// nearest where that is square to the way.
 fn corners() -> Vec<Case> {
     let square = |t: f64| {
         let fade = (-t).exp();
@@ -83,7 +85,7 @@ fn corners() -> Vec<Case> {
         row(
             format!("right angle at {angle} deg, v/Kv = 1/3 mm"),
             "distance of the tool from the corner",
-            (expected, found(&machine, "corners", "/largest"), "mm"),
+            (expected, figure_of(&machine, "corners", "/largest"), "mm"),
             Tolerance::Relative(1e-9),
             "response of two equal servos to a corner",
         )
@@ -113,44 +115,44 @@ fn others() -> Vec<Case> {
         length(
             "play of 8 um in x",
             -8.0,
-            found(&play, "sizes", "/cw/width"),
+            figure_of(&play, "sizes", "/cw/width"),
             "each side half a gap inside; tolerance the rest of the corners",
         ),
         length(
             "play of 3 um in y",
             -3.0,
-            found(&play, "sizes", "/ccw/height"),
+            figure_of(&play, "sizes", "/ccw/height"),
             "each side half a gap inside; tolerance the rest of the corners",
         ),
         length(
             "x longer by 40 um/m, 80 mm",
             1.6,
-            found(&scale, "sizes", "/ccw/width"),
+            figure_of(&scale, "sizes", "/ccw/width"),
             "mismatch/2 of the size; tolerance the rest of the corners",
         ),
         length(
             "y shorter by 40 um/m, 50 mm",
             -1.0,
-            found(&scale, "sizes", "/ccw/height"),
+            figure_of(&scale, "sizes", "/ccw/height"),
             "mismatch/2 of the size; tolerance the rest of the corners",
         ),
         row(
             "y leans by 40 um/m",
             "tilt of the side facing 0 deg",
-            (40.0, found(&square, "sides", "/ccw/tilts/0"), "um/m"),
+            (40.0, figure_of(&square, "sides", "/ccw/tilts/0"), "um/m"),
             Tolerance::Absolute(6e6 * CORNER / 50.0),
             "x += angle*y; tolerance the rest of the corner over the side",
         ),
         length(
             "y leans by 40 um/m, feed ccw",
             -2.0 * 40e-3 * 1000.0 / 60.0 / 50.0,
-            found(&square, "sizes", "/ccw/width"),
+            figure_of(&square, "sizes", "/ccw/width"),
             "both sides are cut v/Kv late, where y is smaller by as much; tolerance the rest of the corners",
         ),
         length(
             "y leans by 40 um/m, feed cw",
             2.0 * 40e-3 * 1000.0 / 60.0 / 50.0,
-            found(&square, "sizes", "/cw/width"),
+            figure_of(&square, "sizes", "/cw/width"),
             "both sides are cut v/Kv late, where y is larger by as much; tolerance the rest of the corners",
         ),
         side(30.0),
@@ -159,14 +161,14 @@ fn others() -> Vec<Case> {
         row(
             "lead of 10 mm on a side at 30 deg",
             "wave of x",
-            (10.0 / 30f64.to_radians().cos(), found(&plain, "waves", "/list/0/length"), "mm"),
+            (10.0 / 30f64.to_radians().cos(), figure_of(&plain, "waves", "/list/0/length"), "mm"),
             ROUND_OFF,
             "seed 000, pitch/cos(phi)",
         ),
         row(
             "lead of 10 mm on a side at 30 deg",
             "wave of y",
-            (10.0 / 60f64.to_radians().cos(), found(&plain, "waves", "/list/1/length"), "mm"),
+            (10.0 / 60f64.to_radians().cos(), figure_of(&plain, "waves", "/list/1/length"), "mm"),
             ROUND_OFF,
             "seed 000, pitch/cos(phi)",
         ),

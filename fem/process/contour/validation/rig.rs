@@ -1,13 +1,13 @@
 //! Machines and points for the table.
 
-use std::sync::Arc;
-
-use super::super::machine::Lap;
+use super::super::Contour;
+use super::super::forward::Lap;
 use super::super::path::Direction;
-use super::super::{Contouring, Setup, effect};
-pub(super) use crate::process::row;
-use crate::process::{Case, Job, Tolerance, set_up};
-use crate::progress::Progress;
+use crate::process::{Assembled, Case, Tolerance, assembled};
+pub(super) use crate::process::{figure_of, row};
+
+/// Two axes with their effects.
+pub type Machine = Assembled<Contour>;
 
 pub const CCW: Direction = Direction::CounterClockwise;
 pub const CW: Direction = Direction::Clockwise;
@@ -38,28 +38,21 @@ pub fn rectangle(angle: f64, gain: f64) -> String {
     )
 }
 
-/// The machine of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
-pub fn machine(text: &str, effects: &str) -> Option<Contouring> {
-    let (setup, active) = set_up(text, effects, Setup::read, |name| effect(name).map(|e| e.description()))?;
-    Some(Contouring::equip(Arc::new(setup), &active))
+/// The machine of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row
+/// that uses it, so no row can pass by it.
+pub fn machine(text: &str, effects: &str) -> Option<Machine> {
+    assembled(text, effects)
 }
 
 /// What is read of a lap at the model's feed; NaN where there is no machine.
-pub fn of_lap(machine: &Option<Contouring>, direction: Direction, read: impl Fn(&Lap) -> f64) -> f64 {
-    machine.as_ref().map_or(f64::NAN, |m| read(&Lap::new(&m.machine, direction, m.setup().feed)))
+pub fn of_lap(machine: &Option<Machine>, direction: Direction, read: impl Fn(&Lap) -> f64) -> f64 {
+    machine.as_ref().map_or(f64::NAN, |m| read(&Lap::new(m.machine(), direction, m.setup().feed)))
 }
 
 /// Deviation at a polar angle (deg), m.
-pub fn deviation(machine: &Option<Contouring>, direction: Direction, angle: f64) -> f64 {
+pub fn deviation(machine: &Option<Machine>, direction: Direction, angle: f64) -> f64 {
     let path = machine.as_ref().map(|m| m.setup().path);
     of_lap(machine, direction, |lap| {
         path.map_or(f64::NAN, |p| lap.deviation(&p.at(angle.to_radians().rem_euclid(std::f64::consts::TAU))))
     })
-}
-
-/// A number of a run's findings by the finding's key and its path inside; NaN where there is none.
-pub fn found(machine: &Option<Contouring>, finding: &str, path: &str) -> f64 {
-    let outcome = machine.as_ref().and_then(|m| m.outcome(m.predict(&Progress::default()).ok()?).ok());
-    let json = outcome.as_ref().and_then(|o| o.findings.iter().find(|f| f.key == finding)).map(|f| f.json.clone());
-    json.and_then(|j| j.pointer(path).and_then(serde_json::Value::as_f64)).unwrap_or(f64::NAN)
 }

@@ -50,12 +50,13 @@ fn mismatch() -> Vec<Case> {
     cases
 }
 
-/// The seed's own example: axes that differ by 0.1 mm, so 0.025 mm at 45°, 600 mm/min and 50/s allow gains that differ by 25 %.
+/// The seed's own example: axes that differ by 0.1 mm, so 0.025 mm at 45°, 600 mm/min and 50/s allow gains
+/// that differ by 25 %.
 fn seed() -> Vec<Case> {
     let text = format!("{}tolerance = {{ deviation = \"0.025 mm\" }}\n", circle(100.0, 600.0, 50.0));
     let unequal = machine(&text, "[servo-mismatch]\nmismatch = 0.25");
     let diameters = |direction: &str| {
-        let at = |i: usize| found(&unequal, "diameters", &format!("/{direction}/{i}"));
+        let at = |i: usize| figure_of(&unequal, "diameters", &format!("/{direction}/{i}"));
         1e-3 * (at(1) - at(3))
     };
     // 1/Kvx − 1/Kvy is −m/Kv·1/(1 − m²/4).
@@ -66,7 +67,7 @@ fn seed() -> Vec<Case> {
         row(
             "0.025 mm at 600 mm/min and 50 /s",
             "mismatch allowed",
-            (0.25, found(&unequal, "tolerance", "/mismatch_allowed"), "-"),
+            (0.25, figure_of(&unequal, "tolerance", "/mismatch_allowed"), "-"),
             ROUND_OFF,
             source,
         ),
@@ -87,7 +88,7 @@ fn seed() -> Vec<Case> {
         row(
             "gains apart by 0.25",
             "feed that uses up 0.025 mm",
-            (600.0, found(&unequal, "tolerance", "/feed_by_mismatch"), "mm/min"),
+            (600.0, figure_of(&unequal, "tolerance", "/feed_by_mismatch"), "mm/min"),
             rounding,
             rounded,
         ),
@@ -96,7 +97,7 @@ fn seed() -> Vec<Case> {
             "feed at which the contraction uses it up",
             (
                 (2.0 * 0.025 / 100.0f64).sqrt() * 100.0 * 50.0 * 60.0,
-                found(&unequal, "tolerance", "/feed_by_contraction"),
+                figure_of(&unequal, "tolerance", "/feed_by_contraction"),
                 "mm/min",
             ),
             Tolerance::Relative(0.025 / 100.0),
@@ -105,7 +106,7 @@ fn seed() -> Vec<Case> {
         row(
             "1000 mm/min and 50 /s",
             "following error",
-            (1.0 / 3.0, found(&machine(&circle(150.0, 1000.0, 50.0), ""), "servo", "/lag"), "mm"),
+            (1.0 / 3.0, figure_of(&machine(&circle(150.0, 1000.0, 50.0), ""), "servo", "/lag"), "mm"),
             ROUND_OFF,
             "v/Kv",
         ),

@@ -25,31 +25,36 @@ pub fn cases() -> Vec<Case> {
     // Largest and smallest stand at 53.13 deg, and the nearest point predicted at 53 deg.
     let between = 5.0 * 0.5f64.to_radians().powi(2) / 2.0 + 1e-6;
     vec![
-        um(ellipse, "G, ccw", (6.0, found(&leaning, "circular_deviation", "/G_ccw")), 1e-3),
-        um(ellipse, "G(b)", (6.0, found(&leaning, "circular_deviation", "/G_b")), 1e-3),
-        um(ellipse, "F max, cw", (3.0, found(&leaning, "radial_deviation", "/F_max_cw")), 1e-3),
-        um(ellipse, "F min, cw", (-3.0, found(&leaning, "radial_deviation", "/F_min_cw")), 1e-3),
+        um(ellipse, "G, ccw", (6.0, figure_of(&leaning, "circular_deviation", "/G_ccw")), 1e-3),
+        um(ellipse, "G(b)", (6.0, figure_of(&leaning, "circular_deviation", "/G_b")), 1e-3),
+        um(ellipse, "F max, cw", (3.0, figure_of(&leaning, "radial_deviation", "/F_max_cw")), 1e-3),
+        um(ellipse, "F min, cw", (-3.0, figure_of(&leaning, "radial_deviation", "/F_min_cw")), 1e-3),
         um(
             "ellipses across each other",
             "G, ccw",
-            (2.0 * lag, found(&lagging, "circular_deviation", "/G_ccw")),
+            (2.0 * lag, figure_of(&lagging, "circular_deviation", "/G_ccw")),
             second,
         ),
-        um("ellipses across each other", "G(b)", (2.0 * lag, found(&lagging, "circular_deviation", "/G_b")), second),
-        um(offset, "G, ccw", (0.0, found(&beside, "circular_deviation", "/G_ccw")), 1e-3),
-        um(offset, "F max, ccw", (5.0, found(&beside, "radial_deviation", "/F_max_ccw")), between),
-        um(offset, "F min, ccw", (-5.0, found(&beside, "radial_deviation", "/F_min_ccw")), between),
+        um(
+            "ellipses across each other",
+            "G(b)",
+            (2.0 * lag, figure_of(&lagging, "circular_deviation", "/G_b")),
+            second,
+        ),
+        um(offset, "G, ccw", (0.0, figure_of(&beside, "circular_deviation", "/G_ccw")), 1e-3),
+        um(offset, "F max, ccw", (5.0, figure_of(&beside, "radial_deviation", "/F_max_ccw")), between),
+        um(offset, "F min, ccw", (-5.0, figure_of(&beside, "radial_deviation", "/F_min_ccw")), between),
         um(
             "equal servos",
             "D",
-            (-contraction, found(&plain, "mean_radial_deviation", "/D")),
+            (-contraction, figure_of(&plain, "mean_radial_deviation", "/D")),
             contraction / 450f64.powi(2),
         ),
-        um("equal servos", "G(b)", (0.0, found(&plain, "circular_deviation", "/G_b")), 1e-9),
+        um("equal servos", "G(b)", (0.0, figure_of(&plain, "circular_deviation", "/G_b")), 1e-9),
         um(
             "play of 8 um in x",
             "G, cw",
-            (8.0, found(&play, "circular_deviation", "/G_cw")),
+            (8.0, figure_of(&play, "circular_deviation", "/G_cw")),
             8.0 * (1.0 - 1f64.to_radians().cos()) + 1e-3,
         ),
     ]

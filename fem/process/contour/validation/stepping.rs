@@ -1,4 +1,5 @@
-//! The whole chain, stepped through time from rest in the centre: two laps and on to the point. Only the command is cut into straight pieces.
+//! The whole chain, stepped through time from rest in the centre: two laps and on to the point. Only the
+//! command is cut into straight pieces.
 
 use std::f64::consts::TAU;
 

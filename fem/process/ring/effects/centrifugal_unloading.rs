@@ -1,34 +1,28 @@
 //! The turning chuck throws its jaws outwards.
 //!
-//! While boring the force of each jaw is F = max(0, F₀ − m·r·ω²): F₀ at standstill (N), m·r the `jaw_moment` of a jaw about the spindle's axis
-//! (kg·m), ω the spindle speed (rad/s). Above ω = √(F₀/(m·r)) the ring is let go, and a run says at how many rpm. The clamped ring is measured
-//! at standstill. Left out: hysteresis of the chuck's drive, the ring's own widening under its inertia, counterweights.
+//! While boring the force of each jaw is F = max(0, F₀ − m·r·ω²): F₀ at standstill (N), m·r the `jaw_moment`
+//! of a jaw about the spindle's axis (kg·m), ω the spindle speed (rad/s). Above ω = √(F₀/(m·r)) the ring is
+//! let go, and a run says at how many rpm. The clamped ring is measured at standstill. Left out: hysteresis
+//! of the chuck's drive, the ring's own widening under its inertia, counterweights.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::Parameter;
 use crate::units::JAW_MOMENT;
 
 /// `centrifugal-unloading`.
-pub struct CentrifugalUnloading;
-
-static DESCRIPTION: Description = Description {
+pub static CENTRIFUGAL_UNLOADING: Effect<1> = Effect {
     name: "centrifugal-unloading",
     about: "turning throws the jaws outwards, and they clamp less",
     law: "F = max(0, F0 - jaw_moment*omega^2) while boring",
     source: "mechanics of rotation",
-    parameters: &[Parameter::amplitude("jaw_moment", JAW_MOMENT, "mass of a jaw times its radius", (2.0, 300.0))],
+    parameters: [Parameter::amplitude("jaw_moment", JAW_MOMENT, "mass of a jaw times its radius", (2.0, 300.0))],
     look_alikes: &[("jaw-contact-arc", "a second spindle speed, or the ring clamped and standing still")],
+    needs: |setup| match setup.spindle_speed {
+        Some(_) => Ok(()),
+        None => Err("needs the spindle speed: spindle_speed = \"400 rpm\" in [cut]".into()),
+    },
+    act: |[moment], machine| machine.jaw_moment = moment,
 };
-
-impl Effect<Machine> for CentrifugalUnloading {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.jaw_moment = values["jaw_moment"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -37,7 +31,8 @@ mod tests {
 
     #[test]
     fn force_falls_with_the_square_of_the_speed_down_to_nothing() {
-        let machine = chuck("centrifugal-unloading", &[50.0]).machine;
+        let chuck = chuck("centrifugal-unloading", &[50.0]);
+        let machine = chuck.machine();
         // 0.05 kg m · (100 rad/s)² = 500 N.
         assert!((machine.force_at(3000.0, 100.0) - 2500.0).abs() < 1e-9);
         assert_eq!(machine.force_at(3000.0, 1000.0), 0.0);

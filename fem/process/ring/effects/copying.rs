@@ -1,36 +1,33 @@
 //! The bore copies the error of the blank.
 //!
-//! Where the blank's bore stands out by `blank`(θ) the depth of cut changes by as much, the force of the cut by C times that, and the tool of stiffness j
-//! gives way: of the error the part C/(C + j) is left [seed 002 (27)]. C is `force_per_depth` (N/m), j the stiffness of tool and spindle
-//! (N/m). Positive outwards: where the blank is wide, less is cut and the bore stays wide. Left out: several passes, which copy a copy.
+//! Where the blank's bore stands out by `blank`(θ) the depth of cut changes by as much, the force of the cut
+//! by C times that, and the tool of stiffness j gives way: of the error the part C/(C + j) is left
+//! [seed 002 (27)]. C is `force_per_depth` (N/m), j the stiffness of tool and spindle (N/m). Positive
+//! outwards: where the blank is wide, less is cut and the bore stays wide. Left out: several passes, which
+//! copy a copy.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::Parameter;
 use crate::units::STIFFNESS;
 
 /// `copying`.
-pub struct Copying;
-
-static DESCRIPTION: Description = Description {
+pub static COPYING: Effect<1> = Effect {
     name: "copying",
     about: "the tool yields to the uneven depth of cut, and the bore copies the blank",
     law: "deviation += C/(C + stiffness)*blank(theta), C = cut.force_per_depth",
     source: "seed 002 (27)",
-    parameters: &[Parameter::stiffness(STIFFNESS, "stiffness of tool and spindle", (2.0, 500.0))],
+    parameters: [Parameter::stiffness(STIFFNESS, "stiffness of tool and spindle", (2.0, 500.0))],
     look_alikes: &[("residual-stress", "another blank: a copy follows it"), ("spindle-error", "another blank")],
-};
-
-impl Effect<Machine> for Copying {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let compliance = machine.setup.force_per_depth.unwrap_or(0.0) / values["stiffness"];
+    needs: |setup| match setup.force_per_depth {
+        Some(_) => Ok(()),
+        None => Err("needs the force of the cut: force_per_depth = \"1 kN/mm\" in [cut]".into()),
+    },
+    act: |[stiffness], machine| {
+        let compliance = machine.setup.force_per_depth.unwrap_or(0.0) / stiffness;
         let copied = compliance / (1.0 + compliance);
         machine.mark(move |at| copied * at.blank);
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {

@@ -1,39 +1,38 @@
 //! The ring is warm while it is bored.
 //!
-//! Bored to size while it is warmer than when it is measured by ΔT (K), the bore shrinks: deviation −= α·Ri·ΔT, alike all around. The
-//! least-squares circle takes that out, so that the effect is known of `absolute` deviations only. Left out: heat that is not even around the ring.
+//! Bored to size while it is warmer than when it is measured by ΔT (K), the bore shrinks alike all around:
+//! deviation −= α·Ri·ΔT. The least-squares circle takes that out, so that the effect is known of `absolute`
+//! deviations only. Left out: heat that is not even around the ring.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use super::super::setup::Reference;
+use crate::process::Parameter;
 use crate::units::TEMPERATURE_RISE;
 
 /// `cutting-heat`.
-pub struct CuttingHeat;
-
-static DESCRIPTION: Description = Description {
+pub static CUTTING_HEAT: Effect<1> = Effect {
     name: "cutting-heat",
     about: "bored warm, the ring shrinks as it cools",
     law: "deviation -= expansion*Ri*temperature_rise, absolute reference only",
     source: "seed 002 (36)",
-    parameters: &[Parameter::amplitude(
+    parameters: [Parameter::amplitude(
         "temperature_rise",
         TEMPERATURE_RISE,
         "of the ring while it is bored, over when it is measured",
         (1.0, 60.0),
     )],
     look_alikes: &[],
-};
-
-impl Effect<Machine> for CuttingHeat {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let shrinkage = machine.setup.material.expansion * machine.setup.inner_radius * values["temperature_rise"];
+    needs: |setup| match setup.reference {
+        Reference::Absolute => Ok(()),
+        Reference::LeastSquaresCircle => {
+            Err("changes the radius alike all around, and the least-squares circle takes that out".into())
+        }
+    },
+    act: |[rise], machine| {
+        let shrinkage = machine.setup.material.expansion * machine.setup.inner_radius * rise;
         machine.mark(move |_| -shrinkage);
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {

@@ -1,22 +1,20 @@
 //! The blank's own stresses are set free by boring.
 //!
-//! A rolled or forged ring holds stresses that boring takes out of balance; released it goes oval by A·cos 2(θ − orientation − phase), A the
-//! amplitude (m). The oval is fast to the ring: it turns with the ring's mark, which stands at `orientation` from jaw 1 (rad). An oval alone; only of
-//! the released ring.
+//! A rolled or forged ring holds stresses that boring takes out of balance; released it goes oval by
+//! A·cos 2(θ − orientation − phase), A the amplitude (m). The oval is fast to the ring: it turns with the
+//! ring's mark, which stands at `orientation` from jaw 1 (rad). An oval alone; only of the released ring.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `residual-stress`.
-pub struct ResidualStress;
-
-static DESCRIPTION: Description = Description {
+pub static RESIDUAL_STRESS: Effect<2> = Effect {
     name: "residual-stress",
     about: "stresses of the blank are set free by boring, and the ring goes oval",
     law: "deviation += amplitude*cos(2*(theta - orientation - phase)), released",
     source: "relaxation of residual stress in its lowest harmonic",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley of the oval", (0.5, 50.0)),
         Parameter::phase("phase", ANGLE, "where its crest stands from the ring's mark", 180.0),
     ],
@@ -24,18 +22,11 @@ static DESCRIPTION: Description = Description {
         ("spindle-error", "the ring turned in the chuck: residual stress turns with it"),
         ("jaw-position", "a second jaw force"),
     ],
-};
-
-impl Effect<Machine> for ResidualStress {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (amplitude, phase) = (values["amplitude"], values["phase"]);
+    needs: nothing,
+    act: |[amplitude, phase], machine| {
         machine.mark(move |at| amplitude * (2.0 * (at.angle - at.orientation - phase)).cos());
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {

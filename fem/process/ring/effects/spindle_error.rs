@@ -1,22 +1,21 @@
 //! The spindle's axis moves twice in each turn.
 //!
-//! An error motion of the spindle of two waves a turn bores an oval A·cos 2(θ − phase), A the amplitude (m), fast to the machine and so to jaw 1. It is
-//! cut into the bore, and the clamped ring that is not bored yet does not show it. Once-a-turn motion only shifts the centre; left out: other waves,
-//! and motion that does not repeat.
+//! An error motion of the spindle of two waves a turn bores an oval A·cos 2(θ − phase), A the amplitude (m),
+//! fast to the machine and so to jaw 1. It is cut into the bore, and the clamped ring that is not bored yet
+//! does not show it. Once-a-turn motion only shifts the centre; left out: other waves, and motion that does
+//! not repeat.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `spindle-error`.
-pub struct SpindleError;
-
-static DESCRIPTION: Description = Description {
+pub static SPINDLE_ERROR: Effect<2> = Effect {
     name: "spindle-error",
     about: "the spindle's axis moves twice a turn, and bores an oval",
     law: "deviation += amplitude*cos(2*(theta - phase)), bored",
     source: "radial error motion of two waves a turn, ISO 230-7",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley of the oval", (0.2, 20.0)),
         Parameter::phase("phase", ANGLE, "where its crest stands from jaw 1", 180.0),
     ],
@@ -24,18 +23,11 @@ static DESCRIPTION: Description = Description {
         ("residual-stress", "the ring turned in the chuck: the spindle's oval stays with the machine"),
         ("jaw-position", "a second jaw force"),
     ],
-};
-
-impl Effect<Machine> for SpindleError {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (amplitude, phase) = (values["amplitude"], values["phase"]);
+    needs: nothing,
+    act: |[amplitude, phase], machine| {
         machine.mark(move |at| amplitude * (2.0 * (at.angle - phase)).cos());
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,6 @@
-//! What chuck and cut add, by hand.
+//! Effects of chuck and cut, by hand.
 
-use super::super::observe::{BLANK, JAW_FORCE, ORIENTATION, SPEED, STATE};
+use super::super::rows::{BLANK, JAW_FORCE, ORIENTATION, SPEED, STATE};
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 
@@ -19,7 +19,7 @@ pub fn cases() -> Vec<Case> {
     // 0.05 kg m at 400, 800 and 3000 rpm.
     let left = |speed: f64| (3000.0 - 0.05 * (speed * rpm).powi(2)).max(0.0) / 3000.0;
     let thrown = |speed: f64| at(throwing, 0.0, &[(SPEED, speed * rpm)]) / squeezed(0.0);
-    let let_go = chuck(&ring(84.0, 3), throwing).map_or(f64::NAN, |c| c.machine.let_go() / rpm);
+    let let_go = chuck(&ring(84.0, 3), throwing).map_or(f64::NAN, |c| c.machine().let_go() / rpm);
     let source = "F0 - m*r*omega^2";
     let part = |name: &str, expected, computed, source| {
         row(name, "part of the deviation", (expected, computed, "-"), ROUND_OFF, source)

@@ -1,22 +1,24 @@
 //! Rings of any thickness against the Fourier series, which shares nothing with the finite elements.
 
-use super::super::observe::STATE;
-use super::super::{Chucked, Jaw};
+use super::super::circle::evenly;
+use super::super::jaws::Jaw;
+use super::super::rows::STATE;
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 use crate::series::{BoreSeries, Push, SeriesRing};
 
 const SOURCE: &str = "Michell (1899) series, Lame mean; tolerance from the change from 180 x 3 to 360 x 6 elements";
 
-/// A row whose tolerance follows from the discretisation: between elements of twice the size and these the error of order p changes by
-/// 2^p − 1 times what is left of it. A seventh of the change covers orders from 3 on; those of 8-node elements are near 4.
+/// A row whose tolerance follows from the discretisation: between elements of twice the size and these the
+/// error of order p changes by 2^p − 1 times what is left of it. A seventh of the change covers orders from
+/// 3 on; those of 8-node elements are near 4.
 fn refined(name: String, quantity: &'static str, exact: f64, [coarse, fine]: [f64; 2]) -> Case {
     let allowed = ((fine - coarse) / 7.0).abs().max(1e-9 * exact.abs());
     row(name, quantity, (1e6 * exact, 1e6 * fine, "um"), Tolerance::Absolute(1e6 * allowed), SOURCE)
 }
 
 /// The same ring on the usual mesh and on one of elements of twice the size, the latter first.
-fn rings(text: &str, effects: &str) -> [Option<Chucked>; 2] {
+fn rings(text: &str, effects: &str) -> [Option<Chuck>; 2] {
     let coarse = text.replace("circumferential = 360, radial = 6", "circumferential = 180, radial = 3");
     [chuck(&coarse, effects), chuck(text, effects)]
 }
@@ -56,7 +58,7 @@ fn ring_of(bore: f64, jaws: usize, arc: f64) -> Vec<Case> {
     let spacing = std::f64::consts::TAU / jaws as f64;
     let push = |jaw: usize| Push { angle: spacing * jaw as f64, arc: arc.to_radians(), force: 3000.0 };
     let pushes: Vec<Push> = (0..jaws).map(push).collect();
-    let angles = around(720);
+    let angles = evenly(720);
     let exact: Vec<f64> = angles.iter().map(|angle| series.radial(&pushes, *angle)).collect();
     let shapes = computed.map(|chuck| deviations(&chuck, &angles, &[(STATE, 1.0)]));
     let name = format!("{jaws} jaws over {arc} deg, bore {bore} mm of 100");
@@ -88,7 +90,7 @@ fn out_of_place() -> Vec<Case> {
     let push = |jaw: usize| Push { angle: angles[jaw], arc: 10f64.to_radians(), force: 9000.0 * sines[jaw] / sum };
     let pushes = [0, 1, 2].map(push);
     let exact = series(84.0);
-    let jaws: Vec<Jaw> = computed[1].as_ref().and_then(|c| c.jaws().ok()).unwrap_or_default();
+    let jaws: Vec<Jaw> = computed[1].as_ref().and_then(|c| c.machine().jaws().ok()).unwrap_or_default();
     let share = jaws.get(1).map_or(f64::NAN, |jaw| jaw.share);
     let mut cases = vec![row(
         "jaws at 0, 123 and 237.5 deg",

@@ -1,4 +1,5 @@
-//! The validation table of rings: what series, closed forms and benchmarks say, and what the program computes from a model file.
+//! The validation table of rings: what series, closed forms and benchmarks say, and what the program
+//! computes from a model file.
 
 mod benchmark;
 mod effects;

@@ -13,7 +13,8 @@ pub fn cases() -> Vec<Case> {
 const WALL: f64 = 2e-4;
 const RADIUS: f64 = 0.05;
 
-/// Inward at a load (FR³/2EI)·[(β/2 + sin2β/4)/sin²β − 1/β], outward midway (FR³/4EI)·[2/β − 1/sinβ − β·cosβ/sin²β], β = π/n.
+/// Inward at a load (FR³/2EI)·[(β/2 + sin2β/4)/sin²β − 1/β], outward midway (FR³/4EI)·[2/β − 1/sinβ −
+/// β·cosβ/sin²β], β = π/n.
 fn hoops() -> Vec<Case> {
     let inertia = 0.02 * WALL.powi(3) / 12.0;
     // Of 1 N: hoops are soft. Elements must be short to bend a thin wall, and one across it is enough.
@@ -30,7 +31,8 @@ fn hoops() -> Vec<Case> {
             .replace("3 kN", "1 N")
             .replace("circumferential = 360, radial = 6", "circumferential = 1080, radial = 1");
         let hoop = chuck(&text, "");
-        // The formulas leave out that the hoop also shortens and shears, which is of the order of (h/R)²/12 in FR³/EI.
+        // The formulas leave out that the hoop also shortens and shears, which is of the order of (h/R)²/12
+        // in FR³/EI.
         let left_out = |coefficient: f64| Tolerance::Relative(2.0 * (WALL / RADIUS).powi(2) / 12.0 / coefficient);
         let source = "thin ring under n loads (Roark, circular rings, case 7); shortening and shear left out";
         let name = format!("hoop of R/250 wall, {n} line loads");

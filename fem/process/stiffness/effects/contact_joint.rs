@@ -1,22 +1,21 @@
 //! The joint closes by the contact law.
 //!
-//! Rough surfaces approach by y = c·Sⁿ, n < 1, much at first and little later [seed 002 (29)], in series with the spring; S is the force that friction
-//! leaves, F itself where there is none. c in m/Nⁿ, n in (0, 1]. Left out: hysteresis of the contact itself.
+//! Rough surfaces approach by y = c·Sⁿ, n < 1, much at first and little later [seed 002 (29)], in series
+//! with the spring; S is the force that friction leaves, F itself where there is none. c in m/Nⁿ, n in (0,
+//! 1]. Left out: hysteresis of the contact itself.
 
-use super::super::Curve;
+use super::super::machine::Effect;
 use crate::input::Bounds;
-use crate::process::{Description, Effect, Parameter, Values};
+use crate::process::{Parameter, nothing};
 use crate::units::{CONTACT_COEFFICIENT, NUMBER};
 
 /// `contact-joint`.
-pub struct ContactJoint;
-
-static DESCRIPTION: Description = Description {
+pub static CONTACT_JOINT: Effect<2> = Effect {
     name: "contact-joint",
     about: "surfaces in contact approach, much at first and little later",
     law: "y += c*S^n, n < 1, S the force that friction leaves",
     source: "seed 002 (29)",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("c", CONTACT_COEFFICIENT, "coefficient of the contact", (0.01, 5.0)),
         Parameter::shape("n", NUMBER, "exponent of the force", (0.3, 0.8)).within(Bounds::Within(0.0, 1.0)),
     ],
@@ -24,22 +23,13 @@ static DESCRIPTION: Description = Description {
         ("preload", "forces on both sides of where the curve bends: a preloaded joint softens, a contact stiffens"),
         ("gap", "small forces: clearance opens at once"),
     ],
+    needs: nothing,
+    act: |[c, n], machine| machine.curve.contacts.add_contact(c, n),
 };
-
-impl Effect<Curve> for ContactJoint {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, curve: &mut Curve) {
-        curve.contacts.add_contact(values["c"], values["n"]);
-    }
-}
 
 #[cfg(test)]
 mod tests {
     use super::super::bench::*;
-    use crate::process::stiffness::Branch::{Load, Unload};
 
     #[test]
     fn the_law_adds_to_the_spring() {

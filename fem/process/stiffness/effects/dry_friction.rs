@@ -1,39 +1,29 @@
 //! Dry friction beside the spring.
 //!
-//! While the force rises it must first overcome f: the spring feels S = F − f, and nothing up to f. When the force turns back at F_max friction turns too,
-//! and the spring is let go only after the force has dropped by 2f: S = F + f, at most F_max − f. The loop between the branches is its work [seed 000,
-//! fig. 5]. f in N. Coulomb's law; left out: a friction that depends on speed, on place, or on the load.
+//! While the force rises it must first overcome f: the spring feels S = F − f, and nothing up to f. When the
+//! force turns back at F_max friction turns too, and the spring is let go only after the force has dropped
+//! by 2f: S = F + f, at most F_max − f. The loop between the branches is its work [seed 000, fig. 5]. f in
+//! N. Coulomb's law; left out: a friction that depends on speed, on place, or on the load.
 
-use super::super::Curve;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::FORCE;
 
 /// `dry-friction`.
-pub struct DryFriction;
-
-static DESCRIPTION: Description = Description {
+pub static DRY_FRICTION: Effect<1> = Effect {
     name: "dry-friction",
     about: "friction holds the joint back, on loading and on unloading",
     law: "load: S = F - f, 0 while F <= f; unload: S = F + f, at most F_max - f",
     source: "seed 000, fig. 5",
-    parameters: &[Parameter::amplitude("force", FORCE, "friction f", (1.0, 500.0))],
+    parameters: [Parameter::amplitude("force", FORCE, "friction f", (1.0, 500.0))],
     look_alikes: &[],
+    needs: nothing,
+    act: |[force], machine| machine.curve.friction += force,
 };
-
-impl Effect<Curve> for DryFriction {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, curve: &mut Curve) {
-        curve.friction += values["force"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
     use super::super::bench::*;
-    use crate::process::stiffness::Branch::{Load, Unload};
 
     #[test]
     fn the_spring_feels_less_going_up_and_more_going_down() {

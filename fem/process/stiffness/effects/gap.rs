@@ -1,38 +1,28 @@
 //! Clearance is taken up before anything resists.
 //!
-//! y += gap as soon as a force acts, F > 0, on loading and unloading alike; without force the joint stands where it stood [seed 000, fig. 2 a and fig. 5 a].
-//! gap in m. Left out: clearance on the other side, which a force of the other sign would find.
+//! y += gap as soon as a force acts, F > 0, on loading and unloading alike; without force the joint stands
+//! where it stood [seed 000, fig. 2 a and fig. 5 a]. gap in m. Left out: clearance on the other side, which
+//! a force of the other sign would find.
 
-use super::super::Curve;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::MICRO;
 
 /// `gap`.
-pub struct Gap;
-
-static DESCRIPTION: Description = Description {
+pub static GAP: Effect<1> = Effect {
     name: "gap",
     about: "clearance is taken up as soon as a force acts",
     law: "y += gap for F > 0",
     source: "seed 000, fig. 5",
-    parameters: &[Parameter::amplitude("gap", MICRO, "clearance of the joint", (0.5, 100.0))],
+    parameters: [Parameter::amplitude("gap", MICRO, "clearance of the joint", (0.5, 100.0))],
     look_alikes: &[("contact-joint", "small forces: a contact closes little by little")],
+    needs: nothing,
+    act: |[gap], machine| machine.curve.gap += gap,
 };
-
-impl Effect<Curve> for Gap {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, curve: &mut Curve) {
-        curve.gap += values["gap"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
     use super::super::bench::*;
-    use crate::process::stiffness::Branch::{Load, Unload};
 
     #[test]
     fn clearance_opens_with_the_force() {

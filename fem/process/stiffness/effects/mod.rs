@@ -5,26 +5,30 @@ mod dry_friction;
 mod gap;
 mod preload;
 
-use super::Curve;
-use crate::process::Effect;
+use super::machine::Machine;
+use super::setup::Setup;
+use crate::process::CatalogueEffect;
 
 /// The registry.
-pub const ALL: &[&dyn Effect<Curve>] =
-    &[&gap::Gap, &contact_joint::ContactJoint, &dry_friction::DryFriction, &preload::Preload];
+pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] =
+    &[&gap::GAP, &contact_joint::CONTACT_JOINT, &dry_friction::DRY_FRICTION, &preload::PRELOAD];
 
 #[cfg(test)]
 mod bench {
     //! A joint to try effects on.
 
-    use super::super::{Branch, Curve, Setup, effect};
-    use crate::process::{Active, act};
+    use super::super::Stiffness;
+    pub use super::super::curve::Branch::{self, Load, Unload};
+    use crate::process::with_effect;
 
-    /// A spring of 80 N/um under up to 1000 N with one effect of these canonical values; y in um under a force (N).
+    /// A spring of 80 N/um under up to 1000 N.
+    const MODEL: &str = r#"
+        joint = { stiffness = "80 N/um" }
+        test = { max_force = "1000 N" }
+    "#;
+
+    /// y in um under a force (N) with one effect of these canonical values.
     pub fn displacement(name: &str, canonical: &[f64], force: f64, branch: Branch) -> f64 {
-        let mut curve = Curve::ideal(&Setup { stiffness: 80e6, max_force: 1000.0, steps: 20 });
-        let description = effect(name).unwrap().description();
-        let values = description.parameters.iter().zip(canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
-        act(super::ALL, &[Active { description, values, written: None }], &mut curve);
-        1e6 * curve.displacement(force, branch)
+        1e6 * with_effect::<Stiffness>(MODEL, name, canonical).machine().curve.displacement(force, branch)
     }
 }

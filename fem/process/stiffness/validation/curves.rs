@@ -1,6 +1,6 @@
 //! Displacements under the laws, alone and together, and tangents.
 
-use super::super::Branch;
+use super::super::curve::Branch;
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 
@@ -76,7 +76,7 @@ fn together() -> Vec<Case> {
 /// dF/dy by hand, and against the curve's own differences.
 fn tangents() -> Vec<Case> {
     let tangent = |effects: &str, force: f64, branch: Branch| {
-        joint(effects).and_then(|j| j.curve.tangent(force, branch)).map_or(f64::NAN, |k| 1e-6 * k)
+        joint(effects).and_then(|j| j.machine().curve.tangent(force, branch)).map_or(f64::NAN, |k| 1e-6 * k)
     };
     let by_hand = |name: &str, expected: f64, computed: f64| {
         row(name, "tangent stiffness", (expected, computed, "N/um"), ROUND_OFF, "seed 000: dP/dy")

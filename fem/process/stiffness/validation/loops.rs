@@ -10,10 +10,11 @@ pub fn cases() -> Vec<Case> {
 
 /// Work of friction, uJ.
 fn area(effects: &str) -> f64 {
-    joint(effects).map_or(f64::NAN, |j| 1e6 * j.curve.loop_area())
+    joint(effects).map_or(f64::NAN, |j| 1e6 * j.machine().curve.loop_area())
 }
 
-/// ∮F dy over corners (y um, F N), uJ: the shoelace formula, clockwise in the plane of force over displacement.
+/// ∮F dy over corners (y um, F N), uJ: the shoelace formula, clockwise in the plane of force over
+/// displacement.
 fn shoelace(corners: &[(f64, f64)]) -> f64 {
     let next = |i: usize| corners[(i + 1) % corners.len()];
     let twice: f64 = (0..corners.len()).map(|i| corners[i].0 * next(i).1 - next(i).0 * corners[i].1).sum();
@@ -52,8 +53,9 @@ fn quadrature() -> Vec<Case> {
                 |i: usize, y: &dyn Fn(f64) -> f64| 0.5 * (force(i) + force(i + 1)) * (y(force(i + 1)) - y(force(i)));
             (0..steps).map(|i| step(i, &|f| up(&joint, f)) - step(i, &|f| down(&joint, f))).sum::<f64>()
         };
-        // Steps that fall on the corners; the error beside the root where S begins falls as the 3/2 power, so that a fourfold refinement leaves an
-        // eighth of it, and at most a seventh of the difference remains.
+        // Steps that fall on the corners; the error beside the root where S begins falls as the 3/2 power,
+        // so that a fourfold refinement leaves an eighth of it, and at most a seventh of the difference
+        // remains.
         let (coarse, fine) = (over(2000), over(8000));
         let tolerance = Tolerance::Absolute((fine - coarse).abs());
         let source = "trapezoidal rule, 8000 steps; tolerance: its change from 2000";

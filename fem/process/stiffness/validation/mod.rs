@@ -1,4 +1,5 @@
-//! The validation table of joints under test: laws by hand, tangents by finite differences, and loops by their polygons and by quadrature.
+//! The validation table of joints under test: laws by hand, tangents by finite differences, and loops by
+//! their polygons and by quadrature.
 
 mod curves;
 mod loops;

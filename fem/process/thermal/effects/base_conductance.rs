@@ -1,42 +1,35 @@
 //! The base loses heat into what holds it.
 //!
-//! At x = 0 flows G·(T(0) − T_a) to the surroundings, G the conductance (W/K): a chuck, a table, a flange that stays as cold as the room. Of a
-//! rectangle it is spread evenly over its left edge. What warms up itself behind the base is left out.
+//! At x = 0 flows G·(T(0) − T_a) to the surroundings, G the conductance (W/K): a chuck, a table, a flange
+//! that stays as cold as the room. On a rectangle it is spread evenly over the left edge. A holder that
+//! warms up itself is left out.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use super::super::setup::Setup;
+use crate::process::Parameter;
 use crate::units::CONDUCTANCE;
 
 /// `base-conductance`.
-pub struct BaseConductance;
-
-static DESCRIPTION: Description = Description {
+pub static BASE_CONDUCTANCE: Effect<1> = Effect {
     name: "base-conductance",
     about: "heat flows through the base into what holds the body",
     law: "k*A*dT/dx = conductance*(T - T_a) at x = 0",
     source: "third boundary condition (Carslaw and Jaeger)",
-    parameters: &[Parameter::amplitude("conductance", CONDUCTANCE, "from the base to the surroundings", (0.01, 10.0))],
+    parameters: [Parameter::amplitude("conductance", CONDUCTANCE, "from the base to the surroundings", (0.01, 10.0))],
     look_alikes: &[("convection", "the temperature of the base and of the free end")],
+    needs: Setup::needs_sections,
+    act: |[conductance], machine| machine.base += conductance,
 };
-
-impl Effect<Machine> for BaseConductance {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.base += values["conductance"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
     use super::super::bench::*;
 
-    /// Long after: P through the base and along the rod. The slowest wave has died to e⁻¹⁰ (its rate is above G/(C + …)).
+    /// Long after: P through the base and along the rod. The slowest wave has died to e⁻¹⁰ (its rate is
+    /// above G/(C + …)).
     #[test]
     fn the_base_takes_all_heat_in_the_end() {
-        let heated = rod(&[("base-conductance", &[5.0])]);
+        let heated = rod("base-conductance = { conductance = '5 W/K' }");
         let time = 5390.0;
         let along = 15.0 * LENGTH / conductance();
         let (base, end) = (rise(&heated, 0.0, time), rise(&heated, LENGTH, time));

@@ -1,43 +1,40 @@
 //! Surfaces lose heat to the surroundings.
 //!
-//! Everything that is free loses h·(T − T_a) per area, h the coefficient (W/(m² K)): the round surface of a rod, π·D per length, but not its ends; of
-//! a plane body the edges without a condition of their own and both faces. Still air takes some 5 to 15 W/(m² K), a stream or oil more. One
+//! Everything that is free loses h·(T − T_a) per area, h the coefficient (W/(m² K)): the round surface
+//! of a rod, π·D per length, but not its ends; the edges of a plane body without a condition of their own,
+//! and both its faces. Still air takes some 5 to 15 W/(m² K), a stream or oil more. There is one
 //! coefficient everywhere and always; radiation is in it as far as it is linear.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
-use crate::units::CONVECTION;
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
+use crate::units;
 
 /// `convection`.
-pub struct Convection;
-
-static DESCRIPTION: Description = Description {
+pub static CONVECTION: Effect<1> = Effect {
     name: "convection",
     about: "free surfaces lose heat to the surroundings",
     law: "-h*p*(T - T_a) per length, h = coefficient, p = pi*D",
     source: "Newton's law of cooling; seed 002 (35)-(39)",
-    parameters: &[Parameter::amplitude("coefficient", CONVECTION, "heat transfer to the surroundings", (2.0, 100.0))],
+    parameters: [Parameter::amplitude(
+        "coefficient",
+        units::CONVECTION,
+        "heat transfer to the surroundings",
+        (2.0, 100.0),
+    )],
     look_alikes: &[("base-conductance", "the temperature of the base and of the free end")],
+    needs: nothing,
+    act: |[coefficient], machine| machine.convection += coefficient,
 };
-
-impl Effect<Machine> for Convection {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.convection += values["coefficient"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
     use super::super::bench::*;
 
-    /// Until the heat is off, what is lost goes as the mean rise: d(mean)/dt = P/C − (hπDL/C)·mean, exactly.
+    /// Until the heat is off, what is lost goes as the mean rise: d(mean)/dt = P/C − (hπDL/C)·mean,
+    /// exactly.
     #[test]
     fn the_mean_rise_is_that_of_a_lumped_body() {
-        let heated = rod(&[("convection", &[25.0])]);
+        let heated = rod("convection = { coefficient = '25 W/m^2/K' }");
         let expansion = heated.setup().material.expansion;
         let loss = 25.0 * std::f64::consts::PI * 0.02 * LENGTH;
         for time in [600.0, 2400.0, 5400.0] {

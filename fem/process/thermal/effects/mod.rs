@@ -7,29 +7,27 @@ mod convection;
 mod extra_source;
 mod sensor_lag;
 
-use super::Machine;
-use crate::process::Effect;
+use super::machine::Machine;
+use super::setup::Setup;
+use crate::process::CatalogueEffect;
 
 /// The registry.
-pub const ALL: &[&dyn Effect<Machine>] = &[
-    &convection::Convection,
-    &base_conductance::BaseConductance,
-    &ambient_drift::AmbientDrift,
-    &extra_source::ExtraSource,
-    &contact_resistance::ContactResistance,
-    &sensor_lag::SensorLag,
+pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
+    &convection::CONVECTION,
+    &base_conductance::BASE_CONDUCTANCE,
+    &ambient_drift::AMBIENT_DRIFT,
+    &extra_source::EXTRA_SOURCE,
+    &contact_resistance::CONTACT_RESISTANCE,
+    &sensor_lag::SENSOR_LAG,
 ];
 
 #[cfg(test)]
 mod bench {
     //! A rod to try effects on.
 
-    use std::sync::Arc;
-
-    use super::super::observe::{ELONGATION, TEMPERATURE_OF_ROW};
-    use super::super::{Heated, Setup, effect};
-    use crate::input::Reader;
-    use crate::process::{Active, Job, Rows};
+    use super::super::Thermal;
+    use super::super::rows::{elongations, temperatures};
+    use crate::process::{Assembled, ForwardModel, assembled};
 
     /// Ø20 × 200 mm of steel with 15 W at its free end for an hour and a half.
     const MODEL: &str = r#"
@@ -48,28 +46,18 @@ mod bench {
         7850.0 * 470.0 * std::f64::consts::PI * 1e-4 * LENGTH
     }
 
-    /// The rod with some effects of these canonical values.
-    pub fn rod(effects: &[(&str, &[f64])]) -> Heated {
-        let model = toml_edit::Document::parse(MODEL).unwrap();
-        let (setup, _, problems) = Reader::document(model.as_table(), Setup::read);
-        assert_eq!(problems, []);
-        let active = |(name, canonical): &(&str, &[f64])| {
-            let description = effect(name).unwrap().description();
-            let values = description.parameters.iter().zip(*canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
-            Active { description, values, written: None }
-        };
-        Heated::equip(Arc::new(setup), &effects.iter().map(active).collect::<Vec<_>>())
+    /// The rod with effects as a model file has them.
+    pub fn rod(effects: &str) -> Assembled<Thermal> {
+        assembled(MODEL, effects).unwrap()
     }
 
     /// Rise (K) at x (m) and a time (s).
-    pub fn rise(rod: &Heated, x: f64, time: f64) -> f64 {
-        let rows = Rows { columns: vec![vec![time], vec![x], vec![f64::NAN]], observable: vec![TEMPERATURE_OF_ROW] };
-        rod.observe(&rows).unwrap()[0] - 293.15
+    pub fn rise(rod: &Assembled<Thermal>, x: f64, time: f64) -> f64 {
+        rod.observe(&temperatures(&[[x, f64::NAN]], time)).unwrap()[0] - 293.15
     }
 
     /// Elongation (m) at a time (s).
-    pub fn elongation(rod: &Heated, time: f64) -> f64 {
-        let rows = Rows { columns: vec![vec![time], vec![f64::NAN], vec![f64::NAN]], observable: vec![ELONGATION] };
-        rod.observe(&rows).unwrap()[0]
+    pub fn elongation(rod: &Assembled<Thermal>, time: f64) -> f64 {
+        rod.observe(&elongations(&[time])).unwrap()[0]
     }
 }

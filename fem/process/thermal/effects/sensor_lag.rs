@@ -1,33 +1,24 @@
 //! Thermometers are late.
 //!
-//! What a sensor shows follows the temperature at its place through a first-order lag, τ·y′ = T − y from T₀ at the start, τ the time constant (s): the
-//! mass of the sensor and the paste below it. All sensors have the same. The elongation is not concerned.
+//! The temperature y that a sensor shows follows that of its place through a first-order lag, τ·y′ = T
+//! − y from T₀ at the start, τ the time constant (s): the mass of the sensor and the paste below it.
+//! All sensors have the same. The elongation is not concerned.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::SECONDS;
 
 /// `sensor-lag`.
-pub struct SensorLag;
-
-static DESCRIPTION: Description = Description {
+pub static SENSOR_LAG: Effect<1> = Effect {
     name: "sensor-lag",
     about: "temperature sensors show what was some time ago",
     law: "time_constant*dy/dt = T - y, y = T_0 at the start",
     source: "first-order instrument",
-    parameters: &[Parameter::amplitude("time_constant", SECONDS, "of every temperature sensor", (5.0, 900.0))],
+    parameters: [Parameter::amplitude("time_constant", SECONDS, "of every temperature sensor", (5.0, 900.0))],
     look_alikes: &[("contact-resistance", "the elongation, which no sensor delays")],
+    needs: nothing,
+    act: |[time_constant], machine| machine.lag = time_constant,
 };
-
-impl Effect<Machine> for SensorLag {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.lag = values["time_constant"];
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -36,7 +27,7 @@ mod tests {
     /// The rise grows evenly once waves have settled; the sensor is then behind by its time constant.
     #[test]
     fn an_even_rise_is_shown_late_by_the_time_constant() {
-        let (late, instant) = (rod(&[("sensor-lag", &[120.0])]), rod(&[]));
+        let (late, instant) = (rod("sensor-lag = { time_constant = '120 s' }"), rod(""));
         let behind = rise(&instant, 0.1, 5000.0) - rise(&late, 0.1, 5000.0);
         let slope = 15.0 / capacity();
         assert!((behind / (120.0 * slope) - 1.0).abs() < 1e-3, "{behind}");

@@ -1,4 +1,5 @@
-//! The validation table of heated bodies: closed forms and series of conduction, published benchmarks, growth and bow.
+//! The validation table of heated bodies: closed forms and series of conduction, published benchmarks,
+//! growth and bow.
 
 mod benchmarks;
 mod effects;

@@ -1,13 +1,17 @@
 //! Bodies and what is seen of them, for the table.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use super::super::follow::{Followed, Look, Span, follow};
-use super::super::observe::{ELONGATION, TEMPERATURE_OF_ROW};
-use super::super::{Heated, Setup, effect};
+use super::super::Thermal;
+use super::super::follow::{Followed, Look};
+use super::super::forward::follow;
+use super::super::rows::{elongations, temperatures};
 pub(super) use crate::process::row;
-use crate::process::{Job, Rows, set_up};
+use crate::process::{Assembled, ForwardModel, Rows, assembled};
+use crate::solve::conduction::Run;
+
+/// A body with its effects.
+pub type Heated = Option<Assembled<Thermal>>;
 
 /// Ø20 × 200 mm of k = 50 W/(m K), ρc = 7850 · 470 J/(m³ K), with 15 W into the free end.
 pub const ROD: &str = r#"
@@ -16,7 +20,7 @@ pub const ROD: &str = r#"
     environment = { temperature = "20 degC" }
     time = { end = "180 min", step = "10 s" }
 "#;
-/// Of that rod: length (m), section (m²), conductivity, heat capacity (J/(m³ K)), expansion (1/K), power (W).
+/// Its length (m), section (m²), conductivity, heat capacity (J/(m³ K)), expansion (1/K), power (W).
 pub const LENGTH: f64 = 0.2;
 pub const AREA: f64 = PI * 1e-4;
 pub const K: f64 = 50.0;
@@ -25,39 +29,36 @@ pub const ALPHA: f64 = 11.5e-6;
 pub const POWER: f64 = 15.0;
 
 /// The body of a model's text with effects given as TOML.
-pub fn body(text: &str, effects: &str) -> Option<Heated> {
-    let describe = |name: &str| effect(name).map(|e| e.description());
-    let (setup, active) = set_up(text, effects, Setup::read, describe)?;
-    Some(Heated::equip(Arc::new(setup), &active))
+pub fn body(text: &str, effects: &str) -> Heated {
+    assembled(text, effects)
 }
 
 /// The rod with effects.
-pub fn rod(effects: &str) -> Option<Heated> {
+pub fn rod(effects: &str) -> Heated {
     body(ROD, effects)
 }
 
-fn observed(body: &Option<Heated>, observable: usize, time: f64, [x, y]: [f64; 2]) -> f64 {
-    let rows = Rows { columns: vec![vec![time], vec![x], vec![y]], observable: vec![observable] };
-    body.as_ref().and_then(|b| b.observe(&rows).ok()).map_or(f64::NAN, |v| v[0])
+fn observed(body: &Heated, rows: &Rows) -> f64 {
+    body.as_ref().and_then(|b| b.observe(rows).ok()).map_or(f64::NAN, |v| v[0])
 }
 
 /// Temperature of a plane body, degC.
-pub fn temperature_at(body: &Option<Heated>, at: [f64; 2], time: f64) -> f64 {
-    observed(body, TEMPERATURE_OF_ROW, time, at) - 273.15
+pub fn temperature_at(body: &Heated, at: [f64; 2], time: f64) -> f64 {
+    observed(body, &temperatures(&[at], time)) - 273.15
 }
 
 /// Rise of a rod over 20 degC, K.
-pub fn rise(body: &Option<Heated>, x: f64, time: f64) -> f64 {
+pub fn rise(body: &Heated, x: f64, time: f64) -> f64 {
     temperature_at(body, [x, f64::NAN], time) - 20.0
 }
 
-/// m
-pub fn elongation(body: &Option<Heated>, time: f64) -> f64 {
-    observed(body, ELONGATION, time, [f64::NAN; 2])
+/// Elongation, m.
+pub fn elongation(body: &Heated, time: f64) -> f64 {
+    observed(body, &elongations(&[time]))
 }
 
 /// A run with steps (s) to its end (s), and what is looked at.
-pub fn followed(body: &Option<Heated>, looks: &[Look], step: f64, end: f64) -> Option<Followed> {
-    let body = body.as_ref()?;
-    follow(&body.machine, looks, &Span { step, end, pictures: 0 }).ok()
+pub fn followed(body: &Heated, looks: &[Look], step: f64, end: f64) -> Option<Followed> {
+    let machine = body.as_ref()?.machine();
+    follow(machine, looks, &Run { scheme: machine.setup.time.scheme, step, end }, &mut |_, _| ()).ok()
 }

@@ -14,7 +14,8 @@ pub fn cases() -> Vec<Case> {
                 format!("insulated rod, heated end, {minutes} min"),
                 place,
                 (heated_end(x, 60.0 * minutes), rise(&plain, x, 60.0 * minutes), "K"),
-                // Sixty elements of length h leave q·h²/(12·k·L) everywhere, steps of 10 s as little; all is a part of what the heated end has.
+                // Sixty elements of length h leave q·h²/(12·k·L) everywhere, steps of 10 s as little;
+                // all is a part of what the heated end has.
                 Tolerance::Absolute(2e-4 * heated_end(LENGTH, 60.0 * minutes)),
                 "Carslaw and Jaeger, 3.8 (3)",
             ));
@@ -45,7 +46,8 @@ fn heated_end(x: f64, time: f64) -> f64 {
     POWER / AREA * (time / (RHO_C * LENGTH) + LENGTH / K * (parabola - 2.0 / (PI * PI) * series))
 }
 
-/// A rod of 1 m is half a space for minutes: 2·q·√(αt/π)/k at the surface, and the integral of the error function below it.
+/// A rod of 1 m is half a space for minutes: 2·q·√(αt/π)/k at the surface, and the integral of the
+/// error function below it.
 fn half_space() -> Vec<Case> {
     let text = ROD.replace("200 mm", "1000 mm").replace("step = \"10 s\"", "step = \"2 s\"");
     let long = body(&format!("{text}\nmesh = {{ element_size = \"1 mm\" }}"), "");

@@ -1,21 +1,19 @@
 //! Tool, slide and carriage yield like a spring.
 //!
-//! y += P/k [seed 002 (8), (18)], k in N/m. In series with the tool holder of the model. Left out: the slide's tilt, which changes with the
-//! overhang of the slide.
+//! y += P/k [seed 002 (8), (18)], k in N/m. In series with the tool holder of the model. Left out: the
+//! slide's tilt, which changes with the overhang of the slide.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::STIFFNESS;
 
 /// `carriage-compliance`.
-pub struct CarriageCompliance;
-
-static DESCRIPTION: Description = Description {
+pub static CARRIAGE_COMPLIANCE: Effect<1> = Effect {
     name: "carriage-compliance",
     about: "tool, slide and carriage give way under the cutting force like a spring",
     law: "y += P/k",
     source: "seed 002 (8), (18)",
-    parameters: &[Parameter::stiffness(STIFFNESS, "stiffness of tool, slide and carriage", (5.0, 1000.0))],
+    parameters: [Parameter::stiffness(STIFFNESS, "stiffness of tool, slide and carriage", (5.0, 1000.0))],
     look_alikes: &[
         (
             "headstock-compliance",
@@ -25,17 +23,9 @@ static DESCRIPTION: Description = Description {
         ("carriage-contact", "a third force level"),
         ("force-feedback", "a measured blank: only feedback copies it"),
     ],
+    needs: nothing,
+    act: |[stiffness], machine| machine.carriage.soften(stiffness),
 };
-
-impl Effect<Machine> for CarriageCompliance {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.carriage.soften(values["stiffness"]);
-    }
-}
 
 #[cfg(test)]
 mod tests {

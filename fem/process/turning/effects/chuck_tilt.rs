@@ -1,32 +1,30 @@
 //! The chuck tilts.
 //!
-//! A chuck holds the shaft's rotation like a spring, M = k·φ, and not like a wall. On a cantilever y += P·x²/k. k in N m/rad; only
-//! where there is a chuck. Left out: jaws that slip.
+//! A chuck holds the shaft's rotation like a spring, M = k·φ, and not like a wall. On a cantilever y +=
+//! P·x²/k. k in N m/rad; only where there is a chuck. Left out: jaws that slip.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use super::super::setup::{Setup, Workholding};
+use crate::process::Parameter;
 use crate::solve::Hold;
 use crate::units::ROTATIONAL_STIFFNESS;
 
 /// `chuck-tilt`.
-pub struct ChuckTilt;
-
-static DESCRIPTION: Description = Description {
+pub static CHUCK_TILT: Effect<1> = Effect {
     name: "chuck-tilt",
     about: "the chuck yields to the bending moment like a rotational spring",
     law: "M = k*phi at the chuck; on a free shaft y += P*x^2/k",
     source: "statics; cf. seed 002 (14), (15)",
-    parameters: &[Parameter::stiffness(ROTATIONAL_STIFFNESS, "rotational stiffness of the chuck", (10.0, 2000.0))],
+    parameters: [Parameter::stiffness(ROTATIONAL_STIFFNESS, "rotational stiffness of the chuck", (10.0, 2000.0))],
     look_alikes: &[("headstock-compliance", "measure near the chuck: a tilt leaves nothing there")],
+    needs: a_chuck,
+    act: |[stiffness], machine| machine.hold = Hold::Compliance(1.0 / stiffness),
 };
 
-impl Effect<Machine> for ChuckTilt {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.hold = Hold::Compliance(1.0 / values["stiffness"]);
+fn a_chuck(setup: &Setup) -> Result<(), String> {
+    match setup.workholding {
+        Workholding::Centres => Err("needs a chuck, and a shaft between `centres` has none".into()),
+        Workholding::Chuck | Workholding::ChuckAndCentre => Ok(()),
     }
 }
 

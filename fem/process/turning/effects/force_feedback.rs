@@ -1,46 +1,27 @@
 //! The deflection takes depth off the cut, and the force with it.
 //!
-//! P = P₀·(t_d/t₀)^e with t_d = t_set − y ≥ 0 [seed 002 (17)-(23)]; t₀ the model's depth, t_set the depth set at the point, half of blank minus finished
-//! diameter where the blank is known, and y the force's own deflection. So the blank's error is copied, smaller by
-//! the refinement [seed 002 (24)-(27)]. e in (0, 1], near 1 for most metals. At t_d = 0 the tool does not touch.
+//! P = P₀·(t_d/t₀)^e with t_d = t_set − y ≥ 0 [seed 002 (17)-(23)]; t₀ the model's depth, t_set the depth
+//! set at the point, half of blank minus finished diameter where the blank is known, and y the force's own
+//! deflection. So the blank's error is copied, smaller by the refinement [seed 002 (24)-(27)]. e in (0, 1],
+//! near 1 for most metals. At t_d = 0 the tool does not touch.
 
-use super::super::Machine;
+use super::super::machine::Effect;
 use crate::input::Bounds;
-use crate::process::{Description, Effect, Neutral, Parameter, Values};
+use crate::process::{Parameter, nothing};
 use crate::units::NUMBER;
 
 /// `force-feedback`.
-pub struct ForceFeedback;
-
-static DESCRIPTION: Description = Description {
+pub static FORCE_FEEDBACK: Effect<1> = Effect {
     name: "force-feedback",
     about: "the deflection takes depth off the cut and lowers the force; the blank's error is copied",
     law: "P = P0*(t_d/t_0)^exponent, t_d = t_set - y >= 0",
     source: "seed 002 (17)-(27)",
-    parameters: &[Parameter {
-        name: "exponent",
-        kind: NUMBER,
-        about: "exponent of the depth in the force law",
-        neutral: Neutral::Value(0.0),
-        range: (0.5, 1.0),
-        bounds: Bounds::Within(0.0, 1.0),
-        default: None,
-        needed_with: None,
-        along: None,
-        period: None,
-    }],
+    parameters: [Parameter::amplitude("exponent", NUMBER, "exponent of the depth in the force law", (0.5, 1.0))
+        .within(Bounds::Within(0.0, 1.0))],
     look_alikes: &[("carriage-compliance", "a measured blank: a spring does not copy it")],
+    needs: nothing,
+    act: |[exponent], machine| machine.feedback = Some(exponent),
 };
-
-impl Effect<Machine> for ForceFeedback {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        machine.feedback = Some(values["exponent"]);
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -48,11 +29,12 @@ mod tests {
 
     #[test]
     fn with_exponent_one_the_root_is_the_handbooks() {
-        // (23): y = C·t/(j + C), C = P₀/t₀ = 1 N/um, at x = L where only the carriage would yield: none does.
-        let lathe = lathe("centres", "force-feedback", &[1.0]);
-        assert!(gap(&lathe, 0.6).abs() < 1e-9);
-        let stiff = gap(&super::super::bench::lathe("centres", "setting-error", &[0.0]), 0.3);
+        // (23): y = C·t/(j + C), C = P₀/t₀ = 1 N/um, at x = L where only the carriage would yield: none
+        // does.
+        let fed_back = lathe("centres", "force-feedback", &[1.0]);
+        assert!(gap(&fed_back, 0.6).abs() < 1e-9);
+        let stiff = gap(&lathe("centres", "setting-error", &[0.0]), 0.3);
         let j = 500.0 / stiff;
-        assert!((gap(&lathe, 0.3) - 500.0 / (j + 1.0)).abs() < 1e-9);
+        assert!((gap(&fed_back, 0.3) - 500.0 / (j + 1.0)).abs() < 1e-9);
     }
 }

@@ -1,38 +1,30 @@
 //! The guideway rises or falls: a hyperboloid.
 //!
-//! Δz = slope·x lifts the tool nose off the axis plane; ΔD += √(D² + 4Δz²) − D, a hyperboloid of revolution [seed 002 (2), (3)]; the handbook's 2Δz²/D [seed 002 (7)] is its
-//! first term. slope in m/m, of either sign, with the same effect.
+//! Δz = slope·x lifts the tool nose off the axis plane; ΔD += √(D² + 4Δz²) − D, a hyperboloid of revolution
+//! [seed 002 (2), (3)]; the handbook's 2Δz²/D [seed 002 (7)] is its first term. slope in m/m, of either
+//! sign, with the same effect.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::STEEP_SLOPE;
 
 /// `guideway-height`.
-pub struct GuidewayHeight;
-
-static DESCRIPTION: Description = Description {
+pub static GUIDEWAY_HEIGHT: Effect<1> = Effect {
     name: "guideway-height",
     about: "the guideway rises or falls against the spindle axis; the shaft becomes a hyperboloid",
     law: "dD += sqrt(D^2 + 4*dz^2) - D, dz = slope*x",
     source: "seed 002 (2), (3), (7)",
-    parameters: &[Parameter::signed("slope", STEEP_SLOPE, "rise of the guideway", (-5.0, 5.0))],
+    parameters: [Parameter::signed("slope", STEEP_SLOPE, "rise of the guideway", (-5.0, 5.0))],
     look_alikes: &[("tailstock-compliance", "a second force: both grow with x squared, only one with the force")],
-};
-
-impl Effect<Machine> for GuidewayHeight {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let slope = values["slope"];
-        machine.shift(move |at| {
+    needs: nothing,
+    act: |[slope], machine| {
+        machine.add_shift(move |at| {
             let rise = 2.0 * slope * at.x;
             // √(D² + r²) − D without the loss of digits in the difference.
             rise * rise / (at.diameter.hypot(rise) + at.diameter)
         });
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {

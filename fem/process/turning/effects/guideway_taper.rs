@@ -1,36 +1,27 @@
 //! The guideway is not parallel to the spindle axis.
 //!
-//! The slide leaves the axis by slope·x in the horizontal plane, and all of it shows: ΔD += 2·slope·x [seed 002 (6)]. slope in m/m, of either sign.
+//! The slide leaves the axis by slope·x in the horizontal plane, and all of it shows: ΔD += 2·slope·x [seed
+//! 002 (6)]. slope in m/m, of either sign.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `guideway-taper`.
-pub struct GuidewayTaper;
-
-static DESCRIPTION: Description = Description {
+pub static GUIDEWAY_TAPER: Effect<1> = Effect {
     name: "guideway-taper",
     about: "the guideway leaves the spindle axis in the horizontal plane",
     law: "dD += 2*slope*x",
     source: "seed 002 (6)",
-    parameters: &[Parameter::signed("slope", SLOPE, "slope of the guideway", (-200.0, 200.0))],
+    parameters: [Parameter::signed("slope", SLOPE, "slope of the guideway", (-200.0, 200.0))],
     look_alikes: &[
         ("tailstock-offset", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),
+        ("bed-twist", "a level that the carriage carries along the bed; diameters alone cannot tell"),
         ("tailstock-compliance", "a second force"),
     ],
+    needs: nothing,
+    act: |[slope], machine| machine.add_shift(move |at| 2.0 * slope * at.x),
 };
-
-impl Effect<Machine> for GuidewayTaper {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let slope = values["slope"];
-        machine.shift(move |at| 2.0 * slope * at.x);
-    }
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,38 +1,30 @@
 //! The guideway is worn where the slide works most.
 //!
-//! The slide sinks and tilts there, and the tool nose leaves the axis: ΔD += 2·depth·exp(−((x − centre)/width)²/2) [seed 002, wear of the guideways]. depth is the
-//! displacement of the nose, m; centre and width in m along the shaft.
+//! The slide sinks and tilts there, and the tool nose leaves the axis: ΔD += 2·depth·exp(−((x −
+//! centre)/width)²/2) [seed 002, wear of the guideways]. depth is the displacement of the nose, m; centre
+//! and width in m along the shaft.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::{LENGTH, MICRO};
 
 /// `guideway-wear`.
-pub struct GuidewayWear;
-
-static DESCRIPTION: Description = Description {
+pub static GUIDEWAY_WEAR: Effect<3> = Effect {
     name: "guideway-wear",
     about: "the guideway is worn at one place, and the tool nose leaves the axis there",
     law: "dD += 2*depth*exp(-((x - centre)/width)^2/2)",
     source: "seed 002, wear of the guideways",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("depth", MICRO, "displacement of the tool nose at the worst place", (1.0, 100.0)),
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),
         Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
     ],
     look_alikes: &[],
+    needs: nothing,
+    act: |[depth, centre, width], machine| {
+        machine.add_shift(move |at| 2.0 * depth * (-0.5 * ((at.x - centre) / width).powi(2)).exp())
+    },
 };
-
-impl Effect<Machine> for GuidewayWear {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (depth, centre, width) = (values["depth"], values["centre"], values["width"]);
-        machine.shift(move |at| 2.0 * depth * (-0.5 * ((at.x - centre) / width).powi(2)).exp());
-    }
-}
 
 #[cfg(test)]
 mod tests {

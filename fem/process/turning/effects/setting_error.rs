@@ -1,33 +1,23 @@
 //! The tool is set off its size.
 //!
-//! ΔD += 2·offset, the same on every point of every part of one setting [seed 002 (33), (34)]. offset in m, away from the axis.
+//! ΔD += 2·offset, the same on every point of every part of one setting [seed 002 (33), (34)]. offset in m,
+//! away from the axis.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::MICRO;
 
 /// `setting-error`.
-pub struct SettingError;
-
-static DESCRIPTION: Description = Description {
+pub static SETTING_ERROR: Effect<1> = Effect {
     name: "setting-error",
     about: "the tool is set off its size",
     law: "dD += 2*offset",
     source: "seed 002 (33), (34)",
-    parameters: &[Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0))],
+    parameters: [Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0))],
     look_alikes: &[("carriage-compliance", "a second force: a setting error does not change with it")],
+    needs: nothing,
+    act: |[offset], machine| machine.add_shift(move |_| 2.0 * offset),
 };
-
-impl Effect<Machine> for SettingError {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let offset = values["offset"];
-        machine.shift(move |_| 2.0 * offset);
-    }
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,37 +1,32 @@
 //! The tailstock stands off the spindle axis.
 //!
-//! The work turns about a tilted line, ΔD += 2·offset·x/L. A chuck with a centre is taken as the same rigid tilt, without bending. Diameters alone cannot tell it
-//! from a taper of the guideway. offset in m, away from the tool.
+//! The work turns about a tilted line, ΔD += 2·offset·x/L. A chuck with a centre is taken as the same rigid
+//! tilt, without bending. Diameters alone cannot tell it from a taper of the guideway. offset in m, away
+//! from the tool.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use super::support_compliance::a_tailstock;
+use crate::process::Parameter;
 use crate::units::MICRO;
 
 /// `tailstock-offset`.
-pub struct TailstockOffset;
-
-static DESCRIPTION: Description = Description {
+pub static TAILSTOCK_OFFSET: Effect<1> = Effect {
     name: "tailstock-offset",
     about: "the tailstock stands off the spindle axis, and the work turns about a tilted line",
     law: "dD += 2*offset*x/L",
     source: "statics; cf. seed 002 (6)",
-    parameters: &[Parameter::signed("offset", MICRO, "offset of the tailstock away from the tool", (-100.0, 100.0))],
+    parameters: [Parameter::signed("offset", MICRO, "offset of the tailstock away from the tool", (-100.0, 100.0))],
     look_alikes: &[
         ("guideway-taper", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),
+        ("bed-twist", "a level that the carriage carries along the bed; diameters alone cannot tell"),
         ("tailstock-compliance", "a second force"),
     ],
+    needs: a_tailstock,
+    act: |[offset], machine| {
+        let (offset, length) = (offset, machine.setup.length());
+        machine.add_shift(move |at| 2.0 * offset * at.x / length);
+    },
 };
-
-impl Effect<Machine> for TailstockOffset {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (offset, length) = (values["offset"], machine.setup.length());
-        machine.shift(move |at| 2.0 * offset * at.x / length);
-    }
-}
 
 #[cfg(test)]
 mod tests {

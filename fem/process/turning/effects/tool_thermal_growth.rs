@@ -1,34 +1,26 @@
 //! The tool grows while it cuts and shrinks while it rests.
 //!
-//! τ·dξ/dt = elongation·\[cutting\] − ξ, ξ(0) = 0, ΔD −= 2ξ [seed 002, thermal deformation of the tool]. Cutting is the time of each pass by the model's
-//! schedule; cycles of uneven length scatter the parts. elongation is what ξ tends to in a cut without end, m; τ in s.
+//! τ·dξ/dt = elongation·\[cutting\] − ξ, ξ(0) = 0, ΔD −= 2ξ [seed 002, thermal deformation of the tool].
+//! Cutting is the time of each pass by the model's schedule; cycles of uneven length scatter the parts.
+//! elongation is what ξ tends to in a cut without end, m; τ in s.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::{MICRO, TIME};
 
 /// `tool-thermal-growth`.
-pub struct ToolThermalGrowth;
-
-static DESCRIPTION: Description = Description {
+pub static TOOL_THERMAL_GROWTH: Effect<2> = Effect {
     name: "tool-thermal-growth",
     about: "the tool grows while it cuts and shrinks in pauses",
     law: "dD -= 2*xi, time_constant*dxi/dt = elongation*[cutting] - xi",
     source: "seed 002, thermal deformation of the cutting tool",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("elongation", MICRO, "growth in a cut without end", (1.0, 60.0)),
         Parameter::shape("time_constant", TIME, "time constant of the tool", (1.0, 60.0)),
     ],
     look_alikes: &[("tool-wear", "a pause: growth goes back, wear stays")],
-};
-
-impl Effect<Machine> for ToolThermalGrowth {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (elongation, time_constant) = (values["elongation"], values["time_constant"]);
+    needs: nothing,
+    act: |[elongation, time_constant], machine| {
         let schedule = &machine.setup.schedule;
         let cutting = schedule.pass.duration();
         // ξ at the start of each part.
@@ -37,13 +29,13 @@ impl Effect<Machine> for ToolThermalGrowth {
             let growth = starts.last().map_or(0.0, |&last| growth(last, start, cutting, elongation, time_constant));
             starts.push((start, growth));
         }
-        machine.shift(move |at| {
+        machine.add_shift(move |at| {
             let part = starts.partition_point(|s| s.0 <= at.time).saturating_sub(1);
             let xi = starts.get(part).map_or(0.0, |&last| growth(last, at.time, cutting, elongation, time_constant));
             -2.0 * xi
         });
-    }
-}
+    },
+};
 
 /// ξ at `time`, given (start of the part, ξ there): toward the elongation while cutting, then back.
 fn growth((start, xi): (f64, f64), time: f64, cutting: f64, elongation: f64, time_constant: f64) -> f64 {

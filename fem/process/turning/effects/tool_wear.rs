@@ -1,21 +1,20 @@
 //! The tool wears: the edge draws back, and parts grow.
 //!
-//! ΔD += 2·U(ℓ), U = run_in·(1 − e^(−ℓ/run_in_path)) + rate·ℓ [seed 002 (31), (32)], ℓ the cutting path since the batch began (m). The first term is
-//! the running-in, the second the steady wear. Valid until the third period, in which the edge breaks down, begins.
+//! ΔD += 2·U(ℓ), U = run_in·(1 − e^(−ℓ/run_in_path)) + rate·ℓ [seed 002 (31), (32)], ℓ the cutting path
+//! since the batch began (m). The first term is the running-in, the second the steady wear. Valid until the
+//! third period, in which the edge breaks down, begins.
 
-use super::super::Machine;
-use crate::process::{Description, Effect, Parameter, Values};
+use super::super::machine::Effect;
+use crate::process::{Parameter, nothing};
 use crate::units::{MICRO, PATH, WEAR_RATE};
 
 /// `tool-wear`.
-pub struct ToolWear;
-
-static DESCRIPTION: Description = Description {
+pub static TOOL_WEAR: Effect<3> = Effect {
     name: "tool-wear",
     about: "the cutting edge wears back along the cutting path, and parts grow",
     law: "dD += 2*U, U = run_in*(1 - exp(-l/run_in_path)) + rate*l",
     source: "seed 002 (31), (32)",
-    parameters: &[
+    parameters: [
         Parameter::amplitude("run_in", MICRO, "wear of the running-in", (0.5, 20.0)).or(0.0),
         Parameter::shape("run_in_path", PATH, "path of the running-in", (50.0, 2000.0)).needed_with("run_in"),
         Parameter::amplitude("rate", WEAR_RATE, "steady wear per cutting path", (0.5, 50.0)),
@@ -24,18 +23,11 @@ static DESCRIPTION: Description = Description {
         ("tool-thermal-growth", "a pause: wear stays, growth goes back"),
         ("spindle-thermal-drift", "a pause with the spindle off, and x: drift fades toward the tailstock"),
     ],
+    needs: nothing,
+    act: |[run_in, run_in_path, rate], machine| {
+        machine.add_shift(move |at| 2.0 * (run_in * -(-at.path / run_in_path).exp_m1() + rate * at.path))
+    },
 };
-
-impl Effect<Machine> for ToolWear {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn act(&self, values: &Values, machine: &mut Machine) {
-        let (run_in, run_in_path, rate) = (values["run_in"], values["run_in_path"], values["rate"]);
-        machine.shift(move |at| 2.0 * (run_in * -(-at.path / run_in_path).exp_m1() + rate * at.path));
-    }
-}
 
 #[cfg(test)]
 mod tests {

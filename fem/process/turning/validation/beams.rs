@@ -19,20 +19,20 @@ fn slender() -> Vec<Case> {
     let s = shaft40();
     let (p, l, ei) = (s.force, s.length, s.ei);
     let between = |x: f64| p * x * x * (l - x).powi(2) / (3.0 * ei * l);
-    let deflection = |name: &str, held: &str, x: f64, expected: f64, source| {
-        row(name, "deflection", (expected, gap(&uniform(held, ""), x), "m"), ROUND_OFF, source)
+    let at = |name: &str, held: &str, x: f64, expected: f64, source| {
+        deflection(name, (expected, gap(&uniform(held, ""), x)), source)
     };
     let worst = (2.0 - 2f64.sqrt()) * l;
     vec![
-        deflection("centres, mid-span", "centres", 0.25, p * l.powi(3) / (48.0 * ei), "seed 002 (12)"),
-        deflection("centres, x = L/4", "centres", 0.125, between(0.125), "seed 002 (13)"),
-        deflection("centres, x = L/3", "centres", l / 3.0, between(l / 3.0), "seed 002 (13)"),
-        deflection("centres, x = 0.9 L", "centres", 0.45, between(0.45), "seed 002 (13)"),
-        deflection("chuck, free end", "chuck", l, p * l.powi(3) / (3.0 * ei), "seed 002 (14)"),
-        deflection("chuck, x = 0.4 L", "chuck", 0.2, p * 0.2f64.powi(3) / (3.0 * ei), "seed 002 (14)"),
-        deflection("chuck and centre, x = L/4", "chuck-and-centre", 0.125, propped(0.125), "force method"),
-        deflection("chuck and centre, x = L/2", "chuck-and-centre", 0.25, propped(0.25), "force method"),
-        deflection("chuck and centre, worst place", "chuck-and-centre", worst, propped(worst), "force method"),
+        at("centres, mid-span", "centres", 0.25, p * l.powi(3) / (48.0 * ei), "seed 002 (12)"),
+        at("centres, x = L/4", "centres", 0.125, between(0.125), "seed 002 (13)"),
+        at("centres, x = L/3", "centres", l / 3.0, between(l / 3.0), "seed 002 (13)"),
+        at("centres, x = 0.9 L", "centres", 0.45, between(0.45), "seed 002 (13)"),
+        at("chuck, free end", "chuck", l, p * l.powi(3) / (3.0 * ei), "seed 002 (14)"),
+        at("chuck, x = 0.4 L", "chuck", 0.2, p * 0.2f64.powi(3) / (3.0 * ei), "seed 002 (14)"),
+        at("chuck and centre, x = L/4", "chuck-and-centre", 0.125, propped(0.125), "force method"),
+        at("chuck and centre, x = L/2", "chuck-and-centre", 0.25, propped(0.25), "force method"),
+        at("chuck and centre, worst place", "chuck-and-centre", worst, propped(worst), "force method"),
     ]
 }
 
@@ -44,38 +44,22 @@ fn handbook() -> Vec<Case> {
     let largest = (0..errors.len()).max_by(|a, b| errors[*a].total_cmp(&errors[*b])).unwrap_or(0);
     let worst = l * largest as f64 / 10_000.0;
     let deflection = 0.5 * errors.get(largest).copied().unwrap_or(f64::NAN);
-    // The handbook rounds 1/101.91 to 1/100, and pi/64 = 0.04909 to 0.05: 2 % each, and the rows show them beside the exact value.
+    // The handbook rounds 1/101.91 to 1/100, and pi/64 = 0.04909 to 0.05: 2 % each, and the rows show them
+    // beside the exact value.
     let handbook = Tolerance::Relative(0.02);
     let rounded_inertia = 0.05 * 0.04f64.powi(4);
+    let place = (2.0 - 2f64.sqrt(), worst / l, "-");
+    let hundredth = (p * l.powi(3) / (100.0 * ei), deflection, "m");
+    let inertia = (rounded_inertia, Round { diameter: 0.04, bore: 0.0 }.inertia(), "m^4");
+    let (bar, digit) = ((38.5, 1e3 * hibbeler(), "mm"), Tolerance::Relative(0.05 / 38.5));
+    let (step, book) =
+        ("force method; one step of the sweep", "Hibbeler, Mechanics of Materials, 12.16; printed to 0.1 mm");
+    let (ten, pi) = ("seed 002 (15), a rounding of 1/101.91", "seed 002 (12), a rounding of pi/64");
     vec![
-        row(
-            "chuck and centre, worst place",
-            "place / L",
-            (2.0 - 2f64.sqrt(), worst / l, "-"),
-            Tolerance::Absolute(1e-4),
-            "force method; one step of the sweep",
-        ),
-        row(
-            "chuck and centre, handbook's 1/100",
-            "deflection",
-            (p * l.powi(3) / (100.0 * ei), deflection, "m"),
-            handbook,
-            "seed 002 (15), a rounding of 1/101.91",
-        ),
-        row(
-            "round section, handbook's 0.05 D^4",
-            "inertia",
-            (rounded_inertia, Round { diameter: 0.04, bore: 0.0 }.inertia(), "m^4"),
-            handbook,
-            "seed 002 (12), a rounding of pi/64",
-        ),
-        row(
-            "bar on two springs, 3 kN at 1 m of 3 m",
-            "deflection",
-            (38.5, 1e3 * hibbeler(), "mm"),
-            Tolerance::Relative(0.05 / 38.5),
-            "Hibbeler, Mechanics of Materials, 12.16; printed to 0.1 mm",
-        ),
+        row("chuck and centre, worst place", "place / L", place, Tolerance::Absolute(1e-4), step),
+        row("chuck and centre, handbook's 1/100", "deflection", hundredth, handbook, ten),
+        row("round section, handbook's 0.05 D^4", "inertia", inertia, handbook, pi),
+        row("bar on two springs, 3 kN at 1 m of 3 m", "deflection", bar, digit, book),
     ]
 }
 
@@ -104,41 +88,29 @@ fn shear() -> Vec<Case> {
     let reach = |a: f64| a * a * (3.0 * l - a) / (6.0 * ei) + a / ga;
     let prop = |a: f64| p * reach(a) / (l.powi(3) / (3.0 * ei) + l / ga);
     let propped = |a: f64| p * (a.powi(3) / (3.0 * ei) + a / ga) - prop(a) * reach(a);
-    let source = "Timoshenko beam, force method";
-    let deflection =
-        |name: &str, expected, computed| row(name, "deflection", (expected, computed, "m"), ROUND_OFF, source);
+    let at = |name: &str, expected, computed| deflection(name, (expected, computed), "Timoshenko beam, force method");
+    let middle = p * l.powi(3) / (48.0 * ei) + p * l / (4.0 * ga);
+    let fifth = p * (0.1f64 * 0.4).powi(2) / (3.0 * ei * l) + p * 0.1 * 0.4 / (l * ga);
+    let end = p * l.powi(3) / (3.0 * ei) + p * l / ga;
     vec![
-        deflection(
-            "shear-flexible, centres, mid-span",
-            p * l.powi(3) / (48.0 * ei) + p * l / (4.0 * ga),
-            thick("centres", 0.25),
-        ),
-        deflection(
-            "shear-flexible, centres, x = L/5",
-            p * (0.1f64 * 0.4).powi(2) / (3.0 * ei * l) + p * 0.1 * 0.4 / (l * ga),
-            thick("centres", 0.1),
-        ),
-        deflection("shear-flexible, chuck, free end", p * l.powi(3) / (3.0 * ei) + p * l / ga, thick("chuck", l)),
-        deflection("shear-flexible, chuck and centre, L/2", propped(0.25), thick("chuck-and-centre", 0.25)),
+        at("shear-flexible, centres, mid-span", middle, thick("centres", 0.25)),
+        at("shear-flexible, centres, x = L/5", fifth, thick("centres", 0.1)),
+        at("shear-flexible, chuck, free end", end, thick("chuck", l)),
+        at("shear-flexible, chuck and centre, L/2", propped(0.25), thick("chuck-and-centre", 0.25)),
     ]
 }
 
 fn springs() -> Vec<Case> {
     let s = shaft40();
     let (p, l, ei) = (s.force, s.length, s.ei);
-    let effects = "[headstock-compliance]\nstiffness = \"60 N/um\"\n[tailstock-compliance]\nstiffness = \"40 N/um\"\n[carriage-compliance]\nstiffness = \"50 N/um\"";
+    let effects = "headstock-compliance.stiffness = \"60 N/um\"\ntailstock-compliance.stiffness = \"40 N/um\"\n\
+                   carriage-compliance.stiffness = \"50 N/um\"";
     let on_springs = |x: f64| {
         let rigid = (1.0 - x / l).powi(2) / 60e6 + (x / l).powi(2) / 40e6 + 1.0 / 50e6;
         p * (x * x * (l - x).powi(2) / (3.0 * ei * l) + rigid)
     };
     let at = |name: &str, x: f64| {
-        row(
-            name,
-            "deflection",
-            (on_springs(x), gap(&uniform("centres", effects), x), "m"),
-            ROUND_OFF,
-            "seed 002 (8), (11), (13)",
-        )
+        deflection(name, (on_springs(x), gap(&uniform("centres", effects), x)), "seed 002 (8), (11), (13)")
     };
     // M = k·φ at the chuck; with a centre the force method with the tilt in both coefficients.
     let tilt = 100e3;
@@ -166,18 +138,10 @@ fn springs() -> Vec<Case> {
             Tolerance::Absolute(2e-3),
             "k_t/(k_h + k_t), from seed 002 (8), (11)",
         ),
-        row(
-            "chuck that tilts, free end",
-            "deflection",
-            (free(0.5), gap(&uniform("chuck", tilting), 0.5), "m"),
-            ROUND_OFF,
-            "statics",
-        ),
-        row(
+        deflection("chuck that tilts, free end", (free(0.5), gap(&uniform("chuck", tilting), 0.5)), "statics"),
+        deflection(
             "chuck that tilts and centre, x = 0.6 L",
-            "deflection",
-            (free(0.3) - centre * reach(0.3), gap(&uniform("chuck-and-centre", tilting), 0.3), "m"),
-            ROUND_OFF,
+            (free(0.3) - centre * reach(0.3), gap(&uniform("chuck-and-centre", tilting), 0.3)),
             "force method",
         ),
         holder(),
@@ -190,13 +154,7 @@ fn holder() -> Case {
     let (e, nu, l) = (210e9, 0.3, 0.04f64);
     let kappa_ga = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu) * e / (2.0 * (1.0 + nu)) * 0.02 * 0.025;
     let expected = 400.0 * (l.powi(3) / (3.0 * e * 0.02 * 0.025f64.powi(3) / 12.0) + l / kappa_ga);
-    row(
-        "tool holder alone, at a centre",
-        "deflection",
-        (expected, gap(&lathe(&text, ""), 0.0), "m"),
-        ROUND_OFF,
-        "cantilever with shear",
-    )
+    deflection("tool holder alone, at a centre", (expected, gap(&lathe(&text, ""), 0.0)), "cantilever with shear")
 }
 
 fn rests() -> Vec<Case> {
@@ -212,57 +170,30 @@ fn rests() -> Vec<Case> {
         a * b * (l * l - a * a - b * b) / (6.0 * ei * l)
     };
     let away = p * (pair(0.1, 0.1) - pair(0.1, 0.3).powi(2) / (pair(0.3, 0.3) + 1.0 / k));
-    let source = "force method";
+    let at = |name: &str, expected, held, place, x| {
+        deflection(name, (expected, gap(&with_rest(held, place), x)), "force method")
+    };
+    let [under, end] = [48.0, 3.0].map(|c| p / (c * ei / l.powi(3) + k));
     vec![
-        row(
-            "steady rest under the tool, mid-span",
-            "deflection",
-            (p / (48.0 * ei / l.powi(3) + k), gap(&with_rest("centres", "250 mm"), 0.25), "m"),
-            ROUND_OFF,
-            source,
-        ),
-        row(
-            "steady rest at 0.6 L, tool at 0.2 L",
-            "deflection",
-            (away, gap(&with_rest("centres", "300 mm"), 0.1), "m"),
-            ROUND_OFF,
-            source,
-        ),
-        row(
-            "chuck and steady rest at the end",
-            "deflection",
-            (p / (3.0 * ei / l.powi(3) + k), gap(&with_rest("chuck", "500 mm"), 0.5), "m"),
-            ROUND_OFF,
-            source,
-        ),
+        at("steady rest under the tool, mid-span", under, "centres", "250 mm", 0.25),
+        at("steady rest at 0.6 L, tool at 0.2 L", away, "centres", "300 mm", 0.1),
+        at("chuck and steady rest at the end", end, "chuck", "500 mm", 0.5),
     ]
 }
 
 fn sections() -> Vec<Case> {
     let pi = std::f64::consts::PI;
     let tube = Round { diameter: 0.05, bore: 0.03 };
-    let thin = Round { diameter: 0.05, bore: 0.05 * (1.0 - 1e-7) };
+    let thin = Round { diameter: 0.05, bore: 0.05 * (1.0 - 1e-7) }.shear_coefficient(0.3);
+    let solid = Round { diameter: 0.05, bore: 0.0 }.shear_coefficient(0.3);
+    let inertia = (pi / 64.0 * (0.05f64.powi(4) - 0.03f64.powi(4)), tube.inertia(), "m^4");
+    let (formula, printed) = ("Cowper (1966): 2(1+nu)/(4+3nu)", "Cowper (1966), three digits");
+    let shear = |name: &str, pair: (f64, f64), tolerance, source| {
+        row(name, "shear coefficient", (pair.0, pair.1, "-"), tolerance, source)
+    };
     vec![
-        row(
-            "hollow section D50 d30",
-            "inertia",
-            (pi / 64.0 * (0.05f64.powi(4) - 0.03f64.powi(4)), tube.inertia(), "m^4"),
-            ROUND_OFF,
-            "pi (D^4 - d^4)/64",
-        ),
-        row(
-            "thin tube, nu = 0.3",
-            "shear coefficient",
-            (2.6 / 4.9, thin.shear_coefficient(0.3), "-"),
-            Tolerance::Relative(1e-6),
-            "Cowper (1966): 2(1+nu)/(4+3nu)",
-        ),
-        row(
-            "solid round, nu = 0.3",
-            "shear coefficient",
-            (0.886, Round { diameter: 0.05, bore: 0.0 }.shear_coefficient(0.3), "-"),
-            Tolerance::Absolute(5e-4),
-            "Cowper (1966), three digits",
-        ),
+        row("hollow section D50 d30", "inertia", inertia, ROUND_OFF, "pi (D^4 - d^4)/64"),
+        shear("thin tube, nu = 0.3", (2.6 / 4.9, thin), Tolerance::Relative(1e-6), formula),
+        shear("solid round, nu = 0.3", (0.886, solid), Tolerance::Absolute(5e-4), printed),
     ]
 }

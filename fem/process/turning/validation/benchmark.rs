@@ -1,6 +1,5 @@
 //! A stepped shaft on two springs, in agreement with the unit-load method to every printed digit.
 
-use super::super::Lathe;
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 
@@ -17,7 +16,8 @@ const SPRINGS: &str =
 const CONTACTS: &str =
     "[headstock-contact]\nc = \"0.2 um/N^n\"\nn = 0.5\n[tailstock-contact]\nc = \"0.2 um/N^n\"\nn = 0.5";
 
-/// Deflections in um at L/4, L/2, 3L/4, L as Castigliano's theorem gives them, integrated segment by segment, to the digits printed.
+/// Deflections in um at L/4, L/2, 3L/4, L as Castigliano's theorem gives them, integrated segment by
+/// segment, to the digits printed.
 const SLENDER: [f64; 4] = [37.5214415, 51.0045771, 39.6047748, 12.5];
 const SHEARED: [f64; 4] = [38.1166809, 51.7181975, 40.2000143, 12.5];
 const CLOSING: [f64; 4] = [35.516446, 48.9585214, 35.516446, 4.472136];

@@ -1,6 +1,6 @@
-//! The whole machine against the plain finite-element solve of its shaft: steps, bore, rests, contacts, tilt.
+//! The whole machine against the plain finite-element solve of its shaft: steps, bore, rests, contacts,
+//! tilt.
 
-use super::super::Lathe;
 use super::rig::*;
 use crate::element::BeamPiece;
 use crate::process::{Case, Tolerance};
@@ -44,7 +44,7 @@ pub fn cases() -> Vec<Case> {
 
 /// Deflection under the tool at a node of 20 mm elements, by the sparse solve.
 fn by_frame(lathe: &Lathe, node: usize) -> Option<f64> {
-    let machine = &lathe.machine;
+    let machine = lathe.machine();
     let shaft = machine.setup.shaft(machine.hold);
     let count = |piece: &BeamPiece| (piece.length / 0.02).round() as usize;
     let pieces: Vec<BeamPiece> = shaft.pieces.iter().flat_map(|p| p.divided(count(p))).collect();
@@ -56,7 +56,7 @@ fn by_frame(lathe: &Lathe, node: usize) -> Option<f64> {
     for rest in &shaft.rests {
         frame = frame.translational_spring((rest.at / 0.02).round() as usize, rest.stiffness).ok()?;
     }
-    let force = lathe.conditions(0.0).force;
+    let force = machine.setup.conditions(0.0).force;
     let solution = frame.solve(&[(node, force)]).ok()?;
     Some(solution.displacement[node])
 }

@@ -1,10 +1,11 @@
 //! The force law, and the force that the deflection feeds back.
 
-use super::super::elastic::Conditions;
+use super::super::cut::Conditions;
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 
 const CARRIAGE: &str = "[carriage-compliance]\nstiffness = \"20 N/um\"";
+const BISECTED: &str = "seed 002 (22), by bisection";
 
 pub fn cases() -> Vec<Case> {
     // At a rigid centre only the carriage yields: j = 20 N/um, C = P₀/t₀ = 400 N / 0.5 mm = 0.8 N/um.
@@ -14,49 +15,30 @@ pub fn cases() -> Vec<Case> {
     let conditions = |set_depth| Some(Conditions { force: 400.0, nominal: 400.0, nominal_depth: t, set_depth });
     let linear = feedback(1.0);
     let copied = gap_under(&linear, 0.5, conditions(0.7e-3)) - gap_under(&linear, 0.5, conditions(0.4e-3));
+    let left = |name: String, expected, computed, source| {
+        row(name, "residual depth", (expected, computed, "m"), ROUND_OFF, source)
+    };
+    let copy = (c * 0.3e-3 / (j + c), copied, "m");
+    let idle = (0.0, gap_under(&linear, 0.5, conditions(-0.1e-3)), "m");
     let mut cases = vec![
-        row(
-            "force fed back, exponent 1",
-            "residual depth",
-            (c * t / (j * (1.0 + c / j)), gap(&linear, 0.5), "m"),
-            ROUND_OFF,
-            "seed 002 (23)",
-        ),
-        row(
-            "blank's error of 0.3 mm copied",
-            "error",
-            (c * 0.3e-3 / (j + c), copied, "m"),
-            ROUND_OFF,
-            "seed 002 (25)-(27)",
-        ),
+        left("force fed back, exponent 1".into(), c * t / (j * (1.0 + c / j)), gap(&linear, 0.5), "seed 002 (23)"),
+        row("blank's error of 0.3 mm copied", "error", copy, ROUND_OFF, "seed 002 (25)-(27)"),
         row("refinement", "q", ((j + c) / c, 0.3e-3 / copied, "-"), ROUND_OFF, "seed 002 (27), (28)"),
         row(
             "blank smaller than the set diameter",
             "deflection",
-            (0.0, gap_under(&linear, 0.5, conditions(-0.1e-3)), "m"),
+            idle,
             Tolerance::Absolute(0.0),
             "the tool does not touch",
         ),
     ];
     for e in [0.6, 0.75, 0.9] {
-        cases.push(row(
-            format!("force fed back, exponent {e}"),
-            "residual depth",
-            (root(j, e), gap(&feedback(e), 0.5), "m"),
-            ROUND_OFF,
-            "seed 002 (22), by bisection",
-        ));
+        cases.push(left(format!("force fed back, exponent {e}"), root(j, e), gap(&feedback(e), 0.5), BISECTED));
     }
     // At mid-span the shaft yields too.
     let s = shaft40();
-    let at_middle = 1.0 / (1.0 / j + s.length.powi(3) / (48.0 * s.ei));
-    cases.push(row(
-        "force fed back, exponent 0.9, mid-span",
-        "residual depth",
-        (root(at_middle, 0.9), gap(&feedback(0.9), 0.25), "m"),
-        ROUND_OFF,
-        "seed 002 (22), by bisection",
-    ));
+    let middle = root(1.0 / (1.0 / j + s.length.powi(3) / (48.0 * s.ei)), 0.9);
+    cases.push(left("force fed back, exponent 0.9, mid-span".into(), middle, gap(&feedback(0.9), 0.25), BISECTED));
     cases.extend(hardly_cutting());
     cases.push(force_law());
     cases
@@ -79,13 +61,8 @@ fn hardly_cutting() -> Vec<Case> {
         t - t * cut.exp()
     };
     let case = |e: f64| {
-        row(
-            format!("hardly any depth cut, exponent {e}"),
-            "residual depth",
-            (expected(e), computed(e), "m"),
-            ROUND_OFF,
-            "seed 002 (22), by bisection",
-        )
+        let name = format!("hardly any depth cut, exponent {e}");
+        row(name, "residual depth", (expected(e), computed(e), "m"), ROUND_OFF, BISECTED)
     };
     vec![case(0.1), case(0.3), case(0.5)]
 }
@@ -95,6 +72,6 @@ fn force_law() -> Case {
         .replace("HELD", "centres")
         .replace("radial_force = \"400 N\"", "force = { C = 243.0, x = 0.9, y = 0.6, n = 0.3, HB = 200.0 }");
     // 0.2^0.6·0.5^0.9·200^0.3 = (0.2²·0.5³·200)^0.3 = 1, so that P = C.
-    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.conditions(0.0).force);
+    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.setup().conditions(0.0).force);
     row("force law, s = 0.2 mm/rev, t = 0.5 mm", "radial force", (243.0, computed, "N"), ROUND_OFF, "seed 002 (16)")
 }

@@ -9,10 +9,23 @@ pub fn cases() -> Vec<Case> {
 
 fn shifts() -> Vec<Case> {
     let at = |name: &str, effect: &str, x: f64, expected: f64, source| {
-        row(name, "diameter error", (expected, shift(&uniform("centres", effect), 1, x), "m"), ROUND_OFF, source)
+        diameter_error(name, (expected, shift(&uniform("centres", effect), 1, x)), source)
     };
     let worn = "[guideway-wear]\ndepth = \"8 um\"\ncentre = \"200 mm\"\nwidth = \"50 mm\"";
+    let high = lathe(
+        &UNIFORM.replace("HELD\"", "centres\", centre_height = \"400 mm\""),
+        "[bed-twist]\ntwist = \"30 um/m/m\"",
+    );
+    let by_height = row(
+        "bed twist 30 um/m/m, centres 400 mm high, x = 0.4 m",
+        "diameter error",
+        (2.0 * 0.4 * (12e-6f64).sin(), shift(&high, 1, 0.4), "m"),
+        Tolerance::Relative(12e-6 * 12e-6),
+        "nose turned about the guideways by the twist of 0.4 m; its sine",
+    );
     vec![
+        by_height,
+        at("bed twist 30 um/m/m, x = 0.4 m", "[bed-twist]\ntwist = \"30 um/m/m\"", 0.4, 6e-6, "geometry of guideways"),
         at("guideway taper 30 um/m, x = 0.4 m", "[guideway-taper]\nslope = \"30 um/m\"", 0.4, 24e-6, "seed 002 (6)"),
         at("tailstock offset 10 um, x = 0.3 L", "[tailstock-offset]\noffset = \"10 um\"", 0.15, 6e-6, "statics"),
         at("setting error -6 um", "[setting-error]\noffset = \"-6 um\"", 0.1, -12e-6, "seed 002 (33), (34)"),
@@ -31,36 +44,20 @@ fn hyperboloid() -> Vec<Case> {
     // y² over x is a parabola a·x² + 2d·x + f; a from its second difference. I₂ = −a < 0 says hyperbola.
     let y2 = |x: f64| (0.5 * (d + shift(&height, 1, x))).powi(2);
     let a = (y2(0.4) - 2.0 * y2(0.2) + y2(0.0)) / (2.0 * 0.2 * 0.2);
-    // Added up, the two lack the term in which the taper widens the diameter of the hyperboloid: 2Δy/D of 2Δz²/D.
+    // Added up, the two lack the term in which the taper widens the diameter of the hyperboloid: 2Δy/D of
+    // 2Δz²/D.
     let coupled = 2.0 * 0.2e-3 / d * (2.0 * z * z / d);
+    let at = |name: &str, pair: (f64, f64), tolerance, source| {
+        row(name, "diameter error", (pair.0, pair.1, "m"), tolerance, source)
+    };
+    let (risen, first) = (shift(&height, 1, 0.4), 2.0 * z * z / d);
+    let (own, sum) = (Tolerance::Relative(z * z / (d * d)), Tolerance::Absolute(coupled));
+    let (source, handbook) = ("seed 002 (3)-(5): I2 = -tan^2(beta)", "seed 002 (7); its own error is (dz/D)^2");
+    let added = "seed 002 (3); contributions add to first order";
     vec![
-        row(
-            "guideway rises 2 mm/m, x = 0.4 m",
-            "diameter error",
-            (exact, shift(&height, 1, 0.4), "m"),
-            Tolerance::Relative(1e-11),
-            "seed 002 (2)",
-        ),
-        row(
-            "the same, handbook's first term",
-            "diameter error",
-            (2.0 * z * z / d, shift(&height, 1, 0.4), "m"),
-            Tolerance::Relative(z * z / (d * d)),
-            "seed 002 (7); its own error is (dz/D)^2",
-        ),
-        row(
-            "guideway rises and tapers, x = 0.4 m",
-            "diameter error",
-            (tilted, shift(&both, 1, 0.4), "m"),
-            Tolerance::Absolute(coupled),
-            "seed 002 (3); contributions add to first order",
-        ),
-        row(
-            "hyperboloid of revolution",
-            "invariant I2",
-            (-4e-6, -a, "-"),
-            Tolerance::Relative(1e-9),
-            "seed 002 (3)-(5): I2 = -tan^2(beta)",
-        ),
+        at("guideway rises 2 mm/m, x = 0.4 m", (exact, risen), Tolerance::Relative(1e-11), "seed 002 (2)"),
+        at("the same, handbook's first term", (first, risen), own, handbook),
+        at("guideway rises and tapers, x = 0.4 m", (tilted, shift(&both, 1, 0.4)), sum, added),
+        row("hyperboloid of revolution", "invariant I2", (-4e-6, -a, "-"), Tolerance::Relative(1e-9), source),
     ]
 }

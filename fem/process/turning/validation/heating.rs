@@ -7,7 +7,8 @@ use crate::process::{Case, Tolerance};
 const HEATED: &str = "[workpiece-heating]\npower = \"80 W\"\nconvection = \"25 W/m^2/K\"";
 
 pub fn cases() -> Vec<Case> {
-    // The solver is asked for 1e-4 of the largest rise; near the start the rise itself is smaller, so the tolerance is absolute.
+    // The solver is asked for 1e-4 of the largest rise; near the start the rise itself is smaller, so the
+    // tolerance is absolute.
     let reach = |expected: f64| Tolerance::Absolute(1e-4 * expected.abs());
     let largest = error_at(0.0, 0.5);
     let heated = uniform("centres", HEATED);
@@ -15,34 +16,23 @@ pub fn cases() -> Vec<Case> {
         &UNIFORM.replace("HELD", "centres").replace("radial_force", "from = \"100 mm\", to = \"400 mm\", radial_force"),
         HEATED,
     );
-    let mut cases: Vec<Case> = [
+    let at = |name: String, pair: (f64, f64)| {
+        let source = "cosine series, insulated rod with convection";
+        row(name, "diameter error", (pair.0, pair.1, "m"), reach(largest), source)
+    };
+    let whole = [
         (0.499, "1 mm after the start"),
         (0.45, "x = 0.9 L"),
         (0.25, "mid-span"),
         (0.02, "x = 0.04 L"),
         (0.0, "end of the cut"),
-    ]
-    .into_iter()
-    .map(|(x, place)| {
-        row(
-            format!("heated shaft, {place}"),
-            "diameter error",
-            (error_at(x, 0.5), shift(&heated, 1, x), "m"),
-            reach(largest),
-            "cosine series, insulated rod with convection",
-        )
-    })
-    .collect();
-    for (x, place) in [(0.102, "2 mm after the start"), (0.3, "x = 0.6 L")] {
-        cases.push(row(
-            format!("heated from 0.2 L to 0.8 L, {place}"),
-            "diameter error",
-            (error_at(x, 0.1), shift(&forward, 1, x), "m"),
-            reach(largest),
-            "cosine series, insulated rod with convection",
-        ));
-    }
-    cases
+    ];
+    let part = [(0.102, "2 mm after the start"), (0.3, "x = 0.6 L")];
+    let whole = whole.map(|(x, place)| at(format!("heated shaft, {place}"), (error_at(x, 0.5), shift(&heated, 1, x))));
+    let part = part.map(|(x, place)| {
+        at(format!("heated from 0.2 L to 0.8 L, {place}"), (error_at(x, 0.1), shift(&forward, 1, x)))
+    });
+    whole.into_iter().chain(part).collect()
 }
 
 /// ΔD = −α·D·θ for the uniform shaft with the tool at x, having started at `from`; m.
@@ -50,8 +40,8 @@ fn error_at(x: f64, from: f64) -> f64 {
     -11.5e-6 * 0.04 * 80.0 * rise(x, from)
 }
 
-/// θ(x) per W: Σ cos(nπx/L)·∫cos(nπx_tool(s)/L)·e^(−(aω² + β)(t − s)) ds, each term in closed form, and the tail of the terms' mean
-/// value by its integral.
+/// θ(x) per W: Σ cos(nπx/L)·∫cos(nπx_tool(s)/L)·e^(−(aω² + β)(t − s)) ds, each term in closed form, and the
+/// tail of the terms' mean value by its integral.
 fn rise(x: f64, from: f64) -> f64 {
     const TERMS: u32 = 200_000;
     let (length, diameter, speed) = (0.5, 0.04f64, 2e-3);

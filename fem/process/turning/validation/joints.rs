@@ -9,14 +9,15 @@ pub fn cases() -> Vec<Case> {
     let carriage = "[carriage-contact]\nc = \"0.25 um/N^n\"\nn = 0.6";
     let law = 0.3e-6 * 400f64.sqrt();
     let at_tailstock = |name: &str, effects: &str, expected| {
-        row(name, "deflection", (expected, gap(&uniform("centres", effects), 0.5), "m"), ROUND_OFF, "seed 002 (29)")
+        deflection(name, (expected, gap(&uniform("centres", effects), 0.5)), "seed 002 (29)")
     };
     let mut cases = vec![
         at_tailstock("contact alone", contact, law),
         at_tailstock("contact and spring in series", series, law + 400.0 / 80e6),
         at_tailstock("carriage contact, n = 0.6", carriage, 0.25e-6 * 400f64.powf(0.6)),
     ];
-    // Newton's residual of 1e-12 of the forces bounds the error of the redundant force, and thus of the deflection, by a few 1e-12.
+    // Newton's residual of 1e-12 of the forces bounds the error of the redundant force, and thus of the
+    // deflection, by a few 1e-12.
     let newton = Tolerance::Relative(1e-11);
     for (n, c) in [(0.3, 2.0), (0.5, 0.5), (0.8, 0.05)] {
         for (a, place) in [(0.05, "x = 0.1 L"), (0.3, "x = 0.6 L"), (0.5, "x = L")] {
@@ -37,7 +38,8 @@ pub fn cases() -> Vec<Case> {
     cases
 }
 
-/// A cantilever whose free end rests on a spring and a contact in series: R closes the gap, R·L³/3EI + c·Rⁿ + R/k = w(L).
+/// A cantilever whose free end rests on a spring and a contact in series: R closes the gap, R·L³/3EI + c·Rⁿ
+/// + R/k = w(L).
 fn on_closing_centre(a: f64, c: f64, n: f64) -> f64 {
     let s = shaft40();
     let (p, l, ei) = (s.force, s.length, s.ei);

@@ -1,4 +1,5 @@
-//! The validation table of turning: what handbooks, closed forms and benchmarks say, and what the program computes from a model file.
+//! The validation table of turning: what handbooks, closed forms and benchmarks say, and what the program
+//! computes from a model file.
 
 mod beams;
 mod benchmark;

@@ -1,4 +1,5 @@
-//! Several passes, each copying what the one before has left: by hand, at a rigid centre where only the carriage yields.
+//! Several passes, each copying what the one before has left: by hand, at a rigid centre where only the
+//! carriage yields.
 
 use super::super::refinement::Refinement;
 use super::rig::*;
@@ -8,7 +9,7 @@ use crate::process::{Case, Tolerance};
 const CARRIAGE: &str = "[carriage-compliance]\nstiffness = \"20 N/um\"\n[force-feedback]\nexponent = EXPONENT";
 
 /// The uniform shaft with a blank and earlier passes.
-fn turned(blank: &str, passes: &str, exponent: f64) -> Option<super::super::Lathe> {
+fn turned(blank: &str, passes: &str, exponent: f64) -> Option<Lathe> {
     let text = UNIFORM
         .replace("HELD", "centres")
         .replace("diameter = \"40 mm\" }]", &format!("diameter = \"40 mm\" }}], {blank}"));
@@ -16,7 +17,7 @@ fn turned(blank: &str, passes: &str, exponent: f64) -> Option<super::super::Lath
 }
 
 /// Diameter error at the tailstock end, um.
-fn end(lathe: &Option<super::super::Lathe>) -> f64 {
+fn end(lathe: &Option<Lathe>) -> f64 {
     profile(lathe).last().map_or(f64::NAN, |e| 1e6 * e)
 }
 
@@ -38,11 +39,8 @@ pub fn cases() -> Vec<Case> {
         row(name, "diameter error", (expected, computed, "um"), Tolerance::Relative(1e-12), source)
     };
     let linear = "seed 002 (23), pass by pass";
-    let copies = |blank: &str, passes: &str| {
-        let lathe = turned(blank, passes, 1.0)?;
-        Refinement::of(&lathe, &[0.5]).ok()?.map(|r| r.inherited)
-    };
-    let inherited = |passes: &str| copies(large, passes).unwrap_or(f64::NAN);
+    let copies = |passes: &str| Refinement::of(turned(large, passes, 1.0)?.machine(), &[0.5]).ok()?;
+    let inherited = |passes: &str| copies(passes).map_or(f64::NAN, |r| r.inherited);
     let time = |passes: &str| turned(large, passes, 1.0).map_or(f64::NAN, |l| l.setup().schedule.start(1) / 60.0);
     vec![
         um("one pass, blank 0.6 mm too large", pass(500.0, 600.0), end(&turned(large, "", 1.0)), linear),

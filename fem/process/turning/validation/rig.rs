@@ -1,12 +1,15 @@
 //! A lathe from a model's text, and what can be read off it.
 
-use std::sync::Arc;
-
-use super::super::elastic::{Conditions, Elastic};
-use super::super::{Lathe, Setup, effect};
+use super::super::Turning;
+use super::super::cut::Conditions;
+use super::super::elastic::Elastic;
+use super::super::forward::condense;
 pub(super) use crate::process::row;
-use crate::process::{Tolerance, set_up};
+use crate::process::{Assembled, Case, ForwardModel, Tolerance, assembled};
 use crate::progress::Progress;
+
+/// A lathe with its effects.
+pub type Lathe = Assembled<Turning>;
 
 /// Agreement of two exact calculations: a thousand rounding errors.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
@@ -19,10 +22,10 @@ pub const UNIFORM: &str = r#"
     mesh = { beam = "euler-bernoulli" }
 "#;
 
-/// The lathe of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row that uses it, so no row can pass by it.
+/// The lathe of a model's text with effects given as TOML. A mistake in a text shows as NaN in every row
+/// that uses it, so no row can pass by it.
 pub fn lathe(text: &str, effects: &str) -> Option<Lathe> {
-    let (setup, active) = set_up(text, effects, Setup::read, |name| effect(name).map(|e| e.description()))?;
-    Some(Lathe::equip(Arc::new(setup), &active))
+    assembled(text, effects)
 }
 
 /// The uniform shaft held by `held`, with effects.
@@ -38,26 +41,35 @@ pub fn gap(lathe: &Option<Lathe>, x: f64) -> f64 {
 /// The gap under other conditions, m.
 pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) -> f64 {
     let solve = |lathe: &Lathe| {
-        let shaft = lathe.condense(&[x]).ok()?;
-        let elastic = Elastic::new(&lathe.machine, &shaft);
-        elastic.deflect(0, conditions.unwrap_or(lathe.conditions(0.0))).ok().map(|d| d.total)
+        let shaft = condense(lathe.machine(), &[x]).ok()?;
+        let conditions = conditions.unwrap_or(lathe.setup().conditions(0.0));
+        Elastic::new(lathe.machine(), &shaft).deflect(0, conditions).ok().map(|d| d.total)
     };
     lathe.as_ref().and_then(solve).unwrap_or(f64::NAN)
 }
 
 /// What the force does not do to the diameter at x (m) of a part, m.
 pub fn shift(lathe: &Option<Lathe>, part: usize, x: f64) -> f64 {
-    lathe.as_ref().map_or(f64::NAN, |l| l.shift(part, x))
+    lathe.as_ref().map_or(f64::NAN, |l| l.machine().shift_on(part, x))
 }
 
 /// The whole predicted profile, part by part, m.
 pub fn profile(lathe: &Option<Lathe>) -> Vec<f64> {
-    use crate::process::Job;
     lathe.as_ref().and_then(|l| l.predict(&Progress::default()).ok()).unwrap_or_default()
 }
 
-/// The root of a rising function between `low` and `high`, by bisection: slow, and nothing that could go wrong with Newton's
-/// method goes wrong with it.
+/// A deflection in m, met to round-off.
+pub fn deflection(name: impl Into<String>, (expected, computed): (f64, f64), source: &'static str) -> Case {
+    row(name, "deflection", (expected, computed, "m"), ROUND_OFF, source)
+}
+
+/// A diameter error in m, met to round-off.
+pub fn diameter_error(name: impl Into<String>, (expected, computed): (f64, f64), source: &'static str) -> Case {
+    row(name, "diameter error", (expected, computed, "m"), ROUND_OFF, source)
+}
+
+/// The root of a rising function between `low` and `high`, by bisection: slow, and nothing that could go
+/// wrong with Newton's method goes wrong with it.
 pub fn bisect(mut low: f64, mut high: f64, rising: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..200 {
         let middle = 0.5 * (low + high);

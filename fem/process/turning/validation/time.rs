@@ -1,9 +1,11 @@
 //! The batch in time: schedule, wear, growth and drift, against schedules integrated by hand.
 
+use super::super::schedule::Schedule;
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 
-/// Ø40 × 500 mm at 0.2 mm/rev and 500 rpm: 5 min of cutting. Every 8 min a part, 20 min of rest after the second.
+/// Ø40 × 500 mm at 0.2 mm/rev and 500 rpm: 5 min of cutting. Every 8 min a part, 20 min of rest after the
+/// second.
 const BATCH: &str = r#"
     workpiece = { material = "steel", segments = [{ length = "500 mm", diameter = "40 mm" }] }
     workholding = { type = "centres" }
@@ -14,32 +16,16 @@ const BATCH: &str = r#"
 pub fn cases() -> Vec<Case> {
     let pi = std::f64::consts::PI;
     let plain = lathe(BATCH, "");
-    let schedule =
-        |of: fn(&super::super::Schedule) -> f64| plain.as_ref().map_or(f64::NAN, |l| of(&l.machine.setup.schedule));
+    let schedule = |of: fn(&Schedule) -> f64| plain.as_ref().map_or(f64::NAN, |l| of(&l.setup().schedule));
     let whole = pi * 0.04 * 0.5 / 0.2e-3;
+    let time = ((16.0 + 20.0 + 2.0) * 60.0, schedule(|s| s.time(3, 0.3)), "s");
+    let path = (2.4 * whole, schedule(|s| s.path(3, 0.3)), "m");
+    let source = "pi D dx / feed";
     let mut cases = vec![
-        row(
-            "third part after a pause, x = 0.3 m",
-            "time",
-            ((16.0 + 20.0 + 2.0) * 60.0, schedule(|s| s.time(3, 0.3)), "s"),
-            ROUND_OFF,
-            "by hand",
-        ),
-        row(
-            "third part, x = 0.3 m",
-            "cutting path",
-            (2.4 * whole, schedule(|s| s.path(3, 0.3)), "m"),
-            ROUND_OFF,
-            "pi D dx / feed",
-        ),
+        row("third part after a pause, x = 0.3 m", "time", time, ROUND_OFF, "by hand"),
+        row("third part, x = 0.3 m", "cutting path", path, ROUND_OFF, source),
+        row("stepped shaft, whole pass", "cutting path", (stepped_path(), stepped(), "m"), ROUND_OFF, source),
     ];
-    cases.push(row(
-        "stepped shaft, whole pass",
-        "cutting path",
-        (stepped_path(), stepped(), "m"),
-        ROUND_OFF,
-        "pi D dx / feed",
-    ));
     cases.extend(wear(2.4 * whole));
     cases.extend(growth());
     cases.extend(drift());
@@ -55,7 +41,7 @@ fn stepped() -> f64 {
         "{ length = \"500 mm\", diameter = \"40 mm\" }",
         "{ length = \"150 mm\", diameter = \"40 mm\" }, { length = \"300 mm\", diameter = \"50 mm\" }",
     );
-    lathe(&text, "").map_or(f64::NAN, |l| l.machine.setup.schedule.path(1, 0.0))
+    lathe(&text, "").map_or(f64::NAN, |l| l.setup().schedule.path(1, 0.0))
 }
 
 fn wear(path: f64) -> Vec<Case> {
@@ -64,14 +50,8 @@ fn wear(path: f64) -> Vec<Case> {
     let source = "seed 002 (31), (32)";
     let expected = 2.0 * (3e-6 * (1.0 - (-path / 300.0).exp()) + 1e-8 * path);
     vec![
-        row("tool wear, part 3, x = 0.3 m", "diameter error", (expected, shift(&worn, 3, 0.3), "m"), ROUND_OFF, source),
-        row(
-            "steady wear alone, part 3, x = 0.3 m",
-            "diameter error",
-            (2e-8 * path, shift(&steady, 3, 0.3), "m"),
-            ROUND_OFF,
-            source,
-        ),
+        diameter_error("tool wear, part 3, x = 0.3 m", (expected, shift(&worn, 3, 0.3)), source),
+        diameter_error("steady wear alone, part 3, x = 0.3 m", (2e-8 * path, shift(&steady, 3, 0.3)), source),
     ]
 }
 
@@ -83,9 +63,7 @@ fn growth() -> Vec<Case> {
     let second = cool(heat(0.0, 5.0), 3.0);
     let third = cool(heat(second, 5.0), 23.0);
     let source = "tau xi' = e[cutting] - xi, by hand";
-    let at = |name: &str, part, x, xi: f64| {
-        row(name, "diameter error", (-2e-6 * xi, shift(&growing, part, x), "m"), ROUND_OFF, source)
-    };
+    let at = |name: &str, part, x, xi: f64| diameter_error(name, (-2e-6 * xi, shift(&growing, part, x)), source);
     vec![
         at("tool growth, part 1, end of the cut", 1, 0.0, heat(0.0, 5.0)),
         at("tool growth, part 2, x = 0.3 m", 2, 0.3, heat(second, 2.0)),
@@ -99,27 +77,14 @@ fn drift() -> Vec<Case> {
     let warming = 14e-6 * (1.0 - (-38.0f64 / 30.0).exp());
     let source = "seed 002, thermal deformation of the system";
     let chucked = lathe(&BATCH.replace("centres", "chuck"), effect);
+    let start = (0.0, shift(&chucked, 1, 0.5), "m");
     vec![
-        row(
+        diameter_error(
             "spindle drift, part 3, x = 0.6 L",
-            "diameter error",
-            (0.4 * warming, shift(&lathe(BATCH, effect), 3, 0.3), "m"),
-            ROUND_OFF,
+            (0.4 * warming, shift(&lathe(BATCH, effect), 3, 0.3)),
             source,
         ),
-        row(
-            "spindle drift in a chuck, part 3",
-            "diameter error",
-            (warming, shift(&chucked, 3, 0.3), "m"),
-            ROUND_OFF,
-            source,
-        ),
-        row(
-            "spindle drift at the start",
-            "diameter error",
-            (0.0, shift(&chucked, 1, 0.5), "m"),
-            Tolerance::Absolute(0.0),
-            source,
-        ),
+        diameter_error("spindle drift in a chuck, part 3", (warming, shift(&chucked, 3, 0.3)), source),
+        row("spindle drift at the start", "diameter error", start, Tolerance::Absolute(0.0), source),
     ]
 }

@@ -1,6 +1,7 @@
 //! A plane-stress ring under a radial load that goes around as cos mθ: collocation in the radius.
 //!
-//! u_r = U(r) cos mθ, u_t = V(r) sin mθ; S, H, T are the amplitudes of σ_rr, σ_θθ (cos) and τ (sin), with E = b = Ro = 1:
+//! u_r = U(r) cos mθ, u_t = V(r) sin mθ; S, H, T are the amplitudes of σ_rr, σ_θθ (cos) and τ (sin), with E
+//! = b = Ro = 1:
 //!
 //! ```text
 //!   S = (U' + ν (U + mV)/r)/(1−ν²)     H = ((U + mV)/r + ν U')/(1−ν²)     T = (V' − V/r − mU/r)/2(1+ν)
@@ -12,13 +13,14 @@ use std::f64::consts::PI;
 
 use crate::dense::solve;
 
-/// Collocation points across a thin wall for long waves; more for thick walls and short waves. Too many lose digits.
+/// Collocation points across a thin wall for long waves; more for thick walls and short waves. Too many
+/// lose digits.
 const POINTS: usize = 9;
 /// The bore no longer feels a harmonic below this part of the largest.
 const SHIELDED: f64 = 1e-8;
 
-/// u_r at the bore per unit of load (N/rad inwards on the outside) for m = 0, 1, 2 …, with m = 1, which loads in equilibrium do not have, left at zero; every
-/// multiple of `step` only, the others zero.
+/// u_r at the bore per unit of load (N/rad inwards on the outside) for m = 0, 1, 2 …, with m = 1, which
+/// loads in equilibrium do not have, left at zero; every multiple of `step` only, the others zero.
 pub fn compliances(ratio: f64, poisson: f64, step: usize) -> Vec<f64> {
     let mut found: Vec<f64> = Vec::new();
     let mut largest = 0.0f64;

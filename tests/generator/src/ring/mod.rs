@@ -1,5 +1,6 @@
-//! Bored rings, by other numerics than the program under test: every harmonic of the jaws' pressure is a boundary value problem in the radius, solved by
-//! Chebyshev collocation of the equations of equilibrium, instead of finite elements or Michell's closed terms.
+//! Bored rings, by other numerics than the program under test: every harmonic of the jaws' pressure is a
+//! boundary value problem in the radius, solved by Chebyshev collocation of the equations of equilibrium,
+//! instead of finite elements or Michell's closed terms.
 
 pub mod catalogue;
 pub mod design;
@@ -186,7 +187,8 @@ impl Job {
     }
 }
 
-/// Forces of three jaws that can be in equilibrium, from the two equations of the resultant: Σ s cos φ = Σ s sin φ = 0, Σ s = 3.
+/// Forces of three jaws that can be in equilibrium, from the two equations of the resultant: Σ s cos φ = Σ
+/// s sin φ = 0, Σ s = 3.
 fn shares(places: &[f64]) -> Vec<f64> {
     if places.len() != 3 {
         return vec![1.0; places.len()];

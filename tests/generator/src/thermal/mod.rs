@@ -1,5 +1,5 @@
-//! Heated rods, by other numerics than the program under test: finite volumes instead of finite elements, another implicit method in time, the sensors' lag
-//! through the recorded history.
+//! Heated rods, by other numerics than the program under test: finite volumes instead of finite elements,
+//! another implicit method in time, the sensors' lag through the recorded history.
 
 pub mod catalogue;
 pub mod design;
@@ -183,7 +183,8 @@ impl Job {
     }
 }
 
-/// What sensors of a lag (s) show of a history in steps of [`FOLLOW`] that begins at zero: τ m' = T − m with T straight within each step.
+/// What sensors of a lag (s) show of a history in steps of [`FOLLOW`] that begins at zero: τ m' = T − m
+/// with T straight within each step.
 fn delay(found: &mut [(Vec<f64>, f64)], lag: f64) {
     let decay = (-FOLLOW / lag).exp();
     let sensors = found.first().map_or(0, |f| f.0.len());

@@ -1,6 +1,8 @@
-//! A heated rod by finite volumes in space and a diagonally implicit Runge-Kutta method (Alexander's, second order, L-stable) in time.
+//! A heated rod by finite volumes in space and a diagonally implicit Runge-Kutta method (Alexander's,
+//! second order, L-stable) in time.
 //!
-//! ρ c A T' = (k A T_x)_x − h p (T − T_a) + Σ Q δ(x − x_Q): cells end where the section changes and where a joint is, and steps end where a source is switched.
+//! ρ c A T' = (k A T_x)_x − h p (T − T_a) + Σ Q δ(x − x_Q): cells end where the section changes and where a
+//! joint is, and steps end where a source is switched.
 
 /// What is heated and how. SI units; temperatures are rises over that of the start.
 #[derive(Debug, Clone)]
@@ -44,7 +46,8 @@ struct Cells {
     loss: Vec<f64>,
 }
 
-/// Rises at every place `at` (m) and the integral of the rise over the rod (K m), at each of the rising `times` (s).
+/// Rises at every place `at` (m) and the integral of the rise over the rod (K m), at each of the rising
+/// `times` (s).
 pub fn histories(rod: &Rod, at: &[f64], times: &[f64]) -> Vec<(Vec<f64>, f64)> {
     let cells = Cells::of(rod);
     let heat = |t: f64| cells.heat(rod, t);
@@ -109,7 +112,8 @@ impl Cells {
         Self { x, size, capacity, between, loss }
     }
 
-    /// Heat into every cell at a time, W; a source is shared by the two cells about it, so that it stands where it stands.
+    /// Heat into every cell at a time, W; a source is shared by the two cells about it, so that it stands
+    /// where it stands.
     fn heat(&self, rod: &Rod, time: f64) -> Vec<f64> {
         let (amplitude, frequency, phase) = rod.surroundings;
         let around = amplitude * ((frequency * time + phase).sin() - phase.sin());

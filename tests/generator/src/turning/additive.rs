@@ -4,7 +4,8 @@ use super::heat::tool_temperature;
 use super::job::{Holding, Job};
 use crate::law::{Cause, value};
 
-/// Finer cell of the heat grid, mm: a ninth of the kink ahead of the tool, k/(rho c v); the error is then below 4e-4.
+/// Finer cell of the heat grid, mm: a ninth of the kink ahead of the tool, k/(rho c v); the error is then
+/// below 4e-4.
 fn cell(job: &Job) -> f64 {
     let m = &job.shaft.material;
     let kink = 1e3 * m.conductivity / (m.density * m.specific_heat * job.tool_speed() * 1e-3 / 60.0);
@@ -50,7 +51,8 @@ pub fn additive_error(job: &Job, causes: &[Cause]) -> Vec<f64> {
     errors
 }
 
-/// xi of tau dxi/dt = elongation [cutting] - xi from xi(0) = 0, through every cut, idle time and pause before.
+/// xi of tau dxi/dt = elongation [cutting] - xi from xi(0) = 0, through every cut, idle time and pause
+/// before.
 fn growth(job: &Job, elongation: f64, tau: f64, part: usize, x: f64) -> f64 {
     let toward = |goal: f64, from: f64, minutes: f64| goal + (from - goal) * (-minutes / tau).exp();
     let mut xi = 0.0;

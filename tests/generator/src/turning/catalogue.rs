@@ -67,7 +67,8 @@ const IN_EQUILIBRIUM: &[&str] = &[
     "force-feedback",
 ];
 
-/// Whether the effect acts through the equilibrium (springs, contacts, tilt, feedback) and not by adding to the diameter.
+/// Whether the effect acts through the equilibrium (springs, contacts, tilt, feedback) and not by adding to
+/// the diameter.
 pub fn in_equilibrium(effect: &str) -> bool {
     IN_EQUILIBRIUM.contains(&effect)
 }
@@ -81,7 +82,8 @@ pub fn admits(holding: Holding, effect: &str) -> bool {
     }
 }
 
-/// How far a draw may be scaled down before it is a different kind of thing: an exponent of 0.1 is no cutting force.
+/// How far a draw may be scaled down before it is a different kind of thing: an exponent of 0.1 is no
+/// cutting force.
 pub fn least_factor(effect: &str) -> f64 {
     if effect == "force-feedback" { 0.25 } else { 0.04 }
 }

@@ -107,8 +107,8 @@ fn shaft(random: &mut Random) -> Shaft {
     Shaft { material, segments, shear: random.chance(0.5) }
 }
 
-/// The compliances every machine has, known to 12 %, and often the tool's setting; now and then one of them is not in the model
-/// (and then not in the machine either, unless it is what is hidden).
+/// The compliances every machine has, known to 12 %, and often the tool's setting; now and then one of them
+/// is not in the model (and then not in the machine either, unless it is what is hidden).
 fn shown(holding: Holding, hidden: &[&str], random: &mut Random) -> Vec<Shown> {
     let mut shown = Vec::new();
     let names = ["headstock-compliance", "tailstock-compliance", "carriage-compliance"];
@@ -159,7 +159,8 @@ fn measure(job: &mut Job, random: &mut Random) {
     }
 }
 
-/// Shape of the blanks relative to the depth: two batches (odd and even parts), waves, cones, and sometimes a size of each part's own.
+/// Shape of the blanks relative to the depth: two batches (odd and even parts), waves, cones, and sometimes
+/// a size of each part's own.
 struct Blanks {
     wave: [f64; 2],
     cone: [f64; 2],

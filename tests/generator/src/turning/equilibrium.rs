@@ -4,7 +4,8 @@ use super::job::{Holding, Job, Row};
 use crate::dense::root;
 use crate::law::{Cause, value};
 
-/// A spring in series with a contact, either of which may be rigid: gap = q/k + c q^n, pressing only [002 (29)].
+/// A spring in series with a contact, either of which may be rigid: gap = q/k + c q^n, pressing only [002
+/// (29)].
 #[derive(Debug, Clone, Copy, Default)]
 struct Joint {
     spring: f64,
@@ -83,7 +84,8 @@ fn gap(holding: Holding, place: &Place, joints: &Joints, p: f64) -> f64 {
     work + carriage.gap(p)
 }
 
-/// Force and gap of one row: P = P0 (t_d/t_0)^exponent with t_d = t_set - y >= 0 [002 (17)-(27)], or P0 without force-feedback.
+/// Force and gap of one row: P = P0 (t_d/t_0)^exponent with t_d = t_set - y >= 0 [002 (17)-(27)], or P0
+/// without force-feedback.
 fn balance(job: &Job, row: &Row, joints: &Joints, exponent: Option<f64>, place: &Place) -> f64 {
     let y = |p: f64| gap(job.holding, place, joints, p);
     let Some(exponent) = exponent else { return y(row.force) };

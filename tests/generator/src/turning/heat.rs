@@ -1,13 +1,15 @@
 //! Workpiece heating: transient conduction along the stepped shaft under a travelling point source.
 //!
-//! rho c A theta_t = (k A theta_x)_x - h pi D theta + power delta(x - x_tool), ends insulated, cold at the start of each part.
-//! Finite volumes on a grid fine against the length k/(rho c v) of the kink ahead of the tool, stepped by an L-stable
-//! second-order diagonally implicit Runge-Kutta method (the source feeds the shortest waves, which Crank-Nicolson would keep).
+//! rho c A theta_t = (k A theta_x)_x - h pi D theta + power delta(x - x_tool), ends insulated, cold at the
+//! start of each part. Finite volumes on a grid fine against the length k/(rho c v) of the kink ahead of
+//! the tool, stepped by an L-stable second-order diagonally implicit Runge-Kutta method (the source feeds
+//! the shortest waves, which Crank-Nicolson would keep).
 
 use super::shaft::Shaft;
 use std::f64::consts::PI;
 
-/// The finite-volume shaft: nodes with capacities (J/K) and losses (W/K), cells with conductances (W/K); metres inside.
+/// The finite-volume shaft: nodes with capacities (J/K) and losses (W/K), cells with conductances (W/K);
+/// metres inside.
 struct Grid {
     x: Vec<f64>,
     capacity: Vec<f64>,
@@ -95,11 +97,12 @@ impl Implicit {
     }
 }
 
-/// Temperature rise at the tool per watt when it passes each of `at` (mm); the tool runs at `speed` (mm/min) toward the tailstock
-/// when `forward`, else toward the headstock. `size` is the finer cell length, mm.
+/// Temperature rise at the tool per watt when it passes each of `at` (mm); the tool runs at `speed`
+/// (mm/min) toward the tailstock when `forward`, else toward the headstock. `size` is the finer cell
+/// length, mm.
 ///
-/// The source's kink holds the method to an observed order of about 1.6 between 1 mm and 0.25 mm (`examples/order.rs`), so two grids
-/// are extrapolated with that order.
+/// The source's kink holds the method to an observed order of about 1.6 between 1 mm and 0.25 mm
+/// (`examples/order.rs`), so two grids are extrapolated with that order.
 pub fn tool_temperature(shaft: &Shaft, convection: f64, speed: f64, forward: bool, size: f64, at: &[f64]) -> Vec<f64> {
     let coarse = on_grid(shaft, convection, speed, forward, 2.0 * size, at);
     let fine = on_grid(shaft, convection, speed, forward, size, at);

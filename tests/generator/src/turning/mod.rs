@@ -1,5 +1,6 @@
-//! Turned shafts, by other numerics than the program under test: unit-load integrals instead of finite elements, the force method and a
-//! bracketing root search instead of a Newton iteration, a fine implicit finite-volume rod for the heat.
+//! Turned shafts, by other numerics than the program under test: unit-load integrals instead of finite
+//! elements, the force method and a bracketing root search instead of a Newton iteration, a fine implicit
+//! finite-volume rod for the heat.
 
 pub mod additive;
 pub mod catalogue;

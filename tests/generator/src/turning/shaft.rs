@@ -1,4 +1,5 @@
-//! The stepped shaft: compliances by the unit-load method (Castigliano), which needs no elements and no stiffness matrix.
+//! The stepped shaft: compliances by the unit-load method (Castigliano), which needs no elements and no
+//! stiffness matrix.
 
 use std::f64::consts::PI;
 
@@ -57,7 +58,8 @@ impl Shaft {
         self.segments.last().map_or(0.0, |s| s.diameter)
     }
 
-    /// Area of the turned surface's unrolling, the integral of pi D dx from `a` to `b`, mm^2: cutting path times feed.
+    /// Area of the turned surface's unrolling, the integral of pi D dx from `a` to `b`, mm^2: cutting path
+    /// times feed.
     pub fn unrolled(&self, a: f64, b: f64) -> f64 {
         self.pieces(&[]).iter().map(|&(from, to, d)| PI * d * (b.min(to) - a.max(from)).max(0.0)).sum()
     }
@@ -78,8 +80,9 @@ impl Shaft {
         self.virtual_work(&[x], |s| (state(s), state(s)))
     }
 
-    /// Integral of M m/EI + Q q/(kappa G A), um/N: `loads` gives ((M, Q), (m, q)) at a section, kinked only at `cuts` and at steps.
-    /// Between them the integrand is a parabola, so two Gauss points per piece integrate it exactly.
+    /// Integral of M m/EI + Q q/(kappa G A), um/N: `loads` gives ((M, Q), (m, q)) at a section, kinked only
+    /// at `cuts` and at steps. Between them the integrand is a parabola, so two Gauss points per piece
+    /// integrate it exactly.
     fn virtual_work(&self, cuts: &[f64], loads: impl Fn(f64) -> ((f64, f64), (f64, f64))) -> f64 {
         let (e, nu) = (self.material.modulus * 1e3, self.material.poisson);
         let kappa = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);

@@ -1,4 +1,5 @@
-//! The measurements of the story in `models/story`: a batch of shafts from a machine that its owner believes to be rigid.
+//! The measurements of the story in `models/story`: a batch of shafts from a machine that its owner
+//! believes to be rigid.
 
 use super::design::STEEL;
 use super::job::{Holding, Job, Row};
@@ -20,7 +21,8 @@ pub fn causes() -> Vec<Cause> {
     ]
 }
 
-/// Twelve shafts of 500 mm between centres, in turn with whole, half and a quarter of the force, each measured at nine places.
+/// Twelve shafts of 500 mm between centres, in turn with whole, half and a quarter of the force, each
+/// measured at nine places.
 pub fn job() -> Job {
     let segments = vec![Segment { length: 500.0, diameter: 50.0 }];
     let row = |part: usize, i: usize| {

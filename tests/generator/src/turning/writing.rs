@@ -50,7 +50,8 @@ fn cut(job: &Job) -> String {
     text
 }
 
-/// The measurement file with the given observed errors (um). `sigma` is written as column `u` only where the design has one.
+/// The measurement file with the given observed errors (um). `sigma` is written as column `u` only where
+/// the design has one.
 pub fn data(job: &Job, observed: &[f64], sigma: f64) -> String {
     let blank_column = job.rows.iter().all(|r| r.blank.is_some());
     let mut text = String::from("part,x [mm]");

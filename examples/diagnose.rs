@@ -1,0 +1,32 @@
+//! Compares a model with measurements, and asks which effect it lacks. `cargo run --release --example
+//! diagnose`
+
+use std::error::Error;
+use std::path::Path;
+
+use fem::compare::compare;
+use fem::diagnose::{MOST_EFFECTS, diagnose};
+use fem::measure::Measurements;
+use fem::model::{Data, Model};
+use fem::progress::Progress;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let model = Model::load(Path::new("models/story/rigid.toml"))?;
+    let measurements = Measurements::load(Path::new("models/story/measured.csv"), model.process)?;
+    let data = Data::of(&model, measurements)?;
+    let comparison = compare(&data)?;
+    println!("{}: rms {:.3} um, adequate: {}", comparison.model, 1e6 * comparison.rms, comparison.adequate());
+    let diagnosis = diagnose(&data, MOST_EFFECTS, &Progress::default())?;
+    println!("{}", diagnosis.verdict.word());
+    for missing in &diagnosis.missing {
+        println!("{}: with it {:.3} um are left", missing.effect.name, 1e6 * missing.goodness.rms);
+        for estimate in &missing.estimates {
+            let kind = estimate.parameter.kind;
+            println!("  {} = {:.4} {}", estimate.parameter.path, kind.from_si(estimate.value), kind.unit);
+        }
+        for other in &missing.indistinguishable_from {
+            println!("  or {}: these data cannot tell", other.name);
+        }
+    }
+    Ok(())
+}

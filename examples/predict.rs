@@ -1,0 +1,20 @@
+//! Predicts a batch of shafts: what a run found, and what each effect changes. `cargo run --example predict`
+
+use std::error::Error;
+use std::path::Path;
+
+use fem::model::Model;
+use fem::progress::Progress;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let model = Model::load(Path::new("models/lathe.toml"))?;
+    let run = model.run(&Progress::default())?;
+    for figure in &run.report.figures {
+        println!("{:<24} {}", figure.label, figure.lines.join("; "));
+    }
+    for contribution in &run.contributions {
+        let kind = contribution.kind(model.process.observables());
+        println!("{:<24} {:.3} {} rms", contribution.name, kind.from_si(contribution.rms), kind.unit);
+    }
+    Ok(())
+}

@@ -1,0 +1,90 @@
+//! Cross-validation: one part, run or condition at a time is left out, and predicted from the others.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::candidate_model::CandidateModel;
+use crate::process::Holds;
+
+/// Most folds.
+const FOLDS: usize = 12;
+
+/// Folds of the cross-validation: the coordinate by which rows are grouped, and the fold of each row.
+pub struct Folds {
+    /// Name of the coordinate: `part`, `run`, `direction`, or the first coordinate.
+    pub coordinate: &'static str,
+    group: Vec<usize>,
+    count: usize,
+}
+
+impl Folds {
+    /// Folds by runs that repeat each other; else by the first number of a part or set-up that varies, by
+    /// words (a direction, which as a rule the others cannot predict), or by stretches of the first
+    /// coordinate. `None` where nothing varies.
+    pub fn of(trial: &CandidateModel) -> Option<Self> {
+        let measurements = trial.objective.data;
+        let coordinates = trial.objective.data.model.process.coordinates();
+        let varies = |i: &usize| {
+            let column = &measurements.rows.columns[*i];
+            measurements.given.contains(i) && column.iter().any(|v| *v != column[0])
+        };
+        let rank = |i: &usize| match coordinates[*i].holds {
+            _ if coordinates[*i].repeats => 0,
+            Holds::Number(_) => 1,
+            Holds::Word(_) => 2,
+            Holds::Quantity(_) => 3,
+        };
+        let chosen = (0..coordinates.len()).filter(varies).min_by_key(rank)?;
+        let column = &measurements.rows.columns[chosen];
+        let mut levels = column.clone();
+        levels.sort_unstable_by(f64::total_cmp);
+        levels.dedup();
+        let count = levels.len().min(FOLDS);
+        let group = |v: &f64| levels.partition_point(|l| l < v) * count / levels.len();
+        let group = column.iter().map(group).collect();
+        Some(Self { coordinate: coordinates[chosen].name, group, count })
+    }
+
+    /// Root mean square of the held-out residuals, in standard uncertainties of the rows, to first order
+    /// about the fit of all rows: r_out = (1 − H)⁻¹·r with the block H of the hat matrix (Cook and Weisberg
+    /// 1982), exact where the model is linear.
+    pub fn error(&self, trial: &CandidateModel) -> Option<f64> {
+        let mut objective = trial.objective.clone();
+        let jacobian = objective.jacobian(&trial.solution.position)?;
+        let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
+        let covariance = objective.covariance(&trial.solution).ok()?;
+        let mut square = 0.0;
+        for fold in 0..self.count {
+            let rows: Vec<usize> = (0..self.group.len()).filter(|r| self.group[*r] == fold).collect();
+            let part = jacobian.select_rows(&rows);
+            let own = DVector::from_iterator(rows.len(), rows.iter().map(|r| residuals[*r]));
+            let out = cross_validation(&part, &covariance, own)?;
+            square += out.norm_squared();
+        }
+        Some((square / self.group.len() as f64).sqrt())
+    }
+}
+
+/// Part of the information of all rows on a parameter below which the rows that stay do not determine it.
+const UNTOLD: f64 = 1e-7;
+/// Most rounds of an iteration that needs a few; on NaN it would not end.
+const ROUNDS: usize = 1000;
+
+/// Held-out residuals (1 − J·C·Jᵀ)⁻¹·r by Woodbury's identity, with a system of the size of the parameters:
+/// r + J·(C⁻¹ − JᵀJ)⁻¹·Jᵀ·r. `None` where the rows that stay leave a parameter open.
+fn cross_validation(jacobian: &DMatrix<f64>, covariance: &DMatrix<f64>, own: DVector<f64>) -> Option<DVector<f64>> {
+    if covariance.is_empty() {
+        return Some(own);
+    }
+    let n = covariance.nrows();
+    // (C⁻¹ − JᵀJ)⁻¹ = (1 − C·JᵀJ)⁻¹·C needs no inverse of directions that the data do not see.
+    let inner = DMatrix::identity(n, n) - covariance * (jacobian.transpose() * jacobian);
+    // Scaled by each parameter's own uncertainty, so that sizes can be compared.
+    let scale = covariance.diagonal().map(f64::sqrt);
+    let scaled = DMatrix::from_fn(n, n, |i, j| inner[(i, j)] * scale[j] / scale[i]);
+    let least = scaled.try_svd(false, false, f64::EPSILON, ROUNDS).map(|svd| svd.singular_values.min());
+    if least.is_none_or(|least| least < UNTOLD) {
+        return None;
+    }
+    let right = covariance * (jacobian.transpose() * &own);
+    inner.lu().solve(&right).map(|v| own + jacobian * v)
+}

@@ -1,0 +1,57 @@
+//! Detection limits: the smallest size of each effect that these data would have shown.
+
+use super::residual_projection::ProjectedResidual;
+use super::sensitivity::{CandidateEffect, Variant};
+use crate::process::Neutral;
+
+/// Standard uncertainties by which a sensitivity must exceed the threshold for a detection in nine cases of
+/// ten (power 0.9).
+const NINE_OF_TEN: f64 = 1.2816;
+/// Own share of a sensitivity below which the effect cannot be seen.
+const HIDDEN: f64 = 0.05;
+
+/// Detection limit of an effect.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DetectionLimit {
+    /// Linear parameter that tells its size.
+    pub parameter: &'static str,
+    /// Smallest value that would have been detected, canonical unit; for a stiffness the largest. It is the
+    /// median over the grid of nonlinear parameters.
+    pub smallest: Option<f64>,
+    /// Part of the sensitivity that the model's own free parameters cannot imitate.
+    pub own_share: f64,
+    /// Whether the data could show the effect at a plausible size.
+    pub detectable: bool,
+}
+
+/// Detection limit of an effect where Δχ² must exceed `threshold` to be significant.
+pub fn detection_limit(
+    projected: &ProjectedResidual,
+    candidate: &CandidateEffect,
+    threshold: f64,
+) -> Option<DetectionLimit> {
+    // Each variant counts by the linear parameter that shows most at a usual size; the median variant is
+    // taken.
+    let of_variant = |v: &Variant| {
+        let sizes = v.linear.iter().zip(v.columns.column_iter()).map(|(parameter, column)| {
+            let own = projected.project(column.into_owned()).norm();
+            (*parameter, column.norm(), own)
+        });
+        sizes.max_by(|a, b| (a.2 * a.0.size).total_cmp(&(b.2 * b.0.size)))
+    };
+    let mut shapes: Vec<_> = candidate.variants.iter().filter_map(of_variant).collect();
+    shapes.sort_by(|a, b| (a.2 * a.0.size).total_cmp(&(b.2 * b.0.size)));
+    let (linear, whole, left) = shapes.get(shapes.len() / 2).copied()?;
+    let entry = &candidate.effect.parameters[linear.parameter];
+    let own_share = if whole > 0.0 { left / whole } else { 0.0 };
+    let least = (threshold.sqrt() + NINE_OF_TEN) / left;
+    let least = linear.value(least);
+    let value = if entry.neutral == Neutral::Infinity { 1.0 / least } else { least };
+    let shown = entry.kind.from_si(value);
+    let reachable = match entry.neutral {
+        Neutral::Infinity => shown > entry.range.0,
+        Neutral::Value(_) | Neutral::Shape => shown < entry.range.1,
+    };
+    let detectable = own_share >= HIDDEN && reachable && shown.is_finite();
+    Some(DetectionLimit { parameter: entry.name, smallest: shown.is_finite().then_some(shown), own_share, detectable })
+}

@@ -1,0 +1,70 @@
+//! The result of a diagnosis.
+
+use super::detection_limit::DetectionLimit;
+use super::next::Next;
+use super::verdict::{GoodnessOfFit, Verdict};
+use crate::compare::{Feature, NoiseLevel};
+use crate::fit::{Estimate, Fit};
+use crate::process::Description;
+
+/// Diagnosis of a model. SI units.
+pub struct Diagnosis {
+    /// Number of rows that were used; all of them unless there are very many.
+    pub rows: usize,
+    /// Cautions about the data, to be read before the rest is believed.
+    pub cautions: Vec<String>,
+    /// Noise by which everything was judged.
+    pub noise: NoiseLevel,
+    /// Goodness of fit of the model with its own parameters re-fitted.
+    pub before: GoodnessOfFit,
+    /// Structure of its residuals.
+    pub features: Vec<Feature>,
+    /// Verdict.
+    pub verdict: Verdict,
+    /// Missing effects, in the order in which they should be added.
+    pub missing: Vec<Missing>,
+    /// Goodness of fit of the model with all of them.
+    pub after: GoodnessOfFit,
+    /// Fit of all parameters, the model's own and those of the effects.
+    pub fit: Fit,
+    /// Structure of the residuals that remain.
+    pub remaining: Vec<Feature>,
+    /// Evaluation of every effect that the model does not have.
+    pub candidates: Vec<Outlook>,
+    /// Next measurement, where effects are confounded.
+    pub next: Option<Next>,
+    /// Coordinate by which rows were held out in cross-validation.
+    pub cross_validation_by: Option<&'static str>,
+    /// Number of evaluations at which the model could not be computed, and of all evaluations.
+    pub trials: (usize, usize),
+}
+
+/// An effect that is missing.
+pub struct Missing {
+    /// The effect.
+    pub effect: Description,
+    /// Goodness of fit of the model with this and the effects before it.
+    pub goodness: GoodnessOfFit,
+    /// Probability that chance alone gains as much by any effect, the others being there (p-value of the
+    /// maximum).
+    pub p_value: f64,
+    /// Estimates of its parameters, fitted with all others.
+    pub estimates: Vec<Estimate>,
+    /// Confounded effects: those that fit as well in its place.
+    pub indistinguishable_from: Vec<Description>,
+}
+
+/// Evaluation of one effect that the model does not have.
+pub struct Outlook {
+    /// The effect.
+    pub effect: Description,
+    /// Root mean square residual with this effect alone added; `None` where it gains nothing or cannot be
+    /// computed.
+    pub rms: Option<f64>,
+    /// Change of the penalised BIC (Schwarz's criterion) by it alone; a value below zero speaks for it.
+    pub delta_bic: f64,
+    /// Probability that chance alone gains as much by any effect (p-value of the maximum).
+    pub p_value: f64,
+    /// Detection limit of the effect in these data.
+    pub detection_limit: Option<DetectionLimit>,
+}

@@ -1,0 +1,196 @@
+//! Search variables: transformed parameters in which the prediction is nearly linear, within bounds.
+
+use crate::input::{Bounds, Parameter};
+use crate::process::Neutral;
+use crate::units::{Knowledge, Quantity};
+
+/// Parameter as the search sees it: transformed, bounded, with its prior and its starts.
+#[derive(Clone, Debug)]
+pub struct SearchVariable {
+    scale: Scale,
+    /// Lower bound of the search variable.
+    pub low: f64,
+    /// Upper bound of the search variable.
+    pub high: f64,
+    /// Prior value and standard uncertainty, SI.
+    pub prior: Option<(f64, f64)>,
+    /// Usual size of the search variable, for steps.
+    pub unit: f64,
+    /// Starting values, SI.
+    pub starts: Vec<f64>,
+}
+
+/// Ratio beyond the plausible range up to which a nonlinear parameter is tried.
+const BEYOND: f64 = 2.0;
+
+/// Most times that a stiffness may be smaller than its prior value.
+const SOFTEST: f64 = 20.0;
+
+/// Largest size of a candidate effect, in terms of the largest plausible one.
+const IMPOSSIBLE: f64 = 10.0;
+
+/// Transformation between the search variable s and the value v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Scale {
+    /// s = v.
+    Plain,
+    /// s = 1/v: a stiffness, in whose reciprocal deflections are linear and an infinite one is zero.
+    Reciprocal,
+    /// s = ln v: a positive quantity of unknown size.
+    Logarithm,
+}
+
+impl SearchVariable {
+    /// Makes the search variable of a model's parameter; `entry` is its catalogue entry, if it belongs to an
+    /// effect.
+    pub fn new(parameter: &Parameter, entry: Option<&crate::process::Parameter>) -> Self {
+        let prior = match parameter.quantity.knowledge {
+            Knowledge::Rough(std) => Some((parameter.quantity.value, std)),
+            Knowledge::Free | Knowledge::Known => None,
+        };
+        let scale = match (entry.map(|e| e.neutral), parameter.bounds) {
+            (Some(Neutral::Infinity), _) => Scale::Reciprocal,
+            (_, Bounds::Positive) => Scale::Logarithm,
+            _ => Scale::Plain,
+        };
+        let range = entry.map(|e| (e.kind.to_si(e.range.0), e.kind.to_si(e.range.1)));
+        let usual = entry.map_or_else(
+            || parameter.kind.to_si(parameter.kind.usual.parse().unwrap_or(1.0)),
+            |e| e.kind.to_si(e.example()),
+        );
+        let shapes = entry.is_some_and(|e| e.neutral == Neutral::Shape);
+        let written = parameter.quantity.value;
+        let starts = match (prior, range) {
+            (Some((value, _)), _) => vec![value],
+            _ if !written.is_nan() => vec![written],
+            (None, Some((low, high))) if shapes => spread(low, high),
+            // Only the kind is known of a parameter that belongs to no effect.
+            (None, None) => vec![usual, 0.1 * usual, 10.0 * usual],
+            _ => vec![usual],
+        };
+        let (low, mut high) = bounds(scale, parameter.bounds);
+        if let (Scale::Reciprocal, Some((value, _))) = (scale, prior) {
+            // A prior on v levels out in 1/v, and a search that passes the crest would run away to no
+            // stiffness at all.
+            high = SOFTEST / value;
+        }
+        let unit = match scale {
+            Scale::Logarithm => 1.0,
+            Scale::Plain => prior.map_or(usual.abs(), |p| p.1).max(f64::MIN_POSITIVE),
+            Scale::Reciprocal => 1.0 / usual,
+        };
+        Self { scale, low, high, prior, unit, starts }
+    }
+
+    /// Makes the search variable of a parameter of a candidate effect. A nonlinear parameter stays near its
+    /// plausible range (a place within `extent`, where it was measured): far from it one effect imitates
+    /// another, and no cause is learnt.
+    pub fn of_candidate(entry: &crate::process::Parameter, extent: Option<(f64, f64)>) -> Self {
+        let parameter = Parameter {
+            path: String::new(),
+            kind: entry.kind,
+            quantity: Quantity { value: f64::NAN, knowledge: Knowledge::Free },
+            bounds: entry.bounds,
+            span: None,
+        };
+        let mut variable = Self::new(&parameter, Some(entry));
+        let plausible = (entry.kind.to_si(entry.range.0), entry.kind.to_si(entry.range.1));
+        if entry.neutral != Neutral::Shape {
+            let largest = IMPOSSIBLE * if variable.is_reversed() { 1.0 / plausible.0 } else { plausible.1 };
+            (variable.low, variable.high) = (variable.low.max(-largest), variable.high.min(largest));
+            return variable;
+        }
+        let (low, high) = match extent {
+            Some(extent) => extent,
+            None if variable.scale == Scale::Logarithm => (plausible.0 / BEYOND, plausible.1 * BEYOND),
+            // A phase begins again past its end, so that no bound may stop it.
+            None if entry.period.is_some() => (2.0 * plausible.0, 2.0 * plausible.1),
+            // The default of a parameter that may be left out is as plausible as any value.
+            None => (entry.default.map_or(plausible.0, |d| d.min(plausible.0)), plausible.1),
+        };
+        let allowed = (variable.low, variable.high);
+        (variable.low, variable.high) = (variable.position(low).max(allowed.0), variable.position(high).min(allowed.1));
+        variable.unit = if variable.scale == Scale::Logarithm { 1.0 } else { 0.5 * (variable.high - variable.low) };
+        variable.starts = extent.map_or_else(|| spread(plausible.0, plausible.1), |(low, high)| spread(low, high));
+        variable
+    }
+
+    /// Search variable of a value.
+    pub fn position(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Plain => value,
+            Scale::Reciprocal => 1.0 / value,
+            Scale::Logarithm => value.ln(),
+        }
+        .clamp(self.low, self.high)
+    }
+
+    /// Value at a search variable.
+    pub fn value(&self, position: f64) -> f64 {
+        match self.scale {
+            Scale::Plain => position,
+            Scale::Reciprocal => 1.0 / position,
+            Scale::Logarithm => position.exp(),
+        }
+    }
+
+    /// |dv/ds|.
+    pub fn rate(&self, position: f64) -> f64 {
+        match self.scale {
+            Scale::Plain => 1.0,
+            Scale::Reciprocal => 1.0 / (position * position),
+            Scale::Logarithm => position.exp(),
+        }
+    }
+
+    /// Evenly spaced grid over the bounds, both of which are finite.
+    pub fn grid(&self, count: usize) -> Vec<f64> {
+        self.grid_within(self.low, self.high, count)
+    }
+
+    /// Evenly spaced grid between two values of the search variable.
+    pub fn grid_within(&self, low: f64, high: f64, count: usize) -> Vec<f64> {
+        let part = |i: usize| (i as f64 + 0.5) / count as f64;
+        (0..count).map(|i| (low + (high - low) * part(i)).clamp(self.low, self.high)).collect()
+    }
+
+    /// Neutral value of a linear parameter: the effect vanishes there.
+    pub fn neutral(&self) -> f64 {
+        0f64.clamp(self.low, self.high)
+    }
+
+    /// Bounds; those of a positive quantity of unknown size no more than a factor of some hundred thousand
+    /// away: further off it is as good as zero or infinite.
+    pub fn within_reach(&self, of: f64) -> (f64, f64) {
+        const REACH: f64 = 12.0;
+        match self.scale {
+            Scale::Logarithm => (self.low.max(of - REACH), self.high.min(of + REACH)),
+            Scale::Plain | Scale::Reciprocal => (self.low, self.high),
+        }
+    }
+
+    /// Whether the value falls as the search variable rises.
+    pub fn is_reversed(&self) -> bool {
+        self.scale == Scale::Reciprocal
+    }
+}
+
+/// Five values over a plausible range, evenly spaced by ratio where the range is positive.
+fn spread(low: f64, high: f64) -> Vec<f64> {
+    let part = |i: i32| f64::from(2 * i + 1) / 10.0;
+    let at = |i| if low > 0.0 { low * (high / low).powf(part(i)) } else { low + (high - low) * part(i) };
+    (0..5).map(at).collect()
+}
+
+fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
+    match (scale, bounds) {
+        // An infinite stiffness is zero compliance.
+        (Scale::Reciprocal, _) => (0.0, f64::INFINITY),
+        // e^±80 spans every physical size.
+        (Scale::Logarithm, _) => (-80.0, 80.0),
+        (Scale::Plain, Bounds::Positive) => (f64::MIN_POSITIVE, f64::INFINITY),
+        (Scale::Plain, Bounds::NotNegative) => (0.0, f64::INFINITY),
+        (Scale::Plain, Bounds::Within(low, high)) => (low + 1e-3 * (high - low), high),
+        (Scale::Plain, Bounds::Any) => (f64::NEG_INFINITY, f64::INFINITY),
+    }
+}

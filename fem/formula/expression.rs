@@ -1,0 +1,138 @@
+//! Expressions: what a formula is made of, and its value.
+
+use std::ops::Range;
+
+/// A formula that was read; names are kept by their position in [`Formula::names`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// Every name that occurs, once.
+    pub names: Vec<Name>,
+    pub(super) root: Expression,
+}
+
+/// A name in a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Name {
+    /// The name as written.
+    pub text: String,
+    /// Bytes of its first occurrence.
+    pub span: Range<usize>,
+}
+
+/// A mistake in a formula, with its place.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct FormulaError {
+    /// The mistake.
+    pub message: String,
+    /// The remedy.
+    pub help: String,
+    /// Bytes of the formula.
+    pub span: Range<usize>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Expression {
+    pub(super) node: Node,
+    pub(super) span: Range<usize>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Node {
+    Number(f64),
+    Name(usize),
+    Negative(Box<Expression>),
+    Binary(Operator, Box<Expression>, Box<Expression>),
+    Call(Function, Vec<Expression>),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+}
+
+/// The rule by which a function treats units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Units {
+    /// Pure numbers in, a pure number out.
+    Pure,
+    /// The unit of the arguments; several must agree.
+    Kept,
+    /// Several must agree, and a pure number comes out.
+    Ratio,
+    /// Half of every exponent.
+    Root,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Function {
+    pub(super) name: &'static str,
+    pub(super) arguments: usize,
+    pub(super) units: Units,
+    pub(super) value: fn(&[f64]) -> f64,
+}
+
+impl PartialEq for Function {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+const fn function(name: &'static str, arguments: usize, units: Units, value: fn(&[f64]) -> f64) -> Function {
+    Function { name, arguments, units, value }
+}
+
+pub(super) const FUNCTIONS: &[Function] = &[
+    function("sqrt", 1, Units::Root, |v| v[0].sqrt()),
+    function("exp", 1, Units::Pure, |v| v[0].exp()),
+    function("ln", 1, Units::Pure, |v| v[0].ln()),
+    function("log10", 1, Units::Pure, |v| v[0].log10()),
+    function("sin", 1, Units::Pure, |v| v[0].sin()),
+    function("cos", 1, Units::Pure, |v| v[0].cos()),
+    function("tan", 1, Units::Pure, |v| v[0].tan()),
+    function("asin", 1, Units::Pure, |v| v[0].asin()),
+    function("acos", 1, Units::Pure, |v| v[0].acos()),
+    function("atan", 1, Units::Pure, |v| v[0].atan()),
+    function("sinh", 1, Units::Pure, |v| v[0].sinh()),
+    function("cosh", 1, Units::Pure, |v| v[0].cosh()),
+    function("tanh", 1, Units::Pure, |v| v[0].tanh()),
+    function("floor", 1, Units::Pure, |v| v[0].floor()),
+    function("abs", 1, Units::Kept, |v| v[0].abs()),
+    // 1 from zero on, 0 below: what begins somewhere.
+    function("step", 1, Units::Ratio, |v| f64::from(u8::from(v[0] >= 0.0))),
+    function("min", 2, Units::Kept, |v| v[0].min(v[1])),
+    function("max", 2, Units::Kept, |v| v[0].max(v[1])),
+    function("mod", 2, Units::Kept, |v| v[0].rem_euclid(v[1])),
+    function("atan2", 2, Units::Ratio, |v| v[0].atan2(v[1])),
+];
+
+impl Expression {
+    pub(super) fn value(&self, names: &[f64]) -> f64 {
+        match &self.node {
+            Node::Number(value) => *value,
+            Node::Name(i) => names[*i],
+            Node::Negative(of) => -of.value(names),
+            Node::Binary(operator, a, b) => {
+                let (a, b) = (a.value(names), b.value(names));
+                match operator {
+                    Operator::Add => a + b,
+                    Operator::Subtract => a - b,
+                    Operator::Multiply => a * b,
+                    Operator::Divide => a / b,
+                    Operator::Power => a.powf(b),
+                }
+            }
+            Node::Call(function, arguments) => {
+                let mut values = [0.0; 2];
+                for (value, argument) in values.iter_mut().zip(arguments) {
+                    *value = argument.value(names);
+                }
+                (function.value)(&values)
+            }
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Files as bytes and as text, of bounded size.
+
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::{InputError, Problem, Source};
+
+impl Source {
+    /// Reads a file of UTF-8 text of at most `limit` bytes.
+    ///
+    /// # Errors
+    /// The file cannot be read, is larger than `limit`, or is not UTF-8 (the error points at the first bad
+    /// byte).
+    pub fn read(path: &Path, limit: u64) -> Result<Self, InputError> {
+        let name: Arc<str> = path.display().to_string().into();
+        let refuse = |problem: Problem| InputError::one(Self::new(name.clone(), ""), problem);
+        let bytes = read(path, limit).map_err(refuse)?;
+        let text =
+            String::from_utf8(bytes).map_err(|e| refuse(not_text(e.as_bytes(), e.utf8_error().valid_up_to())))?;
+        Ok(Self::new(name, text))
+    }
+}
+
+/// Reads at most `limit` bytes.
+pub(super) fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
+    let io = |e: std::io::Error| Problem::new(format!("the file cannot be read: {e}")).help(unreadable(&e));
+    let metadata = std::fs::metadata(path).map_err(io)?;
+    if metadata.is_dir() {
+        return Err(Problem::new("this is a directory").help("name the file in it"));
+    }
+    if metadata.len() > limit {
+        let (size, limit) = (metadata.len() as f64 / 1e6, limit as f64 / 1e6);
+        let message = format!("the file has {size:.1} MB; at most {limit:.0} MB are read");
+        return Err(Problem::new(message).help("is it the right file?"));
+    }
+    let mut bytes = Vec::new();
+    // A device or a pipe has no length to be judged by.
+    std::fs::File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(io)?;
+    if bytes.len() as u64 > limit {
+        let message = format!("there are more than {:.0} MB to read", limit as f64 / 1e6);
+        return Err(Problem::new(message).help("is it the right file?"));
+    }
+    Ok(bytes)
+}
+
+/// The problem of a file that is not UTF-8 from byte `valid` on.
+pub(super) fn not_text(bytes: &[u8], valid: usize) -> Problem {
+    let line = 1 + bytes[..valid].iter().filter(|b| **b == b'\n').count();
+    let message = format!("the file is not UTF-8 text: line {line} holds a byte that is not");
+    Problem::new(message).help("save it as UTF-8")
+}
+
+fn unreadable(error: &std::io::Error) -> &'static str {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "check the path; for a first model, `fem new PROCESS` writes one",
+        std::io::ErrorKind::PermissionDenied => "check the file's permissions",
+        _ => "check the path",
+    }
+}

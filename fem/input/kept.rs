@@ -1,0 +1,59 @@
+//! Results that a model keeps from one reading of its tables to the next: a search reads them again with
+//! other values, and files, meshes and solutions that do not depend on those stay as they are.
+
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Everything that one model keeps, by its type. Clones share it.
+#[derive(Clone, Debug, Default)]
+pub struct Kept(Arc<Mutex<HashMap<TypeId, Arc<dyn Any + Send + Sync>>>>);
+
+impl Kept {
+    /// The entry of this type, empty at first.
+    pub fn get<T: Any + Default + Send + Sync>(&self) -> Arc<T> {
+        // A panic while it was held leaves it whole: entries are added in one step each.
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let entry = all.entry(TypeId::of::<T>()).or_insert_with(|| Arc::new(T::default()));
+        entry.clone().downcast().unwrap_or_default()
+    }
+}
+
+/// The results of the last few questions, at most `MOST`.
+#[derive(Debug)]
+pub struct Cache<K, V, const MOST: usize>(Mutex<Vec<(K, Arc<V>)>>);
+
+impl<K, V, const MOST: usize> Default for Cache<K, V, MOST> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+/// Caches are equal, whatever they hold: it changes no result.
+impl<K, V, const MOST: usize> PartialEq for Cache<K, V, MOST> {
+    fn eq(&self, _other: &Self) -> bool {
+        true
+    }
+}
+
+impl<K: PartialEq, V, const MOST: usize> Cache<K, V, MOST> {
+    /// The result for a question, found by `find` where it is not known.
+    ///
+    /// # Errors
+    /// That of `find`; nothing is kept then.
+    pub fn get_or<E>(&self, question: K, find: impl FnOnce(&K) -> Result<V, E>) -> Result<Arc<V>, E> {
+        // A panic while the list was held leaves it whole: entries are added and removed in one step each.
+        let list = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = list().iter().find(|(q, _)| *q == question) {
+            return Ok(known.clone());
+        }
+        // Found without the list, which others need meanwhile; two that find the same do no harm.
+        let found = Arc::new(find(&question)?);
+        let mut list = list();
+        if list.len() >= MOST {
+            list.remove(0);
+        }
+        list.push((question, found.clone()));
+        Ok(found)
+    }
+}

@@ -1,0 +1,135 @@
+//! The one door by which measurements reach what compares, fits, diagnoses, plans and compensates.
+
+use std::ops::Deref;
+
+use super::Model;
+use crate::input::{InputError, Problem, Source};
+use crate::measure::Measurements;
+use crate::process::{DatumDirection, Misplaced, Rows};
+
+/// Most misplaced rows that are reported.
+const MOST_PROBLEMS: usize = 20;
+
+/// Measurements that belong to a model: every row lies in it, and the datum directions are taken out of the
+/// observed values. Reads as [`Measurements`].
+#[derive(Clone)]
+pub struct Data<'m> {
+    /// Model against which the rows were checked.
+    pub model: &'m Model,
+    /// Datum directions that were taken out of the observed values: the way of measuring is blind to them.
+    pub datum_directions: Vec<DatumDirection>,
+    measurements: Measurements,
+    /// Observed values as they were read, where datum directions were taken out of them.
+    as_read: Option<Vec<f64>>,
+}
+
+impl<'m> Data<'m> {
+    /// Checks every row against the model and takes the datum directions out.
+    ///
+    /// # Errors
+    /// Rows lie off the model's body or beyond its programme; each is named with its line.
+    pub fn of(model: &'m Model, measurements: Measurements) -> Result<Self, InputError> {
+        let misplaced = model.system.misplaced(&measurements.rows);
+        if misplaced.is_empty() {
+            return Ok(Self::within(model, measurements));
+        }
+        let problem = |m: &Misplaced| {
+            let line = measurements.lines[m.row];
+            Problem::new(format!("line {line}: {}", m.message)).help("mend the row, or let the model cover it")
+        };
+        let source = Source::new(measurements.name.clone(), "");
+        Err(InputError { source, problems: misplaced.iter().take(MOST_PROBLEMS).map(problem).collect() })
+    }
+
+    /// Makes a design: rows with nothing observed yet, checked like any others.
+    ///
+    /// # Errors
+    /// Rows lie outside the model.
+    pub fn design(model: &'m Model, name: &str, rows: Rows) -> Result<Self, InputError> {
+        Self::of(model, Measurements::planned(model.process, name, rows))
+    }
+
+    /// Makes a design of rows that the model itself proposes, which need no check.
+    pub(crate) fn proposed(model: &'m Model, name: &str, rows: Rows) -> Self {
+        Self::within(model, Measurements::planned(model.process, name, rows))
+    }
+
+    /// Makes a design of the model's own programme, thinned to what a person would measure.
+    pub fn programme(model: &'m Model) -> Self {
+        /// Most rows of such a design.
+        const MOST: usize = 240;
+        let all = model.system.programme();
+        let step = all.len().div_ceil(MOST).max(1);
+        // A step that has no common factor with the length of a pass visits every place.
+        let step = (step..).find(|s| !all.len().is_multiple_of(*s) || *s == 1).unwrap_or(step);
+        let take = |column: &Vec<f64>| column.iter().copied().step_by(step).collect();
+        let rows = Rows {
+            columns: all.columns.iter().map(take).collect(),
+            observable: all.observable.iter().copied().step_by(step).collect(),
+        };
+        Self::proposed(model, "the model's own programme", rows)
+    }
+
+    /// Prepares rows that lie in the model.
+    fn within(model: &'m Model, mut measurements: Measurements) -> Self {
+        let datum_directions = model.system.datum_directions(&measurements.rows);
+        let as_read = (!datum_directions.is_empty()).then(|| measurements.observed.clone());
+        datum_directions.iter().for_each(|direction| direction.take_out(&mut measurements.observed));
+        Self { model, datum_directions, measurements, as_read }
+    }
+
+    /// Selects the rows whose numbers `keep` accepts. Their datum directions are others, and are taken out
+    /// anew.
+    #[must_use]
+    pub fn some(&self, keep: impl Fn(usize) -> bool) -> Self {
+        let mut some = self.measurements.some(&keep);
+        if let Some(observed) = &self.as_read {
+            some.observed = (0..self.len()).filter(|row| keep(*row)).map(|row| observed[row]).collect();
+        }
+        Self::within(self.model, some)
+    }
+
+    /// Gives the measurements back as they were read, for another model.
+    pub fn into_measurements(self) -> Measurements {
+        let Self { mut measurements, as_read, .. } = self;
+        if let Some(observed) = as_read {
+            measurements.observed = observed;
+        }
+        measurements
+    }
+
+    /// Degrees of freedom: observations less datum directions.
+    pub fn freedom(&self) -> f64 {
+        (self.len() - self.datum_directions.len()) as f64
+    }
+
+    /// Whether the model was fitted to these very rows, as its comments say.
+    pub fn was_fitted_before(&self) -> bool {
+        let mark = self.mark();
+        self.model.source.text.lines().any(|line| line.starts_with('#') && line.contains(&mark))
+    }
+
+    /// Notes of the file, with a caution where a fit would count the rows twice.
+    pub fn notes_of_fit(&self) -> Vec<String> {
+        let twice = self.was_fitted_before().then(|| {
+            "the model's values were fitted to these very rows: as prior knowledge they count them twice, and \
+             intervals come out too narrow; fit the model from before"
+                .to_string()
+        });
+        self.notes.iter().cloned().chain(twice).collect()
+    }
+
+    /// Mark by which the comment of a fitted model tells these rows from others.
+    pub fn mark(&self) -> String {
+        let digest = Measurements::digest(self.as_read.as_ref().unwrap_or(&self.observed));
+        format!("{} rows, mark {digest:016x}", self.len())
+    }
+}
+
+impl Deref for Data<'_> {
+    type Target = Measurements;
+
+    fn deref(&self) -> &Measurements {
+        &self.measurements
+    }
+}

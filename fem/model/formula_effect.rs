@@ -1,0 +1,133 @@
+//! Reads a formula effect: `[effects.NAME]` with `formula = "…"` and its parameters.
+
+use std::f64::consts::TAU;
+
+use crate::formula::{Formula, FormulaError};
+use crate::input::{Bounds, Reader, did_you_mean};
+use crate::process::{Active, Description, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect};
+use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, unit_text};
+
+/// Keys that are no parameters.
+const WORDS: [&str; 2] = ["formula", "about"];
+
+/// Reads a formula effect; `None`, with the problems noted, where it cannot be used.
+pub fn read(name: &'static str, table: &Reader, process: &dyn Process) -> Option<Active> {
+    let about = table.text("about", "what it is, for people").unwrap_or_else(|| "written in the model file".into());
+    let text = table.text("formula", "what is added to the observed value, over coordinates and parameters")?;
+    let (mut parameters, mut values) = (Vec::new(), Vec::new());
+    for key in table.keys().into_iter().filter(|k| !WORDS.contains(&k.as_str())) {
+        let key = formula_effect::name(&key);
+        if coordinates(process).any(|(c, _)| c == key) {
+            let message = format!("`{key}` is a coordinate of {}", process.name());
+            table.problem(key, message, "give the parameter another name");
+        }
+        let kind = kind(table.written(key));
+        values.push(table.quantity(key, kind, "a parameter of the formula").required());
+        parameters.push(parameter(key, kind));
+    }
+    let law = law(&text, &parameters, process, |parameter| {
+        table.problem(parameter, format!("`{parameter}` does not occur in the formula"), "use it, or leave it out");
+    });
+    match law {
+        Ok(law) => {
+            // A phase comes round: of its values the one within half a turn of zero is told.
+            for (i, p) in parameters.iter_mut().enumerate() {
+                let is_angle = p.kind.canonical().dimension == ANGLE.canonical().dimension;
+                p.period = (is_angle && law.repeats_after(i, TAU)).then(|| p.kind.from_si(TAU));
+            }
+            let description = Description {
+                name,
+                about: about.into(),
+                law: text.into(),
+                source: "written in the model file",
+                parameters: parameters.into(),
+                look_alikes: &[],
+            };
+            Some(Active { description, values, formula: Some(law.into()) })
+        }
+        Err(e) => {
+            table.problem_within("formula", e.span, e.message, e.help);
+            None
+        }
+    }
+}
+
+/// Kind of a written quantity: whatever its unit measures.
+fn kind(written: Option<&str>) -> Kind {
+    let unit = written.map_or("", unit_text).trim();
+    match Unit::parse(unit) {
+        Ok(_) if !unit.is_empty() => Kind { name: "a quantity", unit: formula_effect::name(unit), usual: "1" },
+        _ => NUMBER,
+    }
+}
+
+/// Describes a parameter of which only the kind is known.
+fn parameter(name: &'static str, kind: Kind) -> Parameter {
+    Parameter {
+        name,
+        kind,
+        about: "a parameter of the formula",
+        neutral: Neutral::Shape,
+        range: (f64::MIN, f64::MAX),
+        bounds: Bounds::Any,
+        default: None,
+        needed_with: None,
+        along: None,
+        period: None,
+    }
+}
+
+fn law(
+    text: &str,
+    parameters: &[Parameter],
+    process: &dyn Process,
+    unused: impl Fn(&'static str),
+) -> Result<FormulaLaw, FormulaError> {
+    let formula = Formula::parse(text)?;
+    let coordinates: Vec<(&'static str, Dimension)> = coordinates(process).collect();
+    let (mut meanings, mut dimensions) = (Vec::new(), Vec::new());
+    for name in &formula.names {
+        let parameter = parameters.iter().position(|p| p.name == name.text);
+        let coordinate = coordinates.iter().position(|c| c.0 == name.text);
+        let (meaning, dimension) = match (parameter, coordinate) {
+            (Some(i), _) => (Meaning::Parameter(i), parameters[i].kind.canonical().dimension),
+            (None, Some(i)) => (Meaning::Coordinate(i), coordinates[i].1),
+            (None, None) => {
+                let known = || parameters.iter().map(|p| p.name).chain(coordinates.iter().map(|c| c.0));
+                let meant = did_you_mean(&name.text, known(), '`');
+                let message =
+                    format!("`{}` is neither a coordinate of {} nor a parameter here", name.text, process.name());
+                let listed = coordinates.iter().map(|c| c.0).collect::<Vec<_>>().join(", ");
+                let help = format!(
+                    "{meant}the coordinates are {listed}; a parameter is a key of this table: {} = \"5 um\"",
+                    name.text
+                );
+                return Err(FormulaError { message, help, span: name.span.clone() });
+            }
+        };
+        meanings.push(meaning);
+        dimensions.push(dimension);
+    }
+    for (i, parameter) in parameters.iter().enumerate() {
+        if !meanings.contains(&Meaning::Parameter(i)) {
+            unused(parameter.name);
+        }
+    }
+    let dimension = formula.dimension(&dimensions)?;
+    let observables = process.observables();
+    let adds_to: Vec<bool> = observables.iter().map(|o| o.kind.canonical().dimension == dimension).collect();
+    if !adds_to.contains(&true) {
+        let seen: Vec<String> = observables.iter().map(|o| format!("{} in {}", o.name, o.kind.unit)).collect();
+        return Err(FormulaError {
+            message: format!("the formula gives a quantity in {dimension}"),
+            help: format!("{} observes {}: let it give that", process.name(), seen.join(" and ")),
+            span: 0..text.len(),
+        });
+    }
+    Ok(FormulaLaw::new(formula, meanings, adds_to))
+}
+
+/// The coordinates of a process, which names may stand for in its formulas.
+fn coordinates(process: &dyn Process) -> impl Iterator<Item = (&'static str, Dimension)> {
+    process.coordinates().iter().map(|c| (c.name, formula_effect::dimension(c.holds)))
+}

@@ -1,0 +1,51 @@
+//! The reports of the commands, and the trait of everything that writes one.
+
+use super::OutputError;
+use crate::budget::{Budget, Estimate};
+use crate::compare::Comparison;
+use crate::compensate::Compensation;
+use crate::diagnose::{Diagnosis, Plan};
+use crate::fit::Fit;
+use crate::measure::Measurements;
+use crate::model::{Data, Model, Run};
+use crate::process::{Case, Description, Process};
+
+/// What a command has found.
+pub enum Report<'a> {
+    /// `fem run`.
+    Run(&'a Model, &'a Run),
+    /// `fem compare`: models of one process against one file, each with its comparison.
+    Comparison(&'a [Model], &'a Measurements, &'a [Comparison]),
+    /// `fem fit`.
+    Fit(&'a Data<'a>, &'a Fit),
+    /// `fem diagnose`.
+    Diagnosis(&'a Data<'a>, &'a Diagnosis),
+    /// `fem plan`.
+    Plan(&'a Data<'a>, &'a Plan),
+    /// `fem compensate`.
+    Compensation(&'a Data<'a>, &'a Compensation),
+    /// `fem budget`.
+    Budget(&'a Budget, Option<&'a Estimate>),
+    /// `fem effects`: entries of the catalogue, as a list or as a page each.
+    Effects(&'a [(&'a dyn Process, Description)], Detail),
+    /// `fem validate`.
+    Validation(&'a [Case]),
+}
+
+/// How much is told of each of many.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// A line.
+    Line,
+    /// A page.
+    Page,
+}
+
+/// A way to write reports. A new one is one file with an `impl` of this.
+pub trait Format {
+    /// Writes a report, and gives what is to be printed.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    fn write(&self, report: &Report) -> Result<String, OutputError>;
+}

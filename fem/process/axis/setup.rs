@@ -1,0 +1,172 @@
+//! The tables of an axis model.
+
+use crate::element::Round;
+use crate::input::Reader;
+use crate::material::Material;
+use crate::positioning::Tolerance;
+use crate::solve::Bar;
+use crate::units::{LENGTH, MICRO, TIME};
+
+/// Most rows of a test: more than any test has.
+const MOST_ROWS: usize = 1_000_000;
+/// The test where the model does not say.
+const USUAL: Test = Test { positions: 11, runs: 5, spacing: Spacing::Even, reading: 20.0, pause: 0.0 };
+
+/// How the targets of the model's own test stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    /// Evenly from end to end.
+    Even,
+    /// Evenly, and each moved on by another part of the lead, so that errors of the screw's turn show
+    /// (ISO 230-2).
+    Staggered,
+}
+
+/// The positioning test that the model predicts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Test {
+    /// Number of targets.
+    pub positions: usize,
+    /// Number of runs, each forwards and back.
+    pub runs: usize,
+    /// How the targets stand.
+    pub spacing: Spacing,
+    /// Time from one reading to the next, s.
+    pub reading: f64,
+    /// Time between runs, s.
+    pub pause: f64,
+}
+
+/// Everything an axis model says but its effects. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// Where the travel begins, m.
+    pub from: f64,
+    /// Length of the travel, m.
+    pub travel: f64,
+    /// Material of the screw.
+    pub material: Material,
+    /// Diameter of the screw, m.
+    pub diameter: f64,
+    /// Travel in a turn of the screw, m.
+    pub lead: f64,
+    /// Position of the fixed bearing, m.
+    pub fixed_at: f64,
+    /// Position of a second fixed bearing, m.
+    pub also_fixed_at: Option<f64>,
+    /// The test.
+    pub test: Test,
+    /// Deviations that the axis is allowed.
+    pub tolerance: Tolerance,
+    /// Step to which the controller rounds its compensation, m; 0 for none.
+    pub resolution: f64,
+}
+
+impl Spacing {
+    /// The words of the model file, the default first.
+    pub const WORDS: &[(&'static str, Self)] = &[("even", Self::Even), ("staggered", Self::Staggered)];
+}
+
+impl Setup {
+    /// Reads every table of an axis model but `[effects]`.
+    pub fn read(model: &Reader) -> Self {
+        let (from, travel) = model.table("axis", "the axis", |t| {
+            let travel = t.quantity("travel", LENGTH, "length of the travel").positive().required();
+            (t.quantity("from", LENGTH, "position at which the travel begins").or(0.0), travel)
+        });
+        let (material, [diameter, lead, fixed_at], also_fixed_at) = model.table("screw", "the ball screw", |t| {
+            let material = Material::read(t, "material");
+            let diameter = t.quantity("diameter", LENGTH, "diameter of the screw").positive().required();
+            let lead = t.quantity("lead", LENGTH, "travel a turn").positive().required();
+            let fixed_at = t.quantity("fixed_at", LENGTH, "position of the fixed bearing").or(0.0);
+            let about = "position of a second fixed bearing; the far end is free along itself if left out";
+            let also = t.quantity("also_fixed_at", LENGTH, about).optional();
+            if also == Some(fixed_at) {
+                let help = "leave `also_fixed_at` out, or name the other end of the screw";
+                t.problem("also_fixed_at", "both bearings stand at one place", help);
+            }
+            (material, [diameter, lead, fixed_at], also)
+        });
+        let test = model.optional_table("test", "the positioning test", read_test);
+        let tolerance =
+            model.optional_table("tolerance", "what the axis is allowed, for `fem compensate`", read_tolerance);
+        let resolution =
+            model.optional_table("controller", "the controller's compensation, for `fem compensate`", |t| {
+                t.quantity("resolution", MICRO, "to which compensation values are rounded; exact if left out")
+                    .positive()
+                    .or(0.0)
+            });
+        Self {
+            from,
+            travel,
+            material,
+            diameter,
+            lead,
+            fixed_at,
+            also_fixed_at,
+            test: test.unwrap_or(USUAL),
+            tolerance: tolerance.unwrap_or_default(),
+            resolution: resolution.unwrap_or(0.0),
+        }
+    }
+
+    /// The screw as a bar on its bearings.
+    pub fn screw(&self) -> Bar {
+        let area = Round { diameter: self.diameter, bore: 0.0 }.area();
+        let held = std::iter::once(self.fixed_at).chain(self.also_fixed_at);
+        Bar { axial_rigidity: self.material.youngs_modulus * area, held: held.collect() }
+    }
+
+    /// The targets of the model's own test, rising, m.
+    pub fn targets(&self) -> Vec<f64> {
+        /// The golden ratio's part: the parts of a turn that follow from it lie as evenly as any.
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        let last = (self.test.positions - 1) as f64;
+        let at = |i: usize| {
+            let part = i as f64 / last;
+            match self.test.spacing {
+                Spacing::Even => self.from + self.travel * part,
+                Spacing::Staggered => {
+                    let room = self.lead.min(0.5 * self.travel / last);
+                    self.from + (self.travel - room) * part + room * (i as f64 * GOLDEN).fract()
+                }
+            }
+        };
+        (0..self.test.positions).map(at).collect()
+    }
+}
+
+fn read_test(t: &Reader) -> Test {
+    let positions = t.count("positions", "targets along the travel").between(2, 10_000).or(USUAL.positions);
+    let runs = t.count("runs", "runs, each forwards and back").between(1, 10_000).or(USUAL.runs);
+    if 2 * positions * runs > MOST_ROWS {
+        let message = format!("{positions} targets in {runs} runs there and back are more than {MOST_ROWS} rows");
+        t.problem("positions", message, "take fewer targets or runs");
+    }
+    Test {
+        positions,
+        runs,
+        spacing: t.choice("spacing", "how the targets stand", Spacing::WORDS).or_first(USUAL.spacing),
+        reading: t.quantity("reading", TIME, "from one reading to the next").not_negative().or(USUAL.reading),
+        pause: t.quantity("pause", TIME, "between runs").not_negative().or(USUAL.pause),
+    }
+}
+
+fn read_tolerance(t: &Reader) -> Tolerance {
+    let usual = Tolerance::default();
+    Tolerance {
+        per_length: t
+            .quantity("per_length", LENGTH, "allowed either way on any `length`")
+            .positive()
+            .or(usual.per_length),
+        length: t.quantity("length", LENGTH, "length on which `per_length` holds").positive().or(usual.length),
+        travel: t
+            .quantity("travel", LENGTH, "allowed over the whole travel, end to end of the band")
+            .positive()
+            .or(usual.travel),
+        repeatability: t
+            .quantity("repeatability", LENGTH, "allowed scatter and reversal, either way")
+            .positive()
+            .or(usual.repeatability),
+    }
+}

@@ -1,0 +1,160 @@
+//! The report of a run: figures, the profile, and shapes for people.
+
+mod circle;
+mod rectangle;
+mod reversing;
+mod shapes;
+
+use super::forward::Lap;
+use super::machine::Machine;
+use super::path::{Direction, Path};
+use super::rows::{self, ANGLE_OF_ROW, COORDINATES, DIRECTION, FEED, OBSERVABLES};
+use super::setup::{AXES, Setup};
+use crate::process::{Failure, Figure, Forward, Plot, Rows, RunReport, Table, extremes};
+use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
+
+/// Points along a contour of which the largest and the smallest are told, at least: a spike lasts some
+/// milliseconds, a hundredth of a degree.
+const FINE: usize = 36_000;
+/// Lags above this, in rad, are no small ones: the first-order formulas are then wrong by as much.
+const LARGE_LAG: f64 = 0.1;
+
+/// Everything that a run reports.
+///
+/// # Errors
+/// The contour cannot be computed.
+pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+    let (rows, deviations) = (forward.programme, forward.prediction);
+    Ok(RunReport {
+        profile: Table::of_rows((COORDINATES, &[DIRECTION, FEED, ANGLE_OF_ROW]), rows, &OBSERVABLES[0], deviations),
+        figures: figures(machine, forward)?,
+        plots: vec![plot(&machine.setup, rows, deviations)],
+        drawings: vec![shapes::drawing(&machine.setup, deviations)],
+        warnings: warnings(machine),
+        animation: Some(shapes::animation(machine, deviations)),
+        ..RunReport::default()
+    })
+}
+
+/// Figures of the contour at so many points that no spike falls between two of them.
+fn figures(machine: &Machine, forward: &Forward) -> Result<Vec<Figure>, Failure> {
+    let setup = &Setup { points: machine.setup.points.max(FINE), ..(*machine.setup).clone() };
+    let rows = rows::programme(setup);
+    let deviations = &forward.observe(&rows)?;
+    let told = (COORDINATES, &[ANGLE_OF_ROW, DIRECTION][..]);
+    let mut figures = extremes("deviation", &OBSERVABLES[0], told, &rows, deviations);
+    match setup.path {
+        Path::Circle { .. } => {
+            figures.extend(circle::figures(setup, forward, deviations)?);
+            figures.push(reversing::reversals(machine));
+        }
+        Path::Rectangle { .. } => figures.extend(rectangle::figures(machine, setup, deviations)),
+    }
+    figures.extend(reversing::advice(machine));
+    figures.push(servo(setup));
+    figures.extend(tolerance(machine, deviations));
+    Ok(figures)
+}
+
+/// What two equal servos do by themselves: they follow at a distance, and a circle shrinks.
+fn servo(setup: &Setup) -> Figure {
+    let lag = setup.feed / setup.gain;
+    let figure = Figure::new("servo", "servos alone").unit("unit", MICRO).quantity("lag", LENGTH, lag);
+    let text = format!("each axis follows {:.3} (v/Kv) behind its command", LENGTH.shown(lag));
+    let Path::Circle { radius } = setup.path else { return figure.line(text) };
+    let [once, twice] = [1.0, 2.0].map(|times| contraction(radius, times * setup.feed, setup.gain));
+    let [shown, shown_twice] = [once, twice].map(|c| MICRO.shown(-c));
+    figure
+        .quantity("contraction", MICRO, once)
+        .quantity("contraction_at_twice_the_feed", MICRO, twice)
+        .line(format!("{text}: of the radius {shown:+.3}, at twice the feed {shown_twice:+.3}"))
+}
+
+/// Contraction of a circle R(1 − 1/√(1 + (v/RKv)²)), m.
+fn contraction(radius: f64, feed: f64, gain: f64) -> f64 {
+    let ratio = feed / (radius * gain);
+    // The same without the difference of nearly equal numbers.
+    let root = ratio.hypot(1.0);
+    radius * ratio * ratio / (root * (1.0 + root))
+}
+
+/// What the tolerance allows the servos: ΔKv/Kv = 2δ·Kv/v [seed 000, turned round], and the feed at which
+/// the gains as they are would keep it.
+fn tolerance(machine: &Machine, deviations: &[f64]) -> Option<Figure> {
+    let setup = &machine.setup;
+    let allowed = setup.tolerance?;
+    // The part of δ = (v/2)·(1/Kvy − 1/Kvx)·sin 2α that shows: all of it on a circle.
+    let shows = match setup.path {
+        Path::Circle { .. } => 1.0,
+        Path::Rectangle { angle, .. } => (2.0 * angle).sin().abs(),
+    };
+    let mismatch = 2.0 * allowed * setup.gain / (setup.feed * shows);
+    let largest = deviations.iter().fold(0.0f64, |m, d| m.max(d.abs()));
+    let [x, y] = machine.gains;
+    let present = (x - y) / setup.gain;
+    let by_mismatch = 2.0 * allowed / ((1.0 / y - 1.0 / x).abs() * shows);
+    let by_contraction = match setup.path {
+        Path::Circle { radius } if allowed < radius => {
+            let left = 1.0 - allowed / radius;
+            radius * setup.gain * (1.0 - left * left).sqrt() / left
+        }
+        _ => f64::INFINITY,
+    };
+    let word = if largest <= allowed { "kept" } else { "exceeded" };
+    let [allowed_shown, largest_shown] = [allowed, largest].map(|d| MICRO.shown(d));
+    let mut figure = Figure::new("tolerance", "tolerance")
+        .unit("feed_unit", FEED_RATE)
+        .line(format!("{allowed_shown:.3} is {word}: the largest deviation is {largest_shown:.3}"))
+        .quantity("deviation", MICRO, allowed)
+        .entry("kept", largest <= allowed)
+        .entry("mismatch_allowed", mismatch)
+        .entry("mismatch", present)
+        .quantity("feed_by_mismatch", FEED_RATE, by_mismatch)
+        .quantity("feed_by_contraction", FEED_RATE, by_contraction);
+    if mismatch.is_finite() && mismatch < 2.0 {
+        let [may, do_differ] = [mismatch, present.abs()].map(|m| 100.0 * m);
+        figure = figure.line(format!(
+            "gains may differ by {may:.2} % at this feed (2*deviation*Kv/v); they differ by {do_differ:.2} %"
+        ));
+    }
+    for (cause, feed) in [("the gains as they are", by_mismatch), ("the lag of equal servos", by_contraction)] {
+        if feed.is_finite() {
+            figure = figure.line(format!("{cause} would alone use it up at {}", FEED_RATE.told(feed)));
+        }
+    }
+    Some(figure)
+}
+
+fn plot(setup: &Setup, rows: &Rows, deviations: &[f64]) -> Plot {
+    let direction = setup.directions[0];
+    let own = (0..rows.len()).filter(|i| Direction::at(rows.columns[DIRECTION][*i]) == direction);
+    let points = own.map(|i| (ANGLE.from_si(rows.columns[ANGLE_OF_ROW][i]), MICRO.from_si(deviations[i]))).collect();
+    Plot { title: format!("deviation [um] over angle [deg], {}", direction.word()), x_unit: "deg", points }
+}
+
+fn warnings(machine: &Machine) -> Vec<String> {
+    let setup = &machine.setup;
+    let mut warnings = Vec::new();
+    let lap = Lap::new(machine, setup.directions[0], setup.feed);
+    for (axis, name) in AXES.iter().enumerate() {
+        if !lap.axes[axis].follows() {
+            warnings.push(format!("{name} does not move: its play is wider than its travel"));
+        }
+        let half = 0.5 * lap.axes[axis].motion.period();
+        let spike = machine.spikes[axis];
+        if spike.height > 0.0 && 3.0 * spike.time_constant > half {
+            warnings.push(format!(
+                "the spike of {name} has not faded when it turns round again, {half:.2} s later: \
+                 what is left of it is not kept"
+            ));
+        }
+    }
+    if let Path::Circle { radius } = setup.path {
+        let lag = setup.feed / (radius * setup.gain);
+        if lag > LARGE_LAG {
+            let lag = ANGLE.shown(lag.atan());
+            warnings.push(format!("the axes lag by {lag:.1}: check feed, radius and gain"));
+        }
+    }
+    warnings
+}

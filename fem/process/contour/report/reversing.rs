@@ -1,0 +1,103 @@
+//! Marks on the contour where an axis turns round, and how to turn round off the work [seed 000, fig. 4].
+
+use super::super::forward::Lap;
+use super::super::machine::Machine;
+use super::super::path::Path;
+use super::super::setup::AXES;
+use crate::process::{Datum, Figure};
+use crate::units::{ANGLE, LENGTH, MICRO};
+
+/// Time constants after which a lag or a spike has faded.
+const LAG_FADES: f64 = 10.0;
+const SPIKE_FADES: f64 = 5.0;
+
+/// Where the axes turn round on a circle, and what step and spike they leave there.
+pub fn reversals(machine: &Machine) -> Figure {
+    let setup = &machine.setup;
+    let mut figure = Figure::new("reversals", "reversals").unit("unit", MICRO).unit("angle_unit", ANGLE);
+    let mut list = Vec::new();
+    for direction in &setup.directions {
+        let (lap, word) = (Lap::new(machine, *direction, setup.feed), direction.word());
+        for (axis, name) in AXES.iter().enumerate() {
+            let (gap, height) = (machine.gaps[axis], machine.spikes[axis].height);
+            let mut angles = Vec::new();
+            for time in lap.axes[axis].reversals() {
+                let rest = lap.axes[axis].rest();
+                let point = setup.path.at(lap.angle(time));
+                let behind = setup.path.at(lap.angle(time + rest));
+                let step = if gap > 0.0 { lap.offset(&behind) - lap.offset(&point) } else { 0.0 };
+                let flat = lap.angle(rest).min(std::f64::consts::TAU - lap.angle(rest));
+                let spike = height * point.outward[axis].abs();
+                let angle = lap.angle(time);
+                angles.push(format!("{:.2}", ANGLE.from_si(angle)));
+                list.push(Datum::record([
+                    ("axis", (*name).into()),
+                    ("direction", word.into()),
+                    ("angle", Datum::of(ANGLE, angle)),
+                    ("step", Datum::of(MICRO, step)),
+                    ("flat", Datum::of(ANGLE, flat)),
+                    ("spike", Datum::of(MICRO, spike)),
+                ]));
+                let mut left = Vec::new();
+                if gap > 0.0 {
+                    left.push(format!("a step of {:+.3} over a flat of {:.2}", MICRO.shown(step), ANGLE.shown(flat)));
+                }
+                if height > 0.0 {
+                    left.push(format!("a spike of {:+.3}", MICRO.shown(spike)));
+                }
+                if !left.is_empty() {
+                    let line = format!("{name} at {:>6.2}: {}, {word}", ANGLE.shown(angle), left.join(", "));
+                    figure = figure.line(line);
+                }
+            }
+            if gap == 0.0 && height == 0.0 {
+                figure = figure.line(format!("{name} at {} deg: nothing stays, {word}", angles.join(" and ")));
+            }
+        }
+    }
+    figure.entry("list", Datum::List(list))
+}
+
+/// Where to turn round instead of on the work, if anything would stay there.
+pub fn advice(machine: &Machine) -> Option<Figure> {
+    let setup = &machine.setup;
+    let marks = |axis: &usize| machine.gaps[*axis] > 0.0 || machine.spikes[*axis].height > 0.0;
+    let axes: Vec<usize> = (0..2).filter(marks).collect();
+    let names: Vec<&'static str> = axes.iter().map(|axis| AXES[*axis]).collect();
+    let turning = names.join(" and ");
+    let fading = machine.spikes.iter().filter(|s| s.height > 0.0).map(|s| SPIKE_FADES * s.time_constant);
+    let run_in = setup.feed * (LAG_FADES / setup.gain + fading.fold(0.0, f64::max));
+    let gap = machine.gaps.iter().copied().fold(0.0, f64::max);
+    let way_in = LENGTH.shown(run_in);
+    let lines = match setup.path {
+        _ if axes.is_empty() => return None,
+        Path::Circle { .. } => {
+            let at = match axes[..] {
+                [_, _] => "0, 90, 180 and 270 deg",
+                [0] => "0 and 180 deg",
+                _ => "90 and 270 deg",
+            };
+            let play = match gap > 0.0 {
+                true => format!(", of which {:.1} take up the play", MICRO.shown(gap)),
+                false => String::new(),
+            };
+            vec![
+                format!("leave the circle along its tangent at {at} and turn {turning} round off the work;"),
+                format!("come back from outside on an arc, {turning} already heading inwards for {way_in:.3}{play}"),
+            ]
+        }
+        Path::Rectangle { .. } => vec![format!(
+            "overrun each corner along its side, turn {turning} round off the work, and run into the next side over \
+             at least {way_in:.3}"
+        )],
+    };
+    Some(
+        Figure::new("reversing", "to reverse off the work")
+            .unit("run_in_unit", LENGTH)
+            .unit("gap_unit", MICRO)
+            .lines(lines)
+            .entry("axes", Datum::List(names.into_iter().map(Datum::from).collect()))
+            .quantity("run_in", LENGTH, run_in)
+            .quantity("gap", MICRO, gap),
+    )
+}

@@ -1,0 +1,150 @@
+//! A process as its author writes it: with its own types, and nothing that the adapter can do for all.
+
+use std::sync::Arc;
+
+use super::{
+    CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Failure, Misplaced, Observable, Places,
+    Positioning, Rows, RunReport, Spot,
+};
+use crate::input::Reader;
+use crate::progress::Progress;
+
+/// A process. Its set-up is what the tables of a model file say, its machine what effects make of the
+/// set-up, its forward function what every row would show. Formula effects, checks of what is believable
+/// and datum directions are none of its business: the adapter sees to them, for predictions and reports
+/// alike.
+pub trait Definition: Sync + Sized + 'static {
+    /// What a model says but its effects. SI units.
+    type Setup: Send + Sync + 'static;
+    /// The set-up as effects shape it.
+    type Machine: Send + Sync + 'static;
+
+    /// The word after `process =`.
+    const NAME: &'static str;
+    /// What it predicts, in half a sentence.
+    const ABOUT: &'static str;
+    /// What can be measured of it.
+    const OBSERVABLES: &'static [Observable];
+    /// The coordinates and conditions under which it is measured.
+    const COORDINATES: &'static [Coordinate];
+    /// A commented model to start from.
+    const STARTING_MODEL: &'static str;
+    /// Its effects, in the order in which people meet them.
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Self::Setup, Self::Machine>];
+
+    /// Reads every table of a model but `[effects]`; `None` where what was read makes no set-up, and the
+    /// problems are noted.
+    fn read(model: &Reader) -> Option<Self::Setup>;
+
+    /// The machine without any effect.
+    fn ideal(setup: Arc<Self::Setup>) -> Self::Machine;
+
+    /// The rows that lie outside the set-up.
+    fn misplaced(setup: &Self::Setup, rows: &Rows) -> Vec<Misplaced>;
+
+    /// The rows of the model's own programme, every coordinate resolved.
+    fn programme(setup: &Self::Setup) -> Rows;
+
+    /// The rows with every coordinate that they leave to the model filled in. As a rule they leave none.
+    fn resolved(_setup: &Self::Setup, rows: &Rows) -> Rows {
+        rows.clone()
+    }
+
+    /// Where the rows lie on the body, if there is one to show.
+    fn places(_setup: &Self::Setup, _rows: &Rows) -> Option<Places> {
+        None
+    }
+
+    /// The contour that is made, if there is one.
+    fn contour(_setup: &Self::Setup) -> Option<Vec<Vec<Spot>>> {
+        None
+    }
+
+    /// What the way of measuring these rows sets to zero. As a rule nothing.
+    fn datum_directions(_setup: &Self::Setup, _rows: &Rows) -> Vec<DatumDirection> {
+        Vec::new()
+    }
+
+    /// Where along a coordinate a cause may stand though no row is measured there.
+    fn reach(_setup: &Self::Setup, _coordinate: &str) -> Option<(f64, f64)> {
+        None
+    }
+
+    /// Further experiments beside these rows.
+    fn candidate_experiments(setup: &Self::Setup, rows: &Rows) -> Vec<CandidateExperiment>;
+
+    /// What the rows are as a positioning test, if they are one.
+    fn positioning(_setup: &Self::Setup) -> Option<&dyn Positioning> {
+        None
+    }
+
+    /// What no value of an observable, by its position, can reach.
+    fn limit(setup: &Self::Setup, observable: usize) -> Limit;
+
+    /// What every row would show, SI.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn observe(machine: &Self::Machine, rows: &Rows) -> Result<Vec<f64>, Failure>;
+
+    /// The same for the rows of the programme, where their order saves work.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn predict(machine: &Self::Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {
+        progress.expect(1);
+        let values = Self::observe(machine, programme)?;
+        progress.advance(1);
+        Ok(values)
+    }
+
+    /// Everything a run reports. Figures ask `forward` for what they need; what they took from the machine
+    /// alone would lack the formula effects.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn report(machine: &Self::Machine, forward: &Forward) -> Result<RunReport, Failure>;
+}
+
+/// What no prediction can reach: a number beyond it, or none, comes from values that cannot be meant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// In SI units of the observable.
+    pub size: f64,
+    /// Why such a value is not believable: "no diameter can be so wrong".
+    pub why: &'static str,
+    /// What to check.
+    pub help: &'static str,
+}
+
+/// The forward function of a report: predictions with every effect acting, those that are formulas included.
+pub struct Forward<'a> {
+    /// The rows of the programme.
+    pub programme: &'a Rows,
+    /// What they would show, SI.
+    pub prediction: &'a [f64],
+    pub(super) observe: &'a (dyn Fn(&Rows) -> Result<Vec<f64>, Failure> + Sync),
+    pub(super) add_formulas: &'a (dyn Fn(&Rows, &mut [f64]) + Sync),
+    pub(super) has_formulas: bool,
+}
+
+impl Forward<'_> {
+    /// What any rows would show, SI.
+    ///
+    /// # Errors
+    /// The computation failed.
+    pub fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        (self.observe)(rows)
+    }
+
+    /// Adds what formula effects change in `values` (SI, one per row), which were computed without them:
+    /// whole fields, which would be too dear to ask for row by row.
+    pub fn add_formulas(&self, rows: &Rows, values: &mut [f64]) {
+        (self.add_formulas)(rows, values);
+    }
+
+    /// Whether there are formula effects: else [`add_formulas`](Self::add_formulas) adds nothing.
+    pub fn has_formulas(&self) -> bool {
+        self.has_formulas
+    }
+}

@@ -1,0 +1,93 @@
+//! Formula effects, which users write: a formula over the process's coordinates and the effect's own
+//! parameters, added to what is observed.
+
+use std::collections::HashSet;
+use std::sync::{Mutex, PoisonError};
+
+use super::{Holds, Rows};
+use crate::formula::Formula;
+use crate::units::Dimension;
+
+/// The law of a formula effect.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaLaw {
+    formula: Formula,
+    /// What each name of the formula stands for.
+    meanings: Vec<Meaning>,
+    /// Which observables it adds to, by their position in the process's list.
+    adds_to: Vec<bool>,
+}
+
+/// What a name in a formula stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    /// A coordinate, by its position in the process's list.
+    Coordinate(usize),
+    /// A parameter, by its position in the effect's.
+    Parameter(usize),
+}
+
+impl FormulaLaw {
+    /// A formula whose names have these meanings and whose result adds to these observables.
+    pub fn new(formula: Formula, meanings: Vec<Meaning>, adds_to: Vec<bool>) -> Self {
+        Self { formula, meanings, adds_to }
+    }
+
+    /// Whether values of a parameter (SI) that differ by `period` are the same, as phases are: tried at a few places.
+    pub fn repeats_after(&self, parameter: usize, period: f64) -> bool {
+        let own = self.meanings.iter().position(|m| *m == Meaning::Parameter(parameter));
+        let at = |place: usize, shift: f64| {
+            // Places that no law knows, unequal for every name.
+            let value = |i: usize| 0.31 + ((place + 1) as f64 * (i + 2) as f64 * 0.754_877).fract();
+            let mut names: Vec<f64> = (0..self.meanings.len()).map(value).collect();
+            own.iter().for_each(|i| names[*i] += shift);
+            self.formula.value(&names)
+        };
+        (0..5).all(|place| {
+            let (here, there) = (at(place, 0.0), at(place, period));
+            (here - there).abs() <= 1e-9 * here.abs().max(there.abs()) && here.is_finite()
+        })
+    }
+
+    /// Adds it to the values of rows, SI; `rows` with every coordinate resolved.
+    pub(super) fn add_to(&self, values: &mut [f64], rows: &Rows, parameters: &[f64]) {
+        let mut names = vec![0.0; self.meanings.len()];
+        for (row, value) in values.iter_mut().enumerate() {
+            if !self.adds_to[rows.observable[row]] {
+                continue;
+            }
+            for (name, meaning) in names.iter_mut().zip(&self.meanings) {
+                *name = match *meaning {
+                    Meaning::Coordinate(column) => rows.columns[column][row],
+                    Meaning::Parameter(i) => parameters[i],
+                };
+            }
+            *value += self.formula.value(&names);
+        }
+    }
+}
+
+/// The dimension of a coordinate's values in a formula; numbers and words are pure.
+pub fn dimension(holds: Holds) -> Dimension {
+    match holds {
+        Holds::Quantity(kind) => kind.canonical().dimension,
+        Holds::Number(_) | Holds::Word(_) => Dimension::NONE,
+    }
+}
+
+/// Names that users have given: they stand where names of the catalogue stand, which are constants, and so
+/// live as long as the program, each once however often it is read.
+static NAMES: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
+
+/// The name, for the life of the program.
+pub fn name(text: &str) -> &'static str {
+    // A panic while the list was held leaves it whole: entries are added in one step each.
+    let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
+    let names = names.get_or_insert_default();
+    if let Some(known) = names.get(text) {
+        return known;
+    }
+    let kept: &'static str = Box::leak(text.to_string().into_boxed_str());
+    names.insert(kept);
+    kept
+}

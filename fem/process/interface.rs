@@ -1,0 +1,98 @@
+//! What the layers above know of a process: three object-safe traits, made of every
+//! [`Definition`](super::Definition) by one adapter.
+
+use super::{
+    Active, CandidateExperiment, Coordinate, DatumDirection, Description, Failure, Misplaced, Observable, Places,
+    Positioning, Rows, RunReport, Spot,
+};
+use crate::input::Reader;
+use crate::progress::Progress;
+
+/// A way in which the system makes or moves something.
+pub trait Process: Sync {
+    /// The word after `process =`.
+    fn name(&self) -> &'static str;
+
+    /// What it predicts, in half a sentence.
+    fn about(&self) -> &'static str;
+
+    /// What can be measured of it. Observables of one dimension are two ways to tell the same, and a file
+    /// has one of them; those of different dimensions may stand side by side.
+    fn observables(&self) -> &'static [Observable];
+
+    /// The coordinates and conditions under which it is measured.
+    fn coordinates(&self) -> &'static [Coordinate];
+
+    /// A commented model to start from.
+    fn starting_model(&self) -> &'static str;
+
+    /// Its catalogue of effects, in the order in which people meet them.
+    fn effects(&self) -> Vec<Description>;
+
+    /// Reads its tables. Problems are noted in the reader; the system is of use only if there were none,
+    /// and `None` where the tables make no system at all.
+    fn read(&self, model: &Reader) -> Option<Box<dyn System>>;
+}
+
+/// A machine, fixture, tool and workpiece, ideal but for the workpiece's own elasticity.
+pub trait System: Send + Sync {
+    /// Says why an effect cannot act in this system, if it cannot.
+    ///
+    /// # Errors
+    /// The reason, as a sentence.
+    fn admits(&self, effect: &str) -> Result<(), String>;
+
+    /// The rows that lie outside the system: off the body, beyond the programme.
+    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced>;
+
+    /// The rows of its own programme, in the order in which they are predicted, every coordinate resolved.
+    fn programme(&self) -> Rows;
+
+    /// The rows with every coordinate that they leave to the model filled in.
+    fn resolved(&self, rows: &Rows) -> Rows;
+
+    /// Where the rows lie on the body; `None` where the process has none to show.
+    fn places(&self, rows: &Rows) -> Option<Places>;
+
+    /// The contour that is made, in the plane of its places, where there is one to draw measured rows on.
+    fn contour(&self) -> Option<Vec<Vec<Spot>>>;
+
+    /// The datum directions of these rows: what the way of measuring sets to zero, such as the centre of a
+    /// least-squares circle. They are taken out of measured and predicted values alike, and each costs a
+    /// degree of freedom.
+    fn datum_directions(&self, rows: &Rows) -> Vec<DatumDirection>;
+
+    /// Where along a coordinate a cause may stand though no row is measured there: on the body, where its
+    /// warmth is felt. `None` where a cause shows only where it is measured.
+    fn reach(&self, coordinate: &str) -> Option<(f64, f64)>;
+
+    /// Further experiments beside these rows, for causes that they cannot tell apart.
+    fn candidate_experiments(&self, rows: &Rows) -> Vec<CandidateExperiment>;
+
+    /// What the rows are as a positioning test, where they are one: then errors can be compensated.
+    fn positioning(&self) -> Option<&dyn Positioning>;
+
+    /// The system with effects acting, ready to predict.
+    fn with_effects(&self, effects: &[Active]) -> Box<dyn ForwardModel>;
+}
+
+/// A system with its effects acting: rows in, values out.
+pub trait ForwardModel: Send + Sync {
+    /// The observable at every point of the model's own programme, SI units.
+    ///
+    /// # Errors
+    /// The computation failed: the body is loose, an equilibrium was not found, or a value is not believable.
+    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure>;
+
+    /// What each row would show, in SI units of its observable.
+    ///
+    /// # Errors
+    /// The computation failed, or a value is not believable.
+    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure>;
+
+    /// Everything a run reports, given the prediction of the programme.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure>;
+}

@@ -1,0 +1,113 @@
+//! What a run reports, before anyone has decided how to write it.
+
+use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows};
+use crate::units::Kind;
+
+/// The results of a run, in terms that every output format understands.
+#[derive(Default)]
+pub struct RunReport {
+    /// The prediction at every point; a measurement file in itself.
+    pub profile: Table,
+    /// Further tables, each a CSV file of its name.
+    pub tables: Vec<(&'static str, Table)>,
+    /// What an engineer wants to know, in the order of interest.
+    pub figures: Vec<Figure>,
+    /// Small pictures of the prediction.
+    pub plots: Vec<Plot>,
+    /// Contours with magnified deviations, a picture file each.
+    pub drawings: Vec<Drawing>,
+    /// What should not be overlooked.
+    pub warnings: Vec<String>,
+    /// Shapes to play, if the process has any.
+    pub animation: Option<Animation>,
+}
+
+/// Columns of equal length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// From left to right.
+    pub columns: Vec<Column>,
+}
+
+/// A named column of numbers, or of words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Without the unit.
+    pub name: &'static str,
+    /// Unit of the numbers as written; `None` for a label such as a part number.
+    pub unit: Option<&'static str>,
+    /// In that unit; of words, their positions among them.
+    pub values: Vec<f64>,
+    /// What the values stand for, where they are words; empty for numbers.
+    pub words: &'static [&'static str],
+}
+
+impl Table {
+    /// Rows with some of their coordinates, by their positions in the process's list, and what was observed
+    /// (SI): with every condition written out it reads back as a measurement file.
+    pub fn of_rows(
+        (coordinates, shown): (&'static [Coordinate], &[usize]),
+        rows: &Rows,
+        observable: &'static Observable,
+        observed: &[f64],
+    ) -> Self {
+        let mut columns: Vec<Column> =
+            shown.iter().map(|i| Column::coordinate(&coordinates[*i], &rows.columns[*i])).collect();
+        columns.push(Column::quantities(observable.name, observable.kind, observed));
+        Self { columns }
+    }
+}
+
+impl Column {
+    /// Quantities, given in SI.
+    pub fn quantities(name: &'static str, kind: Kind, si: &[f64]) -> Self {
+        let unit = kind.canonical();
+        let values = si.iter().map(|v| (v - unit.offset) / unit.factor).collect();
+        Self::numbers(name, (!kind.unit.is_empty()).then_some(kind.unit), values)
+    }
+
+    /// The values of a coordinate, SI, without the digits that conversion leaves: 1000 mm/min is written as
+    /// 1000.
+    pub fn coordinate(coordinate: &Coordinate, si: &[f64]) -> Self {
+        match coordinate.holds {
+            Holds::Quantity(kind) => {
+                let mut column = Self::quantities(coordinate.name, kind, si);
+                column.values.iter_mut().for_each(|v| *v = format!("{v:.12e}").parse().unwrap_or(*v));
+                column
+            }
+            Holds::Number(_) => Self::numbers(coordinate.name, None, si.to_vec()),
+            Holds::Word(words) => Self::words(coordinate.name, si.to_vec(), words),
+        }
+    }
+
+    /// Numbers in a unit, or without one.
+    pub fn numbers(name: &'static str, unit: Option<&'static str>, values: Vec<f64>) -> Self {
+        Self { name, unit, values, words: &[] }
+    }
+
+    /// Words, by their positions among all that there are.
+    pub fn words(name: &'static str, values: Vec<f64>, words: &'static [&'static str]) -> Self {
+        Self { name, unit: None, values, words }
+    }
+}
+
+/// A curve to be drawn in text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// What is drawn over what, with units.
+    pub title: String,
+    /// Unit of the abscissa.
+    pub x_unit: &'static str,
+    /// (x, y) in the units of the title, in rising x.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A series of frames, made one at a time so that a long one needs no memory.
+pub struct Animation {
+    /// File stem.
+    pub name: &'static str,
+    /// Number of frames.
+    pub frames: usize,
+    /// Makes frame number i.
+    pub frame: Box<dyn Fn(usize) -> Frame + Send + Sync>,
+}

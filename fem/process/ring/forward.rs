@@ -1,0 +1,66 @@
+//! Deviation of the bore in every row: what the jaws squeeze, and what the cut adds.
+
+use super::circle::evenly;
+use super::machine::{BorePoint, Machine};
+use super::response::{Proportions, Response};
+use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, JAW_FORCE, ORIENTATION, SPEED, STATE};
+use super::setup::Body;
+use crate::process::{Failure, Forward, Rows};
+
+/// Radial displacement of the bore per newton of jaw force at an angle (rad), m/N, positive outwards.
+pub type BoreMotion = Box<dyn Fn(f64) -> f64>;
+
+/// The bore under the machine's jaws, the ring solved once for all readings of a model.
+///
+/// # Errors
+/// The jaws cannot hold the ring, or it cannot be computed.
+pub fn bore(machine: &Machine) -> Result<BoreMotion, Failure> {
+    let (setup, jaws) = (&machine.setup, machine.jaws()?);
+    let poisson_ratio = setup.material.poisson_ratio;
+    // Rings are solved with E = b = 1.
+    let compliance = 1.0 / (setup.material.youngs_modulus * setup.width);
+    let mesh = match &setup.body {
+        Body::Cells(mesh) => *mesh,
+        Body::Drawn(drawn) => {
+            let shape = drawn.bore_under(poisson_ratio, &jaws)?;
+            return Ok(Box::new(move |angle| compliance * shape.radial(angle)));
+        }
+    };
+    let step = if machine.jaw_angles == evenly(jaws.len()) { jaws.len() } else { 1 };
+    let ring = Proportions { ratio: setup.inner_radius / setup.outer_radius, poisson_ratio, mesh, step };
+    let series = setup.responses.get_or(ring, Response::solve)?.under(&jaws);
+    Ok(Box::new(move |angle| compliance * series.radial(angle)))
+}
+
+/// Deviation of every row from the set circle, m.
+///
+/// # Errors
+/// The ring cannot be computed.
+pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+    let setup = &machine.setup;
+    let bore = bore(machine)?;
+    let one = |row: usize| {
+        let value = |column| rows.get(column, row);
+        let angle = value(ANGLE_OF_ROW).unwrap_or(0.0);
+        let force = value(JAW_FORCE).unwrap_or(setup.jaw_force);
+        let unit = bore(angle);
+        if value(STATE) == Some(CLAMPED) {
+            // Before boring, at standstill.
+            return unit * force;
+        }
+        let speed = value(SPEED).unwrap_or(setup.speed());
+        let (orientation, blank) = (value(ORIENTATION).unwrap_or(0.0), value(BLANK).unwrap_or(0.0));
+        machine.marks_at(&BorePoint { angle, orientation, blank }) - unit * machine.force_at(force, speed)
+    };
+    Ok((0..rows.len()).map(one).collect())
+}
+
+/// The same with the effects that are formulas, whatever circle deviations are measured from, m.
+///
+/// # Errors
+/// The ring cannot be computed.
+pub fn absolute(machine: &Machine, forward: &Forward, rows: &Rows) -> Result<Vec<f64>, Failure> {
+    let mut deviations = observe(machine, rows)?;
+    forward.add_formulas(rows, &mut deviations);
+    Ok(deviations)
+}

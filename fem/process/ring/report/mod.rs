@@ -1,0 +1,204 @@
+//! The report of a run: figures, the profile, and shapes for people.
+
+mod shapes;
+
+use std::f64::consts::TAU;
+
+use super::circle;
+use super::forward;
+use super::machine::Machine;
+use super::response::MeshSize;
+use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE};
+use super::setup::{Body, Reference, Setup};
+use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes};
+use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STRESS};
+
+/// A bore that varies by less than a tenth of a nanometre is round.
+const ROUND: f64 = 1e-10;
+/// Harmonics are listed down to this part of the largest, and no more than so many.
+const LISTED: f64 = 1e-3;
+const MOST_LISTED: usize = 8;
+/// Elements that are stiffer by more than this part are warned of.
+const STIFFENED: f64 = 0.01;
+
+/// Everything that a run reports.
+///
+/// # Errors
+/// The ring cannot be computed.
+pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+    let (setup, rows, deviations) = (&machine.setup, forward.programme, forward.prediction);
+    let angles = &rows.columns[ANGLE_OF_ROW];
+    let scene = shapes::Scene::new(machine, forward)?;
+    let form = circle::form(angles, deviations);
+    let mut figures = extremes("deviation", &OBSERVABLES[0], (COORDINATES, &[ANGLE_OF_ROW]), rows, deviations);
+    figures.extend([
+        size(setup.reference, deviations),
+        roundness(&form),
+        harmonics(angles, &form),
+        clamping(machine, forward)?,
+        force(machine),
+        stress(&scene),
+    ]);
+    let mut shown = vec![RUN, ANGLE_OF_ROW, JAW_FORCE];
+    shown.extend(setup.spindle_speed.map(|_| SPEED));
+    shown.extend((!setup.blank.is_empty()).then_some(BLANK));
+    let points = angles.iter().zip(deviations).map(|(a, d)| (ANGLE.from_si(*a), MICRO.from_si(*d))).collect();
+    let title = "deviation [um] of the released bore over angle [deg]".into();
+    Ok(RunReport {
+        profile: Table::of_rows((COORDINATES, &shown), rows, &OBSERVABLES[0], deviations),
+        figures,
+        plots: vec![Plot { title, x_unit: "deg", points }],
+        drawings: vec![drawing(setup, angles, deviations)],
+        warnings: warnings(machine),
+        animation: Some(scene.animation()),
+        ..RunReport::default()
+    })
+}
+
+/// The bore, deviations magnified.
+fn drawing(setup: &Setup, angles: &[f64], deviations: &[f64]) -> Drawing {
+    let spot = |(angle, deviation): (&f64, &f64)| {
+        let outward = [angle.cos(), angle.sin()];
+        Spot { at: outward.map(|c| setup.inner_radius * c), outward, deviation: *deviation }
+    };
+    let mut bore: Vec<Spot> = angles.iter().zip(deviations).map(spot).collect();
+    bore.extend(bore.first().copied());
+    Drawing {
+        name: "bore",
+        title: format!("bore of {:.3}, released", LENGTH.shown(2.0 * setup.inner_radius)),
+        nominal: vec![Spot::circle(setup.inner_radius)],
+        curves: vec![Curve { label: "predicted".into(), family: 0, is_measured: false, pieces: vec![bore] }],
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// The peak and the depth of the valley of deviations from a circle, m.
+fn peak_and_valley(form: &[f64]) -> (f64, f64) {
+    (form.iter().copied().fold(0.0, f64::max), 0.0 - form.iter().copied().fold(0.0, f64::min))
+}
+
+fn size(reference: Reference, deviations: &[f64]) -> Figure {
+    let mean = mean(deviations);
+    let [radius, diameter] = [mean, 2.0 * mean].map(|m| MICRO.shown(m));
+    Figure::new("mean", "mean deviation").quantity("value", MICRO, mean).line(match reference {
+        Reference::LeastSquaresCircle => "taken out with the least-squares circle".into(),
+        Reference::Absolute => format!("{radius:+.3} of the radius, {diameter:+.3} of the diameter"),
+    })
+}
+
+fn roundness(form: &[f64]) -> Figure {
+    let (peak, valley) = peak_and_valley(form);
+    let rms = mean(&form.iter().map(|d| d * d).collect::<Vec<_>>()).sqrt();
+    let [p, v] = [peak, valley].map(|d| MICRO.from_si(d));
+    let [t, q] = [peak + valley, rms].map(|d| MICRO.shown(d));
+    Figure::new("roundness", "roundness (LSC)")
+        .line(format!("RONt {t:.3} peak to valley, RONp {p:.3}, RONv {v:.3}, RONq {q:.3}"))
+        .quantity("RONt", MICRO, peak + valley)
+        .quantity("RONp", MICRO, peak)
+        .quantity("RONv", MICRO, valley)
+        .quantity("RONq", MICRO, rms)
+}
+
+/// Waves around (undulations per revolution) with amplitude and the angle of the first crest.
+fn harmonics(angles: &[f64], form: &[f64]) -> Figure {
+    let count = form.len();
+    let of = |m: usize| {
+        let (mut cosine, mut sine) = (0.0, 0.0);
+        for (angle, d) in angles.iter().zip(form) {
+            cosine += d * (m as f64 * angle).cos();
+            sine += d * (m as f64 * angle).sin();
+        }
+        let amplitude = 2.0 / count as f64 * cosine.hypot(sine);
+        let step = TAU / m as f64;
+        let crest = (sine.atan2(cosine) / m as f64).rem_euclid(step);
+        (m, amplitude, if step - crest < 1e-9 * step { 0.0 } else { crest })
+    };
+    // Up to a wave over four points, and not more than instruments show.
+    let mut all: Vec<(usize, f64, f64)> = (2..=(count / 4).min(500)).map(of).collect();
+    let largest = all.iter().fold(0.0f64, |size, h| size.max(h.1));
+    all.retain(|h| h.1 > ROUND.max(LISTED * largest));
+    let mut listed = all.clone();
+    listed.sort_by(|a, b| b.1.total_cmp(&a.1));
+    listed.truncate(MOST_LISTED);
+    listed.sort_by_key(|h| h.0);
+    let line = |(m, amplitude, crest): (usize, f64, f64)| {
+        format!("{m:>3} a turn: {:>9.4}, crest at {:>6.1}", MICRO.shown(amplitude), ANGLE.shown(crest))
+    };
+    let entry = |(m, amplitude, crest): (usize, f64, f64)| {
+        Datum::record([
+            ("undulations", m.into()),
+            ("amplitude", Datum::of(MICRO, amplitude)),
+            ("crest", Datum::of(ANGLE, crest)),
+        ])
+    };
+    Figure::new("harmonics", "waves, amplitude")
+        .lines(all.is_empty().then(|| "none: the bore is round".to_string()))
+        .lines(listed.into_iter().map(line))
+        .entry("list", Datum::List(all.into_iter().map(entry).collect()))
+}
+
+/// The ring before it is bored, at standstill.
+fn clamping(machine: &Machine, forward: &Forward) -> Result<Figure, Failure> {
+    let mut rows = forward.programme.clone();
+    rows.columns[STATE].fill(CLAMPED);
+    let deviations = forward::absolute(machine, forward, &rows)?;
+    let (peak, valley) = peak_and_valley(&circle::form(&rows.columns[ANGLE_OF_ROW], &deviations));
+    let (form, mean) = (peak + valley, mean(&deviations));
+    let (form_shown, mean_shown) = (MICRO.shown(form), MICRO.shown(mean));
+    Ok(Figure::new("clamped", "clamped, not yet bored")
+        .line(format!("{form_shown:.3} peak to valley, {mean_shown:+.3} of the radius"))
+        .quantity("RONt", MICRO, form)
+        .quantity("mean", MICRO, mean))
+}
+
+fn force(machine: &Machine) -> Figure {
+    let (standing, boring, let_go) = (machine.setup.jaw_force, machine.boring_force(), machine.let_go());
+    let each = format!("{:.1} each", FORCE.shown(standing));
+    let figure = Figure::new("jaw_force", "jaw force")
+        .quantity("standstill", FORCE, standing)
+        .quantity("boring", FORCE, boring)
+        .quantity("let_go", SPINDLE_SPEED, let_go);
+    if !let_go.is_finite() {
+        return figure.line(each);
+    }
+    let (boring, let_go) = (FORCE.shown(boring), SPINDLE_SPEED.shown(let_go));
+    figure.line(format!("{each} at standstill, {boring:.1} while boring; let go above {let_go:.0}"))
+}
+
+fn stress(scene: &shapes::Scene) -> Figure {
+    let (stress, angle) = scene.largest_stress();
+    let (shown, at) = (STRESS.shown(stress), ANGLE.shown(angle));
+    Figure::new("stress", "stress on the bore")
+        .line(format!("up to {shown:.2} (von Mises) at {at:.1}, clamped at standstill"))
+        .quantity("value", STRESS, stress)
+        .quantity("angle", ANGLE, angle)
+}
+
+fn warnings(machine: &Machine) -> Vec<String> {
+    let setup = &machine.setup;
+    let mut warnings = Vec::new();
+    if setup.jaw_force > 0.0 && machine.boring_force() == 0.0 {
+        let [speed, let_go] = [setup.speed(), machine.let_go()].map(|s| SPINDLE_SPEED.shown(s));
+        warnings.push(format!("at {speed:.0} the jaws no longer press: above {let_go:.0} the ring is let go"));
+    }
+    warnings.extend(stiffened(setup).filter(|by| *by > STIFFENED).map(|by| {
+        let percent = 100.0 * by;
+        format!(
+            "elements of order 1 are some {percent:.0} % too stiff in bending here: take order = 2, or shorter ones"
+        )
+    }));
+    warnings
+}
+
+/// Part by which elements of first order are too stiff in bending, for they shear where they should bend:
+/// (1 − ν)/2·(ℓ/t)² with their length ℓ around the ring and its wall t, however many lie across it. `None`
+/// where none are used.
+fn stiffened(setup: &Setup) -> Option<f64> {
+    let Body::Cells(MeshSize { circumferential, order: 1, .. }) = setup.body else { return None };
+    let (outer, inner) = (setup.outer_radius, setup.inner_radius);
+    let length = TAU * 0.5 * (outer + inner) / circumferential as f64;
+    Some(0.5 * (1.0 - setup.material.poisson_ratio) * (length / (outer - inner)).powi(2))
+}

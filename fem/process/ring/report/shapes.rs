@@ -1,0 +1,169 @@
+//! The ring in space: clamped, bored, released.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use super::super::forward;
+use super::super::jaws::Jaw;
+use super::super::machine::Machine;
+use super::super::response::unsolvable;
+use super::super::rows;
+use super::super::setup::{Body, Setup};
+use crate::element::plane::{Elasticity, PlaneState, STRAINS};
+use crate::mesh::{BORE, Mesh};
+use crate::process::{Animation, Cell, Failure, Field, Forward, Frame, Grid};
+use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
+use crate::solve::ring::{ContactArc, add_jaws};
+
+/// Steps of the clamping, of the cut and of the release: a run takes as long as writing them, 1.4 MB each on
+/// the usual mesh.
+const STEPS: usize = 3;
+
+/// The solved ring, as far as a run shows it.
+pub struct Scene {
+    setup: Arc<Setup>,
+    mesh: Arc<Mesh>,
+    jaws: Vec<Jaw>,
+    /// Displacements under the jaws at standstill, m. (nodes, 2)
+    displacements: Vec<[f64; 2]>,
+    /// (σxx, σyy, σxy) at the nodes, Pa.
+    stresses: Vec<[f64; STRAINS]>,
+    /// Change of the bore's radius by the cut at each node's angle, m: the deviation of the released ring.
+    cut: Vec<f64>,
+    /// Force of the jaws while boring, as a part of that at standstill.
+    while_boring: f64,
+}
+
+impl Scene {
+    /// Solves the ring under the jaws at standstill, as they stand and press.
+    ///
+    /// # Errors
+    /// The ring cannot be computed.
+    pub fn new(machine: &Machine, forward: &Forward) -> Result<Self, Failure> {
+        let (setup, jaws) = (machine.setup.clone(), machine.jaws()?);
+        let material = &setup.material;
+        let (e, nu) = (material.youngs_modulus, material.poisson_ratio);
+        let law = Elasticity::new(PlaneState::Stress, e, nu, material.expansion, setup.width).map_err(unsolvable)?;
+        let (mesh, loads) = pressed(&setup, &jaws)?;
+        let system = ElasticSystem::free(&*mesh, law).map_err(unsolvable)?;
+        let mut displacements = system.solve(&loads).map_err(unsolvable)?.nodes;
+        drop(system);
+        centre(&mesh, &mut displacements);
+        let stresses = nodal_stresses(&mesh, &law, &displacements, &[]);
+        let angles = mesh.nodes().iter().map(|node| angle_of(*node)).collect();
+        let cut = forward::absolute(machine, forward, &rows::released(&setup, angles))?;
+        let while_boring = if setup.jaw_force > 0.0 { machine.boring_force() / setup.jaw_force } else { 0.0 };
+        Ok(Self { setup, mesh, jaws, displacements, stresses, cut, while_boring })
+    }
+
+    /// Largest equivalent stress on the bore under the jaws at standstill, Pa, and where, rad. Under a line
+    /// load the stress at the jaw itself has no bound.
+    pub fn largest_stress(&self) -> (f64, f64) {
+        let on_bore = self.mesh.nodes_on(BORE).unwrap_or_default();
+        let of = |node: u32| (equivalent(self.stresses[node as usize]), angle_of(self.mesh.nodes()[node as usize]));
+        on_bore.into_iter().map(of).fold((0.0, 0.0), |a, b| if b.0 > a.0 * (1.0 + 1e-9) { b } else { a })
+    }
+
+    /// Clamped, then bored, then released; time 1, 2 and 3 are when each is done.
+    ///
+    /// Points are the nodes of the mesh, then the middles of the jaws. Displacement is that of the ring as
+    /// it was before clamping; the cut shows as displacement of the bore that fades towards the outside.
+    pub fn animation(self) -> Animation {
+        Animation { name: "ring", frames: 1 + 3 * STEPS, frame: Box::new(move |i| self.frame(i)) }
+    }
+
+    /// Force of the jaws over that at standstill, and part of the cut that is done.
+    fn state(&self, time: f64) -> (f64, f64) {
+        if time <= 1.0 {
+            (time, 0.0)
+        } else if time <= 2.0 {
+            // The chuck turns, where its jaws lighten.
+            (1.0 + (self.while_boring - 1.0) * (time - 1.0), time - 1.0)
+        } else {
+            (self.while_boring * (3.0 - time), 1.0)
+        }
+    }
+
+    fn frame(&self, i: usize) -> Frame {
+        let time = i as f64 / STEPS as f64;
+        let ((clamped, bored), setup) = (self.state(time), &self.setup);
+        let mut grid = Grid::default();
+        let mut force = vec![[0.0; 3]; self.mesh.nodes().len()];
+        let (mut displacement, mut stress, mut single) = (Vec::new(), Vec::new(), Vec::new());
+        for (node, &[x, y]) in self.mesh.nodes().iter().enumerate() {
+            let r = x.hypot(y);
+            let depth = ((setup.outer_radius - r) / (setup.outer_radius - setup.inner_radius)).max(0.0);
+            let cut = bored * self.cut[node] * depth / r;
+            let [u, v] = self.displacements[node];
+            let [xx, yy, xy] = self.stresses[node].map(|s| clamped * s);
+            grid.points.push([x, y, 0.0]);
+            displacement.push([clamped * u + cut * x, clamped * v + cut * y, 0.0]);
+            stress.extend([xx, yy, 0.0, xy, 0.0, 0.0]);
+            single.push(equivalent([xx, yy, xy]));
+        }
+        for element in self.mesh.elements() {
+            grid.push(Cell::of(element.kind), element.nodes);
+        }
+        for jaw in &self.jaws {
+            let (sine, cosine) = jaw.angle.sin_cos();
+            let push = clamped * jaw.share * setup.jaw_force;
+            grid.push(Cell::Vertex, &[grid.points.len() as u32]);
+            grid.points.push([setup.outer_radius * cosine, setup.outer_radius * sine, 0.0]);
+            force.push([-push * cosine, -push * sine, 0.0]);
+        }
+        // Jaws stand still and bear no stress.
+        displacement.resize(grid.points.len(), [0.0; 3]);
+        stress.resize(6 * grid.points.len(), 0.0);
+        single.resize(grid.points.len(), 0.0);
+        grid.point_fields = vec![
+            Field::vector("displacement", displacement),
+            Field::vector("force", force),
+            Field { name: "stress".into(), components: 6, values: stress },
+            Field::scalar("equivalent_stress", single),
+        ];
+        Frame { time, grid }
+    }
+}
+
+/// The mesh, and on it the jaws at standstill.
+fn pressed(setup: &Setup, jaws: &[Jaw]) -> Result<(Arc<Mesh>, Loads), Failure> {
+    match &setup.body {
+        Body::Drawn(drawn) => {
+            let mut loads = Loads::none(&drawn.mesh);
+            drawn.press(&mut loads, jaws, setup.jaw_force)?;
+            Ok((drawn.mesh.clone(), loads))
+        }
+        Body::Cells(size) => {
+            let mesh = size.mesh(setup.outer_radius, setup.inner_radius)?;
+            let pushes: Vec<ContactArc> = jaws.iter().map(|jaw| jaw.load(setup.jaw_force)).collect();
+            let mut loads = Loads::none(&mesh);
+            add_jaws(&mut loads, &mesh, &pushes).map_err(unsolvable)?;
+            Ok((Arc::new(mesh), loads))
+        }
+    }
+}
+
+/// Takes the rigid motion out, by which the body happened to be held: the mean displacement and turn of the
+/// nodes.
+fn centre(mesh: &Mesh, displacements: &mut [[f64; 2]]) {
+    let count = displacements.len() as f64;
+    let mean = [0, 1].map(|axis| displacements.iter().map(|u| u[axis]).sum::<f64>() / count);
+    let (mut turn, mut inertia) = (0.0, 0.0);
+    for ([x, y], [u, v]) in mesh.nodes().iter().zip(&*displacements) {
+        turn += x * (v - mean[1]) - y * (u - mean[0]);
+        inertia += x * x + y * y;
+    }
+    for ([x, y], u) in mesh.nodes().iter().zip(displacements) {
+        *u = [u[0] - mean[0] + turn / inertia * y, u[1] - mean[1] - turn / inertia * x];
+    }
+}
+
+/// Polar angle, rad from 0 on.
+fn angle_of([x, y]: [f64; 2]) -> f64 {
+    y.atan2(x).rem_euclid(TAU)
+}
+
+/// Equivalent stress of plane stress by von Mises, Pa.
+fn equivalent([x, y, shear]: [f64; STRAINS]) -> f64 {
+    (x * x - x * y + y * y + 3.0 * shear * shear).sqrt()
+}

@@ -1,0 +1,157 @@
+//! Deviations of the bore as they are measured: where around which set-up, in which state, and how it was
+//! clamped and bored.
+
+use std::collections::HashMap;
+
+use super::circle::{self, evenly};
+use super::setup::{Reference, Setup};
+use crate::process::{
+    Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
+};
+use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
+
+/// The radial deviation of the bore, positive outwards.
+pub const OBSERVABLES: &[Observable] = &[Observable { name: "deviation", words: "the bore", kind: MICRO }];
+
+/// Positions in [`COORDINATES`]: the angle from jaw 1.
+pub const ANGLE_OF_ROW: usize = 0;
+/// Released or clamped.
+pub const STATE: usize = 1;
+/// Force of each jaw.
+pub const JAW_FORCE: usize = 2;
+/// Speed while boring.
+pub const SPEED: usize = 3;
+/// Deviation of the bore before boring.
+pub const BLANK: usize = 4;
+/// Number of the set-up.
+pub const RUN: usize = 5;
+/// Angle of the ring's mark.
+pub const ORIENTATION: usize = 6;
+
+/// In the order of their positions.
+pub const COORDINATES: &[Coordinate] = &[
+    coordinate("angle", "from jaw 1", Holds::Quantity(ANGLE), Absent::Refused),
+    coordinate("state", "bored and released, or clamped and not yet bored", Holds::Word(STATES), Absent::Value(0.0)),
+    coordinate("jaw_force", "force of each jaw", Holds::Quantity(FORCE), Absent::Model),
+    coordinate("spindle_speed", "spindle speed while boring", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
+    coordinate("blank", "radial deviation before boring", Holds::Quantity(MICRO), Absent::Value(0.0)),
+    coordinate("run", "number of the set-up", Holds::Number(1), Absent::Value(1.0)),
+    coordinate("orientation", "the ring's mark from jaw 1", Holds::Quantity(ANGLE), Absent::Value(0.0)),
+];
+const STATES: &[&str] = &["released", "clamped"];
+/// Position in [`STATES`].
+pub const CLAMPED: f64 = 1.0;
+
+const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {
+    Coordinate { name, about, holds, absent, repeats: false }
+}
+
+/// Rows that no chuck can give.
+pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
+    let check = |row: usize| {
+        let below = |column: &usize| rows.get(*column, row).is_some_and(|v| v < 0.0);
+        let coordinate = [JAW_FORCE, SPEED].into_iter().find(below)?;
+        let message = format!("`{}` is below zero", COORDINATES[coordinate].name);
+        Some(Misplaced { row, coordinate, message })
+    };
+    (0..rows.len()).filter_map(check).collect()
+}
+
+/// The released bore at some angles (rad) in a set-up of the model's own conditions, from a true blank.
+fn set_up(setup: &Setup, run: f64, angles: Vec<f64>) -> Rows {
+    let mut columns = vec![vec![0.0; angles.len()]; COORDINATES.len()];
+    for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (RUN, run)] {
+        columns[column].fill(value);
+    }
+    let observable = vec![0; angles.len()];
+    columns[ANGLE_OF_ROW] = angles;
+    Rows { columns, observable }
+}
+
+/// The released bore of the model's own ring at some angles, rad.
+pub fn released(setup: &Setup, angles: Vec<f64>) -> Rows {
+    let blank = angles.iter().map(|angle| setup.blank_at(*angle)).collect();
+    let mut rows = set_up(setup, 1.0, angles);
+    rows.columns[BLANK] = blank;
+    rows
+}
+
+/// The model's own programme: the released bore all around, in one set-up.
+pub fn programme(setup: &Setup) -> Rows {
+    released(setup, evenly(setup.points))
+}
+
+/// Rows with force and speed of the model where they have none of their own.
+pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+    let mut resolved = rows.clone();
+    for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed())] {
+        resolved.columns[column].iter_mut().filter(|v| v.is_nan()).for_each(|v| *v = value);
+    }
+    resolved
+}
+
+/// On the bore, set-up by set-up; a deviation is radial.
+pub fn places(setup: &Setup, rows: &Rows) -> Places {
+    let angle = |row| rows.get(ANGLE_OF_ROW, row).unwrap_or(0.0);
+    let direction = |row: usize| [angle(row).cos(), angle(row).sin(), 0.0];
+    let mut frames = vec![0.0; rows.len()];
+    for (i, set_up) in set_ups(rows).iter().enumerate() {
+        set_up.iter().for_each(|row| frames[*row] = 1.0 + i as f64);
+    }
+    Places {
+        points: (0..rows.len()).map(|row| direction(row).map(|d| d * setup.inner_radius)).collect(),
+        directions: (0..rows.len()).map(direction).collect(),
+        along: (0..rows.len()).map(angle).collect(),
+        references: vec![0.0; rows.len()],
+        frames,
+    }
+}
+
+/// The rows of each set-up: equal run, state, jaw force and spindle speed.
+fn set_ups(rows: &Rows) -> Vec<Vec<usize>> {
+    let mut numbers: HashMap<[u64; 4], usize> = HashMap::new();
+    let mut set_ups: Vec<Vec<usize>> = Vec::new();
+    for row in 0..rows.len() {
+        let key = [RUN, STATE, JAW_FORCE, SPEED].map(|column| rows.columns[column][row].to_bits());
+        let number = *numbers.entry(key).or_insert(set_ups.len());
+        if number == set_ups.len() {
+            set_ups.push(Vec::new());
+        }
+        set_ups[number].push(row);
+    }
+    set_ups
+}
+
+/// Least-squares circle of every set-up, where deviations are measured from it.
+pub fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
+    match setup.reference {
+        Reference::LeastSquaresCircle => {
+            set_ups(rows).iter().flat_map(|own| circle::directions(own, &rows.columns[ANGLE_OF_ROW])).collect()
+        }
+        Reference::Absolute => Vec::new(),
+    }
+}
+
+/// Further experiments: another force or speed, a ring turned in the chuck, an oval blank, the clamped ring.
+pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+    let next = 1.0 + (0..rows.len()).filter_map(|row| rows.get(RUN, row)).fold(0.0, f64::max);
+    let angles: Vec<f64> = (0..36).map(|i| f64::from(10 * i).to_radians()).collect();
+    let experiment = |words: &str, column: usize, value: &dyn Fn(f64) -> f64| {
+        let mut rows = set_up(setup, next, angles.clone());
+        rows.columns[column] = angles.iter().map(|angle| value(*angle)).collect();
+        let mut values = rows.columns[column].clone();
+        values.sort_unstable_by(f64::total_cmp);
+        values.dedup();
+        CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name, values, rows }
+    };
+    let mut experiments = vec![
+        experiment("bore another ring at half the jaw force", JAW_FORCE, &|_| 0.5 * setup.jaw_force),
+        experiment("turn the ring by 45 deg in the chuck and bore it again", ORIENTATION, &|_| 45f64.to_radians()),
+        experiment("bore a ring whose bore is oval by 100 um before", BLANK, &|angle| 5e-5 * (2.0 * angle).cos()),
+        experiment("measure the ring clamped, before it is bored", STATE, &|_| CLAMPED),
+    ];
+    if setup.speed() > 0.0 {
+        experiments.push(experiment("bore another ring at half the spindle speed", SPEED, &|_| 0.5 * setup.speed()));
+    }
+    experiments
+}

@@ -1,0 +1,248 @@
+//! The tables of a ring model.
+
+use std::sync::Arc;
+
+use super::circle::evenly;
+use super::drawn::{Drawn, Held};
+use super::response::{MeshSize, Proportions, Response};
+use crate::input::{Cache, Reader};
+use crate::material::Material;
+use crate::mesh::Mesh;
+use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
+
+/// Most elements: more than any ring needs, some seconds and a gigabyte.
+const MOST_ELEMENTS: usize = 150_000;
+/// Elements from jaw to jaw, at least.
+const LEAST_PER_JAW: usize = 8;
+
+/// The ring as plane elements.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// Equal cells between two circles.
+    Cells(MeshSize),
+    /// A mesh from a file.
+    Drawn(Arc<Drawn>),
+}
+
+/// The circle that deviations are measured from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reference {
+    /// The least-squares circle of each set-up, as roundness instruments do.
+    LeastSquaresCircle,
+    /// The circle of the set radius about the chuck's axis.
+    Absolute,
+}
+
+/// A wave of the bore before boring: amplitude·cos lobes·(θ − phase).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe {
+    /// Waves around.
+    pub lobes: usize,
+    /// Half of peak to valley, m.
+    pub amplitude: f64,
+    /// Angle of a crest, rad.
+    pub phase: f64,
+}
+
+/// Everything a ring model says but its effects. SI units.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Material of the ring.
+    pub material: Material,
+    /// Ro, m.
+    pub outer_radius: f64,
+    /// Ri, m.
+    pub inner_radius: f64,
+    /// b, m.
+    pub width: f64,
+    /// The bore before boring in the model's own programme; measured rows have their own.
+    pub blank: Vec<Lobe>,
+    /// Angles at which the jaws stand, rad; evenly spaced from 0 unless a mesh says otherwise.
+    pub jaw_angles: Vec<f64>,
+    /// Full angle over which each jaw presses, rad; 0 for a line load.
+    pub arc: f64,
+    /// Force of each jaw at standstill, N.
+    pub jaw_force: f64,
+    /// Spindle speed while boring, rad/s.
+    pub spindle_speed: Option<f64>,
+    /// C, the radial force per depth of cut, N/m.
+    pub force_per_depth: Option<f64>,
+    /// Elements.
+    pub body: Body,
+    /// Rings of equal cells that were solved for this model, at any values of what it does not know.
+    pub responses: Arc<Cache<Proportions, Response, 16>>,
+    /// Circle that deviations are measured from.
+    pub reference: Reference,
+    /// Evenly spaced angles at which the bore is predicted.
+    pub points: usize,
+}
+
+impl Reference {
+    /// The words of the model file, the default first.
+    pub const WORDS: &[(&'static str, Self)] =
+        &[("least-squares-circle", Self::LeastSquaresCircle), ("absolute", Self::Absolute)];
+}
+
+impl Setup {
+    /// Reads every table of a ring model but `[effects]`.
+    pub fn read(model: &Reader) -> Self {
+        let is_drawn = model.has_in("mesh", "file");
+        let (material, radii, width, blank) = model.table("workpiece", "the ring", |t| {
+            let material = Material::read(t, "material");
+            let radii = read_radii(t, is_drawn);
+            let width = t.quantity("width", LENGTH, "width of the ring, along its axis").positive().required();
+            let blank = t.list("blank", "waves of the bore before boring, which copying copies", |t, _| Lobe {
+                lobes: t.count("lobes", "waves around the bore").between(2, 1000).required(),
+                amplitude: t.quantity("amplitude", MICRO, "half of peak to valley").required(),
+                phase: t.quantity("phase", ANGLE, "where a crest stands").or(0.0),
+            });
+            (material, radii, width, blank)
+        });
+        let (jaws, jaw_force) = model.table("chuck", "the chuck that holds the ring by its outside", |t| {
+            let jaws = t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
+            (jaws, t.quantity("jaw_force", FORCE, "radial force of each jaw").not_negative().required())
+        });
+        let cut = model.optional_table("cut", "how the bore is cut", |t| {
+            let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while boring").not_negative();
+            let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
+            (speed.optional(), force.positive().optional())
+        });
+        let (spindle_speed, force_per_depth) = cut.unwrap_or_default();
+        let body = read_body(model, jaws, radii);
+        let (reference, points) = read_measurement(model);
+        let ([outer_radius, inner_radius], jaw_angles, arc) = match &body {
+            Body::Cells(_) => (radii.map(Option::unwrap_or_default), evenly(jaws), 0.0),
+            Body::Drawn(drawn) => ([drawn.outer_radius, drawn.inner_radius], drawn.jaws.clone(), drawn.arc),
+        };
+        Self {
+            material,
+            outer_radius,
+            inner_radius,
+            width,
+            blank,
+            jaw_angles,
+            arc,
+            jaw_force,
+            spindle_speed,
+            force_per_depth,
+            body,
+            responses: model.kept(),
+            reference,
+            points,
+        }
+    }
+
+    /// Spindle speed while boring, rad/s; 0 where the model says none.
+    pub fn speed(&self) -> f64 {
+        self.spindle_speed.unwrap_or(0.0)
+    }
+
+    /// Radial deviation of the model's own bore before boring, m.
+    pub fn blank_at(&self, angle: f64) -> f64 {
+        self.blank.iter().map(|l| l.amplitude * (l.lobes as f64 * (angle - l.phase)).cos()).sum()
+    }
+}
+
+/// Outer and inner radius, m; a mesh from a file has its own.
+fn read_radii(t: &Reader, is_drawn: bool) -> [Option<f64>; 2] {
+    let read = |key, about| {
+        let field = t.quantity(key, LENGTH, about).positive();
+        match is_drawn || t.is_described() {
+            true => field.optional(),
+            false => Some(field.required()),
+        }
+    };
+    let outer = read("outer_diameter", "outer diameter; a mesh from a file has its own");
+    let inner = read("inner_diameter", "diameter of the bore; a mesh from a file has its own");
+    if let (Some(outer), Some(inner)) = (outer, inner)
+        && inner >= outer
+    {
+        let help = format!("it must be below the outer diameter of {}", LENGTH.told(outer));
+        t.problem("inner_diameter", "the bore is as wide as the ring", help);
+    }
+    for key in ["outer_diameter", "inner_diameter"] {
+        if is_drawn && t.is_uncertain(key) {
+            t.problem(key, "the mesh from a file has this diameter for certain", "leave it out, or the file");
+        }
+    }
+    [outer, inner].map(|diameter| diameter.map(|d| 0.5 * d))
+}
+
+fn read_body(model: &Reader, jaws: usize, radii: [Option<f64>; 2]) -> Body {
+    let usual = MeshSize { circumferential: 360.max(LEAST_PER_JAW * jaws), radial: usual_radial(radii), order: 2 };
+    let read = |t: &Reader| {
+        let size = read_cells(t, jaws, usual.radial);
+        match Mesh::read(t) {
+            Some(mesh) => read_drawn(t, mesh, jaws, radii).map_or(Body::Cells(size), Body::Drawn),
+            None => Body::Cells(size),
+        }
+    };
+    model.optional_table("mesh", "the ring as plane elements", read).unwrap_or(Body::Cells(usual))
+}
+
+/// Elements across the wall: six, and more where the bore is so small that stresses change much within a
+/// sixth of the wall.
+fn usual_radial(radii: [Option<f64>; 2]) -> usize {
+    const PER_BORE_RADIUS: f64 = 3.0;
+    let [Some(outer), Some(inner)] = radii else { return 6 };
+    let cells = PER_BORE_RADIUS * (outer - inner) / inner;
+    if cells.is_finite() { (cells.ceil() as usize).clamp(6, 100) } else { 6 }
+}
+
+/// The ring of a mesh from a file, if that is one.
+fn read_drawn(t: &Reader, mesh: Arc<Mesh>, jaws: usize, radii: [Option<f64>; 2]) -> Option<Arc<Drawn>> {
+    if let Some(key) = ["circumferential", "radial", "order"].into_iter().find(|key| t.has(key)) {
+        let message = format!("`{key}` is of a mesh of equal cells, and `file` names another");
+        t.problem(key, message, "leave one of them out");
+    }
+    if mesh.element_count() > MOST_ELEMENTS {
+        t.problem("file", format!("the mesh has more than {MOST_ELEMENTS} elements"), "a coarser mesh is as good");
+        return None;
+    }
+    let known = t.kept::<Cache<Held, Drawn, 4>>();
+    let drawn = known.get_or(Held { mesh, jaws }, |held| Drawn::new(&held.mesh, jaws)).map_err(|message| {
+        let help = "a ring has its centre at the origin, the sides `bore`, and jaws `jaw-1`, `jaw-2` … on a circle";
+        t.problem("file", format!("the mesh is no ring in {jaws} jaws: {message}"), help);
+    });
+    let drawn = drawn.ok()?;
+    for (given, drawn, what) in [(radii[0], drawn.outer_radius, "outer"), (radii[1], drawn.inner_radius, "inner")] {
+        if let Some(given) = given.filter(|given| (given / drawn - 1.0).abs() > 1e-3) {
+            let (given, drawn) = (LENGTH.shown(2.0 * given), LENGTH.shown(2.0 * drawn));
+            let message = format!("the mesh has an {what} diameter of {drawn:.4}, [workpiece] one of {given:.4}");
+            t.problem("file", message, "leave the diameter out, or say in which `unit` the mesh is");
+        }
+    }
+    Some(drawn)
+}
+
+fn read_cells(t: &Reader, jaws: usize, radial: usize) -> MeshSize {
+    let size = MeshSize {
+        circumferential: t.count("circumferential", "elements around").between(16, 100_000).or(360),
+        radial: t.count("radial", "elements across the wall").between(1, 1000).or(radial),
+        order: t.count("order", "1 for 4-node, 2 for 8-node quadrilaterals").between(1, 2).or(2),
+    };
+    let elements = size.circumferential * size.radial;
+    if elements > MOST_ELEMENTS {
+        let message = format!("{} by {} elements are more than {MOST_ELEMENTS}", size.circumferential, size.radial);
+        t.problem("circumferential", message, "360 around and 6 across are good to a part in ten thousand");
+    }
+    if size.circumferential < LEAST_PER_JAW * jaws {
+        let message = format!("{} elements around are too few for {jaws} jaws", size.circumferential);
+        let least = LEAST_PER_JAW * jaws;
+        t.problem("circumferential", message, format!("take at least {least}: {LEAST_PER_JAW} from jaw to jaw"));
+    }
+    size
+}
+
+fn read_measurement(model: &Reader) -> (Reference, usize) {
+    let usual = (Reference::LeastSquaresCircle, 360);
+    let read = |t: &Reader| {
+        let about = "what deviations are measured from";
+        let reference = t.choice("reference", about, Reference::WORDS).or_first(usual.0);
+        (
+            reference,
+            t.count("points", "evenly spaced angles at which the bore is predicted").between(8, 100_000).or(usual.1),
+        )
+    };
+    model.optional_table("measurement", "how the bore is measured", read).unwrap_or(usual)
+}

@@ -1,0 +1,10 @@
+//! What every row would show.
+
+use super::curve::Curve;
+use super::rows::{FORCE_OF_ROW, branch};
+use crate::process::Rows;
+
+/// The displacement of every row, m.
+pub fn observe(curve: &Curve, rows: &Rows) -> Vec<f64> {
+    (0..rows.len()).map(|row| curve.displacement(rows.columns[FORCE_OF_ROW][row], branch(rows, row))).collect()
+}

@@ -1,0 +1,96 @@
+//! Displacements as they are measured: under which force, and on which branch.
+
+use super::curve::Branch;
+use super::setup::Setup;
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Rows};
+use crate::units::{FORCE, MICRO};
+
+/// The displacement by which the joint gives way.
+pub const OBSERVABLES: &[Observable] = &[Observable { name: "displacement", words: "the displacement", kind: MICRO }];
+
+/// Positions in [`COORDINATES`]: the force.
+pub const FORCE_OF_ROW: usize = 0;
+/// Loading or unloading.
+pub const BRANCH: usize = 1;
+
+/// In the order of their positions.
+pub const COORDINATES: &[Coordinate] = &[
+    Coordinate {
+        name: "force",
+        about: "force on the joint",
+        holds: Holds::Quantity(FORCE),
+        absent: Absent::Refused,
+        repeats: false,
+    },
+    Coordinate {
+        name: "branch",
+        about: "whether the force rises from nothing or falls from the largest",
+        holds: Holds::Word(&["load", "unload"]),
+        absent: Absent::Value(0.0),
+        repeats: false,
+    },
+];
+
+/// The branch of a row.
+pub fn branch(rows: &Rows, row: usize) -> Branch {
+    if rows.columns[BRANCH][row] == Branch::Unload.word() { Branch::Unload } else { Branch::Load }
+}
+
+/// Rows under forces that the test does not reach.
+pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+    let check = |row: usize| {
+        let force = rows.get(FORCE_OF_ROW, row)?;
+        let message = match force {
+            f if f < 0.0 => "`force` is below zero".to_string(),
+            f if f > setup.max_force * (1.0 + 1e-9) => {
+                let [force, most] = [f, setup.max_force].map(|f| FORCE.shown(f));
+                format!("{force} is beyond the test, which ends at max_force = {most}")
+            }
+            _ => return None,
+        };
+        Some(Misplaced { row, coordinate: FORCE_OF_ROW, message })
+    };
+    (0..rows.len()).filter_map(check).collect()
+}
+
+/// Rows of one branch.
+pub fn along(forces: Vec<f64>, branch: Branch) -> Rows {
+    let count = forces.len();
+    Rows { columns: vec![forces, vec![branch.word(); count]], observable: vec![0; count] }
+}
+
+/// Rows of loading and then of unloading.
+fn up_and_down(forces: &[f64]) -> Rows {
+    along(forces.to_vec(), Branch::Load).and(&along(forces.iter().rev().copied().collect(), Branch::Unload))
+}
+
+/// The model's own programme: up, and down again.
+pub fn programme(setup: &Setup) -> Rows {
+    up_and_down(&setup.forces())
+}
+
+/// Further experiments: small forces finely, the whole loop finely, the other branch.
+pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+    let part = |to: f64, count: usize| -> Vec<f64> {
+        (1..=count).map(|i| setup.max_force * (to * i as f64 / count as f64)).collect()
+    };
+    let experiment = |words: String, coordinate: usize, values, rows| {
+        let coordinate = COORDINATES[coordinate].name;
+        CandidateExperiment { words, coordinate, values, rows }
+    };
+    let (fine, whole) = (part(0.1, 20), part(1.0, 50));
+    let [step, end] = [0.005, 0.1].map(|part| FORCE.shown(part * setup.max_force));
+    let words = format!("load once more in steps of {step:.1} up to {end:.0}");
+    let again = "load and unload once more in steps of a fiftieth of the largest force".to_string();
+    let mut experiments = vec![
+        experiment(words, FORCE_OF_ROW, fine.clone(), along(fine, Branch::Load)),
+        experiment(again, FORCE_OF_ROW, whole.clone(), up_and_down(&whole)),
+    ];
+    for (other, name) in [(Branch::Load, "loading"), (Branch::Unload, "unloading")] {
+        if (0..rows.len()).all(|row| branch(rows, row) != other) {
+            let words = format!("measure while {name}");
+            experiments.push(experiment(words, BRANCH, vec![other.word()], along(whole.clone(), other)));
+        }
+    }
+    experiments
+}

@@ -1,0 +1,105 @@
+//! The value that every row would show: the body through time, read at the places and times of the rows.
+
+use super::body::Body;
+use super::follow::{Followed, Look, Watch};
+use super::machine::Machine;
+use super::rows::{ELONGATION, TIME_OF_ROW, X, Y};
+use super::setup::Time;
+use super::{plate, rod};
+use crate::process::{Failure, Rows};
+use crate::solve::conduction::Run;
+use crate::solve::rod::lagged;
+use crate::units::TEMPERATURE_RISE;
+
+/// The elongation (m) or the temperature (K) of every row.
+///
+/// # Errors
+/// The body cannot be computed.
+pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+    let look = |row: usize| match rows.observable[row] {
+        ELONGATION => Look::Elongation,
+        _ => Look::Rise { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
+    };
+    let mut looks: Vec<Look> = Vec::new();
+    let position = |row: usize| {
+        let own = look(row);
+        looks.iter().position(|l| *l == own).unwrap_or_else(|| {
+            looks.push(own);
+            looks.len() - 1
+        })
+    };
+    let of_row: Vec<usize> = (0..rows.len()).map(position).collect();
+    let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
+    let run = Run { end, ..run(machine)? };
+    let Followed { mut track, .. } = follow(machine, &looks, &run, &mut |_, _| ())?;
+    for (look, values) in looks.iter().zip(&mut track.values) {
+        if machine.lag > 0.0 && *look != Look::Elongation {
+            *values = lagged(&track.times, values, machine.lag);
+        }
+    }
+    let one = |row: usize| {
+        let value = track.at(&track.values[of_row[row]], rows.columns[TIME_OF_ROW][row]);
+        if rows.observable[row] == ELONGATION { value } else { machine.setup.ambient + value }
+    };
+    Ok((0..rows.len()).map(one).collect())
+}
+
+/// Follows a body from the start to the end of a run.
+///
+/// # Errors
+/// It cannot be computed, or a place is not on it.
+pub fn follow(machine: &Machine, looks: &[Look], run: &Run, watch: Watch) -> Result<Followed, Failure> {
+    match &machine.setup.body {
+        Body::Rod(segments) => rod::follow(machine, segments, looks, run, watch),
+        Body::Plane(plane) => plate::follow(machine, plane, looks, run, watch),
+    }
+}
+
+/// The run of the model, in its own steps.
+///
+/// # Errors
+/// No step can be chosen.
+pub fn run(machine: &Machine) -> Result<Run, Failure> {
+    let Time { scheme, end, .. } = machine.setup.time;
+    Ok(Run { scheme, step: step(machine)?, end })
+}
+
+/// The longest step, s: that which the model gives, or one that is halved until what its own error changes
+/// with the next halving, by the order of the scheme, is no more than the model's tolerance at any time and
+/// place of the programme. It is chosen once, for the machine that is followed first: a fit sees the same
+/// steps at all its trial values.
+///
+/// # Errors
+/// The body cannot be computed, or no step is short enough.
+fn step(machine: &Machine) -> Result<f64, Failure> {
+    /// The first is this part of the run, the last the first halved so often.
+    const FIRST: f64 = 1.0 / 50.0;
+    const HALVINGS: i32 = 12;
+    let setup = &machine.setup;
+    if let Some(step) = setup.time.step {
+        return Ok(step);
+    }
+    let choose = || {
+        let looks: Vec<Look> = setup.places.iter().map(|x| Look::Rise { x: *x, y: None }).collect();
+        let Time { scheme, end, tolerance, .. } = setup.time;
+        let seen = |step: f64| -> Result<Vec<f64>, Failure> {
+            let Followed { track, .. } = follow(machine, &looks, &Run { scheme, step, end }, &mut |_, _| ())?;
+            Ok(setup.times.iter().flat_map(|t| track.values.iter().map(|v| track.at(v, *t))).collect())
+        };
+        let mut coarse = seen(FIRST * end)?;
+        for halved in 1..=HALVINGS {
+            let step = FIRST * end * 0.5f64.powi(halved);
+            let fine = seen(step)?;
+            let apart = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            if apart <= f64::from((1 << setup.time.order()) - 1) * tolerance {
+                return Ok(step);
+            }
+            coarse = fine;
+        }
+        Err(Failure {
+            message: format!("no time step leaves temperatures within {}", TEMPERATURE_RISE.told(tolerance)),
+            help: "give a larger tolerance in [time], another scheme, or the step itself".into(),
+        })
+    };
+    setup.chosen.get_or_init(choose).clone()
+}

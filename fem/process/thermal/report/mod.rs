@@ -1,0 +1,225 @@
+//! The report of a run: figures, the profile, plots, and the body in space.
+
+mod scene;
+
+use self::scene::{Hottest, Scene};
+use super::body::Body;
+use super::forward;
+use super::machine::Machine;
+use super::rows::{COORDINATES, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
+use super::setup::{Boundary, Condition, Setup};
+use crate::process::{Column, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
+use crate::solve::conduction::Energy;
+use crate::units::{ENERGY, HEAT, LENGTH, MICRO, SECONDS, TEMPERATURE, TEMPERATURE_RISE, TIME};
+
+/// 1 − 1/e: part that a first-order body has reached after its time constant.
+const REACHED: f64 = 1.0 - 1.0 / std::f64::consts::E;
+/// Errors above this part of the largest rise are warned of.
+const COARSE: f64 = 0.01;
+/// Above this Biot number a section is not at one temperature, and a rod no longer one-dimensional
+/// (Incropera, lumped capacitance).
+const LARGEST_BIOT: f64 = 0.1;
+
+/// Everything that a run reports.
+///
+/// # Errors
+/// The body cannot be computed.
+pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+    let (setup, rows, observed) = (&machine.setup, forward.programme, forward.prediction);
+    let scene = Scene::new(machine, forward)?;
+    let left = left_by_elements(machine, forward, scene.longest_step())?;
+    let mut figures = Vec::new();
+    figures.extend(scene.elongation.iter().flat_map(|values| growth(&scene.times, values)));
+    figures.extend(hottest(setup, &scene));
+    figures.extend(bow(&scene));
+    figures.push(energy(&scene.energy));
+    figures.push(steps(setup, &scene));
+    let text = format!("leave some {left:.1e} K, by what twice as long ones change");
+    let discretisation = Figure::new("discretisation", "elements and steps").line(text);
+    figures.push(discretisation.quantity("error", TEMPERATURE_RISE, left));
+    let mut warnings = warnings(machine, &scene);
+    let warmest = own(rows, TEMPERATURE_OF_ROW).map(|row| (observed[row] - setup.ambient).abs()).fold(0.0, f64::max);
+    if left > setup.time.tolerance.max(COARSE * warmest) {
+        warnings.push(format!(
+            "elements and steps leave errors of some {:.2}: take a smaller element_size in [mesh], and shorter steps",
+            TEMPERATURE_RISE.shown(left)
+        ));
+    }
+    Ok(RunReport {
+        profile: profile(setup, rows, observed),
+        figures,
+        plots: plots(rows, observed),
+        warnings,
+        animation: Some(scene.animation()),
+        ..RunReport::default()
+    })
+}
+
+/// The rows of an observable.
+fn own(rows: &Rows, observable: usize) -> impl Iterator<Item = usize> {
+    (0..rows.len()).filter(move |row| rows.observable[*row] == observable)
+}
+
+/// The error that elements and steps leave in the temperatures of the programme, K: what twice as long ones
+/// change, less what their own order leaves.
+fn left_by_elements(machine: &Machine, forward: &Forward, longest_step: f64) -> Result<f64, Failure> {
+    let (rows, fine) = (forward.programme, forward.prediction);
+    let mut coarse = forward::observe(&machine.coarser(2.0 * longest_step), rows)?;
+    forward.add_formulas(rows, &mut coarse);
+    let apart = own(rows, TEMPERATURE_OF_ROW).map(|row| (fine[row] - coarse[row]).abs()).fold(0.0, f64::max);
+    Ok(apart / f64::from((1 << machine.setup.time.order()) - 1))
+}
+
+/// A measurement file of its own: a record observes the elongation or a temperature, the other cell is empty.
+fn profile(setup: &Setup, rows: &Rows, observed: &[f64]) -> Table {
+    let coordinates = [TIME_OF_ROW, X].into_iter().chain(setup.body.plane().map(|_| Y));
+    let mut columns: Vec<Column> = coordinates.map(|i| Column::coordinate(&COORDINATES[i], &rows.columns[i])).collect();
+    let grows = rows.observable.contains(&ELONGATION).then_some(ELONGATION);
+    columns.extend([TEMPERATURE_OF_ROW].into_iter().chain(grows).map(|observable| {
+        let mut values = vec![f64::NAN; rows.len()];
+        own(rows, observable).for_each(|row| values[row] = observed[row]);
+        Column::quantities(OBSERVABLES[observable].name, OBSERVABLES[observable].kind, &values)
+    }));
+    Table { columns }
+}
+
+/// Largest growth at the end of a step, and the time at which 63 % of it were reached.
+fn growth(times: &[f64], values: &[f64]) -> Vec<Figure> {
+    // A formula may give no number at the start.
+    let finite = times.iter().zip(values).filter(|(_, value)| value.is_finite());
+    let (times, values): (Vec<f64>, Vec<f64>) = finite.unzip();
+    let most = first_extreme(&values, f64::gt);
+    let Some(&end) = values.last() else { return Vec::new() };
+    let value = values[most];
+    let [shown, at_end] = [value, end].map(|growth| MICRO.shown(growth));
+    let mut figures = vec![
+        Figure::new("largest", "largest elongation")
+            .line(format!("{shown:+.3} after {:.1}; {at_end:+.3} in the end", TIME.shown(times[most])))
+            .quantity("value", MICRO, value)
+            .quantity("at", TIME, times[most])
+            .quantity("end", MICRO, end),
+    ];
+    // Between two steps as on a straight line.
+    let share = REACHED * value;
+    let passed = (1..=most).find(|i| values[*i] >= share);
+    if let (true, Some(i)) = (share > 0.0, passed) {
+        let part = (share - values[i - 1]) / (values[i] - values[i - 1]);
+        let after = times[i - 1] + part * (times[i] - times[i - 1]);
+        let text = format!("reached after {:.1}", TIME.shown(after));
+        figures.push(Figure::new("reached", "63 % of it").line(text).quantity("value", TIME, after));
+    }
+    figures
+}
+
+/// The hottest of all nodes at all steps.
+fn hottest(setup: &Setup, scene: &Scene) -> Option<Figure> {
+    let Hottest { place: [x, y], rise, time } = scene.hottest?;
+    let temperature = setup.ambient + rise;
+    let height = if y.is_nan() { String::new() } else { format!(", y = {:.1}", LENGTH.shown(y)) };
+    let (shown, after) = (TEMPERATURE.shown(temperature), TIME.shown(time));
+    Some(
+        Figure::new("hottest", "hottest")
+            .line(format!("{shown:.2} at x = {:.1}{height}, after {after:.1}", LENGTH.shown(x)))
+            .quantity("value", TEMPERATURE, temperature)
+            .quantity("x", LENGTH, x)
+            .quantity("y", LENGTH, y)
+            .quantity("at", TIME, time),
+    )
+}
+
+fn bow(scene: &Scene) -> Option<Figure> {
+    let values = scene.bow.as_ref()?;
+    let sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
+    let most = first_extreme(&sizes, f64::gt);
+    let (value, at, end) = (values[most], scene.times[most], values[values.len() - 1]);
+    let [shown, at_end] = [value, end].map(|bow| MICRO.shown(bow));
+    Some(
+        Figure::new("bow", "bow, middle over ends")
+            .line(format!("{shown:+.3} at most, after {:.1}; {at_end:+.3} in the end", TIME.shown(at)))
+            .quantity("largest", MICRO, value)
+            .quantity("at", TIME, at)
+            .quantity("end", MICRO, end),
+    )
+}
+
+fn energy(energy: &Energy) -> Figure {
+    let held = match energy.prescribed == 0.0 {
+        true => String::new(),
+        false => format!(", {:.3} where the temperature is held", HEAT.shown(energy.prescribed)),
+    };
+    let [supplied, lost, stored] = [energy.supplied, energy.convected, energy.stored].map(|heat| HEAT.shown(heat));
+    let balance = energy.imbalance();
+    Figure::new("energy", "heat")
+        .line(format!("{supplied:.3} in{held}, {lost:.3} lost, {stored:.3} stored; balance to {:.0e}", balance.abs()))
+        .quantity("supplied", ENERGY, energy.supplied)
+        .quantity("prescribed", ENERGY, energy.prescribed)
+        .quantity("lost", ENERGY, energy.convected)
+        .quantity("stored", ENERGY, energy.stored)
+        .entry("imbalance", balance)
+}
+
+fn steps(setup: &Setup, scene: &Scene) -> Figure {
+    let (count, longest, scheme) = (scene.times.len() - 1, scene.longest_step(), setup.time.scheme_name());
+    let how = match setup.time.step {
+        Some(_) => "given".to_string(),
+        None => format!("chosen for {}", TEMPERATURE_RISE.told(setup.time.tolerance)),
+    };
+    Figure::new("steps", "time steps")
+        .line(format!("{count} of {scheme}, up to {:.3} ({how})", SECONDS.shown(longest)))
+        .entry("count", count)
+        .quantity("longest", SECONDS, longest)
+        .entry("scheme", scheme)
+}
+
+fn plots(rows: &Rows, observed: &[f64]) -> Vec<Plot> {
+    let plot = |title: String, observable: usize, is_shown: &dyn Fn(&usize) -> bool| {
+        let kind = OBSERVABLES[observable].kind;
+        let point = |row: usize| (TIME.from_si(rows.columns[TIME_OF_ROW][row]), kind.from_si(observed[row]));
+        let points = own(rows, observable).filter(is_shown).map(point).collect();
+        Plot { title, x_unit: TIME.unit, points }
+    };
+    let mut plots = Vec::new();
+    if rows.observable.contains(&ELONGATION) {
+        plots.push(plot("elongation [um] over time [min]".into(), ELONGATION, &|_| true));
+    }
+    let warm: Vec<usize> = own(rows, TEMPERATURE_OF_ROW).collect();
+    let temperatures: Vec<f64> = warm.iter().map(|row| observed[*row]).collect();
+    if let Some(hottest) = warm.get(first_extreme(&temperatures, f64::gt)) {
+        let x = rows.columns[X][*hottest];
+        let title = format!("temperature [degC] at x = {:.1} over time [min]", LENGTH.shown(x));
+        plots.push(plot(title, TEMPERATURE_OF_ROW, &|row| rows.columns[X][*row] == x));
+    }
+    plots
+}
+
+fn warnings(machine: &Machine, scene: &Scene) -> Vec<String> {
+    let setup = &machine.setup;
+    let mut warnings = Vec::new();
+    if let Body::Rod(segments) = &setup.body {
+        let thickest = segments.iter().fold(0.0f64, |m, s| m.max(s.section.diameter));
+        let biot = machine.convection * thickest / (4.0 * setup.material.conductivity);
+        if biot > LARGEST_BIOT {
+            warnings.push(format!(
+                "the Biot number is {biot:.2}: the rod is colder at its surface than inside, which one dimension does \
+                 not show"
+            ));
+        }
+    }
+    let loses = |edge: &Boundary| matches!(edge.condition, Condition::Convection { ambient: None, .. });
+    let felt = machine.convection > 0.0 || machine.base > 0.0 || setup.boundaries.iter().any(loses);
+    if !machine.drifts.is_empty() && !felt {
+        warnings.push("nothing loses heat to the surroundings: their drift is not felt".into());
+    }
+    for boundary in &setup.boundaries {
+        let Condition::Moving { speed, width, .. } = boundary.condition else { continue };
+        let part = (speed * scene.longest_step()).abs() / width;
+        if part > 0.5 {
+            warnings.push(format!(
+                "the strip on `{}` moves {part:.2} of its width in a step: take steps below {:.3}",
+                boundary.edge,
+                SECONDS.shown(0.5 * width / speed.abs())
+            ));
+        }
+    }
+    warnings
+}

@@ -1,0 +1,217 @@
+//! The body in space: warm, grown and bent, through time.
+
+use std::sync::Arc;
+
+use super::super::body::{Body, Plane};
+use super::super::follow::{Followed, Look, unsolvable};
+use super::super::forward::{follow, run};
+use super::super::machine::Machine;
+use super::super::rows::{TIME_OF_ROW, elongations, temperatures};
+use super::super::setup::Setup;
+use super::super::{plate, rod};
+use crate::element::plane::Elasticity;
+use crate::mesh::Mesh;
+use crate::process::{Animation, Cell, Failure, Field, Forward, Frame, Grid};
+use crate::solve::conduction::Energy;
+use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
+use crate::solve::rod::RodSystem;
+
+/// Frames of a run beside its start.
+const FRAMES: usize = 60;
+
+/// A run with all that is shown of it.
+pub struct Scene {
+    setup: Arc<Setup>,
+    shape: Shape,
+    pictures: Vec<Picture>,
+    /// Times of the start and of the end of every step, s.
+    pub times: Vec<f64>,
+    /// Growth from the base to the free end at these times, m, of a body that has them.
+    pub elongation: Option<Vec<f64>>,
+    /// Rise of the middle of a plane body over its ends at these times, m.
+    pub bow: Option<Vec<f64>>,
+    /// The hottest node at any of these times.
+    pub hottest: Option<Hottest>,
+    /// Where the heat went.
+    pub energy: Energy,
+}
+
+/// Where and when a body is hottest.
+#[derive(Clone, Copy)]
+pub struct Hottest {
+    /// x and y of the node, m; a rod has no y.
+    pub place: [f64; 2],
+    /// Rise of its temperature, K.
+    pub rise: f64,
+    /// Time, s.
+    pub time: f64,
+}
+
+/// All nodes at a time.
+struct Picture {
+    /// s.
+    time: f64,
+    /// Rises of the nodes, K.
+    rises: Vec<f64>,
+    /// The same with formula effects, which deform no body.
+    shown: Vec<f64>,
+}
+
+enum Shape {
+    /// Nodes along the rod, m.
+    Rod(Vec<f64>),
+    Plane(Box<Flat>),
+}
+
+/// A plane body that is free to grow.
+struct Flat {
+    plane: Plane,
+    system: ElasticSystem<Arc<Mesh>>,
+    mesh: Arc<Mesh>,
+    law: Elasticity,
+}
+
+impl Scene {
+    /// Runs the body once more, with an eye on all nodes.
+    ///
+    /// # Errors
+    /// It cannot be computed.
+    pub fn new(machine: &Machine, forward: &Forward) -> Result<Self, Failure> {
+        let setup = machine.setup.clone();
+        let shape = match &setup.body {
+            Body::Rod(segments) => {
+                let system = RodSystem::new(&rod::rod(machine, segments), setup.element_size);
+                Shape::Rod(system.map_err(|e| unsolvable(&e))?.x)
+            }
+            Body::Plane(plane) => Shape::Plane(Box::new(Flat::new(&setup, plane)?)),
+        };
+        let nodes = shape.nodes();
+        let run = run(machine)?;
+        let mut rows = temperatures(&nodes, 0.0);
+        let mut pictures: Vec<Picture> = Vec::new();
+        let mut hottest: Option<Hottest> = None;
+        let mut watch = |time: f64, rises: &dyn Fn() -> Vec<f64>| {
+            let rises = rises();
+            let mut shown = rises.clone();
+            if forward.has_formulas() {
+                rows.columns[TIME_OF_ROW].fill(time);
+                forward.add_formulas(&rows, &mut shown);
+            }
+            for (place, rise) in nodes.iter().zip(&shown).filter(|(_, rise)| rise.is_finite()) {
+                // Of what is equal but for rounding the first.
+                if hottest.is_none_or(|h| *rise > h.rise + 1e-9 * rise.abs()) {
+                    hottest = Some(Hottest { place: *place, rise: *rise, time });
+                }
+            }
+            if time >= run.end * pictures.len() as f64 / FRAMES as f64 * (1.0 - 1e-9) {
+                pictures.push(Picture { time, rises, shown });
+            }
+        };
+        let mut looks = Vec::new();
+        looks.extend(setup.body.has_ends().then_some(Look::Elongation));
+        looks.extend(setup.body.plane().map(|_| Look::Bow));
+        let Followed { track, energy } = follow(machine, &looks, &run, &mut watch)?;
+        let seen = |look| looks.iter().position(|l| *l == look).map(|i| track.values[i].clone());
+        let mut elongation = seen(Look::Elongation);
+        if let Some(values) = &mut elongation {
+            forward.add_formulas(&elongations(&track.times), values);
+        }
+        Ok(Self { elongation, bow: seen(Look::Bow), hottest, times: track.times, pictures, energy, shape, setup })
+    }
+
+    /// The longest step that was taken, s.
+    pub fn longest_step(&self) -> f64 {
+        self.times.windows(2).map(|t| t[1] - t[0]).fold(0.0, f64::max)
+    }
+
+    /// Points are the nodes; displacement is growth from the base, of a plane body from the middle of its
+    /// left end with both ends level.
+    pub fn animation(self) -> Animation {
+        Animation { name: "body", frames: self.pictures.len(), frame: Box::new(move |i| self.frame(i)) }
+    }
+
+    fn frame(&self, i: usize) -> Frame {
+        let Picture { time, rises, shown } = &self.pictures[i];
+        let mut grid = match &self.shape {
+            Shape::Rod(x) => rod_grid(x, rises, self.setup.material.expansion),
+            Shape::Plane(flat) => flat.grid(rises),
+        };
+        let temperatures = shown.iter().map(|rise| self.setup.ambient + rise).collect();
+        grid.point_fields.insert(0, Field::scalar("temperature", temperatures));
+        grid.point_fields.insert(1, Field::scalar("rise", shown.clone()));
+        Frame { time: *time, grid }
+    }
+}
+
+impl Shape {
+    /// x and y of the nodes, m.
+    fn nodes(&self) -> Vec<[f64; 2]> {
+        match self {
+            Self::Rod(x) => x.iter().map(|x| [*x, f64::NAN]).collect(),
+            Self::Plane(flat) => flat.mesh.nodes().to_vec(),
+        }
+    }
+}
+
+fn rod_grid(x: &[f64], rises: &[f64], expansion: f64) -> Grid {
+    let mut grid = Grid { points: x.iter().map(|x| [*x, 0.0, 0.0]).collect(), ..Grid::default() };
+    let mut displacement = vec![[0.0; 3]];
+    let mut moved = 0.0;
+    for i in 1..x.len() {
+        moved += 0.5 * expansion * (x[i] - x[i - 1]) * (rises[i] + rises[i - 1]);
+        displacement.push([moved, 0.0, 0.0]);
+        // The two sides of a joint are two points at one place.
+        if x[i] > x[i - 1] {
+            grid.push(Cell::Line, &[i as u32 - 1, i as u32]);
+        }
+    }
+    grid.point_fields.push(Field::vector("displacement", displacement));
+    grid
+}
+
+impl Flat {
+    fn new(setup: &Setup, plane: &Plane) -> Result<Self, Failure> {
+        let mesh = plane.mesh(setup.element_size).map_err(|e| unsolvable(&e))?;
+        let law = plate::elasticity(setup, plane)?;
+        let system = ElasticSystem::free(mesh.clone(), law).map_err(|e| unsolvable(&e))?;
+        Ok(Self { plane: plane.clone(), system, mesh, law })
+    }
+
+    fn grid(&self, rises: &[f64]) -> Grid {
+        let mesh = &self.mesh;
+        let mut grid = Grid { points: mesh.nodes().iter().map(|n| [n[0], n[1], 0.0]).collect(), ..Grid::default() };
+        for element in mesh.elements() {
+            grid.push(Cell::of(element.kind), element.nodes);
+        }
+        let mut loads = Loads::none(mesh);
+        loads.add_temperature(mesh, &self.law, rises);
+        // Thermal loads are in equilibrium and finite, and the body has been factored: what is left to fail
+        // shows as not a number.
+        let solved = self.system.solve(&loads).map(|s| s.nodes);
+        let mut displacements = solved.unwrap_or_else(|_| vec![[f64::NAN; 2]; mesh.nodes().len()]);
+        self.level(&mut displacements);
+        let stresses = nodal_stresses(mesh, &self.law, &displacements, rises);
+        let stress = stresses.iter().flat_map(|[xx, yy, xy]| [*xx, *yy, 0.0, *xy, 0.0, 0.0]).collect();
+        let displacement = displacements.iter().map(|[u, v]| [*u, *v, 0.0]).collect();
+        grid.point_fields.push(Field::vector("displacement", displacement));
+        grid.point_fields.push(Field { name: "stress".into(), components: 6, values: stress });
+        grid
+    }
+
+    /// Takes the rigid motion out: the middle of the left end stays, that of the right end keeps its height.
+    fn level(&self, displacements: &mut [[f64; 2]]) {
+        let [from, to] = self.plane.extent(0);
+        let at = |x: f64| {
+            let place = self.mesh.locate([x, self.plane.middle()]);
+            let node = self.mesh.nearest_node([x, self.plane.middle()]);
+            let shares = place.map_or_else(|| vec![(node, 1.0)], |p| p.shares);
+            [0, 1].map(|axis| shares.iter().map(|(n, s)| s * displacements[*n][axis]).sum::<f64>())
+        };
+        let (left, right) = (at(from), at(to));
+        let turn = (right[1] - left[1]) / (to - from);
+        for (own, [x, y]) in displacements.iter_mut().zip(self.mesh.nodes()) {
+            own[0] -= left[0] - turn * (y - self.plane.middle());
+            own[1] -= left[1] + turn * (x - from);
+        }
+    }
+}

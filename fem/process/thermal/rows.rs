@@ -1,0 +1,165 @@
+//! Measurements of a heated body: how far its end has moved, and temperatures at places, over time.
+
+use super::setup::Setup;
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Limit, Misplaced, Observable, Rows};
+use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
+
+/// Growth first, for it is what a workpiece feels.
+pub const OBSERVABLES: &[Observable] = &[
+    Observable { name: "elongation", words: "the elongation", kind: MICRO },
+    Observable { name: "temperature", words: "temperatures", kind: TEMPERATURE },
+];
+
+/// Positions in [`OBSERVABLES`].
+pub const ELONGATION: usize = 0;
+pub const TEMPERATURE_OF_ROW: usize = 1;
+
+/// Positions in [`COORDINATES`].
+pub const TIME_OF_ROW: usize = 0;
+pub const X: usize = 1;
+pub const Y: usize = 2;
+
+/// In the order of their positions.
+pub const COORDINATES: &[Coordinate] = &[
+    coordinate("time", "since the start of the run", Holds::Quantity(TIME), Absent::Refused),
+    coordinate(
+        "x",
+        "from the base, where a temperature is measured",
+        Holds::Quantity(LENGTH),
+        Absent::NeededBy(TEMPERATURE_OF_ROW),
+    ),
+    coordinate(
+        "y",
+        "height in a plane body; half way up if left out",
+        Holds::Quantity(LENGTH),
+        Absent::ModelOf(TEMPERATURE_OF_ROW),
+    ),
+];
+
+const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {
+    Coordinate { name, about, holds, absent, repeats: false }
+}
+
+/// Growth and temperatures that no body stands.
+pub fn limit(setup: &Setup, observable: usize) -> Limit {
+    /// Steel boils.
+    const HOTTEST: f64 = 5000.0;
+    let [from, to] = setup.body.extent();
+    let (size, why) = match observable {
+        ELONGATION => (to - from, "no body grows by its own length"),
+        _ => (HOTTEST, "no body stands that"),
+    };
+    Limit { size, why, help: "check powers, fluxes and dimensions: a unit may be wrong" }
+}
+
+/// Rows before the start, or beside the body.
+pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+    let across = setup.body.plane().map(|plane| plane.extent(1));
+    let outside = |row: usize, coordinate: usize, [low, high]: [f64; 2]| {
+        let slack = 1e-9 * (high - low);
+        let is_outside = rows.get(coordinate, row).is_some_and(|v| v < low - slack || v > high + slack);
+        let message = || format!("the body reaches from {} to {}", LENGTH.from_si(low), LENGTH.told(high));
+        is_outside.then(|| (coordinate, message()))
+    };
+    let wrong = |row: usize| {
+        if rows.get(TIME_OF_ROW, row).is_some_and(|t| t < 0.0) {
+            return Some((TIME_OF_ROW, "the time is before the start of the run".to_string()));
+        }
+        if rows.observable[row] == ELONGATION && !setup.body.has_ends() {
+            let message = "the elongation is that from edge left to edge right, and the mesh does not name both";
+            return Some((TIME_OF_ROW, message.into()));
+        }
+        outside(row, X, setup.body.extent()).or_else(|| match across {
+            Some(across) => outside(row, Y, across),
+            None => rows.get(Y, row).map(|_| (Y, "a rod is as warm above as below: it has no y".into())),
+        })
+    };
+    let check = |row: usize| wrong(row).map(|(coordinate, message)| Misplaced { row, coordinate, message });
+    (0..rows.len()).filter_map(check).collect()
+}
+
+/// The model's own programme: at every time the elongation, then the temperatures from the base on.
+pub fn programme(setup: &Setup) -> Rows {
+    let elongation = setup.body.has_ends().then_some(None);
+    let places: Vec<Option<f64>> = elongation.into_iter().chain(setup.places.iter().copied().map(Some)).collect();
+    rows(setup, &setup.times, &places)
+}
+
+/// The elongation (`None`) or the temperature at places, at every one of some times.
+fn rows(setup: &Setup, times: &[f64], places: &[Option<f64>]) -> Rows {
+    let all = || times.iter().flat_map(|t| places.iter().map(move |x| (*t, *x)));
+    let rows = Rows {
+        columns: vec![
+            all().map(|(t, _)| t).collect(),
+            all().map(|(_, x)| x.unwrap_or(f64::NAN)).collect(),
+            vec![f64::NAN; times.len() * places.len()],
+        ],
+        observable: all().map(|(_, x)| if x.is_some() { TEMPERATURE_OF_ROW } else { ELONGATION }).collect(),
+    };
+    resolved(setup, &rows)
+}
+
+/// Elongations at some times (s).
+pub fn elongations(times: &[f64]) -> Rows {
+    let nowhere = vec![f64::NAN; times.len()];
+    Rows { columns: vec![times.to_vec(), nowhere.clone(), nowhere], observable: vec![ELONGATION; times.len()] }
+}
+
+/// Temperatures at some places (x and y in m; a rod has no y) at a time (s).
+pub fn temperatures(places: &[[f64; 2]], time: f64) -> Rows {
+    let along = |axis: usize| places.iter().map(|place| place[axis]).collect();
+    Rows {
+        columns: vec![vec![time; places.len()], along(0), along(1)],
+        observable: vec![TEMPERATURE_OF_ROW; places.len()],
+    }
+}
+
+/// Temperatures half way up where no height is said.
+pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+    let mut resolved = rows.clone();
+    if let Some(plane) = setup.body.plane() {
+        let middle = plane.middle();
+        for (y, observable) in resolved.columns[Y].iter_mut().zip(&rows.observable) {
+            if y.is_nan() && *observable == TEMPERATURE_OF_ROW {
+                *y = middle;
+            }
+        }
+    }
+    resolved
+}
+
+/// Further experiments: temperatures at other places, the elongation, the time after the heat is off, and
+/// more often early on.
+pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+    /// New rows along time.
+    const TIMES: usize = 40;
+    let length = setup.body.length();
+    let last = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max).max(setup.time.end);
+    let evenly =
+        |from: f64, to: f64| (1..=TIMES).map(|i| from + (to - from) * i as f64 / TIMES as f64).collect::<Vec<f64>>();
+    let experiment = |words: &str, coordinate: usize, values: &[f64], rows: Rows| {
+        let coordinate = COORDINATES[coordinate].name;
+        CandidateExperiment { words: words.into(), coordinate, values: values.to_vec(), rows }
+    };
+    let seen = |observable: usize| rows.observable.contains(&observable);
+    let mut experiments = Vec::new();
+    // Without a row of an observable nothing tells its noise.
+    if seen(TEMPERATURE_OF_ROW) {
+        for (words, x) in [
+            ("measure the temperature of the base as well", 0.0),
+            ("measure the temperature half way along as well", 0.5 * length),
+            ("measure the temperature of the free end as well", length),
+        ] {
+            experiments.push(experiment(words, X, &[x], self::rows(setup, &evenly(0.0, last), &[Some(x)])));
+        }
+        let words = "measure temperatures at both ends often in the first tenth of the run";
+        let early = evenly(0.0, 0.1 * last);
+        experiments.push(experiment(words, TIME_OF_ROW, &early, self::rows(setup, &early, &[Some(0.0), Some(length)])));
+    }
+    let half_way = seen(TEMPERATURE_OF_ROW).then_some(Some(0.5 * length));
+    let places: Vec<Option<f64>> = seen(ELONGATION).then_some(None).into_iter().chain(half_way).collect();
+    let after = evenly(last, 2.0 * last);
+    let words = "go on measuring for as long again";
+    experiments.push(experiment(words, TIME_OF_ROW, &after, self::rows(setup, &after, &places)));
+    experiments
+}

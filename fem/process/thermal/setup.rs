@@ -1,0 +1,283 @@
+//! The tables of a thermal model.
+
+use std::sync::OnceLock;
+
+use super::body::Body;
+use crate::input::Reader;
+use crate::material::Material;
+use crate::process::Failure;
+use crate::solve::conduction::Scheme;
+use crate::solve::rod::PointSource;
+use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, POWER, SPEED, TEMPERATURE, TEMPERATURE_RISE, TIME};
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 200_000.0;
+/// Times at which the model's own programme looks, as a rule and at most.
+const USUAL_TIMES: f64 = 100.0;
+const MOST_TIMES: f64 = 20_000.0;
+/// Places at which it looks where nobody says, evenly from end to end.
+const USUAL_PLACES: usize = 5;
+
+/// An edge of a plane body with its condition.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Boundary {
+    /// Name of the edge.
+    pub edge: String,
+    /// Its condition.
+    pub condition: Condition,
+}
+
+/// A condition on an edge.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Condition {
+    /// Heat flux (W/m²) that flows in during intervals (s); none means always.
+    Flux { flux: f64, on: Vec<[f64; 2]> },
+    /// Loss by a film coefficient (W/(m² K)) to the environment, which may drift, or to surroundings at a
+    /// temperature of their own (K).
+    Convection { coefficient: f64, ambient: Option<f64> },
+    /// A temperature that is held, K.
+    Temperature(f64),
+    /// A strip of heat flux (W/m²) that moves along the edge toward growing x or y: speed (m/s), width (m),
+    /// and the place of its middle at the start (m).
+    Moving { speed: f64, width: f64, flux: f64, from: f64 },
+}
+
+/// How time is stepped through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Time {
+    /// End of the run, s.
+    pub end: f64,
+    /// Longest step, s; chosen by `tolerance` where it is not given.
+    pub step: Option<f64>,
+    /// Largest error of a temperature that a chosen step may leave, K.
+    pub tolerance: f64,
+    /// Scheme of every step.
+    pub scheme: Scheme,
+}
+
+/// Everything a thermal model says but its effects. SI units.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Material of the body.
+    pub material: Material,
+    /// Shape of the body.
+    pub body: Body,
+    /// Sources in the order of the file.
+    pub sources: Vec<PointSource>,
+    /// Conditions on edges in the order of the file; rods have none.
+    pub boundaries: Vec<Boundary>,
+    /// Temperature of the surroundings, and of the body at the start, K.
+    pub ambient: f64,
+    /// Time and its steps.
+    pub time: Time,
+    /// Longest element along the body, m.
+    pub element_size: f64,
+    /// Places at which the programme looks, m from the base.
+    pub places: Vec<f64>,
+    /// Times at which it looks, s.
+    pub times: Vec<f64>,
+    /// Step that was chosen by the tolerance, once it has been, s.
+    pub chosen: OnceLock<Result<f64, Failure>>,
+}
+
+/// The default first.
+const SCHEMES: &[(&str, Scheme)] =
+    &[("sdirk2", Scheme::Sdirk2), ("crank-nicolson", Scheme::CrankNicolson), ("backward-euler", Scheme::BackwardEuler)];
+
+impl Setup {
+    /// Reads every table of a thermal model but `[effects]`.
+    pub fn read(model: &Reader) -> Self {
+        let (material, body) =
+            model.table("body", "the body that is heated", |t| (Material::read(t, "material"), Body::read(t)));
+        let length = body.length();
+        let sources = model.list("source", "a source of heat, spread over the section", |t, _| read_source(t, &body));
+        let boundaries =
+            model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body));
+        let ambient = model.table("environment", "what is around the body", |t| {
+            let ambient =
+                t.quantity("temperature", TEMPERATURE, "of the surroundings, and of the body at the start").required();
+            if ambient < 0.0 {
+                t.problem("temperature", "nothing is that cold", "it must be above -273.15 degC");
+            }
+            ambient
+        });
+        let time = model.table("time", "how long and in which steps", Time::read);
+        let [usual, most] = body.elements();
+        let usual_size = length / usual;
+        let element_size = model.optional_table("mesh", "the body in finite elements", |t| {
+            let size = t.quantity("element_size", LENGTH, "longest element along the body").positive().or(usual_size);
+            if length / size > most {
+                t.problem(
+                    "element_size",
+                    format!("{:.0} elements along the body are too many", length / size),
+                    format!("it must be above {:.3}", LENGTH.shown(length / most)),
+                );
+            }
+            size
+        });
+        let (places, times) = model
+            .optional_table("measurement", "where and when a run looks", |t| read_measurement(t, length, &time))
+            .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
+        let by_effect = ["extra-source", "ambient-drift"].iter().any(|effect| model.has_in("effects", effect));
+        if sources.is_empty() && boundaries.is_empty() && !by_effect && !model.is_described() {
+            model.problem(
+                "source",
+                "nothing heats or cools the body",
+                "add [[source]] with at and power, or [[boundary]] of a plane body",
+            );
+        }
+        let (element_size, chosen) = (element_size.unwrap_or(usual_size), OnceLock::new());
+        Self { material, body, sources, boundaries, ambient, time, element_size, places, times, chosen }
+    }
+
+    /// Whether effects on sections can act.
+    ///
+    /// # Errors
+    /// The body has no sections.
+    pub fn needs_sections(&self) -> Result<(), String> {
+        match self.body.has_sections() {
+            true => Ok(()),
+            false => Err("is known of rods and rectangles, whose sections it acts on, not of meshes from files".into()),
+        }
+    }
+}
+
+fn read_source(t: &Reader, body: &Body) -> PointSource {
+    let at = t.quantity("at", LENGTH, "place along the body, from the base").not_negative().required();
+    if at > body.length() * (1.0 + 1e-12) {
+        t.problem(
+            "at",
+            format!("the source stands at {}, beyond the body", LENGTH.told(at)),
+            format!("the body ends at {}", LENGTH.told(body.length())),
+        );
+    }
+    if !body.has_sections() && !t.is_described() {
+        t.problem(
+            "at",
+            "a source stands over a section, and a mesh from a file has none",
+            "let the heat in through an edge: [[boundary]] with flux",
+        );
+    }
+    PointSource { at, power: t.quantity("power", POWER, "heat that it gives").required(), on: read_on(t) }
+}
+
+/// Intervals in which something is on.
+fn read_on(t: &Reader) -> Vec<[f64; 2]> {
+    let mut on = t.intervals("on", TIME, "when it is on; always if left out").unwrap_or_default();
+    on.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    if on.windows(2).any(|pair| pair[1][0] < pair[0][1]) {
+        t.problem("on", "intervals overlap", "join them: heat is not given twice");
+    }
+    on
+}
+
+impl Boundary {
+    fn read(t: &Reader, body: &Body) -> Self {
+        let edge = t.text("edge", "left, right, top or bottom, or the name of a physical group").unwrap_or_default();
+        let names = body.edges();
+        if !t.is_described() && !names.contains(&edge) {
+            let help = match names.is_empty() {
+                true => "a rod has no edges: heat it with [[source]], cool it with effects".into(),
+                false => format!("its edges are {}", names.join(", ")),
+            };
+            t.problem("edge", format!("`{edge}` is no edge of the body"), help);
+        }
+        let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").optional();
+        let on = read_on(t);
+        let convection = t.quantity("convection", CONVECTION, "film coefficient of a loss").not_negative().optional();
+        let ambient =
+            t.quantity("ambient", TEMPERATURE, "of what it is lost to; the environment if left out").optional();
+        let temperature = t.quantity("temperature", TEMPERATURE, "that the edge is held at").optional();
+        let moving = t.optional_table("moving", "a strip of flux that moves along the edge", |t| Condition::Moving {
+            speed: t.quantity("speed", SPEED, "of the strip, toward growing x or y").required(),
+            width: t.quantity("width", LENGTH, "of the strip").positive().required(),
+            flux: t.quantity("flux", HEAT_FLUX, "heat that flows in under it").required(),
+            from: t.quantity("from", LENGTH, "where its middle is at the start").or(0.0),
+        });
+        let given = [flux.is_some(), convection.is_some(), temperature.is_some(), moving.is_some()];
+        if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
+            t.problem(
+                "",
+                "an edge has one condition",
+                "give one of flux, convection, temperature and moving; another [[boundary]] adds another",
+            );
+        }
+        let condition = match (flux, convection, temperature, moving) {
+            (Some(flux), ..) => Condition::Flux { flux, on },
+            (_, Some(coefficient), ..) => Condition::Convection { coefficient, ambient },
+            (_, _, Some(temperature), _) => Condition::Temperature(temperature),
+            (.., moving) => moving.unwrap_or(Condition::Flux { flux: 0.0, on: Vec::new() }),
+        };
+        Self { edge, condition }
+    }
+}
+
+impl Time {
+    /// Order of the scheme: errors fall as this power of the step.
+    pub fn order(&self) -> u32 {
+        match self.scheme {
+            Scheme::BackwardEuler => 1,
+            Scheme::CrankNicolson | Scheme::Sdirk2 => 2,
+        }
+    }
+
+    /// Name of the scheme in a model file.
+    pub fn scheme_name(&self) -> &'static str {
+        SCHEMES.iter().find(|(_, scheme)| *scheme == self.scheme).map_or("", |(name, _)| name)
+    }
+
+    fn read(t: &Reader) -> Self {
+        let end = t.quantity("end", TIME, "when the run ends").positive().required();
+        let step = t.quantity("step", TIME, "longest time step; chosen by tolerance if left out").positive().optional();
+        if step.is_some_and(|step| end / step > MOST_STEPS) {
+            let message = format!("these are more than {MOST_STEPS} steps");
+            t.problem("step", message, "take longer steps, or leave `step` out");
+        }
+        let tolerance = t.quantity("tolerance", TEMPERATURE_RISE, "error of a temperature that chosen steps may leave");
+        Self {
+            end,
+            step,
+            tolerance: tolerance.positive().or(0.01),
+            scheme: t.choice("scheme", "how time is stepped through", SCHEMES).or_first(Scheme::Sdirk2),
+        }
+    }
+}
+
+fn read_measurement(t: &Reader, length: f64, time: &Time) -> (Vec<f64>, Vec<f64>) {
+    let places = t.quantities("places", LENGTH, "where temperatures are predicted, from the base");
+    let places = places.unwrap_or_else(|| usual_places(length));
+    // A length that is still to be fitted reaches anywhere.
+    let off = |x: &&f64| !length.is_nan() && !(0.0..=length * (1.0 + 1e-12)).contains(*x);
+    if let Some(place) = places.iter().find(off) {
+        t.problem(
+            "places",
+            format!("{} is not on the body", LENGTH.told(*place)),
+            format!("it reaches from 0 to {}", LENGTH.told(length)),
+        );
+    }
+    let interval =
+        t.quantity("interval", TIME, "from one prediction to the next").positive().or(time.end / USUAL_TIMES);
+    if time.end / interval > MOST_TIMES {
+        t.problem("interval", format!("these are more than {MOST_TIMES} times"), "take a longer interval");
+        return (places, Vec::new());
+    }
+    (places, evenly(time.end, interval))
+}
+
+fn usual_places(length: f64) -> Vec<f64> {
+    (0..USUAL_PLACES).map(|i| length * i as f64 / (USUAL_PLACES - 1) as f64).collect()
+}
+
+/// Times from one interval on to the end.
+fn evenly(end: f64, interval: f64) -> Vec<f64> {
+    if !(end.is_finite() && interval > 0.0) {
+        return Vec::new();
+    }
+    let count = (end / interval + 1e-9).floor() as usize;
+    let mut times: Vec<f64> = (1..=count).map(|i| interval * i as f64).collect();
+    match times.last_mut() {
+        Some(last) if (*last - end).abs() <= 1e-9 * end => *last = end,
+        _ => times.push(end),
+    }
+    times
+}

@@ -1,0 +1,251 @@
+//! Diameters as they are measured: where on which part, and under which conditions the row was cut.
+
+use std::collections::BTreeSet;
+
+use super::cut::{Conditions, Force};
+use super::setup::Setup;
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows};
+use crate::units::{FEED, FORCE, LENGTH, MICRO, PATH, SPINDLE_SPEED, TIME};
+
+/// Places of a candidate experiment on one part, at most.
+const PLACES: usize = 12;
+/// Parts of a candidate experiment, at most.
+const PARTS: usize = 12;
+/// Long enough for a machine to be cold again, s.
+const REST: f64 = 4.0 * 3600.0;
+
+/// A diameter is the set diameter plus its error.
+pub const OBSERVABLES: &[Observable] = &[
+    Observable { name: "diameter_error", words: "the diameter", kind: MICRO },
+    Observable { name: "diameter", words: "the diameter", kind: LENGTH },
+];
+/// Position of the whole diameter in [`OBSERVABLES`].
+pub const DIAMETER: usize = 1;
+
+/// Positions in [`COORDINATES`]: the distance from the headstock.
+pub const X: usize = 0;
+/// The number of the part.
+pub const PART: usize = 1;
+const FORCE_OF_ROW: usize = 2;
+const DEPTH: usize = 3;
+const FEED_OF_ROW: usize = 4;
+const SPEED_OF_ROW: usize = 5;
+/// The diameter before the cut.
+pub const BLANK: usize = 6;
+/// The time since the batch began.
+pub const TIME_OF_ROW: usize = 7;
+/// The cutting path of the tool so far.
+pub const PATH_OF_ROW: usize = 8;
+
+/// Force, depth, feed and speed of a row act on its own force only; the schedule stays the model's, but for
+/// a row's own time and path.
+pub const COORDINATES: &[Coordinate] = &[
+    Coordinate { absent: Absent::Refused, ..coordinate("x", "distance from the headstock", Holds::Quantity(LENGTH)) },
+    Coordinate { absent: Absent::Value(1.0), ..coordinate("part", "number of the part", Holds::Number(1)) },
+    coordinate("radial_force", "nominal radial force", Holds::Quantity(FORCE)),
+    coordinate("depth", "set depth of cut", Holds::Quantity(LENGTH)),
+    coordinate("feed", "feed per revolution", Holds::Quantity(FEED)),
+    coordinate("spindle_speed", "spindle speed", Holds::Quantity(SPINDLE_SPEED)),
+    coordinate("blank", "diameter before the cut", Holds::Quantity(LENGTH)),
+    coordinate("time", "time since the batch began", Holds::Quantity(TIME)),
+    coordinate("path", "cutting path of the tool so far", Holds::Quantity(PATH)),
+];
+
+const fn coordinate(name: &'static str, about: &'static str, holds: Holds) -> Coordinate {
+    Coordinate { name, about, holds, absent: Absent::Model, repeats: false }
+}
+
+/// Rows off the shaft, beyond the batch, or cut with what no cut can have.
+pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+    let (length, parts) = (setup.length(), setup.schedule.parts);
+    let check = |row: usize| {
+        let value = |column| rows.get(column, row);
+        let wrong = |coordinate, message: String| Some(Misplaced { row, coordinate, message });
+        // A length that is to be fitted bounds nothing yet.
+        let is_off = |x: &f64| length.is_finite() && !(-1e-9 * length..=length * (1.0 + 1e-9)).contains(x);
+        if let Some(x) = value(X).filter(is_off) {
+            let [x, end] = [x, length].map(|x| LENGTH.told(x));
+            return wrong(X, format!("x = {x} is not on the shaft, which reaches from 0 to {end}"));
+        }
+        if let Some(part) = value(PART).filter(|p| *p > parts as f64) {
+            return wrong(PART, format!("part {part} is beyond the batch of {parts}"));
+        }
+        for column in [FORCE_OF_ROW, TIME_OF_ROW, PATH_OF_ROW] {
+            if value(column).is_some_and(|v| v < 0.0) {
+                return wrong(column, format!("`{}` is below zero", COORDINATES[column].name));
+            }
+        }
+        for column in [DEPTH, FEED_OF_ROW, BLANK] {
+            if value(column).is_some_and(|v| v <= 0.0) {
+                return wrong(column, format!("`{}` is not above zero", COORDINATES[column].name));
+            }
+        }
+        None
+    };
+    (0..rows.len()).filter_map(check).collect()
+}
+
+/// The model's own programme: part by part, x rising.
+pub fn programme(setup: &Setup) -> Rows {
+    let (sweep, parts) = (setup.sweep(), setup.schedule.parts);
+    let mut columns = vec![vec![f64::NAN; sweep.len()]; COORDINATES.len()];
+    columns[X].clone_from(&sweep);
+    let first = resolved(setup, &Rows { columns, observable: vec![0; sweep.len()] });
+    // Parts differ in their number, and in time and path.
+    let each = |of: &dyn Fn(usize, f64) -> f64| {
+        (1..=parts).flat_map(|part| sweep.iter().map(move |x| of(part, *x))).collect::<Vec<f64>>()
+    };
+    let column = |(column, values): (usize, &Vec<f64>)| match column {
+        PART => each(&|part, _| part as f64),
+        TIME_OF_ROW => each(&|part, x| setup.schedule.time(part, x)),
+        PATH_OF_ROW => each(&|part, x| setup.schedule.path(part, x)),
+        _ => values.repeat(parts),
+    };
+    let columns = first.columns.iter().enumerate().map(column).collect();
+    Rows { columns, observable: vec![0; parts * sweep.len()] }
+}
+
+/// Every coordinate of every row, those left to the model filled in.
+pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+    let mut all = rows.clone();
+    let pass = setup.schedule.pass;
+    for row in 0..rows.len() {
+        let (part, x) = (part(rows, row), rows.get(X, row).unwrap_or(0.0));
+        let diameter = setup.diameter(x);
+        let conditions = conditions(setup, rows, row, diameter);
+        let (time, path) = moment(setup, rows, row, part, x);
+        let filled = [
+            (X, x),
+            (PART, part as f64),
+            (FORCE_OF_ROW, conditions.force),
+            (DEPTH, rows.get(DEPTH, row).unwrap_or(setup.cut.depth)),
+            (FEED_OF_ROW, rows.get(FEED_OF_ROW, row).unwrap_or(pass.feed)),
+            (SPEED_OF_ROW, rows.get(SPEED_OF_ROW, row).unwrap_or(pass.spindle_speed)),
+            (BLANK, rows.get(BLANK, row).unwrap_or(diameter + 2.0 * conditions.set_depth)),
+            (TIME_OF_ROW, time),
+            (PATH_OF_ROW, path),
+        ];
+        filled.iter().for_each(|(column, value)| all.columns[*column][row] = *value);
+    }
+    all
+}
+
+/// The number of the part of a row.
+pub fn part(rows: &Rows, row: usize) -> usize {
+    rows.get(PART, row).unwrap_or(1.0) as usize
+}
+
+/// Time (s) and cutting path (m) of a row at `x` on `part`: its own, or by the schedule.
+pub fn moment(setup: &Setup, rows: &Rows, row: usize, part: usize, x: f64) -> (f64, f64) {
+    let time = rows.get(TIME_OF_ROW, row).unwrap_or_else(|| setup.schedule.time(part, x));
+    (time, rows.get(PATH_OF_ROW, row).unwrap_or_else(|| setup.schedule.path(part, x)))
+}
+
+/// On the axis, part by part; a diameter grows to either side, and half of it is shown.
+pub fn places(setup: &Setup, rows: &Rows) -> Places {
+    let x = |row| rows.get(X, row).unwrap_or(0.0);
+    let reference = |row: usize| if rows.observable[row] == DIAMETER { setup.diameter(x(row)) } else { 0.0 };
+    Places {
+        points: (0..rows.len()).map(|row| [x(row), 0.0, 0.0]).collect(),
+        directions: vec![[0.0, 0.5, 0.0]; rows.len()],
+        along: (0..rows.len()).map(x).collect(),
+        references: (0..rows.len()).map(reference).collect(),
+        frames: (0..rows.len()).map(|row| part(rows, row) as f64).collect(),
+    }
+}
+
+/// Force and depth of a row. P₀ is the row's force, or by the force law at its depth and feed, or the
+/// model's. The set depth follows from the blank, or is the row's or the model's. With feedback P₀ belongs
+/// to the model's own depth, from which the feedback takes it to the depth really cut.
+pub fn conditions(setup: &Setup, rows: &Rows, row: usize, diameter: f64) -> Conditions {
+    let depth = rows.get(DEPTH, row).unwrap_or(setup.cut.depth);
+    let set_depth = rows.get(BLANK, row).map_or(depth, |blank| 0.5 * (blank - diameter));
+    let feed = rows.get(FEED_OF_ROW, row).unwrap_or(setup.schedule.pass.feed);
+    let nominal = |depth: f64| match setup.cut.force {
+        Force::Given(force) => force,
+        Force::Law(law) => law.force(depth, feed),
+    };
+    let given = rows.get(FORCE_OF_ROW, row);
+    Conditions {
+        force: given.unwrap_or_else(|| nominal(depth)),
+        nominal: given.unwrap_or_else(|| nominal(setup.cut.depth)),
+        nominal_depth: setup.cut.depth,
+        set_depth,
+    }
+}
+
+/// Further experiments, each of which asks one new question at the places that are measured already: another
+/// force, a cold machine, other parts, another blank, and places from end to end.
+pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+    let mut experiments = Vec::new();
+    let mut add = |words: String, column: usize, values: Vec<f64>, rows: Rows| {
+        experiments.push(CandidateExperiment { words, coordinate: COORDINATES[column].name, values, rows });
+    };
+    let places = measured_places(rows);
+    let last = (0..rows.len()).filter_map(|r| rows.get(PART, r)).fold(1.0, f64::max);
+    let another = |changes: &[(usize, f64)]| at(rows, &places, last, changes);
+    for force in new_forces(&levels(setup, rows)) {
+        let words = format!("turn another part with a radial force of {:.0}", FORCE.shown(force));
+        add(words, FORCE_OF_ROW, vec![force], another(&[(FORCE_OF_ROW, force)]));
+    }
+    let (number, to) = (last as usize, setup.schedule.pass.to);
+    let (time, path) = (setup.schedule.time(number, to) + REST, setup.schedule.path(number, to));
+    let words = "let the machine rest for four hours and turn another part".into();
+    add(words, TIME_OF_ROW, vec![time], another(&[(TIME_OF_ROW, time), (PATH_OF_ROW, path)]));
+    let measured: BTreeSet<usize> = (0..rows.len()).map(|r| part(rows, r)).collect();
+    let missed = (1..=setup.schedule.parts).filter(|p| !measured.contains(p)).take(PARTS);
+    let missed: Vec<f64> = missed.map(|p| p as f64).collect();
+    if let Some(rows) = missed.iter().map(|p| at(rows, &places, *p, &[])).reduce(|a, b| a.and(&b)) {
+        add("measure the other parts of the batch too".into(), PART, missed, rows);
+    }
+    let stock = 2.0 * 1.6 * setup.cut.depth;
+    let shown = LENGTH.shown(stock);
+    let words = format!("turn a part from a blank that is {shown:.2} larger than its finished diameter");
+    let mut blanks = another(&[]);
+    blanks.columns[BLANK] = places.iter().map(|x| setup.diameter(*x) + stock).collect();
+    add(words, BLANK, vec![stock], blanks);
+    let length = setup.length();
+    let fine: Vec<f64> = (0..PLACES).map(|i| length * (0.01 + 0.98 * i as f64 / (PLACES - 1) as f64)).collect();
+    let all = at(rows, &fine, last, &[]);
+    add(format!("measure a part at {PLACES} places from end to end"), X, fine, all);
+    experiments
+}
+
+/// The places that are measured, or some of them.
+fn measured_places(rows: &Rows) -> Vec<f64> {
+    let mut all: Vec<f64> = (0..rows.len()).filter_map(|r| rows.get(X, r)).collect();
+    all.sort_unstable_by(f64::total_cmp);
+    all.dedup();
+    let step = all.len().div_ceil(PLACES).max(1);
+    all.into_iter().step_by(step).collect()
+}
+
+/// Rows of one part at places, with some coordinates set.
+fn at(like: &Rows, places: &[f64], part: f64, changes: &[(usize, f64)]) -> Rows {
+    let mut columns = vec![vec![f64::NAN; places.len()]; like.columns.len()];
+    columns[X] = places.to_vec();
+    columns[PART] = vec![part; places.len()];
+    for &(column, value) in changes {
+        columns[column] = vec![value; places.len()];
+    }
+    let observable = like.observable.first().copied().unwrap_or(0);
+    Rows { columns, observable: vec![observable; places.len()] }
+}
+
+/// The forces at which parts were turned, rising.
+fn levels(setup: &Setup, rows: &Rows) -> Vec<f64> {
+    let force = |r| rows.get(FORCE_OF_ROW, r).unwrap_or_else(|| setup.nominal_force());
+    let mut all: Vec<f64> = (0..rows.len()).map(force).collect();
+    all.sort_unstable_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
+/// Half of the smallest force, one and a half of the largest, and the middle of the widest gap.
+fn new_forces(levels: &[f64]) -> Vec<f64> {
+    let lowest = levels.first().copied().unwrap_or(0.0);
+    let gap = levels.windows(2).max_by(|a, b| (a[1] / a[0]).total_cmp(&(b[1] / b[0])));
+    let middle = gap.filter(|g| g[0] > 0.0).map(|g| (g[0] * g[1]).sqrt());
+    let largest = levels.last().copied().unwrap_or(0.0);
+    [0.5 * lowest, 1.5 * largest].into_iter().chain(middle).filter(|f| *f > 0.0).collect()
+}
