@@ -16,7 +16,7 @@ pub fn run(args: &args::Plan) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let design = match &args.with {
         Some(path) => Data::of(&model, Measurements::load_design(path, model.process)?)?,
-        None => Data::programme(&model),
+        None => Data::programme(&model)?,
     };
     let sigma = noise(model.process, &args.noise)?;
     if design.uncertainty.is_none() {

@@ -5,7 +5,7 @@ use std::ops::Deref;
 use super::Model;
 use crate::input::{InputError, Problem, Source};
 use crate::measure::Measurements;
-use crate::process::{DatumDirection, Misplaced, Rows};
+use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows};
 
 /// Most misplaced rows that are reported.
 const MOST_PROBLEMS: usize = 20;
@@ -55,10 +55,19 @@ impl<'m> Data<'m> {
     }
 
     /// Makes a design of the model's own programme, thinned to what a person would measure.
-    pub fn programme(model: &'m Model) -> Self {
+    ///
+    /// # Errors
+    /// The places of the programme follow from what the model does not know.
+    pub fn programme(model: &'m Model) -> Result<Self, Problem> {
         /// Most rows of such a design.
         const MOST: usize = 240;
         let all = model.system.programme();
+        let is_place = |c: &Coordinate| c.absent == Absent::Refused;
+        let places = model.process.coordinates().iter().zip(&all.columns).filter(|(c, _)| is_place(c));
+        if let Some((c, _)) = places.into_iter().find(|(_, values)| values.iter().any(|v| !v.is_finite())) {
+            let problem = Problem::new(format!("where the model's own programme looks along {} is unknown", c.name));
+            return Err(problem.help("give the length that is `?` a value, or name the rows: --with FILE.csv"));
+        }
         let step = all.len().div_ceil(MOST).max(1);
         // A step that has no common factor with the length of a pass visits every place.
         let step = (step..).find(|s| !all.len().is_multiple_of(*s) || *s == 1).unwrap_or(step);
@@ -67,7 +76,7 @@ impl<'m> Data<'m> {
             columns: all.columns.iter().map(take).collect(),
             observable: all.observable.iter().copied().step_by(step).collect(),
         };
-        Self::proposed(model, "the model's own programme", rows)
+        Ok(Self::proposed(model, "the model's own programme", rows))
     }
 
     /// Prepares rows that lie in the model.

@@ -293,3 +293,11 @@ fn a_run_is_not_written_over_the_model_that_it_reads() {
     assert_eq!(place.read("there/summary.json"), model("story/rigid.toml"));
     assert!(!place.path("there/profile.csv").exists(), "nothing is half written");
 }
+
+#[test]
+fn a_plan_needs_to_know_where_it_looks() {
+    let place = Place::new();
+    place.write("free.toml", model("story/rigid.toml").replace("length = \"500 mm\"", "length = \"? mm\""));
+    let answer = place.fem(&["plan", "free.toml"]);
+    assert!(answer.status == 2 && answer.err.contains("along x is unknown"), "{}", answer.err);
+}

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::path::{Direction, Path};
 use super::setup::Setup;
 use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows};
-use crate::units::{ANGLE, FEED_RATE, MICRO};
+use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 
 /// The deviation of the tool from its path, positive outwards.
 pub const OBSERVABLES: &[Observable] = &[Observable { name: "deviation", words: "the contour", kind: MICRO }];
@@ -53,12 +53,13 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
         (behind < after || ahead < before).then(|| Misplaced {
             row,
             coordinate: ANGLE_OF_ROW,
-            message: format!(
-                "{:.3} mm from a corner, which the lag of the servos rounds from {:.3} mm before it to {:.3} mm behind it: its side has no offset there",
-                1e3 * behind.min(ahead),
-                1e3 * before,
-                1e3 * after
-            ),
+            message: {
+                let [away, before, after] = [behind.min(ahead), before, after].map(|l| LENGTH.shown(l));
+                format!(
+                    "{away:.3} from a corner, which the lag of the servos rounds from {before:.3} before it to \
+                     {after:.3} behind it: its side has no offset there"
+                )
+            },
         })
     };
     (0..rows.len()).filter_map(check).collect()
