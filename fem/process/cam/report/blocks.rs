@@ -76,7 +76,7 @@ struct Sample {
     s: f64,
     /// Deviation by the motion alone, m.
     left: f64,
-    /// The same with formula effects, m. What gives way is left out: it hardly changes within a block.
+    /// Deviation with what gives way and with formula effects, m.
     shown: f64,
     by: Shaper,
 }
@@ -99,7 +99,7 @@ pub fn look(machine: &Machine, motion: &Motion, formulas: Option<Formulas>) -> B
     };
     let mut samples: Vec<Vec<Sample>> = (0..program.blocks()).into_par_iter().map(of_block).collect();
     if let Some(add) = formulas {
-        let (places, mut shown): (Vec<f64>, Vec<f64>) = samples.iter().flatten().map(|s| (s.s, s.left)).unzip();
+        let (places, mut shown): (Vec<f64>, Vec<f64>) = samples.iter().flatten().map(|s| (s.s, s.shown)).unzip();
         add(&places, &mut shown);
         samples.iter_mut().flatten().zip(shown).for_each(|(sample, shown)| sample.shown = shown);
     }
@@ -134,14 +134,15 @@ impl View<'_> {
     }
 
     fn sample(&self, s: f64) -> Option<Sample> {
-        let reach = forward::reach(self.machine, self.motion, s, self.machine.setup.program.usual())?;
+        let pass = self.machine.setup.program.usual();
+        let reach = forward::reach(self.machine, self.motion, s, pass)?;
         let legs = self.motion.legs().len();
         let by = match reach.at {
             0.0 => Shaper::Imprint((reach.leg + legs - 1) % legs),
             1.0 => Shaper::Imprint(reach.leg),
             _ => Shaper::Envelope(self.motion.legs()[reach.leg].block),
         };
-        Some(Sample { s, left: reach.left, shown: reach.left, by })
+        Some(Sample { s, left: reach.left, shown: reach.left + self.machine.given_way(s, pass), by })
     }
 
     /// Everything about a block but lengths and removal.
