@@ -115,7 +115,6 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
         let conditions = conditions(setup, rows, row, diameter);
         let (time, path) = moment(setup, rows, row, part, x);
         let filled = [
-            (X, x),
             (PART, part as f64),
             (FORCE_OF_ROW, conditions.force),
             (DEPTH, rows.get(DEPTH, row).unwrap_or(setup.cut.depth)),

@@ -187,7 +187,9 @@ impl Setup {
 
     /// Positions at which the profile is predicted, rising, m.
     pub fn sweep(&self) -> Vec<f64> {
-        let (low, high) = self.schedule.pass.ends();
+        let pass = self.schedule.pass;
+        // Of a pass that ends at an unknown place every position is unknown.
+        let (low, high) = if (pass.from + pass.to).is_nan() { (f64::NAN, f64::NAN) } else { pass.ends() };
         let last = (self.positions - 1) as f64;
         (0..self.positions).map(|i| low + (high - low) * (i as f64 / last)).collect()
     }
