@@ -1,6 +1,6 @@
 //! The one adapter: it makes [`Process`], [`System`] and [`ForwardModel`] of every [`Definition`].
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::{
     Active, CandidateExperiment, Coordinate, DatumDirection, Definition, Description, Failure, FormulaLaw, Forward,
@@ -35,65 +35,70 @@ impl<D: Definition> Process for D {
     }
 
     fn read(&self, model: &Reader) -> Option<Box<dyn System>> {
-        Some(Box::new(Ready::<D>(Arc::new(D::read(model)?))))
+        Some(Box::new(Ready::<D> { setup: Arc::new(D::read(model)?), programme: Arc::default() }))
     }
 }
 
 /// A set-up before any effect acts.
-struct Ready<D: Definition>(Arc<D::Setup>);
+struct Ready<D: Definition> {
+    setup: Arc<D::Setup>,
+    /// Made once for all machines of the set-up, when it is first asked for.
+    programme: Arc<OnceLock<Rows>>,
+}
 
 impl<D: Definition> System for Ready<D> {
     fn admits(&self, effect: &str) -> Result<(), String> {
         match D::EFFECTS.iter().find(|e| e.description().name == effect) {
-            Some(known) => known.admissible(&self.0).map_err(|reason| format!("`{effect}` {reason}")),
+            Some(known) => known.admissible(&self.setup).map_err(|reason| format!("`{effect}` {reason}")),
             None => Ok(()),
         }
     }
 
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
-        D::misplaced(&self.0, rows)
+        D::misplaced(&self.setup, rows)
     }
 
     fn programme(&self) -> Rows {
-        D::programme(&self.0)
+        self.programme.get_or_init(|| D::programme(&self.setup)).clone()
     }
 
     fn resolved(&self, rows: &Rows) -> Rows {
-        D::resolved(&self.0, rows)
+        D::resolved(&self.setup, rows)
     }
 
     fn places(&self, rows: &Rows) -> Option<Places> {
-        D::places(&self.0, rows)
+        D::places(&self.setup, rows)
     }
 
     fn contour(&self) -> Option<Vec<Vec<Spot>>> {
-        D::contour(&self.0)
+        D::contour(&self.setup)
     }
 
     fn datum_directions(&self, rows: &Rows) -> Vec<DatumDirection> {
-        D::datum_directions(&self.0, rows)
+        D::datum_directions(&self.setup, rows)
     }
 
     fn reach(&self, coordinate: &str) -> Option<(f64, f64)> {
-        D::reach(&self.0, coordinate)
+        D::reach(&self.setup, coordinate)
     }
 
     fn candidate_experiments(&self, rows: &Rows) -> Vec<CandidateExperiment> {
-        D::candidate_experiments(&self.0, rows)
+        D::candidate_experiments(&self.setup, rows)
     }
 
     fn positioning(&self) -> Option<&dyn Positioning> {
-        D::positioning(&self.0)
+        D::positioning(&self.setup)
     }
 
     fn with_effects(&self, effects: &[Active]) -> Box<dyn ForwardModel> {
-        Box::new(Assembled::<D>::new(self.0.clone(), effects))
+        Box::new(Assembled { programme: self.programme.clone(), ..Assembled::<D>::new(self.setup.clone(), effects) })
     }
 }
 
 /// A machine with its effects acting.
 pub struct Assembled<D: Definition> {
     setup: Arc<D::Setup>,
+    programme: Arc<OnceLock<Rows>>,
     machine: D::Machine,
     /// The effects that are formulas, with the values of their parameters (SI).
     formulas: Vec<(Arc<FormulaLaw>, Vec<f64>)>,
@@ -104,7 +109,8 @@ pub struct Assembled<D: Definition> {
 impl<D: Definition> Assembled<D> {
     /// Lets the effects act on a set-up.
     pub fn new(setup: Arc<D::Setup>, effects: &[Active]) -> Self {
-        let mut all = Self { machine: D::ideal(setup.clone()), setup, formulas: Vec::new(), failure: None };
+        let (machine, programme) = (D::ideal(setup.clone()), Arc::default());
+        let mut all = Self { setup, programme, machine, formulas: Vec::new(), failure: None };
         for active in effects {
             if let Some(law) = &active.formula {
                 all.formulas.push((law.clone(), active.values.clone()));
@@ -132,6 +138,10 @@ impl<D: Definition> Assembled<D> {
     /// The machine as the effects shape it.
     pub fn machine(&self) -> &D::Machine {
         &self.machine
+    }
+
+    fn programme(&self) -> &Rows {
+        self.programme.get_or_init(|| D::programme(&self.setup))
     }
 
     fn possible(&self) -> Result<(), Failure> {
@@ -179,8 +189,8 @@ impl<D: Definition> Assembled<D> {
 impl<D: Definition> ForwardModel for Assembled<D> {
     fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
         self.possible()?;
-        let programme = D::programme(&self.setup);
-        self.completed(D::predict(&self.machine, &programme, progress)?, &programme)
+        let programme = self.programme();
+        self.completed(D::predict(&self.machine, programme, progress)?, programme)
     }
 
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
@@ -191,7 +201,7 @@ impl<D: Definition> ForwardModel for Assembled<D> {
     fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure> {
         self.possible()?;
         let forward = Forward {
-            programme: &D::programme(&self.setup),
+            programme: self.programme(),
             prediction: &prediction,
             observe: &|rows| ForwardModel::observe(self, rows),
             add_formulas: &|rows, values| self.add_formulas(rows, values),
