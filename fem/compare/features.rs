@@ -6,33 +6,20 @@
 //! Where the noise is only estimated, a permutation test takes the place of the table: residuals are
 //! shuffled over the rows, and a feature must beat the smallest p-value of each shuffle (max-statistic).
 
-use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use super::binning::{Along, Binned, Statistic, binnings};
 use super::noise::{Noise, NoiseSource};
 use super::rng::Rng;
-use super::waves::{Largest, Waves};
+use super::sentence::{name, sentence};
 use super::{SIGNIFICANCE, Trend};
 use crate::measure::Measurements;
-use crate::process::{Coordinate, Holds, Process};
-use crate::units::Kind;
+use crate::process::Process;
 
-/// Bins along a single coordinate, and along each of a pair.
-const BINS: usize = 12;
-const PAIR_BINS: usize = 6;
-/// Levels of a coordinate over which waves run, and cells of a pair: a coordinate with few levels leaves
-/// more cells to the other.
-const LEVELS: usize = 64;
-const PAIR_LEVELS: usize = 16;
-const CELLS: usize = PAIR_LEVELS * PAIR_LEVELS;
 /// Number of rows beyond which the estimated noise is as good as known, and shuffles would take long.
 const MANY: usize = 20_000;
 /// Shuffles of the residuals where the noise is estimated; the smallest p-value is 2/1000.
 const SHUFFLES: usize = 999;
-
-/// Coordinates along which a structure lies, by their position in the process's list: none (everywhere
-/// alike), one, or a pair.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Along(pub Vec<usize>);
 
 /// Structure that the noise does not explain.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,16 +40,6 @@ pub struct Feature {
     pub curve: Vec<(f64, f64)>,
     /// Unit of the residuals of the curve.
     pub unit: &'static str,
-}
-
-/// Rows binned by none, one or two coordinates.
-struct Binned {
-    along: Along,
-    /// Bin of each row along each coordinate.
-    bins: Vec<Vec<usize>>,
-    counts: Vec<usize>,
-    /// Waves along the coordinate or along both; `None` where there is no coordinate.
-    waves: Option<Waves>,
 }
 
 /// Finds the significant features, the largest share first. Observables that stand side by side are tested
@@ -128,154 +105,6 @@ fn of_one(process: &dyn Process, measurements: &Measurements, residuals: &[f64],
     features
 }
 
-/// Bins the rows everywhere, along every coordinate that varies, and along every pair of those.
-fn binnings(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<Binned> {
-    let bins = |i: usize, most| bins(&measurements.rows.columns[i], most);
-    let together = |i: usize, j: usize| {
-        let beside = |other: usize| LEVELS.min(CELLS / bins(other, PAIR_LEVELS).1);
-        [bins(i, beside(j)), bins(j, beside(i))]
-    };
-    let varying: Vec<usize> = (0..coordinates.len())
-        .filter(|i| !coordinates[*i].repeats && measurements.given.contains(i) && bins(*i, BINS).1 > 1)
-        .collect();
-    let mut binnings = vec![Binned { along: Along(Vec::new()), bins: Vec::new(), counts: Vec::new(), waves: None }];
-    for (k, &i) in varying.iter().enumerate() {
-        let (of_rows, count) = bins(i, BINS);
-        binnings.push(Binned {
-            along: Along(vec![i]),
-            bins: vec![of_rows],
-            counts: vec![count],
-            waves: Some(Waves::new(&[bins(i, LEVELS)])),
-        });
-        for &j in &varying[k + 1..] {
-            let ((a, m), (b, n)) = (bins(i, PAIR_BINS), bins(j, PAIR_BINS));
-            binnings.push(Binned {
-                along: Along(vec![i, j]),
-                bins: vec![a, b],
-                counts: vec![m, n],
-                waves: Some(Waves::new(&together(i, j))),
-            });
-        }
-    }
-    binnings
-}
-
-/// Bin of each value, and number of bins: one per distinct value, or `most` with about equally many rows.
-fn bins(values: &[f64], most: usize) -> (Vec<usize>, usize) {
-    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let mut starts = sorted.clone();
-    starts.dedup();
-    if starts.len() > most {
-        starts = (0..most).map(|k| sorted[k * sorted.len() / most]).collect();
-        starts.dedup();
-    }
-    let bin = |v: &f64| if v.is_nan() { 0 } else { starts.partition_point(|s| s <= v).saturating_sub(1) };
-    (values.iter().map(bin).collect(), starts.len().max(1))
-}
-
-/// Test statistic of one binning.
-struct Statistic {
-    /// Sum of squares of the standardised means, or square of the largest wave; χ² under the null
-    /// hypothesis.
-    sum: f64,
-    /// Probability that chance gives as much along these coordinates (p-value of this test alone).
-    p_value: f64,
-    /// Half periods along each coordinate, where a wave is the most significant.
-    wave: Option<Vec<usize>>,
-}
-
-impl Statistic {
-    /// Statistic of the cells that hold rows, from which `fitted` means were taken out.
-    fn between(sums: &[f64], counts: &[f64], fitted: usize) -> Self {
-        let filled = || sums.iter().zip(counts).filter(|(_, count)| **count > 0.0);
-        let sum = filled().map(|(sum, count)| sum * sum / count).sum();
-        Self::of(sum, filled().count().saturating_sub(fitted).max(1) as f64)
-    }
-
-    fn of(sum: f64, freedom: f64) -> Self {
-        Self { sum, p_value: ChiSquared::new(freedom).map_or(1.0, |d| d.sf(sum)), wave: None }
-    }
-
-    /// The more significant of bins and waves; its p-value is doubled, for both are tested.
-    fn or(self, other: Option<Self>) -> Self {
-        let Some(other) = other else { return self };
-        let best = if other.p_value < self.p_value { other } else { self };
-        Self { p_value: (2.0 * best.p_value).min(1.0), ..best }
-    }
-}
-
-impl Binned {
-    fn statistic(&self, z: &[f64]) -> Statistic {
-        let mean = z.iter().sum::<f64>() / z.len() as f64;
-        let wave = |largest: Largest| {
-            let alone = Statistic::of(largest.square, largest.freedom);
-            let p_value = (alone.p_value * largest.among as f64).min(1.0);
-            Statistic { p_value, wave: Some(largest.halves), ..alone }
-        };
-        let waves = self.waves.iter().flat_map(|waves| waves.largest(z, mean)).map(wave);
-        let waves = waves.min_by(|a, b| a.p_value.total_cmp(&b.p_value));
-        self.of_bins(z, mean).or(waves)
-    }
-
-    fn of_bins(&self, z: &[f64], mean: f64) -> Statistic {
-        match &self.bins[..] {
-            [] => Statistic::of(z.len() as f64 * mean * mean, 1.0),
-            [bins] => {
-                let (sums, counts) = gather(bins, self.counts[0], z.iter().map(|z| z - mean));
-                Statistic::between(&sums, &counts, 1)
-            }
-            [first, second, ..] => interaction(first, second, self.counts[1], self.counts[0], z, mean),
-        }
-    }
-
-    /// Trend and curve along a single coordinate.
-    fn describe(
-        &self,
-        coordinates: &[Coordinate],
-        measurements: &Measurements,
-        residuals: &[f64],
-        noise: &Noise,
-        kind: Kind,
-    ) -> (Option<Trend>, Vec<(f64, f64)>) {
-        let ([bins], [i]) = (&self.bins[..], &self.along.0[..]) else { return (None, Vec::new()) };
-        let canonical = |v: f64| unit(coordinates[*i].holds).map_or(v, |k| k.from_si(v));
-        let values = measurements.rows.columns[*i].iter().map(|v| canonical(*v));
-        let (places, counts) = gather(bins, self.counts[0], values);
-        let (sums, _) = gather(bins, self.counts[0], residuals.iter().map(|r| kind.from_si(*r)));
-        let points: Vec<(f64, f64, f64)> = (0..self.counts[0])
-            .filter(|b| counts[*b] > 0.0)
-            .map(|b| (places[b] / counts[b], sums[b] / counts[b], counts[b]))
-            .collect();
-        let variance = kind.from_si(noise.rms()).powi(2);
-        (Some(Trend::of(&points, variance)), points.iter().map(|p| (p.0, p.1)).collect())
-    }
-}
-
-fn gather(bins: &[usize], count: usize, values: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
-    let (mut sums, mut counts) = (vec![0.0; count], vec![0.0; count]);
-    for (&bin, value) in bins.iter().zip(values) {
-        sums[bin] += value;
-        counts[bin] += 1.0;
-    }
-    (sums, counts)
-}
-
-/// Interaction of two coordinates: the statistic of their cells beyond the sum of the two main effects.
-fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &[f64], mean: f64) -> Statistic {
-    let mut left: Vec<f64> = z.iter().map(|z| z - mean).collect();
-    // Backfitting: the means of the one and the other are taken out in turn; balanced designs need one turn.
-    for _ in 0..10 {
-        for (bins, count) in [(first, high), (second, wide)] {
-            let (sums, counts) = gather(bins, count, left.iter().copied());
-            left.iter_mut().zip(bins).for_each(|(l, b)| *l -= sums[*b] / counts[*b]);
-        }
-    }
-    let cells: Vec<usize> = first.iter().zip(second).map(|(a, b)| a * wide + b).collect();
-    let (sums, counts) = gather(&cells, wide * high, left.into_iter());
-    Statistic::between(&sums, &counts, wide + high - 1)
-}
-
 /// Null distribution that a statistic has to beat.
 enum NullDistribution {
     /// Correction by the number of tests.
@@ -336,69 +165,5 @@ impl NullDistribution {
                 (2.0 * (below + 1) as f64 / (own.len() + 1) as f64).min(1.0)
             }
         }
-    }
-}
-
-fn unit(holds: Holds) -> Option<Kind> {
-    match holds {
-        Holds::Quantity(kind) => Some(kind),
-        Holds::Number(_) | Holds::Word(_) => None,
-    }
-}
-
-fn name(along: &Along, coordinates: &[Coordinate]) -> String {
-    match &along.0[..] {
-        [] => "everywhere".into(),
-        several => several.iter().map(|i| coordinates[*i].name).collect::<Vec<_>>().join(" and "),
-    }
-}
-
-fn sentence(
-    along: &Along,
-    coordinates: &[Coordinate],
-    trend: Option<&Trend>,
-    curve: &[(f64, f64)],
-    kind: Kind,
-) -> String {
-    let observed = kind.unit;
-    let Some(trend) = trend else {
-        return match along.0.len() {
-            0 => "the error is off by the same amount everywhere".into(),
-            _ => format!("the error along {} changes with the other", name(along, coordinates)),
-        };
-    };
-    let coordinate = &coordinates[along.0[0]];
-    let along = unit(coordinate.holds).map_or("", |k| k.unit);
-    let per = if along.is_empty() { coordinate.name.to_string() } else { along.to_string() };
-    match *trend {
-        Trend::Linear { slope } => {
-            let word = if slope > 0.0 { "grows" } else { "falls" };
-            let (from, to) = (curve.first().map_or(0.0, |p| p.0), curve.last().map_or(0.0, |p| p.0));
-            let whole = (slope * (to - from)).abs();
-            let size = slope.abs();
-            format!(
-                "the error {word} by {size:.3} {observed} per {per} along {}, {whole:.2} {observed} in all",
-                coordinate.name
-            )
-        }
-        Trend::Quadratic { height, at } => {
-            let word = if height > 0.0 { "rises" } else { "sinks" };
-            let size = height.abs();
-            format!(
-                "the error {word} in a bow of {size:.2} {observed} along {}, turning at {at:.1} {along}",
-                coordinate.name
-            )
-            .trim_end()
-            .into()
-        }
-        Trend::Step { height, at } => {
-            format!("the error steps by {height:+.2} {observed} along {} at {at:.1} {along}", coordinate.name)
-                .trim_end()
-                .into()
-        }
-        Trend::Periodic { periods } => {
-            format!("the error goes up and down along {}, {periods:.1} periods in all", coordinate.name)
-        }
-        Trend::Irregular => format!("the error varies along {}, like no line, bow or step", coordinate.name),
     }
 }

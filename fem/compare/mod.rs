@@ -1,14 +1,17 @@
 //! Compares a model with measurements: the size of the residuals, their goodness of fit, and their
 //! structure.
 
+mod binning;
 mod features;
 mod noise;
 mod rng;
+mod sentence;
 mod significance;
 mod trend;
 mod waves;
 
-pub use features::{Along, Feature, find as features};
+pub use binning::Along;
+pub use features::{Feature, find as features};
 pub use noise::{Noise, NoiseLevel, NoiseSource};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;

@@ -6,10 +6,11 @@ use super::cross_validation::Folds;
 use super::detection_limit::detection_limit;
 use super::diagnosis::{Diagnosis, Missing, Outlook};
 use super::failure::unsolvable;
+use super::lead;
 use super::null_distribution::{Variance, variance};
 use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
-use super::search::{self, SIGNIFICANCE, SearchResult};
+use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{next, sensitivity};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
@@ -108,7 +109,7 @@ fn missing(
         let smaller = rest
             .members
             .iter()
-            .filter_map(|m| search::without(&found.base, &found.candidates, &rest, *m).map(|t| (*m, t)));
+            .filter_map(|m| lead::without(&found.base, &found.candidates, &rest, *m).map(|t| (*m, t)));
         let Some((last, next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else { break };
         let own = confoundings.iter().find(|p| p.candidate == last);
         let gained = own.map_or(0.0, |p| p.chi2_without - best.solution.chi2);

@@ -6,8 +6,9 @@ use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
 use super::gain::{Gain, gain};
+use super::lead::{bare, fit_with, promising, starts, without};
 use super::residual_projection::{ProjectedResidual, length_outside};
-use super::search::{SearchResult, bare, fit_with, promising, starts, without};
+use super::search::SearchResult;
 use super::sensitivity::{CandidateEffect, Variant};
 
 /// Difference of χ² up to which candidate models of one size fit equally well.

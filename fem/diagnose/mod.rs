@@ -13,6 +13,7 @@ mod detection_limit;
 mod diagnosis;
 mod failure;
 mod gain;
+mod lead;
 mod next;
 mod null_distribution;
 mod pairs;

@@ -41,14 +41,6 @@ impl<'m> Data<'m> {
         Err(InputError { source, problems: misplaced.iter().take(MOST_PROBLEMS).map(problem).collect() })
     }
 
-    /// Makes a design: rows with nothing observed yet, checked like any others.
-    ///
-    /// # Errors
-    /// Rows lie outside the model.
-    pub fn design(model: &'m Model, name: &str, rows: Rows) -> Result<Self, InputError> {
-        Self::of(model, Measurements::planned(model.process, name, rows))
-    }
-
     /// Makes a design of rows that the model itself proposes, which need no check.
     pub(crate) fn proposed(model: &'m Model, name: &str, rows: Rows) -> Self {
         Self::within(model, Measurements::planned(model.process, name, rows))

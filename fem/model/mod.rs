@@ -149,32 +149,34 @@ impl Model {
     fn effects_at(&self, values: &[f64]) -> Option<Vec<Active>> {
         let mut effects = self.effects.clone();
         for (parameter, value) in self.parameters.iter().zip(values) {
-            let (effect, name) = parameter.path.strip_prefix("effects.")?.split_once('.')?;
-            let active = effects.iter_mut().find(|e| e.description.name == effect)?;
-            let position = active.description.parameters.iter().position(|p| p.name == name)?;
-            active.values[position] = *value;
+            let (effect, place) = self.place(&parameter.path)?;
+            effects[effect].values[place] = *value;
         }
         Some(effects)
     }
 
+    /// Effect to which a parameter belongs, and its position there, by its path.
+    fn place(&self, path: &str) -> Option<(usize, usize)> {
+        let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
+        let effect = self.effects.iter().position(|e| e.description.name == effect)?;
+        let parameters = &self.effects[effect].description.parameters;
+        Some((effect, parameters.iter().position(|p| p.name == name)?))
+    }
+
     /// Whether a parameter, by its path, belongs to a formula effect.
     pub fn is_of_formula(&self, path: &str) -> bool {
-        let effect = path.strip_prefix("effects.").and_then(|p| p.split_once('.')).map(|p| p.0);
-        self.effects.iter().any(|e| e.formula.is_some() && Some(e.description.name) == effect)
+        self.place(path).is_some_and(|(effect, _)| self.effects[effect].formula.is_some())
     }
 
     /// Parameter of an effect, by its path, whether of the catalogue or of a formula.
     pub fn effect_parameter(&self, path: &str) -> Option<&crate::process::Parameter> {
-        let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
-        let active = self.effects.iter().find(|e| e.description.name == effect)?;
-        active.description.parameters.iter().find(|p| p.name == name)
+        let (effect, parameter) = self.place(path)?;
+        Some(&self.effects[effect].description.parameters[parameter])
     }
 
     /// Catalogue entry of a parameter of an effect, by its path.
     pub fn catalogue(&self, path: &str) -> Option<&crate::process::Parameter> {
-        let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
-        let active = self.effects.iter().find(|e| e.description.name == effect && e.formula.is_none())?;
-        active.description.parameters.iter().find(|p| p.name == name)
+        self.effect_parameter(path).filter(|_| !self.is_of_formula(path))
     }
 
     /// Refuses a model with parameters that are still unknown (`?`).

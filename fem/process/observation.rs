@@ -40,6 +40,13 @@ pub struct Coordinate {
     pub repeats: bool,
 }
 
+impl Coordinate {
+    /// A coordinate in which rows that repeat each other agree.
+    pub const fn new(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Self {
+        Self { name, about, holds, absent, repeats: false }
+    }
+}
+
 /// What stands in a coordinate's column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Holds {
@@ -49,6 +56,16 @@ pub enum Holds {
     Number(u32),
     /// One of these words, kept as its position among them.
     Word(&'static [&'static str]),
+}
+
+impl Holds {
+    /// Kind of the quantity, where it is one.
+    pub const fn kind(self) -> Option<Kind> {
+        match self {
+            Self::Quantity(kind) => Some(kind),
+            Self::Number(_) | Self::Word(_) => None,
+        }
+    }
 }
 
 /// What holds where a column is left out.

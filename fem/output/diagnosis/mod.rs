@@ -12,7 +12,6 @@ use super::fit::finite;
 use crate::diagnose::{Diagnosis, GoodnessOfFit, Missing, Next, Outlook, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
-use crate::process::Holds;
 use crate::units::Kind;
 
 impl Verdict {
@@ -126,10 +125,7 @@ fn said_to_separate(d: &Diagnosis) -> Option<Json> {
 /// What to measure next, with its values in the coordinate's canonical unit.
 pub(super) fn next(next: &Next, model: &Model) -> Json {
     let coordinates = model.process.coordinates();
-    let kind = coordinates.iter().find(|c| c.name == next.experiment.coordinate).and_then(|c| match c.holds {
-        Holds::Quantity(kind) => Some(kind),
-        Holds::Number(_) | Holds::Word(_) => None,
-    });
+    let kind = coordinates.iter().find(|c| c.name == next.experiment.coordinate).and_then(|c| c.holds.kind());
     json!({
         "text": next.experiment.words,
         "coordinate": next.experiment.coordinate,

@@ -21,10 +21,10 @@ pub const TIME_OF_ROW: usize = 3;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    coordinate("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused),
-    coordinate("direction", "of approach, + or -", Holds::Word(DIRECTIONS), Absent::Refused),
-    Coordinate { repeats: true, ..coordinate("run", "number of the run", Holds::Number(1), Absent::Value(1.0)) },
-    coordinate("time", "since the test began, cold", Holds::Quantity(TIME), Absent::Value(0.0)),
+    Coordinate::new("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused),
+    Coordinate::new("direction", "of approach, + or -", Holds::Word(DIRECTIONS), Absent::Refused),
+    Coordinate { repeats: true, ..Coordinate::new("run", "number of the run", Holds::Number(1), Absent::Value(1.0)) },
+    Coordinate::new("time", "since the test began, cold", Holds::Quantity(TIME), Absent::Value(0.0)),
 ];
 /// As files write them.
 const DIRECTIONS: &[&str] = &[Direction::Forward.sign(), Direction::Backward.sign()];
@@ -37,10 +37,6 @@ const BETWEEN: usize = 24;
 const WARM: f64 = 2.0 * 3600.0;
 /// Targets of a candidate experiment, at most.
 const TARGETS: usize = 12;
-
-const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {
-    Coordinate { name, about, holds, absent, repeats: false }
-}
 
 /// The approach of a row.
 pub fn approach(rows: &Rows, row: usize) -> Approach {

@@ -17,9 +17,14 @@ pub const DIRECTION: usize = 2;
 
 /// The coordinates in the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    coordinate("angle", "polar angle of the profile point", Holds::Quantity(ANGLE), Absent::Refused),
-    coordinate("cam_speed", "mean speed of the cam while it was ground", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
-    coordinate(
+    Coordinate::new("angle", "polar angle of the profile point", Holds::Quantity(ANGLE), Absent::Refused),
+    Coordinate::new(
+        "cam_speed",
+        "mean speed of the cam while it was ground",
+        Holds::Quantity(SPINDLE_SPEED),
+        Absent::Model,
+    ),
+    Coordinate::new(
         "direction",
         "the programme from its beginning, or from its end",
         Holds::Word(&["forward", "reverse"]),
@@ -28,10 +33,6 @@ pub const COORDINATES: &[Coordinate] = &[
 ];
 const FORWARD: f64 = 0.0;
 const REVERSE: f64 = 1.0;
-
-const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {
-    Coordinate { name, about, holds, absent, repeats: false }
-}
 
 /// The pass in which the cam of a row was ground.
 pub fn pass(setup: &Setup, rows: &Rows, row: usize) -> Pass {

@@ -19,14 +19,15 @@ pub const FEED: usize = 2;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    coordinate("angle", "of the commanded point about the centre, from x", Holds::Quantity(ANGLE), Absent::Refused),
-    coordinate("direction", "counter-clockwise or clockwise", Holds::Word(Direction::NAMES), Absent::Model),
-    coordinate("feed", "speed along the path", Holds::Quantity(FEED_RATE), Absent::Model),
+    Coordinate::new(
+        "angle",
+        "of the commanded point about the centre, from x",
+        Holds::Quantity(ANGLE),
+        Absent::Refused,
+    ),
+    Coordinate::new("direction", "counter-clockwise or clockwise", Holds::Word(Direction::NAMES), Absent::Model),
+    Coordinate::new("feed", "speed along the path", Holds::Quantity(FEED_RATE), Absent::Model),
 ];
-
-const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {
-    Coordinate { name, about, holds, absent, repeats: false }
-}
 
 /// The direction and the feed (m/s) of a row.
 pub fn way(setup: &Setup, rows: &Rows, row: usize) -> (Direction, f64) {

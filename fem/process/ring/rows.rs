@@ -30,21 +30,22 @@ pub const ORIENTATION: usize = 6;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    coordinate("angle", "from jaw 1", Holds::Quantity(ANGLE), Absent::Refused),
-    coordinate("state", "bored and released, or clamped and not yet bored", Holds::Word(STATES), Absent::Value(0.0)),
-    coordinate("jaw_force", "force of each jaw", Holds::Quantity(FORCE), Absent::Model),
-    coordinate("spindle_speed", "spindle speed while boring", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
-    coordinate("blank", "radial deviation before boring", Holds::Quantity(MICRO), Absent::Value(0.0)),
-    coordinate("run", "number of the set-up", Holds::Number(1), Absent::Value(1.0)),
-    coordinate("orientation", "the ring's mark from jaw 1", Holds::Quantity(ANGLE), Absent::Value(0.0)),
+    Coordinate::new("angle", "from jaw 1", Holds::Quantity(ANGLE), Absent::Refused),
+    Coordinate::new(
+        "state",
+        "bored and released, or clamped and not yet bored",
+        Holds::Word(STATES),
+        Absent::Value(0.0),
+    ),
+    Coordinate::new("jaw_force", "force of each jaw", Holds::Quantity(FORCE), Absent::Model),
+    Coordinate::new("spindle_speed", "spindle speed while boring", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
+    Coordinate::new("blank", "radial deviation before boring", Holds::Quantity(MICRO), Absent::Value(0.0)),
+    Coordinate::new("run", "number of the set-up", Holds::Number(1), Absent::Value(1.0)),
+    Coordinate::new("orientation", "the ring's mark from jaw 1", Holds::Quantity(ANGLE), Absent::Value(0.0)),
 ];
 const STATES: &[&str] = &["released", "clamped"];
 /// Position in [`STATES`].
 pub const CLAMPED: f64 = 1.0;
-
-const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {
-    Coordinate { name, about, holds, absent, repeats: false }
-}
 
 /// Rows that no chuck can give.
 pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {

@@ -21,24 +21,20 @@ pub const Y: usize = 2;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    coordinate("time", "since the start of the run", Holds::Quantity(TIME), Absent::Refused),
-    coordinate(
+    Coordinate::new("time", "since the start of the run", Holds::Quantity(TIME), Absent::Refused),
+    Coordinate::new(
         "x",
         "from the base, where a temperature is measured",
         Holds::Quantity(LENGTH),
         Absent::NeededBy(TEMPERATURE_OF_ROW),
     ),
-    coordinate(
+    Coordinate::new(
         "y",
         "height in a plane body; half way up if left out",
         Holds::Quantity(LENGTH),
         Absent::ModelOf(TEMPERATURE_OF_ROW),
     ),
 ];
-
-const fn coordinate(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Coordinate {
-    Coordinate { name, about, holds, absent, repeats: false }
-}
 
 /// Growth and temperatures that no body stands.
 pub fn limit(setup: &Setup, observable: usize) -> Limit {

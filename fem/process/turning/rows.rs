@@ -40,20 +40,16 @@ pub const PATH_OF_ROW: usize = 8;
 /// Force, depth, feed and speed of a row act on its own force only; the schedule stays the model's, but for
 /// a row's own time and path.
 pub const COORDINATES: &[Coordinate] = &[
-    Coordinate { absent: Absent::Refused, ..coordinate("x", "distance from the headstock", Holds::Quantity(LENGTH)) },
-    Coordinate { absent: Absent::Value(1.0), ..coordinate("part", "number of the part", Holds::Number(1)) },
-    coordinate("radial_force", "nominal radial force", Holds::Quantity(FORCE)),
-    coordinate("depth", "set depth of cut", Holds::Quantity(LENGTH)),
-    coordinate("feed", "feed per revolution", Holds::Quantity(FEED)),
-    coordinate("spindle_speed", "spindle speed", Holds::Quantity(SPINDLE_SPEED)),
-    coordinate("blank", "diameter before the cut", Holds::Quantity(LENGTH)),
-    coordinate("time", "time since the batch began", Holds::Quantity(TIME)),
-    coordinate("path", "cutting path of the tool so far", Holds::Quantity(PATH)),
+    Coordinate::new("x", "distance from the headstock", Holds::Quantity(LENGTH), Absent::Refused),
+    Coordinate::new("part", "number of the part", Holds::Number(1), Absent::Value(1.0)),
+    Coordinate::new("radial_force", "nominal radial force", Holds::Quantity(FORCE), Absent::Model),
+    Coordinate::new("depth", "set depth of cut", Holds::Quantity(LENGTH), Absent::Model),
+    Coordinate::new("feed", "feed per revolution", Holds::Quantity(FEED), Absent::Model),
+    Coordinate::new("spindle_speed", "spindle speed", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
+    Coordinate::new("blank", "diameter before the cut", Holds::Quantity(LENGTH), Absent::Model),
+    Coordinate::new("time", "time since the batch began", Holds::Quantity(TIME), Absent::Model),
+    Coordinate::new("path", "cutting path of the tool so far", Holds::Quantity(PATH), Absent::Model),
 ];
-
-const fn coordinate(name: &'static str, about: &'static str, holds: Holds) -> Coordinate {
-    Coordinate { name, about, holds, absent: Absent::Model, repeats: false }
-}
 
 /// Rows off the shaft, beyond the batch, or cut with what no cut can have.
 pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -1,0 +1,199 @@
+//! Tables within tables: one that must be there, one that may be left out, lists, tables by name.
+
+use serde_json::json;
+use toml_edit::{Item, Value};
+
+use super::{Ground, Problem, Reader};
+
+/// The names that tables of the user's choice may have.
+pub struct Names<'n> {
+    /// Those that are known, for the schema.
+    pub known: &'n [&'static str],
+    /// The key that marks a table as the user's own.
+    pub mark: &'static str,
+    /// The name to keep, given one and whether its table is marked.
+    pub find: &'n dyn Fn(&str, bool) -> Result<&'static str, Problem>,
+}
+
+impl<'a> Reader<'a> {
+    /// A table that must be there.
+    pub fn table<T>(&self, key: &'static str, about: &'static str, read: impl FnOnce(&Reader<'a>) -> T) -> T {
+        let ground = match self.item(key) {
+            Some(item) => self.ground_of(key, item, "a table"),
+            None => {
+                self.missing(key, &format!("[{key}]"), about);
+                Ground::Absent
+            }
+        };
+        self.read_child(key, about, ground, true, read)
+    }
+
+    /// A table that may be left out.
+    pub fn optional_table<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        read: impl FnOnce(&Reader<'a>) -> T,
+    ) -> Option<T> {
+        let ground = match self.item(key) {
+            Some(item) => self.ground_of(key, item, "a table"),
+            None => Ground::Absent,
+        };
+        let given = !matches!(ground, Ground::Absent) || matches!(self.ground, Ground::Described);
+        given.then(|| self.read_child(key, about, ground, false, read))
+    }
+
+    fn read_child<T>(
+        &self,
+        key: &'static str,
+        about: &str,
+        ground: Ground<'a>,
+        required: bool,
+        read: impl FnOnce(&Reader<'a>) -> T,
+    ) -> T {
+        let described = matches!(self.ground, Ground::Described);
+        let reader = self.child(if described { Ground::Described } else { ground }, key);
+        let value = read(&reader);
+        reader.finish();
+        if described {
+            self.describe(key, || reader.shape.take().into_schema(about), required);
+        }
+        value
+    }
+
+    /// A list of tables, empty where the key is absent. `read` also gets the position, from 0.
+    pub fn list<T>(&self, key: &'static str, about: &'static str, read: impl Fn(&Reader<'a>, usize) -> T) -> Vec<T> {
+        if matches!(self.ground, Ground::Described) {
+            let reader = self.child(Ground::Described, key);
+            let example = read(&reader, 0);
+            let items = reader.shape.take().into_schema(about);
+            self.describe(key, || json!({ "type": "array", "description": about, "items": items }), false);
+            return vec![example];
+        }
+        let Some(item) = self.item(key) else { return Vec::new() };
+        let mut grounds = Vec::new();
+        match item {
+            Item::Value(Value::Array(array)) => {
+                for value in array {
+                    match value.as_inline_table() {
+                        Some(table) => grounds.push(Ground::Given(table, value.span())),
+                        None => self.refuse(
+                            Problem::new(format!("an entry of `{key}`: expected a table, found {}", value.type_name()))
+                                .help("write { key = value, … }")
+                                .at(value.span()),
+                        ),
+                    }
+                }
+            }
+            Item::ArrayOfTables(tables) => grounds.extend(tables.iter().map(|t| Ground::Given(t, t.span()))),
+            _ => self.refuse(
+                Problem::new(format!("`{key}`: expected a list, found {}", item.type_name()))
+                    .help(format!("write {key} = [{{ … }}]"))
+                    .at(item.span()),
+            ),
+        }
+        let mut values = Vec::with_capacity(grounds.len());
+        for (i, ground) in grounds.into_iter().enumerate() {
+            let reader = self.child(ground, &format!("{key}[{i}]"));
+            values.push(read(&reader, i));
+            reader.finish();
+        }
+        values
+    }
+
+    /// Tables with names of the user's choice: `[effects.NAME]`. Each is read with its name.
+    pub fn named_tables<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        names: Names,
+        read: impl Fn(&'static str, &Reader<'a>) -> T,
+    ) -> Vec<T> {
+        let item = self.item(key);
+        let parent = match (&self.ground, item) {
+            (Ground::Described, _) => self.child(Ground::Described, key),
+            (_, Some(item)) => self.child(self.ground_of(key, item, "a table of tables"), key),
+            (_, None) => return Vec::new(),
+        };
+        let mut values = Vec::new();
+        for name in parent.names(&names) {
+            let ground = match parent.item(name) {
+                Some(item) => parent.ground_of(name, item, "a table"),
+                None => Ground::Described,
+            };
+            parent.read_child(name, about, ground, false, |reader| values.push(read(name, reader)));
+        }
+        if matches!(self.ground, Ground::Described) {
+            let schema = || {
+                let mut schema = parent.shape.take().into_schema(about);
+                schema["additionalProperties"] = json!({
+                    "type": "object",
+                    "required": [names.mark],
+                    "properties": { names.mark: { "type": "string" } },
+                    "additionalProperties": { "type": ["string", "number"] },
+                });
+                schema
+            };
+            self.describe(key, schema, false);
+        }
+        values
+    }
+
+    /// The names in the order in which the file has them (all that are known, where there is no file).
+    fn names(&self, names: &Names) -> Vec<&'static str> {
+        let Ground::Given(table, _) = &self.ground else { return names.known.to_vec() };
+        let mut found = Vec::new();
+        for (name, item) in table.iter() {
+            let is_marked = item.as_table_like().is_some_and(|t| t.contains_key(names.mark));
+            match (names.find)(name, is_marked) {
+                Ok(name) => found.push(name),
+                Err(problem) => self.refuse(problem.at(table.key(name).and_then(|k| k.span()))),
+            }
+        }
+        found
+    }
+
+    /// A key that holds either a name or a table: a material. `read` gets the name, if there is one, and a
+    /// reader of the table, with every key absent where there is none.
+    pub fn name_or_table<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        names: &[&str],
+        read: impl FnOnce(Option<&str>, &Reader<'a>) -> T,
+    ) -> T {
+        let mut name = None;
+        let ground = match self.item(key) {
+            Some(item) if item.as_str().is_some() => {
+                name = item.as_str();
+                Ground::Absent
+            }
+            Some(item) => self.ground_of(key, item, "a name or a table"),
+            None => {
+                self.missing(key, &format!("{key} = \"{}\"", names.first().unwrap_or(&"")), about);
+                Ground::Absent
+            }
+        };
+        let described = matches!(self.ground, Ground::Described);
+        let reader = self.child(if described { Ground::Described } else { ground }, key);
+        let value = read(name, &reader);
+        reader.finish();
+        if described {
+            let table = reader.shape.take().into_schema(about);
+            self.describe(key, || json!({ "description": about, "anyOf": [{ "enum": names }, table] }), true);
+        }
+        value
+    }
+
+    fn ground_of(&self, key: &str, item: &'a Item, expected: &str) -> Ground<'a> {
+        match item.as_table_like() {
+            Some(table) => Ground::Given(table, item.span()),
+            None => {
+                self.refuse(
+                    Problem::new(format!("`{key}` is no table")).help(format!("it must be {expected}")).at(item.span()),
+                );
+                Ground::Absent
+            }
+        }
+    }
+}
