@@ -46,6 +46,7 @@
 //! positioning           positioning tests by ISO 230-2, compensation tables
 //! process               a process and its effects: turning, …
 //! measure               measurement files
+//! noise                 noise of measurements and what rows share of it: the covariance
 //! model                 a model file: process, effects, what is known; run, add, schema
 //! compare               a model against measurements
 //! fit                   what a model does not know exactly, from measurements
@@ -70,6 +71,7 @@ pub mod material;
 pub mod measure;
 pub mod mesh;
 pub mod model;
+pub mod noise;
 pub mod output;
 pub mod positioning;
 pub mod process;

@@ -3,7 +3,6 @@
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::Trend;
-use super::noise::Noise;
 use super::waves::{Largest, Waves};
 use crate::measure::Measurements;
 use crate::process::Coordinate;
@@ -141,7 +140,7 @@ impl Binned {
         coordinates: &[Coordinate],
         measurements: &Measurements,
         residuals: &[f64],
-        noise: &Noise,
+        sigma: f64,
         kind: Kind,
     ) -> (Option<Trend>, Vec<(f64, f64)>) {
         let ([bins], [i]) = (&self.bins[..], &self.along.0[..]) else { return (None, Vec::new()) };
@@ -153,7 +152,7 @@ impl Binned {
             .filter(|b| counts[*b] > 0.0)
             .map(|b| (places[b] / counts[b], sums[b] / counts[b], counts[b]))
             .collect();
-        let variance = kind.from_si(noise.rms()).powi(2);
+        let variance = kind.from_si(sigma).powi(2);
         (Some(Trend::of(&points, variance)), points.iter().map(|p| (p.0, p.1)).collect())
     }
 }

@@ -9,11 +9,11 @@
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::binning::{Along, Binned, Statistic, binnings};
-use super::noise::{Noise, NoiseSource};
 use super::rng::Rng;
 use super::sentence::{name, sentence};
 use super::{SIGNIFICANCE, Trend};
 use crate::measure::Measurements;
+use crate::noise::{Noise, NoiseSource};
 use crate::process::Process;
 
 /// Number of rows beyond which the estimated noise is as good as known, and shuffles would take long.
@@ -45,14 +45,18 @@ pub struct Feature {
 /// Finds the significant features, the largest share first. Observables that stand side by side are tested
 /// one by one.
 pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
-    let [_, _, ..] = &measurements.observables[..] else { return of_one(process, measurements, residuals, noise) };
-    let square = |rows: &[usize]| rows.iter().map(|r| (residuals[*r] / noise.sigma[*r]).powi(2)).sum::<f64>();
+    let left = noise.unshared(residuals);
+    let z = noise.whiten(residuals.iter().copied());
+    let whole = Residuals { sigma: noise.rms(), source: noise.source, left, z };
+    let [_, _, ..] = &measurements.observables[..] else { return of_one(process, measurements, whole) };
+    let square = |rows: &[usize]| rows.iter().map(|r| whole.z[*r].powi(2)).sum::<f64>();
     let total = square(&(0..residuals.len()).collect::<Vec<_>>());
     let mut features = Vec::new();
     for (seen, rows) in measurements.observables.iter().zip(measurements.rows_by_observable()) {
         let of = |values: &[f64]| rows.iter().map(|r| values[*r]).collect::<Vec<f64>>();
-        let own = Noise { sigma: of(&noise.sigma), source: noise.source };
-        let found = of_one(process, &measurements.of(seen), &of(residuals), &own);
+        let sigma = noise.usual(measurements, seen.position);
+        let own = Residuals { left: of(&whole.left), z: of(&whole.z), sigma, source: noise.source };
+        let found = of_one(process, &measurements.of(seen), own);
         let looks = measurements.observables.len() as f64;
         features.extend(found.into_iter().map(|f| Feature {
             share: f.share * square(&rows) / total,
@@ -66,12 +70,23 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
     features
 }
 
+/// Residuals of the rows of one observable, or of all.
+struct Residuals {
+    /// Without what effects of the measurement add, SI.
+    left: Vec<f64>,
+    /// Whitened: independent with variance 1 if they are noise.
+    z: Vec<f64>,
+    /// Root mean square of the noise, SI.
+    sigma: f64,
+    source: NoiseSource,
+}
+
 /// Finds the features of a single observable.
-fn of_one(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
+fn of_one(process: &dyn Process, measurements: &Measurements, residuals: Residuals) -> Vec<Feature> {
     let coordinates = process.coordinates();
     let binnings = binnings(coordinates, measurements);
-    let mut z: Vec<f64> = residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
-    let null = NullDistribution::new(noise, &binnings, &mut z);
+    let Residuals { left, mut z, sigma, source } = residuals;
+    let null = NullDistribution::new(source, &binnings, &mut z);
     let statistics: Vec<Statistic> = binnings.iter().map(|binned| binned.statistic(&z)).collect();
     let total: f64 = z.iter().map(|z| z * z).sum();
     let kind = measurements.kind();
@@ -81,7 +96,7 @@ fn of_one(process: &dyn Process, measurements: &Measurements, residuals: &[f64],
         .filter_map(|(binned, statistic)| {
             let p_value = null.p_value(binned, statistic);
             (p_value < SIGNIFICANCE).then(|| {
-                let (trend, curve) = binned.describe(coordinates, measurements, residuals, noise, kind);
+                let (trend, curve) = binned.describe(coordinates, measurements, &left, sigma, kind);
                 let trend = match (&statistic.wave, trend) {
                     (Some(halves), Some(Trend::Irregular)) => Some(Trend::Periodic { periods: 0.5 * halves[0] as f64 }),
                     (_, trend) => trend,
@@ -126,8 +141,8 @@ impl NullDistribution {
     /// Makes the null distribution of standardised residuals. Residuals that are shuffled are scaled to a
     /// mean square of one: measured by a noise that is a small part of them, every shuffle would be as
     /// significant as they are.
-    fn new(noise: &Noise, binnings: &[Binned], z: &mut [f64]) -> Self {
-        if noise.source != NoiseSource::Estimated || z.len() > MANY {
+    fn new(source: NoiseSource, binnings: &[Binned], z: &mut [f64]) -> Self {
+        if source != NoiseSource::Estimated || z.len() > MANY {
             return Self::Bonferroni(binnings.len() as f64);
         }
         let square = (z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64).max(1.0);

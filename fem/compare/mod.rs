@@ -3,7 +3,6 @@
 
 mod binning;
 mod features;
-mod noise;
 mod rng;
 mod sentence;
 mod significance;
@@ -12,19 +11,20 @@ mod waves;
 
 pub use binning::Along;
 pub use features::{Feature, find as features};
-pub use noise::{Noise, NoiseLevel, NoiseSource};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
 pub use trend::Trend;
 
+use nalgebra::DMatrix;
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use crate::measure::{MeasuredObservable, Measurements, Repeats, repeats};
 use crate::model::{Data, Model};
+use crate::noise::{Noise, NoiseSource};
 use crate::process::Failure;
 
 /// Comparison of one model with one file of measurements. SI units.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Comparison {
     /// File of the model.
     pub model: String,
@@ -102,7 +102,8 @@ pub fn compare(data: &Data) -> Result<Comparison, Failure> {
     let predicted = model.forward().observe(&measurements.rows)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
     let repeats = repeats(measurements, model.process.coordinates());
-    let noise = Noise::of(measurements, &repeats, &residuals);
+    let nothing = DMatrix::zeros(measurements.len(), 0);
+    let (noise, repeats) = Noise::stated(&data.terms, measurements, &repeats, &residuals, &nothing);
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
     let (reduced_chi2, p_value) = reduced_chi2(&residuals, &noise, &repeats, data.datum_directions.len());
@@ -131,13 +132,14 @@ pub fn rms(values: &[f64]) -> f64 {
 fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> (f64, Option<f64>) {
     let left = |count: usize| count.saturating_sub(blind).max(1) as f64;
     let n = left(residuals.len());
-    let chi2: f64 = residuals.iter().zip(&noise.sigma).map(|(r, s)| (r / s).powi(2)).sum();
+    let z = noise.whiten(residuals.iter().copied());
+    let chi2: f64 = z.iter().map(|z| z * z).sum();
     match noise.source {
         NoiseSource::Column => (chi2 / n, ChiSquared::new(n).ok().map(|d| d.sf(chi2))),
         NoiseSource::Repeats => {
             let (mut sum, mut count) = (vec![0.0; repeats.groups], vec![0.0; repeats.groups]);
-            for ((&g, r), s) in repeats.group.iter().zip(residuals).zip(&noise.sigma) {
-                sum[g] += r / s;
+            for (&g, z) in repeats.group.iter().zip(&z) {
+                sum[g] += z;
                 count[g] += 1.0;
             }
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();

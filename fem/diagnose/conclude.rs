@@ -4,7 +4,7 @@ use super::candidate_model::CandidateModel;
 use super::confounding::{self, Confounding};
 use super::cross_validation::Folds;
 use super::detection_limit::detection_limit;
-use super::diagnosis::{Diagnosis, Missing, Outlook};
+use super::diagnosis::{Cause, Diagnosis, Missing, Outlook};
 use super::failure::unsolvable;
 use super::lead;
 use super::null_distribution::{Variance, variance};
@@ -12,7 +12,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{next, sensitivity};
+use super::{Hypothesis, instrument, next, sensitivity};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::process::Failure;
@@ -21,7 +21,10 @@ use crate::process::Failure;
 ///
 /// # Errors
 /// The model cannot be computed beside its best values.
-pub fn conclude(found: SearchResult, repeats: &Repeats, conflicts: &[PriorConflict]) -> Result<Diagnosis, Failure> {
+pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) -> Result<Diagnosis, Failure> {
+    let Some(Hypothesis { found, repeats, .. }) = hypotheses.pop() else { return Err(unsolvable()) };
+    let repeats = &repeats;
+    let plain = hypotheses.first();
     let variance = variance(&found.base.objective.noise, repeats);
     let folds = Folds::of(&found.base);
     let mut best = found.best().clone();
@@ -33,7 +36,7 @@ pub fn conclude(found: SearchResult, repeats: &Repeats, conflicts: &[PriorConfli
     let (before, mut after) = (goodness(&found.base), goodness(&best));
     let features = verdict::features(&found.base);
     let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
-    let verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
+    let mut verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
     if verdict == Verdict::Unexplained {
         best = found.base.clone();
         settled = fit::profile_intervals(&mut best.objective, best.solution.clone())?;
@@ -42,7 +45,28 @@ pub fn conclude(found: SearchResult, repeats: &Repeats, conflicts: &[PriorConfli
     }
     let fit = fit::report(&best.objective, settled, repeats);
     let confoundings = if best.members.is_empty() { Vec::new() } else { confounding::confoundings(&found) };
-    let missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
+    let mut missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
+    let told = instrument::told(&found.base, &best, plain.map(|h| &h.found.base), repeats);
+    let outliers = instrument::outliers(&best);
+    let verdict_after = match verdict {
+        Verdict::MissingEffect => Verdict::Adequate,
+        other => other,
+    };
+    let (before, features) = match plain {
+        None => (before, features),
+        Some(plain) => {
+            let base = &plain.found.base;
+            (GoodnessOfFit::of(base, &plain.repeats, folds.as_ref()), verdict::features(base))
+        }
+    };
+    if !told.is_empty() {
+        verdict = match verdict {
+            Verdict::Adequate => Verdict::MissingEffect,
+            Verdict::Unexplained => Verdict::PartlyExplained,
+            other => other,
+        };
+        missing.splice(0..0, told);
+    }
     let next = next::next(&found, &best, &confoundings);
     let all = found.tried.iter().chain([&found.base, &best]);
     let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
@@ -55,6 +79,8 @@ pub fn conclude(found: SearchResult, repeats: &Repeats, conflicts: &[PriorConfli
         features,
         verdict,
         missing,
+        outliers,
+        verdict_after,
         after,
         fit,
         remaining,
@@ -117,6 +143,7 @@ fn missing(
         let effect = found.candidates[last].effect.clone();
         let prefix = format!("effects.{}.", effect.name);
         list.push(Missing {
+            cause: Cause::Physical,
             effect,
             goodness: goodness(&rest),
             p_value: found.null_distribution.p_value(measured),

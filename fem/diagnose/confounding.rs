@@ -109,9 +109,9 @@ fn confounding<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, member: 
 
 /// Variants of another effect that come closest to the contribution of the member.
 fn imitations(best: &CandidateModel, bare: &CandidateModel, stranger: &CandidateEffect) -> Vec<(usize, Gain)> {
-    let rows = best.solution.predicted.iter().zip(&bare.solution.predicted).zip(&best.objective.noise.sigma);
+    let rows = best.solution.predicted.iter().zip(&bare.solution.predicted).map(|(p, q)| p - q);
     let priors = std::iter::repeat_n(0.0, best.objective.priors());
-    let made = DVector::from_vec(rows.map(|((p, q), s)| (p - q) / s).chain(priors).collect());
+    let made = DVector::from_vec(best.objective.noise.whiten(rows).into_iter().chain(priors).collect());
     let imitation =
         |v: &Variant| gain(&(v.columns.transpose() * &v.columns), &(v.columns.transpose() * &made), &v.signed);
     promising(stranger.variants.iter().map(imitation).collect())
@@ -125,8 +125,8 @@ fn alternative<'a>(
     candidate: usize,
 ) -> Option<Alternative<'a>> {
     let jacobian = trial.objective.jacobian(&trial.solution.position)?;
-    let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).zip(&trial.objective.noise.sigma);
-    let apart = rows.map(|((p, q), s)| (p - q) / s).chain(priors_apart(best, &trial));
+    let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).map(|(p, q)| p - q);
+    let apart = trial.objective.noise.whiten(rows).into_iter().chain(priors_apart(best, &trial));
     let separation = length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2);
     let delta_chi2 = trial.solution.chi2 - best.solution.chi2;
     Some(Alternative { model: trial, candidate, delta_chi2, separation })

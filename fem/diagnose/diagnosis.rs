@@ -3,8 +3,9 @@
 use super::detection_limit::DetectionLimit;
 use super::next::Next;
 use super::verdict::{GoodnessOfFit, Verdict};
-use crate::compare::{Feature, NoiseLevel};
+use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
+use crate::noise::NoiseLevel;
 use crate::process::Description;
 
 /// Diagnosis of a model. SI units.
@@ -21,8 +22,12 @@ pub struct Diagnosis {
     pub features: Vec<Feature>,
     /// Verdict.
     pub verdict: Verdict,
-    /// Missing effects, in the order in which they should be added.
+    /// Missing effects, those of the measurement first, in the order in which they should be added.
     pub missing: Vec<Missing>,
+    /// Rows that are wrong by themselves, weighed down.
+    pub outliers: Vec<Outlier>,
+    /// Verdict on the model with all of it.
+    pub verdict_after: Verdict,
     /// Goodness of fit of the model with all of them.
     pub after: GoodnessOfFit,
     /// Fit of all parameters, the model's own and those of the effects.
@@ -39,8 +44,41 @@ pub struct Diagnosis {
     pub trials: (usize, usize),
 }
 
+/// A row that lies far outside of what the others scatter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outlier {
+    /// Number of the row, from 0.
+    pub row: usize,
+    /// Line of the file.
+    pub line: u64,
+    /// Observed value, SI.
+    pub value: f64,
+    /// Prediction of the best model, with what effects of the measurement add, SI.
+    pub predicted: f64,
+    /// Weight against other rows.
+    pub weight: f64,
+}
+
+/// Whose effect is missing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cause {
+    /// The machine's, the fixture's or the part's.
+    Physical,
+    /// The measurement's, with the names of the coordinates that group its rows.
+    Measurement {
+        /// Coordinates whose levels group the rows.
+        by: Vec<&'static str>,
+        /// Observable on which it acts, where the file has several.
+        observable: Option<&'static str>,
+        /// First line of the file after a step.
+        from_line: Option<u64>,
+    },
+}
+
 /// An effect that is missing.
 pub struct Missing {
+    /// Whose it is.
+    pub cause: Cause,
     /// The effect.
     pub effect: Description,
     /// Goodness of fit of the model with this and the effects before it.

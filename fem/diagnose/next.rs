@@ -99,8 +99,8 @@ impl Contrast {
         experiment_jacobian.column_iter_mut().for_each(|mut c| c.component_div_assign(&sigma));
         let ahead = one.predict_rows(&best.solution.position, experiment)?;
         let behind = other.predict_rows(&alternative.solution.position, experiment)?;
-        let measured = best.solution.predicted.iter().zip(&alternative.solution.predicted).zip(&one.noise.sigma);
-        let measured = measured.map(|((p, q), s)| (p - q) / s).chain(priors_apart(best, alternative)).collect();
+        let measured = best.solution.predicted.iter().zip(&alternative.solution.predicted).map(|(p, q)| p - q);
+        let measured = one.noise.whiten(measured).into_iter().chain(priors_apart(best, alternative)).collect();
         let experiment = (DVector::from_vec(ahead) - DVector::from_vec(behind)).component_div(&sigma);
         Some(Self { measured: DVector::from_vec(measured), jacobian, experiment, experiment_jacobian })
     }

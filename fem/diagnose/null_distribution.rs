@@ -13,8 +13,8 @@ use super::gain::gain;
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::CandidateEffect;
 use crate::compare::Rng;
-use crate::compare::{Noise, NoiseSource};
 use crate::measure::Repeats;
+use crate::noise::{Noise, NoiseSource};
 
 /// Number of simulated searches.
 const SEARCHES: usize = 1000;

@@ -13,9 +13,9 @@ use super::residual_projection::ProjectedResidual;
 use super::search::SIGNIFICANCE;
 use super::sensitivity::{self, CandidateEffect};
 use super::{Next, absent, unsolvable};
-use crate::compare::{Noise, NoiseSource};
 use crate::fit::{Objective, Solution};
 use crate::model::Data;
+use crate::noise::{Noise, NoiseSource};
 use crate::process::{Description, Failure, Rows};
 
 /// Size at which effects are compared with each other, in standard uncertainties: each is plain to see.
@@ -56,7 +56,7 @@ pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
     let model = design.model;
     let of_rows = |rows: &Rows| rows.observable.iter().map(|o| sigma[*o]).collect::<Vec<f64>>();
     let known = design.uncertainty.clone().unwrap_or_else(|| of_rows(&design.rows));
-    let expected = Noise { sigma: known.clone(), source: NoiseSource::Column };
+    let expected = Noise::independent(known.clone(), NoiseSource::Column);
     let absent = absent(model);
     let now = Assessment::of(&absent, design, known.clone())?;
     let alike = now.alike(&absent);
@@ -98,7 +98,7 @@ struct Assessment {
 impl Assessment {
     fn of(absent: &[Description], design: &Data, sigma: Vec<f64>) -> Result<Self, Failure> {
         let mut objective = Objective::new(design)?;
-        objective.noise = Noise { sigma, source: NoiseSource::Column };
+        objective.noise = Noise::independent(sigma, NoiseSource::Column);
         let first = objective.variables.iter().map(|a| a.position(a.starts.first().copied().unwrap_or(0.0)));
         let position = DVector::from_iterator(objective.variables.len(), first);
         let predicted = objective.predict(&position).ok_or_else(unsolvable)?;

@@ -58,9 +58,10 @@ fn with_blind(objective: &Objective, jacobian: DMatrix<f64>) -> DMatrix<f64> {
     }
     let mut all = DMatrix::zeros(jacobian.nrows(), blind.len() + jacobian.ncols());
     for (column, direction) in blind.iter().enumerate() {
-        for (&row, component) in direction.rows.iter().zip(&direction.components) {
-            all[(row, column)] = component / objective.noise.sigma[row];
-        }
+        let mut whole = vec![0.0; objective.data.len()];
+        direction.rows.iter().zip(&direction.components).for_each(|(row, component)| whole[*row] = *component);
+        let whole = objective.noise.whiten(whole);
+        all.column_mut(column).rows_mut(0, whole.len()).copy_from_slice(&whole);
     }
     all.columns_mut(blind.len(), jacobian.ncols()).copy_from(&jacobian);
     all
@@ -74,6 +75,11 @@ fn project(tangent: &DMatrix<f64>, v: DVector<f64>) -> DVector<f64> {
 /// Length of a vector when the span of `columns` is projected out of it.
 pub fn length_outside(columns: &DMatrix<f64>, v: DVector<f64>) -> f64 {
     project(&orthonormal(columns), v).norm()
+}
+
+/// Orthonormal basis of some columns of a length.
+pub fn orthonormal_of(columns: &[DVector<f64>], rows: usize) -> DMatrix<f64> {
+    if columns.is_empty() { DMatrix::zeros(rows, 0) } else { orthonormal(&DMatrix::from_columns(columns)) }
 }
 
 /// Orthonormalises by Gram and Schmidt, twice, and leaves out directions that depend on earlier ones.

@@ -160,8 +160,8 @@ impl Probe<'_, '_> {
         let own = self.base.position.iter().copied();
         let there = DVector::from_iterator(own.len() + moved.len(), own.chain(moved));
         let predicted = self.trial.predict(&there)?;
-        let rows = predicted.iter().zip(&self.base.predicted).zip(&self.trial.noise.sigma);
-        let change = rows.map(|((p, q), sigma)| (p - q) / sigma / step);
+        let change = predicted.iter().zip(&self.base.predicted).map(|(p, q)| (p - q) / step);
+        let change = self.trial.noise.whiten(change).into_iter();
         let priors = std::iter::repeat_n(0.0, self.trial.priors());
         Some(DVector::from_vec(change.chain(priors).collect()))
     }

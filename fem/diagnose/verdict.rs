@@ -2,9 +2,10 @@
 
 use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
-use crate::compare::{self, Feature, NoiseSource, features as find_features};
+use crate::compare::{self, Feature, features as find_features};
 use crate::fit::reduced_chi2;
 use crate::measure::Repeats;
+use crate::noise::NoiseSource;
 
 /// Significance level of χ² and of structure: half of what the search may spend, for both are tested.
 const UNEXPLAINED: f64 = 0.005;
@@ -57,7 +58,8 @@ impl GoodnessOfFit {
 /// Root mean square residual of the rows, SI; in standard uncertainties where there are several observables.
 pub fn rms(trial: &CandidateModel) -> f64 {
     let objective = &trial.objective;
-    compare::rms(&objective.data.together(&residuals(trial), &objective.noise.sigma))
+    let left = objective.noise.unshared(&residuals(trial));
+    compare::rms(&objective.data.together(&left, &objective.noise.sigma))
 }
 
 fn residuals(trial: &CandidateModel) -> Vec<f64> {

@@ -8,7 +8,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::least_squares::{StoppingCriterion, minimise};
 use super::objective::{Objective, Solution};
-use crate::compare::NoiseSource;
+use crate::noise::NoiseSource;
 use crate::process::Failure;
 
 /// 95 % point of χ² with one degree of freedom.

@@ -17,11 +17,13 @@ pub use search_variable::SearchVariable;
 pub use starts::best;
 pub use write::{fitted_text, uncertain};
 
+use nalgebra::DMatrix;
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-use crate::compare::{Noise, NoiseSource, SIGNIFICANCE, rms};
+use crate::compare::{SIGNIFICANCE, rms};
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::model::Data;
+use crate::noise::{Noise, NoiseSource};
 use crate::process::Failure;
 
 /// Correlation beyond which two parameters can hardly be told apart.
@@ -76,12 +78,15 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
     let repeats = repeats(data, data.model.process.coordinates());
     let mut objective = Objective::new(data)?;
     let mut solution = starts::best(&mut objective)?;
-    let known = data.uncertainty.is_some();
+    let known = data.uncertainty.is_some() && data.terms.is_empty();
+    let mut within = repeats.clone();
     if !known {
         // The noise is estimated from the residuals of the best model, and priors are weighted against it:
         // two rounds settle both.
         for _ in 0..2 {
-            objective.noise = Noise::of(data, &repeats, &residuals(data, &solution.predicted));
+            let left = residuals(data, &solution.predicted);
+            let mean = objective.mean(&solution).unwrap_or_else(|| DMatrix::zeros(data.len(), 0));
+            (objective.noise, within) = Noise::stated(&data.terms, data, &repeats, &left, &mean);
             if objective.noise.source == NoiseSource::Estimated {
                 objective.noise = objective.residual_noise(&solution);
             }
@@ -89,7 +94,7 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
         }
     }
     let settled = profile_intervals(&mut objective, solution)?;
-    Ok(report(&objective, settled, &repeats))
+    Ok(report(&objective, settled, &within))
 }
 
 fn residuals(measurements: &Measurements, predicted: &[f64]) -> Vec<f64> {

@@ -3,10 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::search_variable::SearchVariable;
-use crate::compare::{Noise, NoiseSource};
 use crate::input::Parameter;
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
+use crate::noise::{Noise, NoiseSource};
 use crate::process::{self, Active, Description, Failure, Holds, Rows};
 use crate::units::{Knowledge, Quantity};
 
@@ -68,7 +68,7 @@ impl<'a> Objective<'a> {
             return Err(Failure { message, help });
         }
         let noise = match &data.uncertainty {
-            Some(sigma) => Noise { sigma: sigma.clone(), source: NoiseSource::Column },
+            Some(sigma) => Noise::independent(sigma.clone(), NoiseSource::Column),
             None => {
                 let sigma: Vec<f64> = data.rows_by_observable().iter().map(|r| scatter(data, r)).collect();
                 Noise::alike(
@@ -159,11 +159,12 @@ impl<'a> Objective<'a> {
     /// ratio between observables stays, for neighbouring rows tell it better than the residuals of a wrong
     /// model.
     pub fn residual_noise(&self, solution: &Solution) -> Noise {
-        let rows = self.data.observed.iter().zip(&solution.predicted).zip(&self.noise.sigma);
-        let square: f64 = rows.map(|((y, p), s)| ((y - p) / s).powi(2)).sum();
+        let left = self.data.observed.iter().zip(&solution.predicted).map(|(y, p)| y - p);
+        let square: f64 = self.noise.whiten(left).iter().map(|z| z * z).sum();
         let factor = (square / self.freedom().max(1.0)).sqrt();
-        let sigma = self.noise.sigma.iter().map(|s| (factor * s).max(1e-15));
-        Noise { sigma: sigma.collect(), source: NoiseSource::Estimated }
+        let mut noise = self.noise.times(factor, self.data);
+        noise.source = NoiseSource::Estimated;
+        noise
     }
 
     /// Values of all parameters, SI.
@@ -195,7 +196,7 @@ impl<'a> Objective<'a> {
 
     /// Standardised residuals of rows, then of priors.
     pub fn residuals(&self, position: &DVector<f64>, predicted: &[f64]) -> DVector<f64> {
-        let rows = self.data.observed.iter().zip(predicted).zip(&self.noise.sigma).map(|((y, p), s)| (y - p) / s);
+        let rows = self.noise.whiten(self.data.observed.iter().zip(predicted).map(|(y, p)| y - p)).into_iter();
         let prior = |(variable, s): (&SearchVariable, &f64)| {
             variable.prior.map(|(value, std)| (value - variable.value(*s)) / std)
         };
@@ -231,6 +232,19 @@ impl<'a> Objective<'a> {
             };
             all.set_column(i, &((at(high)? - at(low)?) / (high - low)));
         }
+        Some(all)
+    }
+
+    /// Derivatives of the prediction of the measured rows by the free variables, beside the datum directions,
+    /// SI.
+    pub fn mean(&self, solution: &Solution) -> Option<DMatrix<f64>> {
+        let own = self.clone().sensitivities(&solution.position, &self.data.rows)?;
+        let blind = &self.data.datum_directions;
+        let mut all = DMatrix::zeros(self.data.len(), blind.len() + own.ncols());
+        for (column, direction) in blind.iter().enumerate() {
+            direction.rows.iter().zip(&direction.components).for_each(|(row, c)| all[(*row, column)] = *c);
+        }
+        all.columns_mut(blind.len(), own.ncols()).copy_from(&own);
         Some(all)
     }
 

@@ -67,6 +67,8 @@ struct Findings {
     trial: HashMap<String, f64>,
     /// Results that stay from one reading to the next.
     kept: Kept,
+    /// Paths of tables whose tables are read by somebody else.
+    parted: RefCell<Vec<String>>,
 }
 
 /// The source from which a reader answers.
@@ -126,7 +128,13 @@ impl<'a> Reader<'a> {
         trial: HashMap<String, f64>,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> (T, Found) {
-        let findings = Findings { found: RefCell::default(), folder: folder.to_path_buf(), trial, kept: kept.clone() };
+        let findings = Findings {
+            found: RefCell::default(),
+            folder: folder.to_path_buf(),
+            trial,
+            kept: kept.clone(),
+            parted: RefCell::default(),
+        };
         let reader = Self::on(Ground::Given(table, None), String::new(), findings.into());
         let value = read(&reader);
         reader.finish();
@@ -241,6 +249,12 @@ impl<'a> Reader<'a> {
         own.get(table).and_then(Item::as_table_like).is_some_and(|table| table.contains_key(key))
     }
 
+    /// Leaves the tables within the table `key` to [`Reader::named_tables`]; its other keys are read as
+    /// usual.
+    pub fn part(&self, key: &str) {
+        self.findings.parted.borrow_mut().push(key.to_string());
+    }
+
     pub(super) fn item(&self, key: &'static str) -> Option<&'a Item> {
         self.asked.borrow_mut().push(key);
         match &self.ground {
@@ -312,6 +326,9 @@ impl<'a> Reader<'a> {
         let asked = self.asked.borrow();
         for (key, item) in table.iter() {
             if asked.contains(&key) || self.is_open.get() {
+                continue;
+            }
+            if item.is_table_like() && self.findings.parted.borrow().contains(&self.path) {
                 continue;
             }
             let place = if self.path.is_empty() { "this file".to_string() } else { format!("`{}`", self.path) };

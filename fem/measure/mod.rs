@@ -116,6 +116,17 @@ impl Measurements {
         self.observables.iter().position(|s| s.position == self.rows.observable[row]).unwrap_or(0)
     }
 
+    /// Level of each row by some coordinates together, numbered from 0 as they first appear.
+    pub fn levels(&self, by: &[usize]) -> Vec<usize> {
+        let mut numbers: std::collections::HashMap<Vec<u64>, usize> = std::collections::HashMap::new();
+        let mut level = |row: usize| {
+            let key = by.iter().map(|i| self.rows.columns[*i][row].to_bits()).collect();
+            let next = numbers.len();
+            *numbers.entry(key).or_insert(next)
+        };
+        (0..self.len()).map(&mut level).collect()
+    }
+
     /// Row numbers of each observable.
     pub fn rows_by_observable(&self) -> Vec<Vec<usize>> {
         let own =

@@ -42,6 +42,49 @@ impl Repeats {
     }
 }
 
+impl Repeats {
+    /// The same groups with the scatter that is left when levels that cross them, each with a shift of its
+    /// own, are taken out (pure error within runs), and rows that `is_out` are not counted.
+    #[must_use]
+    pub fn within(&self, measurements: &Measurements, levels: &[Vec<usize>], is_out: &dyn Fn(usize) -> bool) -> Self {
+        /// Most rounds of taking means out in turn; balanced designs need two.
+        const ROUNDS: usize = 30;
+        let rows: Vec<usize> = (0..measurements.len()).filter(|row| !is_out(*row)).collect();
+        let mut left: Vec<f64> = rows.iter().map(|row| measurements.observed[*row]).collect();
+        let own = |of_rows: &[usize]| rows.iter().map(|row| of_rows[*row]).collect::<Vec<usize>>();
+        let parts: Vec<Vec<usize>> = std::iter::once(&self.group).chain(levels).map(|l| own(l)).collect();
+        let count = |part: &Vec<usize>| {
+            let mut distinct = part.clone();
+            distinct.sort_unstable();
+            distinct.dedup();
+            distinct.len()
+        };
+        for _ in 0..if levels.is_empty() { 1 } else { ROUNDS } {
+            for part in &parts {
+                let most = part.iter().max().map_or(0, |m| m + 1);
+                let (mut sum, mut members) = (vec![0.0; most], vec![0.0; most]);
+                for (level, value) in part.iter().zip(&left) {
+                    sum[*level] += value;
+                    members[*level] += 1.0;
+                }
+                left.iter_mut().zip(part).for_each(|(value, level)| *value -= sum[*level] / members[*level]);
+            }
+        }
+        let shifts: usize = parts[1..].iter().map(|part| count(part).saturating_sub(1)).sum();
+        let mut scatter = vec![Scatter::default(); measurements.observables.len()];
+        for (row, value) in rows.iter().zip(&left) {
+            let own = &mut scatter[measurements.observable(*row)];
+            own.sum_of_squares += value * value;
+            own.freedom += 1;
+        }
+        for (number, own) in scatter.iter_mut().enumerate() {
+            own.groups = self.scatter[number].groups;
+            own.freedom = own.freedom.saturating_sub(own.groups + shifts);
+        }
+        Self { group: self.group.clone(), groups: self.groups, scatter }
+    }
+}
+
 /// Groups the rows that repeat each other.
 pub fn repeats(measurements: &Measurements, coordinates: &[Coordinate]) -> Repeats {
     let compared: Vec<usize> = (0..coordinates.len()).filter(|i| !coordinates[*i].repeats).collect();

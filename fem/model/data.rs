@@ -2,9 +2,10 @@
 
 use std::ops::Deref;
 
-use super::Model;
+use super::{Model, measurement};
 use crate::input::{InputError, Problem, Source};
 use crate::measure::Measurements;
+use crate::noise::{Acts, Term};
 use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows};
 
 /// Most misplaced rows that are reported.
@@ -18,6 +19,9 @@ pub struct Data<'m> {
     pub model: &'m Model,
     /// Datum directions that were taken out of the observed values: the way of measuring is blind to them.
     pub datum_directions: Vec<DatumDirection>,
+    /// Effects of the measurement that the model states, with the rows on which they act; a size that is not
+    /// a number is unknown.
+    pub terms: Vec<Term>,
     measurements: Measurements,
     /// Observed values as they were read, where datum directions were taken out of them.
     as_read: Option<Vec<f64>>,
@@ -31,7 +35,9 @@ impl<'m> Data<'m> {
     pub fn of(model: &'m Model, measurements: Measurements) -> Result<Self, InputError> {
         let misplaced = model.system.misplaced(&measurements.rows);
         if misplaced.is_empty() {
-            return Ok(Self::within(model, measurements));
+            let terms = measurement::resolved(&model.measurement, &measurements)
+                .map_err(|problem| InputError::one(model.source.clone(), problem))?;
+            return Ok(Self { terms, ..Self::within(model, measurements) });
         }
         let problem = |m: &Misplaced| {
             let line = measurements.lines[m.row];
@@ -76,7 +82,7 @@ impl<'m> Data<'m> {
         let datum_directions = model.system.datum_directions(&measurements.rows);
         let as_read = (!datum_directions.is_empty()).then(|| measurements.observed.clone());
         datum_directions.iter().for_each(|direction| direction.take_out(&mut measurements.observed));
-        Self { model, datum_directions, measurements, as_read }
+        Self { model, datum_directions, terms: Vec::new(), measurements, as_read }
     }
 
     /// Selects the rows whose numbers `keep` accepts. Their datum directions are others, and are taken out
@@ -87,7 +93,17 @@ impl<'m> Data<'m> {
         if let Some(observed) = &self.as_read {
             some.observed = (0..self.len()).filter(|row| keep(*row)).map(|row| observed[row]).collect();
         }
-        Self::within(self.model, some)
+        let mut numbers = (0..self.len()).filter(|row| keep(*row)).enumerate().map(|(new, old)| (old, new));
+        let numbers: std::collections::BTreeMap<usize, usize> = numbers.by_ref().collect();
+        let of = |term: &Term| {
+            let rows = match term.effect.acts {
+                // The first row of a step is the next one that stays.
+                Acts::Shared(_) => term.rows.iter().filter_map(|r| numbers.range(r..).next().map(|n| *n.1)).collect(),
+                _ => term.rows.iter().filter_map(|r| numbers.get(r).copied()).collect(),
+            };
+            Term { rows, ..term.clone() }
+        };
+        Self { terms: self.terms.iter().map(of).collect(), ..Self::within(self.model, some) }
     }
 
     /// Gives the measurements back as they were read, for another model.

@@ -3,6 +3,7 @@
 mod add;
 mod data;
 mod formula_effect;
+mod measurement;
 mod run;
 mod schema;
 
@@ -21,6 +22,7 @@ use toml_edit::Document;
 use crate::input::{
     FileKey, Found, InputError, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
 };
+use crate::noise::Term;
 use crate::process::{self, Active, Description, Failure, ForwardModel, Process, System};
 use crate::units::Knowledge;
 
@@ -39,6 +41,8 @@ pub struct Model {
     pub system: Arc<dyn System>,
     /// Effects, in the order of the file.
     pub effects: Vec<Active>,
+    /// Effects of the measurement, in the order of the file; the rows are records of a file, from 1.
+    pub measurement: Vec<Term>,
     /// Parameters that it does not know exactly.
     pub parameters: Vec<Parameter>,
     /// Files that it names.
@@ -68,12 +72,12 @@ impl Model {
         })?;
         let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
         let kept = Kept::default();
-        let ((title, system, effects), found) =
+        let ((title, system, effects, measurement), found) =
             Reader::of_file(document.as_table(), source.folder(), &kept, HashMap::new(), |model| read(model, process));
         let Found { parameters, files, problems } = found;
         match system {
             Some(system) if problems.is_empty() => {
-                Ok(Self { title, process, system, effects, parameters, files, source, kept, document })
+                Ok(Self { title, process, system, effects, measurement, parameters, files, source, kept, document })
             }
             _ => Err(InputError::new(source, problems)),
         }
@@ -97,7 +101,7 @@ impl Model {
             return Ok(self.system.with_effects(&effects));
         }
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
-        let ((_, system, mut effects), found) =
+        let ((_, system, mut effects, _), found) =
             Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, trial, |model| {
                 read(model, self.process)
             });
@@ -215,12 +219,17 @@ fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Pro
 }
 
 /// Reads everything that a model file may hold; the schema is made by the same calls.
-fn read(model: &Reader, process: &'static dyn Process) -> (Option<String>, Option<Arc<dyn System>>, Vec<Active>) {
+#[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
+fn read(
+    model: &Reader,
+    process: &'static dyn Process,
+) -> (Option<String>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
+    model.part("measurement");
     let system: Option<Arc<dyn System>> = process.read(model).map(Arc::from);
     let effects = read_effects(model, process, system.as_deref());
-    (title, system, effects)
+    (title, system, effects, measurement::read(model, process))
 }
 
 fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&dyn System>) -> Vec<Active> {

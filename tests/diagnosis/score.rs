@@ -2,11 +2,11 @@
 
 use std::time::Instant;
 
-use fem::compare::NoiseSource;
 use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
+use fem::noise::NoiseSource;
 use fem::progress::Progress;
 use generator::{Case, Kind};
 

@@ -22,6 +22,7 @@ const LAYERS: &[&str] = &[
     "positioning",
     "process",
     "measure",
+    "noise",
     "model",
     "compare",
     "fit",

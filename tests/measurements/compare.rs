@@ -1,9 +1,10 @@
 //! Where a model fails.
 
-use fem::compare::{Comparison, NoiseSource, Trend, compare};
+use fem::compare::{Comparison, Trend, compare};
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
+use fem::noise::NoiseSource;
 
 use super::{case, truths};
 

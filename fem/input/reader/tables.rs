@@ -4,6 +4,7 @@ use serde_json::json;
 use toml_edit::{Item, Value};
 
 use super::{Ground, Problem, Reader};
+use crate::input::did_you_mean;
 
 /// The names that tables of the user's choice may have.
 pub struct Names<'n> {
@@ -135,6 +136,50 @@ impl<'a> Reader<'a> {
                 schema
             };
             self.describe(key, schema, false);
+        }
+        values
+    }
+
+    /// Tables with names of a list within a table that may hold other keys too, which somebody else reads
+    /// ([`Reader::part`] was called before): `[measurement.NAME]`.
+    pub fn tables_within<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        known: &[&'static str],
+        read: impl Fn(&'static str, &Reader<'a>) -> T,
+    ) -> Vec<T> {
+        let is_read = self.asked.borrow().contains(&key);
+        let mut values = Vec::new();
+        if matches!(self.ground, Ground::Described) {
+            let parent = self.child(Ground::Described, key);
+            for name in known {
+                parent.read_child(name, about, Ground::Described, false, |reader| values.push(read(name, reader)));
+            }
+            let own = parent.shape.take().into_schema(about);
+            let mut shape = self.shape.borrow_mut();
+            match shape.properties.get_mut(key).and_then(|s| s["properties"].as_object_mut()) {
+                Some(there) => there.extend(own["properties"].as_object().cloned().unwrap_or_default()),
+                None => drop(shape.properties.insert(key.to_string(), own)),
+            }
+            return values;
+        }
+        let Some(item) = self.item(key) else { return values };
+        let Ground::Given(table, span) = self.ground_of(key, item, "a table of tables") else { return values };
+        let parent = self.child(Ground::Given(table, span), key);
+        for (name, item) in table.iter() {
+            if !item.is_table_like() && is_read {
+                continue;
+            }
+            let span = table.key(name).and_then(|k| k.span());
+            let Some(known) = known.iter().copied().find(|k| *k == name) else {
+                let meant = did_you_mean(name, known.iter().copied(), '`');
+                let problem = Problem::new(format!("`{name}` is no effect of the measurement known here"));
+                parent.refuse(problem.help(format!("{meant}known are {}", known.join(", "))).at(span));
+                continue;
+            };
+            let ground = parent.ground_of(known, item, "a table");
+            parent.read_child(known, about, ground, false, |reader| values.push(read(known, reader)));
         }
         values
     }

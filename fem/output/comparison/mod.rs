@@ -13,8 +13,9 @@ pub(super) use text::{noise as noise_text, told};
 
 use serde_json::{Value as Json, json};
 
-use crate::compare::{Agreement, Comparison, Feature, NoiseLevel, NoiseSource};
+use crate::compare::{Agreement, Comparison, Feature};
 use crate::measure::{MeasuredObservable, Measurements};
+use crate::noise::{NoiseLevel, NoiseSource};
 use crate::process::{Coordinate, Holds, Process};
 use crate::units::Kind;
 

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use super::place;
-use crate::compare::{Comparison, Feature, NoiseLevel, NoiseSource};
+use crate::compare::{Comparison, Feature};
 use crate::measure::{MeasuredObservable, Measurements};
+use crate::noise::{NoiseLevel, NoiseSource};
 use crate::output::plot;
 use crate::process::{Plot, Process};
 

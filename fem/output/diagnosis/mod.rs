@@ -9,7 +9,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::falling::Falling;
 use super::fit::finite;
-use crate::diagnose::{Diagnosis, GoodnessOfFit, Missing, Next, Outlook, Verdict};
+use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::units::Kind;
@@ -55,7 +55,8 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
         "verdict": d.verdict.word(),
         "missing": d.missing.iter().map(|m| missing(m, kind)).collect::<Vec<_>>(),
-        "after": goodness(&d.after, kind),
+        "outliers": d.outliers.iter().map(|o| outlier(o, data)).collect::<Vec<_>>(),
+        "after": after(d, kind),
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
         "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
         "unexplained": unexplained(d),
@@ -76,10 +77,39 @@ fn goodness(goodness: &GoodnessOfFit, kind: Kind) -> Json {
     })
 }
 
+/// The goodness of the model with everything that was found, and the verdict on it.
+fn after(d: &Diagnosis, kind: Kind) -> Json {
+    let mut after = goodness(&d.after, kind);
+    after["verdict"] = json!(d.verdict_after.word());
+    after
+}
+
+/// Row counted from 1, as people do.
+fn outlier(outlier: &Outlier, data: &Data) -> Json {
+    let observed = data.observables.iter().find(|s| s.position == data.rows.observable[outlier.row]);
+    let kind = observed.map_or(data.kind(), |s| s.kind);
+    json!({
+        "row": data.records_of[outlier.row] + 1,
+        "line": outlier.line,
+        "value": kind.from_si(outlier.value),
+        "predicted": kind.from_si(outlier.predicted),
+        "unit": kind.unit,
+        "weight": outlier.weight,
+    })
+}
+
 fn missing(missing: &Missing, kind: Kind) -> Json {
     let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
+    let (whose, by, observable, from_line) = match &missing.cause {
+        Cause::Physical => ("physical", None, None, None),
+        Cause::Measurement { by, observable, from_line } => ("measurement", Some(by), *observable, *from_line),
+    };
     json!({
         "effect": missing.effect.name,
+        "kind": whose,
+        "by": by,
+        "observable": observable,
+        "from_line": from_line,
         "rms_after": kind.from_si(missing.goodness.rms),
         "chi2_per_dof_after": finite(missing.goodness.reduced_chi2),
         "held_out_after": missing.goodness.cross_validation.filter(|h| h.is_finite()),

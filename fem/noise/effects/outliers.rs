@@ -1,0 +1,14 @@
+//! Single rows are wrong.
+
+use super::super::term::{Acts, MeasurementEffect, Size};
+
+/// Single rows are wrong, and weighed down.
+pub static OUTLIERS: MeasurementEffect = MeasurementEffect {
+    name: "outliers",
+    about: "single rows are wrong: a chip under the stylus, a slip of the pen, a reading taken too soon",
+    law: "standard deviation of an outlying row = factor * that of the others",
+    source: "Hogg, Bovy & Lang, Data analysis recipes: fitting a model to data, 2010, sec. 3 (mixture)",
+    separates: "measure these rows again",
+    size: Size::Number("factor", "by which the noise of an outlying row exceeds that of the others"),
+    acts: Acts::Weighs,
+};

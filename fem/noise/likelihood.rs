@@ -1,0 +1,141 @@
+//! Likelihoods by which effects of the measurement are weighed against each other and their sizes estimated.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Acts, Noise, NoiseSource, Term};
+use crate::measure::Measurements;
+
+/// Steps of the search for one size, and rounds over all of them.
+const STEPS: usize = 24;
+const ROUNDS: usize = 3;
+/// (√5 − 1)/2
+const GOLDEN: f64 = 0.618_033_988_749_895;
+
+/// Restricted likelihood (Patterson and Thompson 1971) of residuals from which the columns of a mean were
+/// fitted: the sizes of the terms follow from what the mean cannot touch.
+pub struct Restricted<'a> {
+    /// Measurements whose noise is sought.
+    pub measurements: &'a Measurements,
+    /// Residuals of all rows, SI.
+    pub residuals: &'a [f64],
+    /// Derivatives of the prediction of all rows, SI per unit of each free variable, and datum directions.
+    pub mean: &'a DMatrix<f64>,
+}
+
+impl Restricted<'_> {
+    /// −2 ln of the restricted likelihood, less a constant.
+    pub fn minus_two_log(&self, noise: &Noise) -> f64 {
+        let (square, of_mean, _) = self.parts(noise);
+        noise.log_determinant() + of_mean + square
+    }
+
+    /// Square of the whitened residuals that no column of the mean can touch, ln det(XᵀV⁻¹X), and the
+    /// degrees of freedom.
+    fn parts(&self, noise: &Noise) -> (f64, f64, f64) {
+        let z = DVector::from_vec(noise.whiten(self.residuals.iter().copied()));
+        let columns: Vec<DVector<f64>> = self
+            .mean
+            .column_iter()
+            .map(|c| DVector::from_vec(noise.whiten(c.iter().copied())))
+            .filter(|c| c.norm_squared() > 0.0)
+            .collect();
+        if columns.is_empty() {
+            return (z.norm_squared(), 0.0, z.len() as f64);
+        }
+        let x = DMatrix::from_columns(&columns);
+        // Columns may depend on each other: directions without length are left out.
+        let eigen = (x.transpose() * &x).symmetric_eigen();
+        let along = eigen.eigenvectors.transpose() * (x.transpose() * &z);
+        let least = 1e-12 * eigen.eigenvalues.max();
+        let told = || eigen.eigenvalues.iter().zip(along.iter()).filter(|(value, _)| **value > least);
+        let taken: f64 = told().map(|(value, a)| a * a / value).sum();
+        let of_mean = told().map(|(value, _)| value.ln()).sum();
+        ((z.norm_squared() - taken).max(0.0), of_mean, (z.len() - told().count()) as f64)
+    }
+
+    /// The noise with the sizes of the last `free` of `terms` at their most likely values, beside `own`; the
+    /// level of all noise is sought too where it comes from no column.
+    pub fn estimate(&self, own: &Noise, terms: &[Term], free: usize) -> Noise {
+        let mut terms = terms.to_vec();
+        let first = terms.len() - free;
+        let level = self.measurements.observables.iter().map(|s| own.usual(self.measurements, s.position));
+        let level = level.fold(f64::INFINITY, f64::min);
+        let mut noise = self.scaled(own.with(terms.clone(), self.measurements));
+        for _ in 0..if free > 1 { ROUNDS } else { 1 } {
+            for i in first..terms.len() {
+                let (low, high) = match terms[i].effect.acts {
+                    Acts::Shared(_) => {
+                        let usual = terms[i].observable.map_or(level, |o| own.usual(self.measurements, o));
+                        (0.02 * usual, 1e4 * usual)
+                    }
+                    // Correlations from e^-5 to 0.95 between neighbours.
+                    Acts::Neighbours => (0.2, 20.0),
+                    Acts::Scales => (0.1, 100.0),
+                    Acts::Weighs => continue,
+                };
+                let mut at = |log_size: f64| {
+                    terms[i].size = log_size.exp();
+                    let noise = self.scaled(own.with(terms.clone(), self.measurements));
+                    (self.minus_two_log(&noise), noise)
+                };
+                let size = golden(low.ln(), high.ln(), |s| at(s).0);
+                noise = at(size).1;
+            }
+        }
+        noise
+    }
+
+    /// Ends of the 95 % interval of the size of a term, where −2 ln L has risen by the quantile of χ² with
+    /// one degree of freedom; an open end is `None`.
+    pub fn interval(&self, noise: &Noise, number: usize) -> [Option<f64>; 2] {
+        /// 95 % point of χ² with one degree of freedom.
+        const QUANTILE: f64 = 3.841_458_820_694_124;
+        /// Largest ratio of an end to the size, and halvings of it.
+        const FAR: f64 = 1e4;
+        const HALVINGS: usize = 30;
+        let size = noise.terms[number].size;
+        let least = self.minus_two_log(noise);
+        let rise = |at: f64| self.minus_two_log(&noise.resized(number, at, self.measurements)) - least;
+        [1.0 / FAR, FAR].map(|far| {
+            if rise(size * far) < QUANTILE {
+                return None;
+            }
+            let (mut inside, mut outside) = (0.0, far.ln());
+            for _ in 0..HALVINGS {
+                let middle: f64 = 0.5 * (inside + outside);
+                let is_inside = rise(size * middle.exp()) < QUANTILE;
+                *if is_inside { &mut inside } else { &mut outside } = middle;
+            }
+            Some(size * f64::exp(inside))
+        })
+    }
+
+    /// Noise whose level is what the residuals ask for, where it comes from no column.
+    fn scaled(&self, noise: Noise) -> Noise {
+        if noise.source == NoiseSource::Column {
+            return noise;
+        }
+        let (square, _, freedom) = self.parts(&noise);
+        // Terms are counted in units of the rows' own noise while the level is sought.
+        let factor = (square / freedom.max(1.0)).sqrt();
+        if factor > 0.0 { noise.times(factor, self.measurements) } else { noise }
+    }
+}
+
+/// Place of the smallest value between two places, by golden section.
+fn golden(mut low: f64, mut high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let (mut a, mut b) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut at_a, mut at_b) = (f(a), f(b));
+    for _ in 0..STEPS {
+        if at_a < at_b {
+            (high, b, at_b) = (b, a, at_a);
+            a = high - GOLDEN * (high - low);
+            at_a = f(a);
+        } else {
+            (low, a, at_a) = (a, b, at_b);
+            b = low + GOLDEN * (high - low);
+            at_b = f(b);
+        }
+    }
+    if at_a < at_b { a } else { b }
+}

@@ -1,0 +1,329 @@
+//! Noise of the measurements: from their own column, from repeats, or estimated from the residuals; and what
+//! the rows share of it, by effects of the measurement itself.
+
+mod covariance;
+pub mod effects;
+mod likelihood;
+mod term;
+
+pub use likelihood::Restricted;
+pub use term::{Acts, Column, MeasurementEffect, Size, Term};
+
+use std::sync::Arc;
+
+use nalgebra::DMatrix;
+
+use crate::measure::{Measurements, Repeats, Scatter};
+use covariance::Covariance;
+
+/// Fewest degrees of freedom from which a variance is estimated.
+const LEAST_FREEDOM: usize = 5;
+
+/// Standard uncertainty of each row, and its source. SI units.
+#[derive(Clone, Debug)]
+pub struct Noise {
+    /// Standard uncertainty of each row, without what it shares with others.
+    pub sigma: Vec<f64>,
+    /// Source of the standard uncertainty.
+    pub source: NoiseSource,
+    /// Effects of the measurement that are at work.
+    pub terms: Vec<Term>,
+    /// What the rows share, by these terms.
+    shared: Option<Arc<Covariance>>,
+}
+
+/// Size of the noise of a file. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoiseLevel {
+    /// Root mean square of each of the file's observables.
+    pub of: Vec<f64>,
+    /// Source of the standard uncertainty.
+    pub source: NoiseSource,
+}
+
+impl NoiseLevel {
+    /// Noise on the scale of the errors of all rows: SI, or 1 where there are several observables.
+    pub fn together(&self) -> f64 {
+        match self.of[..] {
+            [one] => one,
+            _ => 1.0,
+        }
+    }
+}
+
+/// Source of the noise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoiseSource {
+    /// The column `u`.
+    Column,
+    /// Rows that repeat each other (pure error).
+    Repeats,
+    /// Scatter of neighbouring residuals, which a smooth failing of the model hardly changes.
+    Estimated,
+}
+
+impl Noise {
+    /// Takes the best source there is. Observables that stand side by side each have their own noise.
+    pub fn of(measurements: &Measurements, repeats: &Repeats, residuals: &[f64]) -> Self {
+        if let Some(sigma) = &measurements.uncertainty {
+            return Self::independent(sigma.clone(), NoiseSource::Column);
+        }
+        let tells = |s: &Scatter| s.freedom >= LEAST_FREEDOM && s.sum_of_squares > 0.0;
+        if repeats.scatter.iter().all(tells) {
+            let own = |s: &Scatter| (s.sum_of_squares / s.freedom as f64).sqrt();
+            return Self::alike(
+                measurements,
+                &repeats.scatter.iter().map(own).collect::<Vec<_>>(),
+                NoiseSource::Repeats,
+            );
+        }
+        let of_rows = |rows: Vec<usize>| {
+            // Round-off of the observed values is never less than this.
+            let scale = rows.iter().fold(0.0f64, |m, r| m.max(measurements.observed[*r].abs()));
+            let residuals: Vec<f64> = in_line(measurements, rows).into_iter().map(|r| residuals[r]).collect();
+            of_neighbours(&residuals).max(1e-9 * scale)
+        };
+        let sigma: Vec<f64> = measurements.rows_by_observable().into_iter().map(of_rows).collect();
+        Self::alike(measurements, &sigma, NoiseSource::Estimated)
+    }
+
+    /// Noise of rows on which terms are at work, without their shares yet, and the repeats within the groups
+    /// that the terms set apart: what varies between groups is no noise of a row.
+    pub fn beside(
+        terms: &[Term],
+        measurements: &Measurements,
+        repeats: &Repeats,
+        residuals: &[f64],
+    ) -> (Self, Repeats) {
+        let levels: Vec<Vec<usize>> = terms.iter().filter_map(|term| term.levels(measurements)).collect();
+        let is_out = |row: usize| terms.iter().any(|t| matches!(t.effect.acts, Acts::Weighs) && t.rows.contains(&row));
+        let repeats = if terms.is_empty() { repeats.clone() } else { repeats.within(measurements, &levels, &is_out) };
+        let mut noise = Self::of(measurements, &repeats, residuals);
+        let neighbours = terms.iter().any(|t| matches!(t.effect.acts, Acts::Neighbours));
+        if noise.source == NoiseSource::Repeats && neighbours {
+            // Repeats that follow each other share what they are off by.
+            noise.source = NoiseSource::Estimated;
+        }
+        (noise, repeats)
+    }
+
+    /// Noise of rows with the terms that a model states; sizes that are not a number are estimated, beside
+    /// the columns of a `mean` that was fitted.
+    pub fn stated(
+        terms: &[Term],
+        measurements: &Measurements,
+        repeats: &Repeats,
+        residuals: &[f64],
+        mean: &DMatrix<f64>,
+    ) -> (Self, Repeats) {
+        let (own, within) = Self::beside(terms, measurements, repeats, residuals);
+        if terms.is_empty() {
+            return (own, within);
+        }
+        let (free, known): (Vec<Term>, Vec<Term>) = terms.iter().cloned().partition(|t| t.size.is_nan());
+        let count = free.len();
+        let terms: Vec<Term> = known.into_iter().chain(free.into_iter().map(|t| Term { size: 1.0, ..t })).collect();
+        let restricted = Restricted { measurements, residuals, mean };
+        (restricted.estimate(&own, &terms, count), within)
+    }
+
+    /// Gives all rows of an observable the same noise; `sigma` in the order of the file's observables.
+    pub fn alike(measurements: &Measurements, sigma: &[f64], source: NoiseSource) -> Self {
+        let of_row = |row: usize| sigma[measurements.observable(row)];
+        Self::independent((0..measurements.len()).map(of_row).collect(), source)
+    }
+
+    /// Noise that the rows do not share.
+    pub fn independent(sigma: Vec<f64>, source: NoiseSource) -> Self {
+        Self { sigma, source, terms: Vec::new(), shared: None }
+    }
+
+    /// The same noise with other terms; `self` has none that change the rows' own uncertainties.
+    #[must_use]
+    pub fn with(&self, terms: Vec<Term>, measurements: &Measurements) -> Self {
+        let mut sigma = self.sigma.clone();
+        for term in &terms {
+            match term.effect.acts {
+                Acts::Scales => sigma.iter_mut().for_each(|s| *s *= term.size),
+                Acts::Weighs => term.rows.iter().for_each(|row| sigma[*row] *= term.size),
+                Acts::Shared(_) | Acts::Neighbours => {}
+            }
+        }
+        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
+        Self { sigma, source: self.source, terms, shared }
+    }
+
+    /// The same noise, all of it larger by a factor.
+    #[must_use]
+    pub fn times(&self, factor: f64, measurements: &Measurements) -> Self {
+        let sigma: Vec<f64> = self.sigma.iter().map(|s| (factor * s).max(1e-15)).collect();
+        let scaled = |term: &Term| match term.effect.acts {
+            Acts::Shared(_) => Term { size: factor * term.size, ..term.clone() },
+            _ => term.clone(),
+        };
+        let terms: Vec<Term> = self.terms.iter().map(scaled).collect();
+        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
+        Self { sigma, source: self.source, terms, shared }
+    }
+
+    /// The same noise with another size of one term.
+    #[must_use]
+    pub fn resized(&self, number: usize, size: f64, measurements: &Measurements) -> Self {
+        let mut terms = self.terms.clone();
+        let ratio = size / terms[number].size;
+        terms[number].size = size;
+        let sigma = match terms[number].effect.acts {
+            Acts::Scales => self.sigma.iter().map(|s| s * ratio).collect(),
+            _ => self.sigma.clone(),
+        };
+        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
+        Self { sigma, source: self.source, terms, shared }
+    }
+
+    /// Whitens values of every row (SI): divided by the standard uncertainties and freed of what the rows
+    /// share, they are independent with variance 1 if they are noise.
+    pub fn whiten(&self, values: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        let mut own: Vec<f64> = values.into_iter().zip(&self.sigma).map(|(v, s)| v / s).collect();
+        if let Some(shared) = &self.shared {
+            shared.whiten(&mut own);
+        }
+        own
+    }
+
+    /// What each term most probably adds to every row, SI, in the order of the terms: zeros, steps, drifts.
+    pub fn shares(&self, residuals: &[f64]) -> Vec<Vec<f64>> {
+        let mut of_terms = vec![vec![0.0; residuals.len()]; self.terms.len()];
+        if let Some(shared) = &self.shared {
+            let own: Vec<f64> = residuals.iter().zip(&self.sigma).map(|(r, s)| r / s).collect();
+            for (term, column) in shared.amplitudes(&own) {
+                column.into_iter().for_each(|(row, v)| of_terms[term][row] += v);
+            }
+        }
+        of_terms
+    }
+
+    /// Residuals without what the terms most probably add, SI.
+    pub fn unshared(&self, residuals: &[f64]) -> Vec<f64> {
+        let mut left = residuals.to_vec();
+        for share in self.shares(residuals) {
+            left.iter_mut().zip(share).for_each(|(l, s)| *l -= s);
+        }
+        left
+    }
+
+    /// ln det V, with V the covariance of all rows in SI.
+    pub fn log_determinant(&self) -> f64 {
+        let own: f64 = self.sigma.iter().map(|s| 2.0 * s.ln()).sum();
+        own + self.shared.as_ref().map_or(0.0, |s| s.log_determinant)
+    }
+
+    /// Whether the uncertainties of all rows agree within a ratio.
+    pub fn is_about(&self, other: &Self, ratio: f64) -> bool {
+        let mut ratios = self.sigma.iter().zip(&other.sigma).map(|(a, b)| a / b);
+        ratios.all(|r| (1.0 / ratio..ratio).contains(&r))
+    }
+
+    /// Size of the noise of each observable.
+    pub fn level(&self, measurements: &Measurements) -> NoiseLevel {
+        let own = measurements.observables.iter().map(|s| self.usual(measurements, s.position));
+        NoiseLevel { of: own.collect(), source: self.source }
+    }
+
+    /// Root mean square over the rows.
+    pub fn rms(&self) -> f64 {
+        (self.sigma.iter().map(|s| s * s).sum::<f64>() / self.sigma.len() as f64).sqrt()
+    }
+
+    /// Root mean square over the rows of an observable, by its position in the process's list; over all rows
+    /// where none observes it.
+    pub fn usual(&self, measurements: &Measurements, observable: usize) -> f64 {
+        let own = || self.sigma.iter().zip(&measurements.rows.observable).filter(|(_, o)| **o == observable);
+        match own().count() {
+            0 => self.rms(),
+            count => (own().map(|(s, _)| s * s).sum::<f64>() / count as f64).sqrt(),
+        }
+    }
+}
+
+/// Orders the rows of one of several observables with neighbours side by side: the coordinate with the most
+/// values runs fastest. A file of one observable is taken as it was written.
+fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
+    if measurements.observables.len() < 2 {
+        return rows;
+    }
+    let columns = &measurements.rows.columns;
+    let levels = |column: &Vec<f64>| {
+        let mut values: Vec<f64> = rows.iter().map(|r| column[*r]).filter(|v| !v.is_nan()).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        values.dedup();
+        values.len()
+    };
+    let mut order: Vec<(usize, &Vec<f64>)> = columns.iter().map(|c| (levels(c), c)).collect();
+    order.sort_by_key(|(levels, _)| *levels);
+    rows.sort_by(|a, b| {
+        let differ = |(_, c): &(usize, &Vec<f64>)| Some(c[*a].total_cmp(&c[*b])).filter(|o| o.is_ne());
+        order.iter().find_map(differ).unwrap_or(std::cmp::Ordering::Equal)
+    });
+    rows
+}
+
+/// Estimates σ from second differences of neighbouring rows, (rᵢ₋₁ − 2rᵢ + rᵢ₊₁)²/6, which are free of every
+/// trend that is straight over three rows. σ is never zero: residuals that are all alike leave their own
+/// round-off.
+fn of_neighbours(residuals: &[f64]) -> f64 {
+    let mut squares: Vec<f64> = residuals.windows(3).map(|r| (r[0] - 2.0 * r[1] + r[2]).powi(2) / 6.0).collect();
+    let largest = residuals.iter().fold(0.0f64, |m, r| m.max(r.abs()));
+    let floor = (1e-12 * largest).max(1e-15);
+    if squares.is_empty() {
+        return largest.max(floor);
+    }
+    // Steps between parts or set-ups show as outliers: the median of χ²₁ is 0.4549 of its mean.
+    squares.sort_unstable_by(f64::total_cmp);
+    (squares[squares.len() / 2] / 0.4549).sqrt().max(floor)
+}
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+    use crate::process::Rows;
+
+    /// Rows of the process `turning` whose first coordinate has these values.
+    pub fn measured(values: &[f64]) -> Measurements {
+        let process = crate::process::ALL[0];
+        let mut columns = vec![vec![f64::NAN; values.len()]; process.coordinates().len()];
+        columns[0] = values.to_vec();
+        Measurements::planned(process, "rows", Rows { columns, observable: vec![0; values.len()] })
+    }
+
+    /// |W·v|² and ln det V for rows of standard uncertainty 1.
+    pub fn whitened_square(measurements: &Measurements, terms: &[Term], values: &[f64]) -> (f64, f64) {
+        let noise = Noise::independent(vec![1.0; values.len()], NoiseSource::Column).with(terms.to_vec(), measurements);
+        (noise.whiten(values.iter().copied()).iter().map(|v| v * v).sum(), noise.log_determinant())
+    }
+
+    #[test]
+    fn whitening_is_the_inverse_of_the_covariance() {
+        // Two groupings that cross, a step and neighbours together, against the dense inverse.
+        let measurements = measured(&[1.0, 2.0, 1.0, 2.0, 3.0, 1.0, 3.0]);
+        let n = measurements.len();
+        let group = Term { by: vec![0], size: 1.7, ..Term::new(&effects::ZERO_SHIFT) };
+        let step = Term { rows: vec![4], size: 0.8, ..Term::new(&effects::JUMP) };
+        let neighbours = Term { size: 1.5, ..Term::new(&effects::CORRELATED_NOISE) };
+        let sigma: Vec<f64> = (0..n).map(|i| 0.5 + 0.1 * i as f64).collect();
+        let mut dense =
+            nalgebra::DMatrix::from_fn(n, n, |i, j| sigma[i] * sigma[j] * (-(i.abs_diff(j) as f64) / 1.5).exp());
+        for i in 0..n {
+            for j in 0..n {
+                let same = measurements.rows.columns[0][i] == measurements.rows.columns[0][j];
+                dense[(i, j)] += if same { 1.7 * 1.7 } else { 0.0 } + if i >= 4 && j >= 4 { 0.64 } else { 0.0 };
+            }
+        }
+        let noise = Noise::independent(sigma, NoiseSource::Column).with(vec![group, step, neighbours], &measurements);
+        let values: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).sin()).collect();
+        let square: f64 = noise.whiten(values.iter().copied()).iter().map(|v| v * v).sum();
+        let v = nalgebra::DVector::from_vec(values);
+        let exact = v.dot(&dense.clone().lu().solve(&v).unwrap());
+        assert!((square - exact).abs() < 1e-10 * exact, "{square} {exact}");
+        assert!((noise.log_determinant() - dense.determinant().ln()).abs() < 1e-10);
+    }
+}

@@ -1,0 +1,113 @@
+//! A measurement effect and the term of the covariance that it makes.
+
+use crate::measure::Measurements;
+
+/// Entries of a column: rows with their weights.
+pub type Column = Vec<(usize, f64)>;
+
+/// What instrument, datum or surroundings do to data: a row of the catalogue.
+#[derive(Debug)]
+pub struct MeasurementEffect {
+    /// The word in `[measurement.NAME]`.
+    pub name: &'static str,
+    /// The phenomenon, in one sentence.
+    pub about: &'static str,
+    /// The equation.
+    pub law: &'static str,
+    /// Where the law comes from.
+    pub source: &'static str,
+    /// What tells it from effects of the machine.
+    pub separates: &'static str,
+    /// Its parameter.
+    pub size: Size,
+    /// How it enters the covariance.
+    pub acts: Acts,
+}
+
+impl PartialEq for MeasurementEffect {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+/// The parameter of a measurement effect: its key and what it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Size {
+    /// In the unit of what is observed.
+    OfObservable(&'static str, &'static str),
+    /// A plain number.
+    Number(&'static str, &'static str),
+}
+
+impl Size {
+    /// The key.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::OfObservable(key, _) | Self::Number(key, _) => key,
+        }
+    }
+
+    /// What it is.
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::OfObservable(_, about) | Self::Number(_, about) => about,
+        }
+    }
+}
+
+/// How a measurement effect enters the covariance of the rows.
+#[derive(Clone, Copy, Debug)]
+pub enum Acts {
+    /// Columns, each with an amplitude of its own from N(0, size²): adds size²·Z·Zᵀ.
+    Shared(fn(&Term, &Measurements) -> Vec<Column>),
+    /// Correlates a row with the one before it: exp(−1/size).
+    Neighbours,
+    /// Multiplies the standard uncertainty of every row.
+    Scales,
+    /// Multiplies the standard uncertainty of the term's rows.
+    Weighs,
+}
+
+/// A measurement effect at work in a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Term {
+    /// The effect.
+    pub effect: &'static MeasurementEffect,
+    /// Coordinates whose levels group the rows, by their positions in the process's list.
+    pub by: Vec<usize>,
+    /// The observable on which it acts, by its position in the process's list; `None` for all.
+    pub observable: Option<usize>,
+    /// Rows, from 0: those that are outlying, or the first after a step.
+    pub rows: Vec<usize>,
+    /// Value of its parameter, SI.
+    pub size: f64,
+}
+
+impl Term {
+    /// Term of an effect on all rows, without a size yet.
+    pub fn new(effect: &'static MeasurementEffect) -> Self {
+        Self { effect, by: Vec::new(), observable: None, rows: Vec::new(), size: 0.0 }
+    }
+
+    /// Whether it acts on a row.
+    pub fn is_of(&self, measurements: &Measurements, row: usize) -> bool {
+        self.observable.is_none_or(|own| measurements.rows.observable[row] == own)
+    }
+
+    /// Level of each row by the groups that the term sets apart, if it does.
+    pub fn levels(&self, measurements: &Measurements) -> Option<Vec<usize>> {
+        match self.effect.acts {
+            Acts::Shared(_) if !self.by.is_empty() => Some(measurements.levels(&self.by)),
+            Acts::Shared(_) => {
+                let first = self.rows.first()?;
+                Some((0..measurements.len()).map(|row| usize::from(row >= *first)).collect())
+            }
+            Acts::Neighbours | Acts::Scales | Acts::Weighs => None,
+        }
+    }
+
+    /// Whether it is the same term, whatever its size.
+    pub fn is_like(&self, other: &Self) -> bool {
+        Self { size: 0.0, ..self.clone() } == Self { size: 0.0, ..other.clone() }
+    }
+}
