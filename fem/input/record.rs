@@ -108,8 +108,10 @@ impl Field<'_, '_> {
     /// Reads a record; `None` where there is none, and the problem is noted.
     fn record(&self, table: &Reader, along: Along) -> Option<Arc<Record>> {
         let file = table.required_file("file", "the record: CSV with a header of name [unit]", LARGEST);
-        let coordinate = table.text(along.name, "name of the column along which it is recorded; that of this key");
-        let value = table.text("value", "name of the column of what is recorded; that of the quantity's key");
+        let coordinate =
+            table.text(along.name, "name of the column along which it is recorded; that of this key if left out");
+        let value =
+            table.text("value", "name of the column of what is recorded; that of the quantity's key if left out");
         let file = file?;
         let columns = [
             Wanted { key: along.name, name: coordinate.unwrap_or(along.name.into()), kind: along.kind },
@@ -230,7 +232,9 @@ fn on_line(source: &Source, problem: Problem) -> Problem {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Kept;
     use super::*;
+    use crate::units::{FORCE, TIME};
 
     fn record() -> Record {
         Record::new(vec![[0.0, 1.0], [2.0, 5.0], [3.0, -1.0], [7.0, 0.0]]).unwrap()
@@ -267,5 +271,33 @@ mod tests {
             assert!((line(from) + line(to) - 2.0 * line(middle)).abs() < 1e-12);
         }
         assert_eq!(record().straightened(2.5, [2.5, 2.5]), 2.0);
+    }
+
+    /// A second reading of the tables takes what the first has kept.
+    #[test]
+    fn a_file_is_read_once_and_its_values_keep_their_bounds() {
+        let place = tempfile::tempdir().unwrap();
+        let text = "[load]\nforce = { file = \"force.csv\", value = \"f\" }";
+        let document = toml_edit::Document::parse(text).unwrap();
+        let along = Along { name: "time", kind: TIME, needed: [0.0, 60.0] };
+        let read = |kept: &Kept, at_least_zero: bool| {
+            let of_table = |t: &Reader| {
+                let force = t.quantity("force", FORCE, "that presses");
+                if at_least_zero { force.not_negative() } else { force }.varying(along)
+            };
+            Reader::of_file(document.as_table(), place.path(), kept, Default::default(), |m| {
+                m.table("load", "what presses", of_table)
+            })
+        };
+        std::fs::write(place.path().join("force.csv"), "f [kN],time [s]\n1,0\n-2,60\n").unwrap();
+        let kept = Kept::default();
+        let (force, found) = read(&kept, false);
+        assert_eq!(found.problems, []);
+        assert_eq!(force, Varying::Record(Arc::new(Record::new(vec![[0.0, 1000.0], [60.0, -2000.0]]).unwrap())));
+        std::fs::remove_file(place.path().join("force.csv")).unwrap();
+        assert_eq!(read(&kept, false).0, force);
+        let message = &read(&kept, true).1.problems[0].message;
+        assert!(message.ends_with("force.csv: `force` is -2000 N"), "{message}");
+        assert!(read(&Kept::default(), false).1.problems[0].message.contains("cannot be read"));
     }
 }
