@@ -53,7 +53,7 @@ fn bar() -> Case {
     let biot = 10.0 * 0.05 / K;
     row(
         "bar at 80 in a room at 20, Biot number 0.01, after tau",
-        "rise of its middle over the room",
+        "rise of its middle",
         (WARMER / 1f64.exp(), temperature_at(&bar, [0.05, 0.01], tau) - 20.0, "K"),
         Tolerance::Relative(biot),
         "lumped body, exp(-t/tau)",

@@ -22,9 +22,9 @@ fn record(points: &[[f64; 2]]) -> Option<History> {
     Record::new(points.to_vec()).map(|record| History::Record(Arc::new(record)))
 }
 
-/// The rod with effects, as another room and another power act on it.
-fn recorded(effects: &str, room: Option<History>, power: Option<History>) -> Option<Machine> {
-    let mut machine = rod(effects)?.machine().clone();
+/// A body as another room and another power act on it.
+fn recorded(body: Heated, room: Option<History>, power: Option<History>) -> Option<Machine> {
+    let mut machine = body?.machine().clone();
     if let Some(power) = power {
         machine.sources.first_mut()?.power.level = power;
     }
@@ -51,7 +51,8 @@ fn rooms() -> Vec<Case> {
         })
     };
     let room = record(&points.map(|[time, rise]| [time, 293.15 + rise]));
-    let machine = recorded("[convection]\ncoefficient = \"25 W/m^2/K\"", room, Some(History::Constant(0.0)));
+    let losing = rod("[convection]\ncoefficient = \"25 W/m^2/K\"");
+    let machine = recorded(losing, room, Some(History::Constant(0.0)));
     let one = |time: f64| {
         let found = seen(&machine, &temperatures(&[[0.1, f64::NAN]], time)) - 293.15;
         // Steps of 10 s, of second order, of what the room has moved by.
@@ -67,16 +68,20 @@ fn powers() -> Vec<Case> {
     let ramps = [[0.0, 0.0], [333.3, 20.0], [1001.0, 20.0], [1007.0, 5.0], [4000.0, 12.0]];
     // Of 3 s, in steps of 10 s.
     let teeth: Vec<[f64; 2]> = (0..=1200).map(|i| [3.0 * f64::from(i), if i % 2 == 0 { 0.0 } else { 30.0 }]).collect();
-    let one = |name: &str, points: &[[f64; 2]], heat: f64| {
-        let grown = 1e6 * seen(&recorded("", None, record(points)), &elongations(&[3600.0]));
+    let one = |name: &str, body: Heated, points: &[[f64; 2]], heat: f64| {
+        let grown = 1e6 * seen(&recorded(body, None, record(points)), &elongations(&[3600.0]));
         let expected = 1e6 * ALPHA * heat / (RHO_C * AREA);
         row(name, "elongation", (expected, grown, "um"), Tolerance::Relative(1e-9), "all heat stays inside")
     };
     let last = 5.0 + 7.0 * (3600.0 - 1007.0) / (4000.0 - 1007.0);
     let heat = 333.3 * 10.0 + (1001.0 - 333.3) * 20.0 + 6.0 * 12.5 + (3600.0 - 1007.0) * 0.5 * (5.0 + last);
+    // A section of 100π mm².
+    let bar = "rectangle = { length = \"200 mm\", height = \"20 mm\", width = \"15.70796326794897 mm\" }";
+    let bar = body(&ROD.replace("segments = [{ length = \"200 mm\", diameter = \"20 mm\" }]", bar), "");
     vec![
-        one("power by record, ramps and a drop, 60 min", &ramps, heat),
-        one("power by record, teeth of 3 s in steps of 10 s", &teeth, 15.0 * 3600.0),
+        one("power by record, ramps and a drop, 60 min", rod(""), &ramps, heat),
+        one("power by record, teeth of 3 s in steps of 10 s", rod(""), &teeth, 15.0 * 3600.0),
+        one("the same teeth into the end of a plate", bar, &teeth, 15.0 * 3600.0),
     ]
 }
 
@@ -133,7 +138,7 @@ fn heaters() -> Vec<Case> {
     ));
     let lossy = body(&ROD.replace("power = \"15 W\"", heater), "[convection]\ncoefficient = \"25 W/m^2/K\"");
     cases.push(row(
-        "heat in less lost less stored, heater in a room by record",
+        "heat in less lost less stored, heater and record",
         "part of the turnover",
         (0.0, balance(lossy.map(|body| body.machine().clone())).map_or(f64::NAN, |e| e.imbalance()), "-"),
         // Rounding of kA·θ/ℓ between elements, some hundred times what comes in.
