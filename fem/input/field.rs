@@ -31,10 +31,10 @@ impl<'a> Reader<'a> {
 /// A key that holds a physical quantity or a pure number.
 #[must_use = "say whether the key is required, optional or has a default"]
 pub struct Field<'r, 'a> {
-    reader: &'r Reader<'a>,
-    key: &'static str,
-    kind: Kind,
-    about: &'static str,
+    pub(super) reader: &'r Reader<'a>,
+    pub(super) key: &'static str,
+    pub(super) kind: Kind,
+    pub(super) about: &'static str,
     bounds: Bounds,
 }
 
@@ -92,7 +92,7 @@ impl<'r, 'a> Field<'r, 'a> {
         format!("{} = {quote}{}{quote}", self.key, self.kind.example())
     }
 
-    fn describe(&self, required: bool) {
+    pub(super) fn describe(&self, required: bool) {
         self.reader.describe(self.key, || self.schema(), required);
     }
 
@@ -142,7 +142,7 @@ impl<'r, 'a> Field<'r, 'a> {
         }
     }
 
-    fn check(&self, quantity: Quantity) -> Result<Quantity, Problem> {
+    pub(super) fn check(&self, quantity: Quantity) -> Result<Quantity, Problem> {
         // An unknown value has no bounds to keep, but the place where a search for it begins has.
         if quantity.value.is_nan() {
             return Ok(quantity);

@@ -19,14 +19,26 @@ pub struct NamedFile {
 }
 
 /// The files of a model, by their paths.
-type Files = Cache<PathBuf, Arc<[u8]>, 4>;
+type Files = Cache<PathBuf, Arc<[u8]>, 16>;
 
 impl Reader<'_> {
     /// A key with the path of a file of at most `limit` bytes, which is read; `None` where the key is absent,
     /// or the problem is noted.
     pub fn file(&self, key: &'static str, about: &'static str, limit: u64) -> Option<NamedFile> {
+        self.named_file(key, about, limit, false)
+    }
+
+    /// The same with a key that must be there; its absence is a problem.
+    pub fn required_file(&self, key: &'static str, about: &'static str, limit: u64) -> Option<NamedFile> {
+        if !self.has(key) {
+            self.missing(key, &format!("{key} = \"folder/name\""), about);
+        }
+        self.named_file(key, about, limit, true)
+    }
+
+    fn named_file(&self, key: &'static str, about: &str, limit: u64, required: bool) -> Option<NamedFile> {
         let about = format!("{about}; the path is relative to the folder of the model file");
-        self.describe(key, || json!({ "type": "string", "description": about }), false);
+        self.describe(key, || json!({ "type": "string", "description": about }), required);
         let item = self.item(key)?;
         let Some(written) = item.as_str().filter(|text| !text.is_empty()) else {
             let problem = Problem::new(format!("`{key}` names no file")).help(format!("write {key} = \"folder/name\""));

@@ -3,19 +3,23 @@
 
 mod bounds;
 mod bytes;
+mod cells;
 mod field;
 mod file;
 mod kept;
 mod pair;
 mod problem;
 mod reader;
+mod record;
 mod several;
 mod source;
 
 pub use bounds::Bounds;
+pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};
 pub use field::{Choice, Count, Field};
 pub use file::{NamedFile, seen_from};
 pub use kept::{Cache, Kept};
 pub use problem::{InputError, Problem, did_you_mean, nearest};
 pub use reader::{FileKey, Found, Names, Parameter, Reader, Shape};
+pub use record::{Along, Record, Varying};
 pub use source::Source;

@@ -10,7 +10,8 @@ impl Reader<'_> {
     /// A key with any number of quantities, in SI units; `None` where it is absent. What is wrong is noted
     /// and left out.
     pub fn quantities(&self, key: &'static str, kind: Kind, about: &'static str) -> Option<Vec<f64>> {
-        let item = json!({ "type": "string", "examples": [kind.example()] });
+        let types = if kind.unit.is_empty() { json!(["number", "string"]) } else { json!("string") };
+        let item = json!({ "type": types, "examples": [kind.example()] });
         self.describe(key, || json!({ "type": "array", "description": about, "items": item }), false);
         let written = format!("{key} = [\"{}\", …]", kind.example());
         let entries = self.entries(key, &written)?;
@@ -63,6 +64,10 @@ impl Reader<'_> {
             self.refuse(problem.at(value.span()));
             None
         };
+        let number = value.as_float().or_else(|| value.as_integer().map(|i| i as f64));
+        if let (Some(number), true) = (number.filter(|n| n.is_finite()), kind.unit.is_empty()) {
+            return Some(number);
+        }
         let Some(text) = value.as_str() else {
             let problem = Problem::new(format!("`{path}` has no unit: {} is a string with its unit", kind.name));
             return refuse(problem.help(format!("write {written}")));

@@ -1,7 +1,7 @@
 //! Reads the header row: the meaning and the unit of every column.
 
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
-use crate::input::{Problem, nearest};
+use crate::input::{Problem, name_and_unit, nearest, parted_by_commas};
 use crate::process::{Absent, Holds};
 use crate::units::{Kind, Unit, UnitError};
 
@@ -28,28 +28,15 @@ pub struct Header {
     pub notes: Vec<String>,
 }
 
-/// Splits `name [unit]` into its two parts.
-fn split(cell: &str) -> (&str, &str) {
-    match cell.trim().split_once('[') {
-        Some((name, unit)) => (name.trim(), unit.trim().trim_end_matches(']').trim()),
-        None => (cell.trim(), ""),
-    }
-}
-
 /// Reads the header cells. Problems carry no place, for they all stand in the same line.
 pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Result<Header, Vec<Problem>> {
-    if let [all] = cells
-        && all.contains(';')
-    {
-        let problem = Problem::new("the columns are parted by semicolons");
-        return Err(vec![problem.help("part them by commas, and write decimals with a point")]);
-    }
+    parted_by_commas(cells.iter().map(String::as_str)).map_err(|problem| vec![problem])?;
     let mut header = Header::default();
     let mut problems = Vec::new();
     let (mut unknown, mut wrong): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
     for (i, cell) in cells.iter().enumerate() {
-        let (name, unit) = split(cell);
-        if cells[..i].iter().any(|other| split(other).0 == name) {
+        let (name, unit) = name_and_unit(cell);
+        if cells[..i].iter().any(|other| name_and_unit(other).0 == name) {
             problems.push(Problem::new(format!("the column `{name}` stands twice")).help("keep one of them"));
         }
         match column(name, unit, vocabulary) {

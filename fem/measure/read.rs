@@ -5,7 +5,7 @@ use std::path::Path;
 use super::Measurements;
 use super::header::{self, Column, Header};
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
-use crate::input::{InputError, Problem, Source};
+use crate::input::{InputError, Problem, Source, line_at, no_csv, number};
 use crate::process::{Absent, Holds, Process, Rows};
 use crate::units::Unit;
 
@@ -49,7 +49,7 @@ pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<M
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let cells: Vec<String> = match reader.headers() {
         Ok(headers) => headers.iter().map(str::to_string).collect(),
-        Err(error) => return Err(refuse(vec![unreadable(&error, skipped)])),
+        Err(error) => return Err(refuse(vec![no_csv(&error, skipped)])),
     };
     let place = reader.headers().ok().and_then(|h| h.position()).map(|p| line_at(text, p.byte() as usize, skipped));
     let header = header::read(&cells, vocabulary, purpose)
@@ -62,7 +62,7 @@ pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<M
                 let span = record.position().map(|p| line_at(text, p.byte() as usize, skipped));
                 table.push(record).unwrap_or_else(|problem| problems.push(problem.at(span)));
             }
-            Err(error) => problems.push(unreadable(&error, skipped)),
+            Err(error) => problems.push(no_csv(&error, skipped)),
         }
         if problems.len() >= MOST_PROBLEMS {
             break;
@@ -80,30 +80,6 @@ pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<M
         measurements.observables = MeasuredObservable::of(&measurements.rows, vocabulary.observables);
     }
     Ok(measurements)
-}
-
-/// Byte range of the line that begins at `offset`; the reader's position may stand before comments.
-fn line_at(text: &str, offset: usize, skipped: usize) -> std::ops::Range<usize> {
-    let mut start = offset;
-    while let Some(line) = text.get(start..).and_then(|rest| rest.lines().next()) {
-        if !(line.trim().is_empty() || line.starts_with('#')) {
-            return start + skipped..start + line.trim_end().len() + skipped;
-        }
-        start += line.len() + text[start + line.len()..].find('\n').map_or(1, |i| i + 1);
-    }
-    offset + skipped..offset + skipped
-}
-
-fn unreadable(error: &csv::Error, skipped: usize) -> Problem {
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
-            let span = pos.as_ref().map(|p| p.byte() as usize + skipped).map(|b| b..b + 1);
-            Problem::new(format!("the row has {len} cells, the header {expected_len}"))
-                .help("give every row one cell per column")
-                .at(span)
-        }
-        _ => Problem::new(format!("the file cannot be read as CSV: {error}")).help("check quotes and separators"),
-    }
 }
 
 struct Builder<'a> {
@@ -250,17 +226,6 @@ fn left_out(coordinate: &crate::process::Coordinate) -> f64 {
     match coordinate.absent {
         Absent::Value(value) => value,
         Absent::Refused | Absent::Model | Absent::NeededBy(_) | Absent::ModelOf(_) => f64::NAN,
-    }
-}
-
-fn number(cell: &str, column: &str) -> Result<f64, Problem> {
-    if cell.is_empty() {
-        return Err(Problem::new(format!("the cell of `{column}` is empty")).help("every cell needs a number"));
-    }
-    match cell.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(Problem::new(format!("`{cell}` in `{column}` is no finite number"))
-            .help("write a number with a decimal point")),
     }
 }
 

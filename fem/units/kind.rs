@@ -68,6 +68,8 @@ kinds! {
     AREA = "an area" in "mm^2", as "10";
     REMOVAL_RATE = "a removal rate" in "mm^2/s", as "10";
     SPECIFIC_HEAT = "a specific heat" in "J/kg/K", as "470";
+    HEAT_CAPACITY = "a heat capacity" in "J/K", as "10";
+    FACTOR = "a factor" in "", as "1";
 }
 
 /// A number with its unit, to be written.

@@ -265,3 +265,199 @@ fn chosen_steps_keep_their_tolerance_of_the_body_as_it_is() {
         }
     }
 }
+
+/// A room that is recorded and a source whose power is.
+const RECORDED: &str = r#"process = "thermal"
+body = { material = "steel", segments = [{ length = "200 mm", diameter = "20 mm" }] }
+time = { end = "60 min", step = "30 s" }
+measurement = { interval = "5 min" }
+effects = { convection = { coefficient = "20 W/m^2/K" } }
+[environment]
+temperature = { file = "room.csv", time = "time", value = "temperature" }
+[[source]]
+at = "200 mm"
+power = { file = "logs/power.csv", time = "clock", value = "heater" }
+"#;
+const ROOM: &str = "# by the door\ntime [min],temperature [degC]\n0,20\n25,23\n60,22\n";
+const POWER: &str = "clock [s],heater [W],note\n0,0,\n600,15,on\n3600,12,\n";
+
+/// A place with the records and their model.
+fn recorded() -> Place {
+    let place = Place::new();
+    std::fs::create_dir(place.path("logs")).unwrap();
+    place.write("room.csv", ROOM);
+    place.write("logs/power.csv", POWER);
+    place.write("m.toml", RECORDED);
+    place
+}
+
+#[test]
+fn a_record_that_never_changes_is_the_constant() {
+    let place = recorded();
+    place.write("room.csv", "time [h],temperature [K]\n0,295.15\n2,295.15\n");
+    place.write("logs/power.csv", "clock [min],heater [kW]\n0,0.015\n1,0.015\n60,0.015\n");
+    let constant = RECORDED
+        .replace(r#"{ file = "room.csv", time = "time", value = "temperature" }"#, "\"22 degC\"")
+        .replace(r#"{ file = "logs/power.csv", time = "clock", value = "heater" }"#, "\"15 W\"");
+    place.write("constant.toml", constant);
+    assert_eq!(place.fem(&["run", "constant.toml", "-o", "out"]).status, 0);
+    let compared = place.fem(&["compare", "m.toml", "--with", "out/profile.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&compared.out).unwrap();
+    for seen in json["models"][0]["observables"].as_array().unwrap() {
+        assert!(seen["rms"].as_f64().unwrap() < 1e-9, "{seen}");
+    }
+}
+
+#[test]
+fn a_model_written_into_another_folder_finds_its_records() {
+    let place = recorded();
+    std::fs::create_dir(place.path("new")).unwrap();
+    let added = place.fem(&["add", "m.toml", "sensor-lag", "time_constant=20 s", "-o", "new/lag.toml"]);
+    assert_eq!(added.status, 0, "{}", added.err);
+    let text = place.read("new/lag.toml");
+    for path in ["file = \"../room.csv\", time", "file = \"../logs/power.csv\", time"] {
+        assert!(text.contains(path), "{text}");
+    }
+    assert_eq!(place.fem(&["run", "new/lag.toml"]).status, 0);
+}
+
+#[test]
+fn nothing_is_predicted_beyond_a_record() {
+    let place = recorded();
+    place.write("m.csv", "time [min],elongation [um]\n50,40\n61,60\n");
+    let answer = place.fem(&["compare", "m.toml", "--with", "m.csv"]);
+    assert_eq!(answer.status, 2, "{}", answer.err);
+    assert!(answer.err.contains("a record that the model names ends at 60 min"), "{}", answer.err);
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const RECORDS: &[Mistake] = &[
+    ("room.csv", "rooms.csv", "rooms.csv: the file cannot be read", "relative to the folder of the model file"),
+    ("file = \"room.csv\", ", "", "`file` is missing in `environment.temperature`", "add file ="),
+    (
+        "file = \"room.csv\"",
+        "fil = \"room.csv\"",
+        "`fil` is no key of `environment.temperature`",
+        "did you mean `file`?",
+    ),
+    (
+        "\"temperature\" }",
+        "\"temprature\" }",
+        "room.csv: there is no column `temprature`",
+        "did you mean `temperature`?",
+    ),
+    ("\"clock\"", "\"note\"", "power.csv: `note`: the unit is missing", "write note [min] in its header"),
+    ("\"heater\"", "\"clock\"", "`s` measures a time, not a power", "write clock [W]"),
+    (
+        "end = \"60 min\"",
+        "end = \"61 min\"",
+        "reaches from 0 min to 60 min, and is needed from 0 min to 61 min",
+        "record it",
+    ),
+    ("value = \"heater\"", "valu = \"heater\"", "`valu` is no key of `source[0].power`", "did you mean `value`?"),
+    ("power = {", "power = 15 #{", "`power` has no unit", "write power ="),
+];
+
+/// (room.csv, part of the message)
+const ROOMS: &[(&str, &str)] = &[
+    ("time [min],temperature [degC]\n0,20\n30,21\n30,22\n60,20\n", "line 4: `time` does not rise: 30 min after 30 min"),
+    (
+        "# a\ntime [min],temperature [degC]\n\n0,20\n# b\n30,NaN\n",
+        "line 6: `NaN` in `temperature [degC]` is no finite number",
+    ),
+    ("time [min],temperature [degC]\n0,20\n30,\n60,20\n", "line 3: the cell of `temperature [degC]` is empty"),
+    ("time [min],temperature [degC]\n0,20\n30\n60,20\n", "line 3: the row has 1 cells, the header 2"),
+    ("time [min],temperature [degC]\n", "a header and no rows"),
+    ("time [min];temperature [degC]\n0;20\n", "parted by semicolons"),
+    ("time [min],temperature [degC],temperature [K]\n0,20,293\n", "the column `temperature` stands twice"),
+    ("time [min],temperature [degC]\n0,20\n60,-300\n", "nothing is that cold"),
+    ("time [min],temperature [degC]\n5,20\n60,20\n", "reaches from 5 min to 60 min"),
+];
+
+#[test]
+fn records_that_cannot_be_are_told_with_their_remedy() {
+    let place = recorded();
+    place.refuses(("run", "m.toml"), RECORDED, RECORDS);
+    place.write("m.toml", RECORDED);
+    for (room, message) in ROOMS {
+        place.write("room.csv", room);
+        let answer = place.fem(&["run", "m.toml"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ").replace(" │ ", " ");
+        assert_eq!(answer.status, 2, "{room}: {told}");
+        assert!(told.contains(message), "{room}: {told}");
+    }
+    place.write("room.csv", ROOM.replace("\n25,23", "\n25,23\n24,23"));
+    insta::assert_snapshot!("a_record_that_does_not_rise", place.fem(&["run", "m.toml"]).err);
+}
+
+/// What a source's own heater, factors and a start of its own must be.
+const INPUTS: &[Mistake] = &[
+    (
+        "[[\"0 min\", \"90 min\"]]",
+        "[[\"0 min\", \"90 min\"]]\npulses = [1, 0.9]",
+        "`pulses` has 2 factors, and `on` 1",
+        "one factor for each",
+    ),
+    (
+        "[[\"0 min\", \"90 min\"]]",
+        "[[\"0 min\", \"90 min\"]]\npulses = [\"1 W\"]",
+        "not a factor",
+        "write the number alone",
+    ),
+    ("power = \"15 W\"", "power = \"15 W\"\nheat_capacity = \"20 J/K\"", "a heat capacity and a contact", "give both"),
+    ("power = \"15 W\"", "power = \"15 W\"\ncontact = \"0 W/K\"", "`contact` is 0 W/K", "above zero"),
+    ("material = \"steel\"", "temperature = \"-300 degC\"\nmaterial = \"steel\"", "nothing is that cold", "-273.15"),
+    (
+        "segments = [                          # from the base at x = 0; bore = \"10 mm\" for hollow\n  { length = \"200 mm\", diameter = \"20 mm\" },\n]\n",
+        "rectangle = { length = \"200 mm\", height = \"20 mm\", width = \"20 mm\" }\n[[source]]\nat = \"0 mm\"\npower = \"1 W\"\nheat_capacity = \"9 J/K\"\ncontact = \"1 W/K\"\n",
+        "known of rods, not of plane bodies",
+        "leave `heat_capacity` and `contact` out",
+    ),
+];
+
+#[test]
+fn pulses_heaters_and_starts_that_cannot_be_are_told() {
+    Place::new().refuses(("run", "model.toml"), &model("thermal.toml"), INPUTS);
+}
+
+/// Without a source; as warm as the room nothing would happen.
+#[test]
+fn a_body_cools_from_a_temperature_of_its_own() {
+    let place = Place::new();
+    let source = "[[source]]\nat = \"200 mm\"\npower = \"15 W\"\non = [[\"0 min\", \"90 min\"]]";
+    let still = model("thermal.toml").replace(source, "");
+    let at = |start: &str| still.replace("material =", &format!("temperature = \"{start}\"\nmaterial ="));
+    place.write("model.toml", at("77 degC"));
+    let answer = place.fem(&["run", "model.toml", "-o", "out"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    place.write("model.toml", at("20 degC"));
+    assert!(place.fem(&["run", "model.toml"]).err.contains("nothing heats or cools the body"));
+    // A search may pass what is no experiment.
+    place.write("model.toml", at("? near 20 degC"));
+    let fit = place.fem(&["fit", "model.toml", "--with", "out/profile.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&fit.out).unwrap();
+    assert!((json["parameters"][0]["value"].as_f64().unwrap() - 77.0).abs() < 1e-6, "{json}");
+}
+
+/// Two pulses of which the second is weaker, by a heater that holds heat back: found again from the profile.
+#[test]
+fn pulses_and_heaters_are_found_again() {
+    let place = Place::new();
+    let text = model("thermal.toml").replace(
+        "on = [[\"0 min\", \"90 min\"]]",
+        "on = [[\"0 min\", \"30 min\"], [\"60 min\", \"100 min\"]]\npulses = [1, \"0.94\"]\nheat_capacity = \"30 J/K\"\ncontact = \"0.4 W/K\"",
+    );
+    place.write("model.toml", &text);
+    assert_eq!(place.fem(&["run", "model.toml", "-o", "out"]).status, 0);
+    let free = text.replace("\"0.94\"", "\"?\"").replace("\"30 J/K\"", "\"? J/K\"").replace("\"15 W\"", "\"? W\"");
+    place.write("model.toml", free);
+    let fit = place.fem(&["fit", "model.toml", "--with", "out/profile.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&fit.out).unwrap();
+    let found = |name: &str| {
+        let all = json["parameters"].as_array().unwrap();
+        all.iter().find(|p| p["parameter"] == name).unwrap_or_else(|| panic!("{json}"))["value"].as_f64().unwrap()
+    };
+    for (name, value) in [("source[0].power", 15.0), ("source[0].pulses[1]", 0.94), ("source[0].heat_capacity", 30.0)] {
+        assert!((found(name) / value - 1.0).abs() < 1e-4, "{name}: {}", found(name));
+    }
+}

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use fem::element::plane::{Capacity, Conduction, PlaneElement, Quad4, Quad8, Quad9, Tri3, Tri6};
 use fem::mesh::{Grading, Mesh, RectangleMesh};
-use fem::solve::conduction::{Condition, Energy, History, Run, Scheme, ThermalError, ThermalSystem};
+use fem::solve::conduction::{Condition, Energy, History, Power, Run, Scheme, ThermalError, ThermalSystem};
 
 fn temperature(sides: &str, history: History) -> Condition {
     Condition::Temperature { sides: sides.to_owned(), temperature: history }
@@ -115,7 +115,10 @@ fn sdirk2_forgets_a_jump_and_crank_nicolson_rings() {
 #[test]
 fn sources_switch_exactly_at_their_times() {
     let mesh = rectangle([0.1, 0.05], [8, 4], &Quad8);
-    let source = Condition::Source { node: mesh.nearest_node([0.03, 0.02]), power: 7.0, on: vec![[3.3, 20.0]] };
+    let source = {
+        let shares = vec![(mesh.nearest_node([0.03, 0.02]), 1.0)];
+        Condition::Source { shares, power: Power::switched(7.0, &[[3.3, 20.0]]) }
+    };
     let conditions = [flux("left", 5e4, vec![[1.1, 8.4], [12.0, 12.7]]), source];
     let system = system(&mesh, [45.0, 3.6e6], &conditions);
     for scheme in [Scheme::Sdirk2, Scheme::CrankNicolson, Scheme::BackwardEuler] {

@@ -230,6 +230,30 @@ impl<'a> Reader<'a> {
         value
     }
 
+    /// The table that stands behind a key in place of a value, read by `read`; `None` where the key holds no
+    /// table. In the schema it is an alternative to what has been described behind the key.
+    pub(in crate::input) fn table_instead<T>(
+        &self,
+        key: &'static str,
+        about: &str,
+        read: impl FnOnce(&Reader<'a>) -> T,
+    ) -> Option<T> {
+        let ground = match &self.ground {
+            Ground::Described => Ground::Described,
+            Ground::Given(own, _) if own.get(key).is_some_and(Item::is_table_like) => {
+                self.ground_of(key, self.item(key)?, "a table")
+            }
+            Ground::Given(..) | Ground::Absent => return None,
+        };
+        let reader = self.child(ground, key);
+        let value = read(&reader);
+        reader.finish();
+        if let Some(own) = self.shape.borrow_mut().properties.get_mut(key) {
+            *own = json!({ "description": about, "anyOf": [own.take(), reader.shape.take().into_schema(about)] });
+        }
+        Some(value)
+    }
+
     fn ground_of(&self, key: &str, item: &'a Item, expected: &str) -> Ground<'a> {
         match item.as_table_like() {
             Some(table) => Ground::Given(table, item.span()),

@@ -39,7 +39,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     }
     let one = |row: usize| {
         let value = track.at(&track.values[of_row[row]], rows.columns[TIME_OF_ROW][row]);
-        if rows.observable[row] == ELONGATION { value } else { machine.setup.ambient + value }
+        if rows.observable[row] == ELONGATION { value } else { machine.setup.start + value }
     };
     Ok((0..rows.len()).map(one).collect())
 }

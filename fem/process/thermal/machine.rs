@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::setup::{Setup, Time};
+use super::setup::{Boundary, Condition, Setup, Time};
 use crate::process;
-use crate::solve::rod::PointSource;
+use crate::solve::rod::{History, PointSource};
 
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
@@ -65,9 +65,19 @@ impl Machine {
         Self { setup: Arc::new(coarse), ..self.clone() }
     }
 
-    /// Rise of the surroundings at a time (s), K.
-    pub fn around(&self, time: f64) -> f64 {
-        let rise = |d: &Drift| d.amplitude * ((d.omega * time + d.phase).sin() - d.phase.sin());
-        self.drifts.iter().map(rise).sum()
+    /// Rise of the surroundings over the body's temperature at the start, over time, K: as the model says,
+    /// and the drifts on top of it.
+    pub fn around(&self) -> History {
+        let Setup { ambient, start, .. } = &*self.setup;
+        let drifts = self.drifts.clone();
+        let rise = |d: &Drift, time: f64| d.amplitude * ((d.omega * time + d.phase).sin() - d.phase.sin());
+        let drifting = move |time: f64| drifts.iter().map(|d| rise(d, time)).sum();
+        History::Sum(vec![ambient.clone(), History::Constant(-start), History::Function(Arc::new(drifting))])
+    }
+
+    /// Whether the body feels the temperature of its surroundings.
+    pub fn is_open(&self) -> bool {
+        let loses = |edge: &Boundary| matches!(edge.condition, Condition::Convection { ambient: None, .. });
+        self.convection > 0.0 || self.base > 0.0 || self.setup.boundaries.iter().any(loses)
     }
 }

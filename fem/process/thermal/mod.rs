@@ -1,10 +1,11 @@
 //! Thermal: temperature and growth of a body that is heated, over time.
 //!
 //! A rod by one-dimensional conduction with sources at points, ρcA T_t = (kA T_x)_x − h p (T − T_a) +
-//! Σ Q δ, or a plane body by finite elements. All is at the temperature of the surroundings at the start;
-//! surfaces and ends are insulated unless an effect, or an edge of a plane body, opens them. The free end
-//! moves by ∫ α (T − T₀) dx [seed 002 (35)–(39)]; a plane body also bows where it is warmer above
-//! than below.
+//! Σ Q δ, or a plane body by finite elements. The body is all at one temperature T₀ at the start, that of the
+//! surroundings unless it has its own; surfaces and ends are insulated unless an effect, or an edge of a
+//! plane body, opens them. The free end moves by ∫ α (T − T₀) dx [seed 002 (35)–(39)]; a plane body also
+//! bows where it is warmer above than below. The temperature of the surroundings and the power of a source
+//! may be records.
 
 mod body;
 mod effects;
@@ -16,6 +17,7 @@ mod report;
 mod rod;
 mod rows;
 mod setup;
+mod source;
 mod validation;
 
 pub use machine::Machine;

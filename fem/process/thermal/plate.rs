@@ -49,19 +49,18 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch
 /// Everything that heats and cools, as rises over the temperature at the start.
 fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
     let setup = &machine.setup;
-    let own = machine.clone();
-    let around = History::Function(Arc::new(move |t| own.around(t)));
+    let around = machine.around();
     let mut all = Vec::new();
     for boundary in &setup.boundaries {
         let sides = boundary.edge.clone();
         all.push(match &boundary.condition {
             setup::Condition::Flux { flux, on } => Condition::Flux { sides, flux: *flux, on: on.clone() },
             setup::Condition::Convection { coefficient, ambient } => {
-                let ambient = ambient.map_or(around.clone(), |own| History::Constant(own - setup.ambient));
+                let ambient = ambient.map_or(around.clone(), |own| History::Constant(own - setup.start));
                 Condition::Convection { sides, coefficient: *coefficient, ambient }
             }
             setup::Condition::Temperature(own) => {
-                Condition::Temperature { sides, temperature: History::Constant(own - setup.ambient) }
+                Condition::Temperature { sides, temperature: History::Constant(own - setup.start) }
             }
             setup::Condition::Moving { speed, width, flux, from } => {
                 Condition::MovingFlux { sides, flux: *flux, width: *width, start: *from, speed: *speed }
@@ -77,9 +76,8 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
         let coefficient = machine.base / (height * plane.width);
         all.push(Condition::Convection { sides: "left".into(), coefficient, ambient: around });
     }
-    for PointSource { at, power, on } in &machine.sources {
-        let part = |(node, share): (usize, f64)| Condition::Source { node, power: share * power, on: on.clone() };
-        all.extend(section(mesh, *at).into_iter().map(part));
+    for PointSource { at, power, .. } in &machine.sources {
+        all.push(Condition::Source { shares: section(mesh, *at), power: power.clone() });
     }
     all
 }

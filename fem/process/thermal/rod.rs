@@ -49,7 +49,7 @@ pub fn follow(
     let probes: Vec<Probe> = looks.iter().map(|look| probe(&system, machine, *look)).collect();
     let stepping = Stepping { scheme: run.scheme, step: run.step, end: run.end };
     let mut track = Track::new(looks.len());
-    let energy = system.run(&stepping, &|t| machine.around(t), |time, nodes, switched| {
+    let energy = system.run(&stepping, &machine.around(), |time, nodes, switched| {
         track.push(time, switched, probes.iter().map(|p| p.read(nodes)));
         watch(time, &|| nodes.to_vec());
     });

@@ -57,9 +57,14 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
         let message = || format!("the body reaches from {} to {}", LENGTH.from_si(low), LENGTH.told(high));
         is_outside.then(|| (coordinate, message()))
     };
+    let known = setup.known_until();
     let wrong = |row: usize| {
         if rows.get(TIME_OF_ROW, row).is_some_and(|t| t < 0.0) {
             return Some((TIME_OF_ROW, "the time is before the start of the run".to_string()));
+        }
+        if rows.get(TIME_OF_ROW, row).is_some_and(|t| t > known * (1.0 + 1e-9)) {
+            let message = format!("a record that the model names ends at {}", TIME.told(known));
+            return Some((TIME_OF_ROW, message));
         }
         if rows.observable[row] == ELONGATION && !setup.body.has_ends() {
             let message = "the elongation is that from edge left to edge right, and the mesh does not name both";
@@ -154,8 +159,11 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     }
     let half_way = seen(TEMPERATURE_OF_ROW).then_some(Some(0.5 * length));
     let places: Vec<Option<f64>> = seen(ELONGATION).then_some(None).into_iter().chain(half_way).collect();
-    let after = evenly(last, 2.0 * last);
-    let words = "go on measuring for as long again";
-    experiments.push(experiment(words, TIME_OF_ROW, &after, self::rows(setup, &after, &places)));
+    // What is not recorded yet cannot be predicted.
+    if 2.0 * last <= setup.known_until() {
+        let after = evenly(last, 2.0 * last);
+        let words = "go on measuring for as long again";
+        experiments.push(experiment(words, TIME_OF_ROW, &after, self::rows(setup, &after, &places)));
+    }
     experiments
 }

@@ -3,12 +3,13 @@
 use std::sync::OnceLock;
 
 use super::body::Body;
-use crate::input::Reader;
+use super::source;
+use crate::input::{Along, Reader};
 use crate::material::Material;
 use crate::process::Failure;
 use crate::solve::conduction::Scheme;
-use crate::solve::rod::PointSource;
-use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, POWER, SPEED, TEMPERATURE, TEMPERATURE_RISE, TIME};
+use crate::solve::rod::{History, PointSource};
+use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, SPEED, TEMPERATURE, TEMPERATURE_RISE, TIME};
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 200_000.0;
@@ -66,8 +67,10 @@ pub struct Setup {
     pub sources: Vec<PointSource>,
     /// Conditions on edges in the order of the file; rods have none.
     pub boundaries: Vec<Boundary>,
-    /// Temperature of the surroundings, and of the body at the start, K.
-    pub ambient: f64,
+    /// Temperature of the surroundings over time, K.
+    pub ambient: History,
+    /// Temperature of the body at the start, K.
+    pub start: f64,
     /// Time and its steps.
     pub time: Time,
     /// Longest element along the body, m.
@@ -87,21 +90,33 @@ const SCHEMES: &[(&str, Scheme)] =
 impl Setup {
     /// Reads every table of a thermal model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let (material, body) =
-            model.table("body", "the body that is heated", |t| (Material::read(t, "material"), Body::read(t)));
+        let (material, body, own_start) = model.table("body", "the body that is heated", |t| {
+            let (material, body) = (Material::read(t, "material"), Body::read(t));
+            let start = t.quantity("temperature", TEMPERATURE, "at the start; that of the surroundings if left out");
+            let start = start.optional();
+            refuse_impossible(t, start.unwrap_or(0.0));
+            (material, body, start.map(|start| (start, t.is_uncertain("temperature"))))
+        });
         let length = body.length();
-        let sources = model.list("source", "a source of heat, spread over the section", |t, _| read_source(t, &body));
+        // Records must reach over the whole run.
+        let time = model.table("time", "how long and in which steps", Time::read);
+        let run = Along { name: "time", kind: TIME, needed: [0.0, time.end] };
+        let sources =
+            model.list("source", "a source of heat, spread over the section", |t, _| source::read(t, &body, run));
         let boundaries =
             model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body));
         let ambient = model.table("environment", "what is around the body", |t| {
-            let ambient =
-                t.quantity("temperature", TEMPERATURE, "of the surroundings, and of the body at the start").required();
-            if ambient < 0.0 {
-                t.problem("temperature", "nothing is that cold", "it must be above -273.15 degC");
-            }
-            ambient
+            let about = "of the surroundings, and of a body that has none of its own at the start";
+            let ambient = History::from(t.quantity("temperature", TEMPERATURE, about).varying(run));
+            let coldest = match &ambient {
+                History::Record(record) => record.points().iter().fold(f64::INFINITY, |least, p| least.min(p[1])),
+                constant => constant.at(0.0),
+            };
+            refuse_impossible(t, coldest);
+            (ambient, t.is_uncertain("temperature"))
         });
-        let time = model.table("time", "how long and in which steps", Time::read);
+        let (ambient, ambient_is_uncertain) = ambient;
+        let start = own_start.map_or(ambient.at(0.0), |(start, _)| start);
         let [usual, most] = body.elements();
         let usual_size = length / usual;
         let element_size = model.optional_table("mesh", "the body in finite elements", |t| {
@@ -118,16 +133,32 @@ impl Setup {
         let (places, times) = model
             .optional_table("measurement", "where and when a run looks", |t| read_measurement(t, length, &time))
             .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
+        let (element_size, chosen) = (element_size.unwrap_or(usual_size), OnceLock::new());
+        let setup =
+            Self { material, body, sources, boundaries, ambient, start, time, element_size, places, times, chosen };
         let by_effect = ["extra-source", "ambient-drift"].iter().any(|effect| model.has_in("effects", effect));
-        if sources.is_empty() && boundaries.is_empty() && !by_effect && !model.is_described() {
+        // A search may come upon values at which they are equal.
+        let may_differ = own_start.is_some_and(|(_, is_uncertain)| is_uncertain || ambient_is_uncertain);
+        let is_heated = !setup.sources.is_empty() || !setup.boundaries.is_empty() || by_effect;
+        if !(is_heated || may_differ || setup.is_out_of_balance() || model.is_described()) {
             model.problem(
                 "source",
                 "nothing heats or cools the body",
-                "add [[source]] with at and power, or [[boundary]] of a plane body",
+                "add [[source]] with at and power, [[boundary]] of a plane body, or a temperature of its own to [body]",
             );
         }
-        let (element_size, chosen) = (element_size.unwrap_or(usual_size), OnceLock::new());
-        Self { material, body, sources, boundaries, ambient, time, element_size, places, times, chosen }
+        setup
+    }
+
+    /// Whether the surroundings are at another temperature than the body at the start, then or later.
+    pub fn is_out_of_balance(&self) -> bool {
+        matches!(self.ambient, History::Record(_)) || (self.ambient.at(0.0) - self.start).abs() > 0.0
+    }
+
+    /// Last time (s) up to which all records reach.
+    pub fn known_until(&self) -> f64 {
+        let powers = self.sources.iter().map(|source| source.power.level.known_until());
+        powers.fold(self.ambient.known_until(), f64::min)
     }
 
     /// Whether effects on sections can act.
@@ -142,33 +173,11 @@ impl Setup {
     }
 }
 
-fn read_source(t: &Reader, body: &Body) -> PointSource {
-    let at = t.quantity("at", LENGTH, "place along the body, from the base").not_negative().required();
-    if at > body.length() * (1.0 + 1e-12) {
-        t.problem(
-            "at",
-            format!("the source stands at {}, beyond the body", LENGTH.told(at)),
-            format!("the body ends at {}", LENGTH.told(body.length())),
-        );
+/// Nothing is below the absolute zero; a temperature (K) that is still unknown passes.
+fn refuse_impossible(t: &Reader, temperature: f64) {
+    if temperature < 0.0 {
+        t.problem("temperature", "nothing is that cold", "it must be above -273.15 degC");
     }
-    if !body.has_sections() && !t.is_described() {
-        t.problem(
-            "at",
-            "a source stands over a section, and a mesh from a file has none",
-            "let the heat in through an edge: [[boundary]] with flux",
-        );
-    }
-    PointSource { at, power: t.quantity("power", POWER, "heat that it gives").required(), on: read_on(t) }
-}
-
-/// Intervals in which something is on.
-fn read_on(t: &Reader) -> Vec<[f64; 2]> {
-    let mut on = t.intervals("on", TIME, "when it is on; always if left out").unwrap_or_default();
-    on.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    if on.windows(2).any(|pair| pair[1][0] < pair[0][1]) {
-        t.problem("on", "intervals overlap", "join them: heat is not given twice");
-    }
-    on
 }
 
 impl Boundary {
@@ -183,7 +192,7 @@ impl Boundary {
             t.problem("edge", format!("`{edge}` is no edge of the body"), help);
         }
         let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").optional();
-        let on = read_on(t);
+        let on = source::read_on(t, &[]).iter().map(|pulse| [pulse.from, pulse.to]).collect();
         let convection = t.quantity("convection", CONVECTION, "film coefficient of a loss").not_negative().optional();
         let ambient =
             t.quantity("ambient", TEMPERATURE, "of what it is lost to; the environment if left out").optional();

@@ -1,38 +1,7 @@
 //! Conditions that heat and cool a body.
 
-use std::fmt;
-use std::sync::Arc;
-
-use super::ThermalError;
+use super::{History, Power, ThermalError};
 use crate::mesh::{Mesh, Side};
-
-/// A quantity over time (s).
-#[derive(Clone)]
-pub enum History {
-    /// Always the same.
-    Constant(f64),
-    /// Any continuous function of time.
-    Function(Arc<dyn Fn(f64) -> f64 + Send + Sync>),
-}
-
-impl History {
-    /// Value at a time (s).
-    pub fn at(&self, time: f64) -> f64 {
-        match self {
-            Self::Constant(value) => *value,
-            Self::Function(function) => function(time),
-        }
-    }
-}
-
-impl fmt::Debug for History {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Constant(value) => write!(f, "{value}"),
-            Self::Function(_) => f.write_str("a function of time"),
-        }
-    }
-}
 
 /// One condition on a body. Sides without any are insulated.
 #[derive(Clone, Debug)]
@@ -60,14 +29,12 @@ pub enum Condition {
         /// Speed of the strip, m/s.
         speed: f64,
     },
-    /// A source (W) on a node.
+    /// A source (W) on nodes.
     Source {
-        /// The node.
-        node: usize,
+        /// Each node with its share of the power.
+        shares: Vec<(usize, f64)>,
         /// Power, W.
-        power: f64,
-        /// Intervals (s) in which it is on; none means always.
-        on: Vec<[f64; 2]>,
+        power: Power,
     },
     /// Loss h (T − T_a) through the sides.
     Convection {
@@ -98,7 +65,8 @@ impl Condition {
     /// Times (s) at which the condition jumps.
     pub fn switches(&self) -> Vec<f64> {
         match self {
-            Self::Flux { on, .. } | Self::Source { on, .. } => on.as_flattened().to_vec(),
+            Self::Flux { on, .. } => on.as_flattened().to_vec(),
+            Self::Source { power, .. } => power.switches().collect(),
             _ => Vec::new(),
         }
     }
@@ -112,21 +80,16 @@ pub(super) struct Supply {
 }
 
 pub(super) enum Amplitude {
-    /// A value while on; always where the list is empty.
-    Switched(f64, Vec<[f64; 2]>),
+    Switched(Power),
     Varying(History),
 }
 
 impl Amplitude {
-    /// Value at `time`; whether it is on is asked for `within`, a time inside the step, so that both ends of
-    /// a step see the same side of a switch.
-    pub fn at(&self, time: f64, within: f64) -> f64 {
+    /// Value at `time` as the step between two times takes it.
+    pub fn within(&self, time: f64, step: [f64; 2]) -> f64 {
         match self {
-            Self::Switched(value, on) => {
-                let is_on = on.is_empty() || on.iter().any(|[from, to]| (*from..*to).contains(&within));
-                if is_on { *value } else { 0.0 }
-            }
-            Self::Varying(history) => history.at(time),
+            Self::Switched(power) => power.within(time, step),
+            Self::Varying(history) => history.within(time, step),
         }
     }
 }

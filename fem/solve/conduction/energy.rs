@@ -3,7 +3,7 @@
 /// Heat over a run, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
-    /// More heat in the body than at the start.
+    /// More heat in the body, and in the heaters on it, than at the start.
     pub stored: f64,
     /// Put in by fluxes and sources.
     pub supplied: f64,

@@ -7,13 +7,15 @@
 mod conditions;
 mod energy;
 mod error;
+mod history;
 mod scheme;
 mod system;
 mod transient;
 
-pub use conditions::{Condition, History};
+pub use conditions::Condition;
 pub use energy::Energy;
 pub use error::ThermalError;
+pub use history::{History, Power, Pulse};
 pub use scheme::Scheme;
 pub use system::ThermalSystem;
 pub use transient::{Instant, Run};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::conditions::{Amplitude, MovingStrip, Supply, side_shares};
-use super::{Condition, History, ThermalError};
+use super::{Condition, History, Power, ThermalError};
 use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square};
 use crate::mesh::{Mesh, Side};
 use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
@@ -95,8 +95,8 @@ impl<'m> ThermalSystem<'m> {
     pub fn steady(&self, time: f64) -> Result<Vec<f64>, ThermalError> {
         self.check_held()?;
         let mut heat = vec![0.0; self.freedoms.len()];
-        self.supply(time, time, &mut heat);
-        self.add_ambient(time, &mut heat);
+        self.supply(time, [time; 2], &mut heat);
+        self.add_ambient(time, [time; 2], &mut heat);
         let mut temperatures = vec![0.0; self.freedoms.len()];
         self.set_held(time, &mut temperatures);
         let solver = Solver::new(&self.analysis, &self.conductance, &self.freedoms, self.mesh.nodes())?;
@@ -123,10 +123,9 @@ impl<'m> ThermalSystem<'m> {
         }
     }
 
-    /// Adds the heat (W, in the order of the matrix) of fluxes and sources at `time`; `within` lies inside
-    /// the step. The sum.
-    pub(super) fn supply(&self, time: f64, within: f64, heat: &mut [f64]) -> f64 {
-        let mut sum = self.add_supplies(&self.supplies, time, within, heat);
+    /// Adds the heat (W, in the order of the matrix) of fluxes and sources at `time` of a step. The sum.
+    pub(super) fn supply(&self, time: f64, step: [f64; 2], heat: &mut [f64]) -> f64 {
+        let mut sum = self.add_supplies(&self.supplies, time, step, heat);
         for strip in &self.strips {
             strip.heat(self.mesh, time, |node, own| {
                 heat[self.freedoms.number(node)] += own;
@@ -136,16 +135,16 @@ impl<'m> ThermalSystem<'m> {
         sum
     }
 
-    /// Adds the heat (W) that convection brings from surroundings at their temperature to a body at 0. The
-    /// sum.
-    pub(super) fn add_ambient(&self, time: f64, heat: &mut [f64]) -> f64 {
-        self.add_supplies(&self.ambients, time, time, heat)
+    /// Adds the heat (W) that convection brings from surroundings at their temperature to a body at 0, at
+    /// `time` of a step. The sum.
+    pub(super) fn add_ambient(&self, time: f64, step: [f64; 2], heat: &mut [f64]) -> f64 {
+        self.add_supplies(&self.ambients, time, step, heat)
     }
 
-    fn add_supplies(&self, supplies: &[Supply], time: f64, within: f64, heat: &mut [f64]) -> f64 {
+    fn add_supplies(&self, supplies: &[Supply], time: f64, step: [f64; 2], heat: &mut [f64]) -> f64 {
         let mut sum = 0.0;
         for supply in supplies {
-            let amplitude = supply.amplitude.at(time, within);
+            let amplitude = supply.amplitude.within(time, step);
             for &(node, share) in &supply.shares {
                 heat[self.freedoms.number(node)] += amplitude * share;
                 sum += amplitude * share;
@@ -247,16 +246,16 @@ fn supplies(
             Condition::Flux { sides, flux, on } => {
                 ThermalError::check(flux.is_finite(), "flux (W/m²)", "finite", *flux)?;
                 let shares = side_shares(mesh, mesh.sides(sides)?, law.thickness);
-                supplies.push(Supply { shares, amplitude: Amplitude::Switched(*flux, on.clone()) });
+                supplies.push(Supply { shares, amplitude: Amplitude::Switched(Power::switched(*flux, on)) });
             }
-            Condition::Source { node, power, on } => {
-                ThermalError::check(power.is_finite(), "power (W)", "finite", *power)?;
+            Condition::Source { shares, power } => {
+                let wrong = power.infinite();
+                ThermalError::check(wrong.is_none(), "power (W)", "finite", wrong.unwrap_or(0.0))?;
                 let last = mesh.nodes().len() - 1;
-                if *node > last {
+                if let Some((node, _)) = shares.iter().find(|(node, _)| *node > last) {
                     return Err(ThermalError::UnknownNode { node: *node, last });
                 }
-                let amplitude = Amplitude::Switched(*power, on.clone());
-                supplies.push(Supply { shares: vec![(*node, 1.0)], amplitude });
+                supplies.push(Supply { shares: shares.clone(), amplitude: Amplitude::Switched(power.clone()) });
             }
             Condition::MovingFlux { sides, flux, width, start, speed } => {
                 ThermalError::check(flux.is_finite(), "flux (W/m²)", "finite", *flux)?;

@@ -157,8 +157,9 @@ impl<'s> Stepper<'s> {
             }
         }
         self.heat.fill(0.0);
-        let supplied = system.supply(at, time + 0.5 * self.length, &mut self.heat);
-        let from_ambient = system.add_ambient(at, &mut self.heat);
+        let whole = [time, time + self.length];
+        let supplied = system.supply(at, whole, &mut self.heat);
+        let from_ambient = system.add_ambient(at, whole, &mut self.heat);
         system.conductance.multiply_add(-1.0, &self.base, &mut self.heat);
         let rates = &mut self.rates[stage];
         // the last stage ends where the prescribed temperature does; base and weights make that exact

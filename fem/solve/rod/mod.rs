@@ -9,6 +9,9 @@
 //! with a node at every source, joint and change of section; the capacity is the mean of the lumped and the
 //! consistent one, which follows slow waves to fourth order (Goudreau and Taylor 1973), so that only what
 //! sources switch is second order. Every step solves a tridiagonal system.
+//!
+//! A source may warm a heater first, which has a heat capacity of its own and passes heat on through its
+//! contact: C_H θ_H' = P − G_H (θ_H − θ), Q = G_H (θ_H − θ).
 
 mod run;
 mod system;
@@ -23,7 +26,7 @@ pub use track::{Probe, Track, lagged};
 
 use std::fmt;
 
-pub use super::conduction::{Energy, Scheme};
+pub use super::conduction::{Energy, History, Power, Pulse, Scheme};
 pub use super::heat::RodPiece;
 
 /// A section across which heat flows as g times the difference of the temperatures on both sides.
@@ -36,18 +39,27 @@ pub struct Joint {
 }
 
 /// A source of heat.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct PointSource {
     /// Distance from the base, m.
     pub at: f64,
-    /// Power, W.
-    pub power: f64,
-    /// Intervals (s) in which it is on; none means always.
-    pub on: Vec<[f64; 2]>,
+    /// Power over time, W.
+    pub power: Power,
+    /// The heater that it warms first; `None` where the heat comes into the rod at once.
+    pub heater: Option<Heater>,
+}
+
+/// A heater between a source and the rod, at one temperature, which loses heat to the rod alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heater {
+    /// Heat capacity, J/K; above zero.
+    pub heat_capacity: f64,
+    /// Conductance from the heater to the rod, W/K; above zero.
+    pub contact: f64,
 }
 
 /// A rod from its base at 0 to its free end, which is insulated.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Rod {
     /// Pieces from the base on.
     pub pieces: Vec<RodPiece>,
@@ -101,7 +113,12 @@ impl Rod {
         let inside = |at: f64| (0.0..=self.length() * (1.0 + 1e-12)).contains(&at);
         values.extend(self.joints.iter().map(|j| ("the place of a joint (m)", j.at, inside(j.at))));
         values.extend(self.sources.iter().map(|s| ("the place of a source (m)", s.at, inside(s.at))));
-        values.extend(self.sources.iter().map(|s| ("the power of a source (W)", s.power, true)));
+        let infinite = self.sources.iter().filter_map(|s| s.power.infinite());
+        values.extend(infinite.map(|power| ("the power of a source (W)", power, false)));
+        for heater in self.sources.iter().filter_map(|s| s.heater) {
+            values.push(("the heat capacity of a heater (J/K)", heater.heat_capacity, heater.heat_capacity > 0.0));
+            values.push(("the conductance of a heater (W/K)", heater.contact, heater.contact > 0.0));
+        }
         match values.into_iter().find(|(_, value, fits)| !fits || !value.is_finite()) {
             Some((quantity, value, _)) => Err(RodError::Value(quantity, value)),
             None => Ok(()),

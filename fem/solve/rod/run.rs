@@ -1,7 +1,7 @@
 //! A rod through time.
 
 use super::tridiagonal::{Factor, dot};
-use super::{Energy, RodError, RodSystem, Scheme};
+use super::{Energy, Heater, History, RodError, RodSystem, Scheme};
 
 /// Halvings of the first step after a switch: a jump acts as the root of time.
 const HALVINGS: i32 = 5;
@@ -27,7 +27,7 @@ impl RodSystem {
     pub fn run(
         &self,
         stepping: &Stepping,
-        ambient: &dyn Fn(f64) -> f64,
+        ambient: &History,
         mut observe: impl FnMut(f64, &[f64], bool),
     ) -> Result<Energy, RodError> {
         let Stepping { scheme, step, end } = *stepping;
@@ -37,10 +37,11 @@ impl RodSystem {
         if !(end >= 0.0 && end.is_finite()) {
             return Err(RodError::Value("the end of the run (s)", end));
         }
-        let mut state = vec![0.0; self.x.len()];
+        let nodes = self.x.len();
+        let mut state = vec![0.0; self.stores.len()];
         let mut energy = Energy::default();
         let mut stepper: Option<Stepper<'_>> = None;
-        observe(0.0, &state, true);
+        observe(0.0, &state[..nodes], true);
         for ends in self.intervals(end).windows(2) {
             let (mut time, lengths) = (ends[0], lengths(ends[1] - ends[0], step));
             let count = lengths.len();
@@ -51,7 +52,7 @@ impl RodSystem {
                 };
                 own.step(time, ambient, &mut state, &mut energy);
                 time = if i + 1 == count { ends[1] } else { time + length };
-                observe(time, &state, i + 1 == count);
+                observe(time, &state[..nodes], i + 1 == count);
                 stepper = Some(own);
             }
         }
@@ -91,9 +92,13 @@ struct Stepper<'s> {
 
 impl<'s> Stepper<'s> {
     fn new(system: &'s RodSystem, scheme: Scheme, length: f64) -> Self {
-        let size = system.x.len();
+        let (size, reach) = (system.stores.len(), scheme.gamma() * length);
+        let mut capacity = system.capacity.clone();
+        for (node, heater) in &system.heaters {
+            capacity.diagonal[*node] += heater.heat_capacity * heater.passed(reach);
+        }
         Self {
-            factor: Factor::of_sum(&system.capacity, scheme.gamma() * length, &system.conductance),
+            factor: Factor::of_sum(&capacity, reach, &system.conductance),
             rates: vec![vec![0.0; size]; scheme.weights().len()],
             base: vec![0.0; size],
             system,
@@ -103,28 +108,26 @@ impl<'s> Stepper<'s> {
     }
 
     /// One step, as in `conduction`: (C + γΔt K)·kᵢ = f(t + cᵢΔt) − K·(θ + Δt Σ aᵢⱼkⱼ).
-    fn step(&mut self, time: f64, ambient: &dyn Fn(f64) -> f64, state: &mut [f64], energy: &mut Energy) {
+    fn step(&mut self, time: f64, ambient: &History, state: &mut [f64], energy: &mut Energy) {
         let (system, length, gamma) = (self.system, self.length, self.scheme.gamma());
-        let weights = self.scheme.weights();
+        let (weights, whole) = (self.scheme.weights(), [time, time + length]);
         for (stage, place) in self.scheme.places().iter().enumerate() {
             self.base.copy_from_slice(state);
             for (rates, weight) in self.rates[..stage].iter().zip(weights) {
                 self.base.iter_mut().zip(rates).for_each(|(base, rate)| *base += length * weight * rate);
             }
-            let around = ambient(time + place * length);
+            let at = time + place * length;
+            let around = ambient.within(at, whole);
             let rates = &mut self.rates[stage];
             rates.iter_mut().zip(&system.losses).for_each(|(rate, loss)| *rate = loss * around);
             let mut supplied = 0.0;
-            for (node, source) in &system.sources {
-                // Both ends of a step see the same side of a switch.
-                let within = time + 0.5 * length;
-                if source.on.is_empty() || source.on.iter().any(|[from, to]| (*from..*to).contains(&within)) {
-                    rates[*node] += source.power;
-                    supplied += source.power;
-                }
+            for (warmed, power) in &system.sources {
+                let power = power.within(at, whole);
+                rates[*warmed] += power;
+                supplied += power;
             }
-            system.conductance.subtract_product(&self.base, rates);
-            self.factor.solve(rates);
+            self.solve(stage);
+            let rates = &self.rates[stage];
             let lost =
                 dot(&system.losses, &self.base) + gamma * length * dot(&system.losses, rates) - around * system.loss;
             let span = weights[stage] * length;
@@ -134,5 +137,33 @@ impl<'s> Stepper<'s> {
             state.iter_mut().zip(rates).for_each(|(own, rate)| *own += length * weight * rate);
             energy.add(length * weight * dot(&system.stores, rates), 0.0, 0.0, 0.0);
         }
+    }
+
+    /// Solves a stage: from the heat that comes in its rates. A heater is a node that only one node of the
+    /// rod touches, so that it is eliminated first, exactly, and found again from that node's rate: what is
+    /// left is tridiagonal.
+    fn solve(&mut self, stage: usize) {
+        let (system, base) = (self.system, &self.base);
+        let (reach, nodes) = (self.scheme.gamma() * self.length, system.x.len());
+        let (rates, heated) = self.rates[stage].split_at_mut(nodes);
+        system.conductance.subtract_product(&base[..nodes], rates);
+        for (i, (node, heater)) in system.heaters.iter().enumerate() {
+            let flow = heater.contact * (base[nodes + i] - base[*node]);
+            heated[i] -= flow;
+            rates[*node] += flow + heater.passed(reach) * heated[i];
+        }
+        self.factor.solve(rates);
+        for (i, (node, heater)) in system.heaters.iter().enumerate() {
+            let stiffness = reach * heater.contact;
+            heated[i] = (heated[i] + stiffness * rates[*node]) / (heater.heat_capacity + stiffness);
+        }
+    }
+}
+
+impl Heater {
+    /// Part of the heat into the heater that the rod gets within a stage of γΔt (s): G γΔt / (C + G γΔt).
+    fn passed(&self, reach: f64) -> f64 {
+        let stiffness = reach * self.contact;
+        stiffness / (self.heat_capacity + stiffness)
     }
 }

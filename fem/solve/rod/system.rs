@@ -1,7 +1,7 @@
 //! The elements of a rod and their matrices.
 
 use super::tridiagonal::Tridiagonal;
-use super::{PointSource, Probe, Rod, RodError, RodPiece};
+use super::{Heater, Power, Probe, Rod, RodError, RodPiece};
 
 /// Places closer than this part of the length are one.
 const SAME: f64 = 1e-9;
@@ -17,14 +17,16 @@ pub struct RodSystem {
     pub(super) capacity: Tridiagonal,
     /// Conduction and loss, W/K.
     pub(super) conductance: Tridiagonal,
-    /// Heat to surroundings that are 1 K colder, W/K.
+    /// Heat to surroundings that are 1 K colder, W/K; of every node, then of every heater.
     pub(super) losses: Vec<f64>,
     /// Loss of all nodes together.
     pub(super) loss: f64,
-    /// Heat capacity of every node, J/K.
+    /// Heat capacity of every node, then of every heater, J/K.
     pub(super) stores: Vec<f64>,
-    /// Sources at their nodes.
-    pub(super) sources: Vec<(usize, PointSource)>,
+    /// What sources give, each with the node, or the number of nodes plus that of the heater, that it warms.
+    pub(super) sources: Vec<(usize, Power)>,
+    /// Heaters with the nodes that they warm.
+    pub(super) heaters: Vec<(usize, Heater)>,
     /// First and last node of every stretch along which the temperature is smooth.
     stretches: Vec<[usize; 2]>,
 }
@@ -81,7 +83,7 @@ impl RodSystem {
 
     /// Times (s) at which a source is switched.
     pub(super) fn switches(&self) -> impl Iterator<Item = f64> + '_ {
-        self.sources.iter().flat_map(|(_, source)| source.on.as_flattened().iter().copied())
+        self.sources.iter().flat_map(|(_, power)| power.switches())
     }
 }
 
@@ -143,18 +145,23 @@ impl Nodes {
         for (own, loss) in conductance.beside.iter_mut().zip(&losses.beside) {
             *own += loss;
         }
-        let node = |s: &PointSource| (0..size).find(|i| near(s.at.min(self.x[size - 1]), *i)).unwrap_or(size - 1);
-        let losses = losses.row_sums();
-        RodSystem {
-            loss: losses.iter().sum(),
-            stores: capacity.row_sums(),
-            losses,
-            sources: rod.sources.iter().map(|s| (node(s), s.clone())).collect(),
-            capacity,
-            conductance,
-            x: self.x,
-            stretches: self.stretches,
+        let node = |at: f64| (0..size).find(|i| near(at.min(self.x[size - 1]), *i)).unwrap_or(size - 1);
+        let (mut losses, mut stores) = (losses.row_sums(), capacity.row_sums());
+        let (mut sources, mut heaters) = (Vec::new(), Vec::new());
+        for source in &rod.sources {
+            let own = node(source.at);
+            let Some(heater) = source.heater else {
+                sources.push((own, source.power.clone()));
+                continue;
+            };
+            sources.push((size + heaters.len(), source.power.clone()));
+            heaters.push((own, heater));
+            losses.push(0.0);
+            stores.push(heater.heat_capacity);
         }
+        let loss = losses.iter().sum();
+        let Self { x, stretches } = self;
+        RodSystem { x, capacity, conductance, losses, loss, stores, sources, heaters, stretches }
     }
 }
 

@@ -1,8 +1,9 @@
 //! The room warms and cools.
 //!
 //! T_a = T₀ + A·[sin(2πt/period + phase) − sin phase], A the amplitude (K), from T₀ at the start:
-//! day and night, or a heating that switches. It is felt only through what loses heat: convection, the base,
-//! edges of a plane body that lose to the environment.
+//! day and night, or a heating that switches. A record of the room's temperature stands in the place of T₀.
+//! It is felt only through what loses heat: convection, the base, edges of a plane body that lose to the
+//! environment.
 
 use super::super::machine::{Drift, Effect};
 use crate::process::{Parameter, nothing};
@@ -35,10 +36,10 @@ mod tests {
         let drift = "ambient-drift = { amplitude = '3 K', period = '2 h', phase = '70 deg' }";
         let lossy = "convection = { coefficient = '20 W/m^2/K' }";
         let heated = rod(drift);
-        assert_eq!(heated.machine().around(0.0), 0.0);
+        assert_eq!(heated.machine().around().at(0.0), 0.0);
         let quarter = 1800.0;
         let expected = 3.0 * (160f64.to_radians().sin() - 70f64.to_radians().sin());
-        assert!((heated.machine().around(quarter) - expected).abs() < 1e-12);
+        assert!((heated.machine().around().at(quarter) - expected).abs() < 1e-12);
         let middle = |effects: &str| rise(&rod(effects), 0.1, 5000.0);
         assert!((middle(drift) - middle("")).abs() < 1e-12, "insulated");
         assert!((middle(&format!("{lossy}\n{drift}")) - middle(lossy)).abs() > 0.1);

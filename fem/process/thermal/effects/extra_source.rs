@@ -6,7 +6,7 @@
 use super::super::machine::Effect;
 use super::super::setup::Setup;
 use crate::process::Parameter;
-use crate::solve::rod::PointSource;
+use crate::solve::rod::{PointSource, Power};
 use crate::units::{LENGTH, POWER};
 
 /// `extra-source`.
@@ -21,7 +21,9 @@ pub static EXTRA_SOURCE: Effect<2> = Effect {
     ],
     look_alikes: &[("ambient-drift", "another run, at another time of day")],
     needs: Setup::needs_sections,
-    act: |[at, power], machine| machine.sources.push(PointSource { at, power, on: Vec::new() }),
+    act: |[at, power], machine| {
+        machine.sources.push(PointSource { at, power: Power::switched(power, &[]), heater: None });
+    },
 };
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::body::Body;
 use super::forward;
 use super::machine::Machine;
 use super::rows::{COORDINATES, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
-use super::setup::{Boundary, Condition, Setup};
+use super::setup::{Condition, Setup};
 use crate::process::{Column, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
 use crate::solve::conduction::Energy;
 use crate::units::{ENERGY, HEAT, LENGTH, MICRO, SECONDS, TEMPERATURE, TEMPERATURE_RISE, TIME};
@@ -38,7 +38,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     let discretisation = Figure::new("discretisation", "elements and steps").line(text);
     figures.push(discretisation.quantity("error", TEMPERATURE_RISE, left));
     let mut warnings = warnings(machine, &scene);
-    let warmest = own(rows, TEMPERATURE_OF_ROW).map(|row| (observed[row] - setup.ambient).abs()).fold(0.0, f64::max);
+    let warmest = own(rows, TEMPERATURE_OF_ROW).map(|row| (observed[row] - setup.start).abs()).fold(0.0, f64::max);
     if left > setup.time.tolerance.max(COARSE * warmest) {
         warnings.push(format!(
             "elements and steps leave errors of some {:.2}: take a smaller element_size in [mesh], and shorter steps",
@@ -114,7 +114,7 @@ fn growth(times: &[f64], values: &[f64]) -> Vec<Figure> {
 /// The hottest of all nodes at all steps.
 fn hottest(setup: &Setup, scene: &Scene) -> Option<Figure> {
     let Hottest { place: [x, y], rise, time } = scene.hottest?;
-    let temperature = setup.ambient + rise;
+    let temperature = setup.start + rise;
     let height = if y.is_nan() { String::new() } else { format!(", y = {:.1}", LENGTH.shown(y)) };
     let (shown, after) = (TEMPERATURE.shown(temperature), TIME.shown(time));
     Some(
@@ -205,10 +205,13 @@ fn warnings(machine: &Machine, scene: &Scene) -> Vec<String> {
             ));
         }
     }
-    let loses = |edge: &Boundary| matches!(edge.condition, Condition::Convection { ambient: None, .. });
-    let felt = machine.convection > 0.0 || machine.base > 0.0 || setup.boundaries.iter().any(loses);
-    if !machine.drifts.is_empty() && !felt {
-        warnings.push("nothing loses heat to the surroundings: their drift is not felt".into());
+    if !machine.is_open() {
+        if !machine.drifts.is_empty() {
+            warnings.push("nothing loses heat to the surroundings: their drift is not felt".into());
+        }
+        if setup.is_out_of_balance() {
+            warnings.push("nothing loses heat to the surroundings: their temperature is not felt".into());
+        }
     }
     for boundary in &setup.boundaries {
         let Condition::Moving { speed, width, .. } = boundary.condition else { continue };

@@ -136,7 +136,7 @@ impl Scene {
             Shape::Rod(x) => rod_grid(x, rises, self.setup.material.expansion),
             Shape::Plane(flat) => flat.grid(rises),
         };
-        let temperatures = shown.iter().map(|rise| self.setup.ambient + rise).collect();
+        let temperatures = shown.iter().map(|rise| self.setup.start + rise).collect();
         grid.point_fields.insert(0, Field::scalar("temperature", temperatures));
         grid.point_fields.insert(1, Field::scalar("rise", shown.clone()));
         Frame { time: *time, grid }

@@ -1,8 +1,10 @@
 //! The validation table of heated bodies: closed forms and series of conduction, published benchmarks,
-//! growth and bow.
+//! growth and bow, cooling, recorded inputs and heaters.
 
 mod benchmarks;
+mod cooling;
 mod effects;
+mod inputs;
 mod plates;
 mod rig;
 mod series;
@@ -11,5 +13,6 @@ use crate::process::Case;
 
 /// Every case.
 pub fn cases() -> Vec<Case> {
-    [series::cases(), effects::cases(), benchmarks::cases(), plates::cases()].concat()
+    [series::cases(), effects::cases(), benchmarks::cases(), plates::cases(), cooling::cases(), inputs::cases()]
+        .concat()
 }

@@ -1,0 +1,70 @@
+//! The table of a source of heat.
+
+use super::body::Body;
+use crate::input::{Along, Reader};
+use crate::solve::rod::{Heater, History, PointSource, Power, Pulse};
+use crate::units::{CONDUCTANCE, FACTOR, HEAT_CAPACITY, LENGTH, POWER, TIME};
+
+/// Reads a source; a record of its power must reach over the `run`.
+pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
+    let at = t.quantity("at", LENGTH, "place along the body, from the base").not_negative().required();
+    if at > body.length() * (1.0 + 1e-12) {
+        t.problem(
+            "at",
+            format!("the source stands at {}, beyond the body", LENGTH.told(at)),
+            format!("the body ends at {}", LENGTH.told(body.length())),
+        );
+    }
+    if !body.has_sections() && !t.is_described() {
+        t.problem(
+            "at",
+            "a source stands over a section, and a mesh from a file has none",
+            "let the heat in through an edge: [[boundary]] with flux",
+        );
+    }
+    let level = History::from(t.quantity("power", POWER, "heat that it gives").varying(run));
+    let factors = t.quantities("pulses", FACTOR, "part of the power that each interval of `on` has; 1 if left out");
+    let on = read_on(t, factors.as_deref().unwrap_or_default());
+    if let Some(factors) = factors
+        && factors.len() != on.len()
+        && t.is_sound()
+    {
+        let message = format!("`pulses` has {} factors, and `on` {} intervals", factors.len(), on.len());
+        t.problem("pulses", message, "give one factor for each interval, in the order of `on`");
+    }
+    PointSource { at, power: Power { level, on }, heater: read_heater(t, body) }
+}
+
+/// Intervals in which something is on, in their order in time, with the factors of their power in the order
+/// of the file.
+pub fn read_on(t: &Reader, factors: &[f64]) -> Vec<Pulse> {
+    let on = t.intervals("on", TIME, "when it is on; always if left out").unwrap_or_default();
+    let pulse = |(i, [from, to]): (usize, [f64; 2])| Pulse { from, to, factor: factors.get(i).copied().unwrap_or(1.0) };
+    let mut on: Vec<Pulse> = on.into_iter().enumerate().map(pulse).collect();
+    on.sort_by(|a, b| a.from.total_cmp(&b.from));
+    if on.windows(2).any(|pair| pair[1].from < pair[0].to) {
+        t.problem("on", "intervals overlap", "join them: heat is not given twice");
+    }
+    on
+}
+
+/// The heater that a source warms first.
+fn read_heater(t: &Reader, body: &Body) -> Option<Heater> {
+    let about = "of a heater that the power warms first; none if left out";
+    let heat_capacity = t.quantity("heat_capacity", HEAT_CAPACITY, about).positive().optional();
+    let contact = t.quantity("contact", CONDUCTANCE, "from that heater to the body").positive().optional();
+    if heat_capacity.is_some() != contact.is_some() {
+        let given = if heat_capacity.is_some() { "heat_capacity" } else { "contact" };
+        let message = "a heater has a heat capacity and a contact with the body";
+        t.problem(given, message, "give both of heat_capacity = \"10 J/K\" and contact = \"0.5 W/K\", or none");
+    }
+    let heater = Heater { heat_capacity: heat_capacity?, contact: contact? };
+    if body.plane().is_some() {
+        t.problem(
+            "heat_capacity",
+            "a heater with a heat capacity of its own is known of rods, not of plane bodies",
+            "leave `heat_capacity` and `contact` out, or model the body as a rod: segments = [{ length, diameter }]",
+        );
+    }
+    Some(heater)
+}
