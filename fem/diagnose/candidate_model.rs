@@ -6,6 +6,9 @@ use crate::process::Neutral;
 /// Penalty in χ² on an added effect that is larger than is plausible.
 const IMPLAUSIBLE: f64 = 6.0;
 
+/// Factor beyond the plausible range at which no effect is believed, though it explains everything.
+const ABSURD: f64 = 3.0;
+
 /// Model with some candidate effects more, fitted.
 #[derive(Clone)]
 pub struct CandidateModel<'a> {
@@ -28,17 +31,40 @@ impl CandidateModel<'_> {
 
     /// Number of added effects that are larger than is plausible.
     fn implausible(&self) -> usize {
-        let too_large = |i: &usize| {
-            let Some(entry) = self.objective.catalogue(*i) else { return false };
-            let value = entry.kind.from_si(self.objective.variables[*i].value(self.solution.position[*i]));
-            match entry.neutral {
-                Neutral::Infinity => value < entry.range.0,
-                Neutral::Value(_) => value.abs() > entry.range.1,
-                Neutral::Shape => false,
-            }
-        };
         let own = self.objective.data.model.parameters.len();
-        (own..self.objective.variables.len()).filter(too_large).count()
+        (own..self.objective.variables.len()).filter(|i| self.is_too_large(*i, 1.0)).count()
+    }
+
+    /// Whether a parameter makes its effect larger than is plausible, by more than a factor.
+    fn is_too_large(&self, parameter: usize, factor: f64) -> bool {
+        let Some(entry) = self.objective.catalogue(parameter) else { return false };
+        let value = entry.kind.from_si(self.objective.variables[parameter].value(self.solution.position[parameter]));
+        match entry.neutral {
+            Neutral::Infinity => factor * value < entry.range.0,
+            Neutral::Value(_) => value.abs() > factor * entry.range.1,
+            Neutral::Shape => false,
+        }
+    }
+
+    /// Member with an amplitude at a bound of what can be computed other than where the effect vanishes, or
+    /// far larger than is plausible; or just larger, if that is asked for.
+    pub fn unbelievable(&self, if_implausible: bool) -> Option<usize> {
+        let mut first = self.objective.data.model.parameters.len();
+        for (number, effect) in self.members.iter().zip(&self.objective.added) {
+            let own = first..first + effect.parameters.len();
+            first = own.end;
+            for (i, entry) in own.zip(&*effect.parameters) {
+                let (variable, s) = (&self.objective.variables[i], self.solution.position[i]);
+                let is_at_bound = |bound: f64| bound.is_finite() && (s - bound).abs() <= 1e-9 * bound.abs();
+                let ends = [variable.low, variable.high].into_iter().filter(|b| (*b - variable.neutral()).abs() > 0.0);
+                let is_amplitude = entry.neutral != Neutral::Shape;
+                let too_large = self.is_too_large(i, if if_implausible { 1.0 } else { ABSURD });
+                if is_amplitude && (ends.into_iter().any(is_at_bound) || too_large) {
+                    return Some(*number);
+                }
+            }
+        }
+        None
     }
 
     /// Members in rising order, by which equal sets are recognised.

@@ -15,6 +15,7 @@ use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{Hypothesis, instrument, next, sensitivity};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::Repeats;
+use crate::noise::effects;
 use crate::process::Failure;
 
 /// Makes the diagnosis of the result of a search.
@@ -48,10 +49,6 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     let mut missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
     let told = instrument::told(&found.base, &best, plain.map(|h| &h.found.base), repeats);
     let outliers = instrument::outliers(&best);
-    let verdict_after = match verdict {
-        Verdict::MissingEffect => Verdict::Adequate,
-        other => other,
-    };
     let (before, features) = match plain {
         None => (before, features),
         Some(plain) => {
@@ -59,7 +56,13 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
             (GoodnessOfFit::of(base, &plain.repeats, folds.as_ref()), verdict::features(base))
         }
     };
-    if !told.is_empty() {
+    let is_curve = best.objective.noise.terms.iter().any(|t| *t.effect == effects::DISCREPANCY);
+    if is_curve && found.base.objective.data.terms.iter().all(|t| *t.effect != effects::DISCREPANCY) {
+        // A curve that no law has describes; it explains nothing.
+        let alone = best.members.is_empty() && told.len() == 1;
+        verdict = if alone { Verdict::Unexplained } else { Verdict::PartlyExplained };
+        missing.splice(0..0, told);
+    } else if !told.is_empty() {
         verdict = match verdict {
             Verdict::Adequate => Verdict::MissingEffect,
             Verdict::Unexplained => Verdict::PartlyExplained,
@@ -71,6 +74,10 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     let all = found.tried.iter().chain([&found.base, &best]);
     let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
     let candidates = outlooks(&found, &best, variance);
+    let verdict_after = match verdict {
+        Verdict::MissingEffect => Verdict::Adequate,
+        other => other,
+    };
     Ok(Diagnosis {
         rows: found.base.objective.data.len(),
         cautions: cautions(&found, repeats, verdict, conflicts),

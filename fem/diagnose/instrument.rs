@@ -26,6 +26,8 @@ const FEW: f64 = 0.1;
 const LEVELS: usize = 200;
 /// Stopping criterion that is enough to rank terms.
 const QUICK: StoppingCriterion = StoppingCriterion { steps: 8, tolerance: 1e-3 };
+/// Fewest places that make a curve.
+const LEAST_PLACES: usize = 4;
 /// Most sensors at places of their own.
 const MOST_SENSORS: usize = 16;
 /// Ratio of the scatter of neighbouring rows to all scatter below which structure, not noise, is what
@@ -101,27 +103,29 @@ pub fn proposals(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
             with(drift);
         }
     }
-    let judged = |noise: Noise, repeats: Repeats| {
+    if let Some(rows) = outlying(trial, repeats, &residuals) {
+        let others = present.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
+        let term = Term { rows, size: OUTLYING, ..Term::new(&effects::OUTLIERS) };
+        trials.push(others.chain([term]).collect());
+    }
+    judged(trial, repeats, trials)
+}
+
+/// Estimates the sizes of terms beside a model, and fits it again under each.
+fn judged(trial: &CandidateModel, repeats: &Repeats, trials: Vec<Vec<Term>>) -> Vec<Proposal> {
+    let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
+    let residuals = residuals(trial);
+    let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean: &mean };
+    let judge = |terms: Vec<Term>| {
+        let (own, repeats) = plain(trial, repeats, &terms);
+        let noise = restricted.estimate(&own, &terms, terms.len());
         let mut refitted = trial.clone();
         refitted.objective.noise = noise.clone();
         let solution = minimise(&mut refitted.objective, &trial.solution.position, &[], QUICK);
         refitted.solution = solution.unwrap_or_else(|| trial.solution.clone());
         Proposal { noise, repeats, criterion: criterion(&refitted) }
     };
-    let mut all: Vec<Proposal> = trials
-        .into_par_iter()
-        .map(|terms| {
-            let (own, within) = plain(trial, repeats, &terms);
-            judged(restricted.estimate(&own, &terms, terms.len()), within)
-        })
-        .collect();
-    if let Some(rows) = outlying(trial, &residuals) {
-        let others = present.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
-        let term = Term { rows, size: OUTLYING, ..Term::new(&effects::OUTLIERS) };
-        let terms: Vec<Term> = others.chain([term]).collect();
-        let (own, within) = plain(trial, repeats, &terms);
-        all.push(judged(restricted.estimate(&own, &terms, terms.len()), within));
-    }
+    let mut all: Vec<Proposal> = trials.into_par_iter().map(judge).collect();
     all.retain(|p| p.criterion.is_finite() && is_rough(p, &residuals));
     all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     all
@@ -135,6 +139,29 @@ pub fn settled(trial: &CandidateModel, repeats: &Repeats) -> Option<(Noise, Repe
     let terms = trial.objective.noise.terms.clone();
     let (own, within) = plain(trial, repeats, &terms);
     Some((restricted.estimate(&own, &terms, terms.len()), within))
+}
+
+/// Every curve over places that the residuals of a model may ask for, the most promising first.
+pub fn curves(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
+    let data = trial.objective.data;
+    let coordinates = data.model.process.coordinates();
+    let counts = |by: &[usize]| data.levels(by).into_iter().max().map_or(0, |m| m + 1);
+    let is_curve = |by: &Vec<usize>| (LEAST_PLACES..=LEVELS.min(data.len() / 3)).contains(&counts(by));
+    let of_kind = |is: fn(Holds) -> bool| data.given.iter().copied().filter(move |i| is(coordinates[*i].holds));
+    let places = || of_kind(|h| matches!(h, Holds::Quantity(_)));
+    let words = || of_kind(|h| matches!(h, Holds::Word(_)));
+    let both = places().flat_map(|i| words().map(move |j| vec![i, j]));
+    let all = places().map(|i| vec![i]).chain(both).filter(is_curve);
+    let with = |by: Vec<usize>| {
+        own_observables(data).into_iter().map(move |observable| Term {
+            by: by.clone(),
+            observable,
+            ..Term::new(&effects::DISCREPANCY)
+        })
+    };
+    let present = &trial.objective.noise.terms;
+    let trials = all.flat_map(with).map(|term| present.iter().cloned().chain([term]).collect());
+    judged(trial, repeats, trials.collect())
 }
 
 /// Whether neighbouring rows scatter as much as a larger uncertainty says.
@@ -220,9 +247,47 @@ fn step_at(trial: &CandidateModel, restricted: &Restricted, step: &Term) -> usiz
     best(&(coarse.saturating_sub(stride).max(1)..(coarse + stride + 1).min(data.len())).collect::<Vec<_>>())
 }
 
+/// Whether each row contradicts the rows that it repeats, whatever the model says: it lies far from their
+/// median, measured by the median of all such distances.
+fn contradicting(repeats: &Repeats, z: &[f64]) -> Vec<bool> {
+    /// Fewest rows that tell which of them is wrong.
+    const LEAST: usize = 4;
+    /// Distance, in standard deviations, beyond which a row contradicts the others.
+    const FAR: f64 = 6.0;
+    let mut groups = vec![Vec::new(); repeats.groups];
+    repeats.group.iter().enumerate().for_each(|(row, group)| groups[*group].push(row));
+    let mut distances = vec![0.0; z.len()];
+    for rows in groups.iter().filter(|rows| rows.len() >= LEAST) {
+        let mut values: Vec<f64> = rows.iter().map(|row| z[*row]).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let median = 0.5 * (values[(values.len() - 1) / 2] + values[values.len() / 2]);
+        rows.iter().for_each(|row| distances[*row] = (z[*row] - median).abs());
+    }
+    let mut sizes: Vec<f64> = distances.iter().copied().filter(|d| *d > 0.0).collect();
+    sizes.sort_unstable_by(f64::total_cmp);
+    let usual = sizes.get(sizes.len() / 2).map_or(f64::INFINITY, |median| median / 0.6745);
+    distances.into_iter().map(|d| d > FAR * usual).collect()
+}
+
+/// Outlying rows that contradict the rows that they repeat, as a term; `None` where there are none, or too
+/// many to be single mistakes.
+pub fn contradictions(trial: &CandidateModel, repeats: &Repeats) -> Option<Proposal> {
+    let noise = &trial.objective.noise;
+    let z: Vec<f64> = residuals(trial).iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
+    let contradicts = contradicting(repeats, &z);
+    let rows: Vec<usize> = (0..z.len()).filter(|row| contradicts[*row]).collect();
+    let is_told = |row: &usize| noise.terms.iter().any(|t| t.rows.contains(row));
+    if rows.iter().all(is_told) || rows.len() as f64 > FEW * z.len() as f64 {
+        return None;
+    }
+    let others = noise.terms.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
+    let term = Term { rows, size: OUTLYING, ..Term::new(&effects::OUTLIERS) };
+    judged(trial, repeats, vec![others.chain([term]).collect()]).pop()
+}
+
 /// Rows that lie far outside of what the others scatter; `None` where there are none, or too many to be
 /// single mistakes.
-fn outlying(trial: &CandidateModel, residuals: &[f64]) -> Option<Vec<usize>> {
+fn outlying(trial: &CandidateModel, repeats: &Repeats, residuals: &[f64]) -> Option<Vec<usize>> {
     let noise = &trial.objective.noise;
     let present: Vec<usize> = noise
         .terms
@@ -237,7 +302,9 @@ fn outlying(trial: &CandidateModel, residuals: &[f64]) -> Option<Vec<usize>> {
     let usual = sizes[sizes.len() / 2] / 0.6745;
     let usual = if noise.source == NoiseSource::Column { usual.max(1.0) } else { usual };
     let threshold = ((2.0 * (z.len() as f64).ln()).sqrt() + 1.0) * usual;
-    let new: Vec<usize> = (0..z.len()).filter(|row| z[*row].abs() > threshold && !present.contains(row)).collect();
+    let contradicts = contradicting(repeats, &z);
+    let is_out = |row: &usize| z[*row].abs() > threshold || contradicts[*row];
+    let new: Vec<usize> = (0..z.len()).filter(|row| is_out(row) && !present.contains(row)).collect();
     let mut rows = [present, new.clone()].concat();
     rows.sort_unstable();
     (!new.is_empty() && rows.len() as f64 <= FEW * z.len() as f64).then_some(rows)

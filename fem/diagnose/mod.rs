@@ -101,8 +101,19 @@ fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress
     }
     let first = Hypothesis::new(found, within);
     let mut hypotheses = explore(first, &solution, &absent, repeats, (most, breadth, progress))?;
-    let last = hypotheses.pop().map(|last| widened(last, &solution, &absent, (most, Breadth::WIDE, progress)));
-    hypotheses.extend(last.transpose()?);
+    let Some(last) = hypotheses.pop() else { return Err(unsolvable()) };
+    let mut last = widened(last, &solution, &absent, (most, Breadth::WIDE, progress))?;
+    if !last.explains {
+        // The last resort: a curve over places that no law here has, beside which causes are judged.
+        let curves = instrument::curves(last.found.best(), repeats);
+        let bare = instrument::curves(&last.found.base, repeats);
+        let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < last.criterion + INSTEAD).collect();
+        if let Some(beside) = further(&last, curves, &solution, &absent, repeats, (most, breadth, progress))? {
+            hypotheses.push(std::mem::replace(&mut last, beside));
+        }
+    }
+    last.leave_out_the_unbelievable();
+    hypotheses.push(last);
     let diagnosis = conclude::conclude(hypotheses, &conflicts);
     progress.advance(1);
     diagnosis
@@ -131,6 +142,23 @@ impl<'a> Hypothesis<'a> {
         &self.found.best().objective.noise.terms
     }
 
+    /// Leaves out effects of the machine that cannot be believed: at a bound of what can be computed, or,
+    /// where structure remains, larger than is plausible.
+    fn leave_out_the_unbelievable(&mut self) {
+        while let Some(member) = self.found.best().unbelievable(!self.explains) {
+            let (base, candidates) = (&self.found.base, &self.found.candidates);
+            match lead::without(base, candidates, self.found.best(), member) {
+                Some(rest) if !rest.members.is_empty() => {
+                    self.found.steps.pop();
+                    self.found.steps.push(rest);
+                }
+                _ => self.found.steps.clear(),
+            }
+            let goodness = GoodnessOfFit::of(self.found.best(), &self.repeats, None);
+            self.explains = verdict::is_noise(&goodness, &verdict::features(self.found.best()));
+        }
+    }
+
     /// Whether its noise could swallow what a model lacks: it is believed only where it explains everything.
     fn is_greedy(&self) -> bool {
         self.terms().iter().any(|t| matches!(t.effect.acts, Acts::Neighbours | Acts::Scales))
@@ -145,68 +173,61 @@ fn explore<'a>(
     start: &Solution,
     absent: &[Description],
     repeats: &Repeats,
-    (most, breadth, progress): Extent,
+    extent: Extent,
 ) -> Result<Vec<Hypothesis<'a>>, Failure> {
     let mut path = vec![first];
+    // Rows that contradict their own repeats are wrong whatever the model says.
+    let wrong = path.first().and_then(|first| instrument::contradictions(&first.found.base, repeats));
+    if let (Some(wrong), Some(first)) = (wrong, path.first()) {
+        let without = under(&first.found.base, wrong, start, absent, repeats, extent)?;
+        path.push(without);
+    }
     for _ in 0..MOST_TERMS {
         let Some(here) = path.last() else { break };
         let mut proposals = instrument::proposals(here.found.best(), repeats);
-        let least = here.criterion - PROMISING;
-        proposals.retain(|p| p.criterion < least);
+        proposals.retain(|p| p.criterion < here.criterion - PROMISING);
         if !here.found.best().members.is_empty() {
             let instead = instrument::proposals(&here.found.base, repeats);
             proposals.extend(instead.into_iter().filter(|p| p.criterion < here.criterion + INSTEAD));
         }
-        proposals.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
-        if std::env::var("FEM_DEBUG").is_ok() {
-            eprintln!(
-                "HERE {} {:?} {:?}",
-                here.criterion,
-                here.terms().iter().map(|t| (t.effect.name, t.size)).collect::<Vec<_>>(),
-                here.found.best().members
-            );
-            for p in &proposals {
-                eprintln!(
-                    "  {} {:?}",
-                    p.criterion,
-                    p.noise
-                        .terms
-                        .iter()
-                        .map(|t| (t.effect.name, t.size, t.by.clone(), t.rows.clone()))
-                        .collect::<Vec<_>>()
-                );
-            }
-        }
-        let mut best: Option<Hypothesis> = None;
-        let mut looked: Vec<&MeasurementEffect> = Vec::new();
-        for proposal in proposals {
-            // The best of each effect is looked at: their neighbours would say the same.
-            let Some(newest) = proposal.noise.terms.last().map(|t| t.effect) else { continue };
-            if looked.len() == TOGETHER || looked.contains(&newest) {
-                continue;
-            }
-            looked.push(newest);
-            let found = under(&here.found.base, proposal, start, absent, repeats, (most, breadth, progress))?;
-            if std::env::var("FEM_DEBUG").is_ok() {
-                eprintln!(
-                    "  -> {:?} {} {:?} {}",
-                    found.terms().iter().map(|t| (t.effect.name, t.size)).collect::<Vec<_>>(),
-                    found.criterion,
-                    found.found.best().members,
-                    found.explains
-                );
-            }
-            if best.as_ref().is_none_or(|b| found.criterion < b.criterion) {
-                best = Some(found);
-            }
-        }
-        let Some(best) = best.filter(|b| b.criterion < here.criterion - PROMISING) else { break };
-        path.push(best);
+        let Some(better) = further(here, proposals, start, absent, repeats, extent)? else { break };
+        path.push(better);
     }
     while path.len() > 1 && path.last().is_some_and(|h| h.is_greedy() && !h.explains) {
         path.pop();
     }
     Ok(path)
+}
+
+/// The best hypothesis with one term more, of those that are worth a search; `None` where none is better.
+fn further<'a>(
+    here: &Hypothesis<'a>,
+    mut proposals: Vec<Proposal>,
+    start: &Solution,
+    absent: &[Description],
+    repeats: &Repeats,
+    extent: Extent,
+) -> Result<Option<Hypothesis<'a>>, Failure> {
+    proposals.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
+    let mut best: Option<Hypothesis> = None;
+    let mut looked: Vec<&MeasurementEffect> = Vec::new();
+    for proposal in proposals {
+        // The best of each effect is looked at: their neighbours would say the same.
+        let Some(newest) = proposal.noise.terms.last().map(|t| t.effect) else { continue };
+        if looked.len() == TOGETHER || looked.contains(&newest) {
+            continue;
+        }
+        looked.push(newest);
+        if best.as_ref().is_some_and(|b| b.explains && proposal.criterion > b.criterion + INSTEAD) {
+            // What explains everything is not likely to be beaten from so far behind.
+            continue;
+        }
+        let found = under(&here.found.base, proposal, start, absent, repeats, extent)?;
+        if best.as_ref().is_none_or(|b| found.criterion < b.criterion) {
+            best = Some(found);
+        }
+    }
+    Ok(best.filter(|b| b.criterion < here.criterion - PROMISING))
 }
 
 /// Searches widely where the usual search left structure: strong effects that are far from linear hide behind

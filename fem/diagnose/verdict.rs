@@ -59,7 +59,9 @@ impl GoodnessOfFit {
 pub fn rms(trial: &CandidateModel) -> f64 {
     let objective = &trial.objective;
     let left = objective.noise.unshared(&residuals(trial));
-    compare::rms(&objective.data.together(&left, &objective.noise.sigma))
+    let left = objective.data.together(&left, &objective.noise.sigma);
+    let counted = left.into_iter().enumerate().filter(|(row, _)| !objective.noise.is_weighed_down(*row));
+    compare::rms(&counted.map(|(_, error)| error).collect::<Vec<_>>())
 }
 
 fn residuals(trial: &CandidateModel) -> Vec<f64> {

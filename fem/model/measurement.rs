@@ -29,7 +29,7 @@ fn term(effect: &'static MeasurementEffect, table: &Reader, process: &'static dy
             table.problem("observable", format!("`{name}` is not observed"), format!("{meant}known are {known}"));
         }
     }
-    if *effect == effects::ZERO_SHIFT {
+    if *effect == effects::ZERO_SHIFT || *effect == effects::DISCREPANCY {
         let about = "coordinates whose levels have a zero each, parted by commas; one zero for all where left out";
         for name in table.text("by", about).iter().flat_map(|by| by.split(',')).map(str::trim) {
             let names = || process.coordinates().iter().map(|c| c.name);

@@ -229,19 +229,26 @@ impl Noise {
         NoiseLevel { of: own.collect(), source: self.source }
     }
 
-    /// Root mean square over the rows.
+    /// Root mean square over the rows that are not weighed down.
     pub fn rms(&self) -> f64 {
-        (self.sigma.iter().map(|s| s * s).sum::<f64>() / self.sigma.len() as f64).sqrt()
+        self.rms_of(|_| true).unwrap_or(f64::NAN)
     }
 
     /// Root mean square over the rows of an observable, by its position in the process's list; over all rows
     /// where none observes it.
     pub fn usual(&self, measurements: &Measurements, observable: usize) -> f64 {
-        let own = || self.sigma.iter().zip(&measurements.rows.observable).filter(|(_, o)| **o == observable);
-        match own().count() {
-            0 => self.rms(),
-            count => (own().map(|(s, _)| s * s).sum::<f64>() / count as f64).sqrt(),
-        }
+        self.rms_of(|row| measurements.rows.observable[row] == observable).unwrap_or_else(|| self.rms())
+    }
+
+    fn rms_of(&self, is_of: impl Fn(usize) -> bool) -> Option<f64> {
+        let own = || (0..self.sigma.len()).filter(|row| is_of(*row) && !self.is_weighed_down(*row));
+        let count = own().count();
+        (count > 0).then(|| (own().map(|row| self.sigma[row].powi(2)).sum::<f64>() / count as f64).sqrt())
+    }
+
+    /// Whether a row counts for less than its uncertainty says.
+    pub fn is_weighed_down(&self, row: usize) -> bool {
+        self.terms.iter().any(|t| matches!(t.effect.acts, Acts::Weighs) && t.rows.contains(&row))
     }
 }
 
@@ -283,7 +290,7 @@ fn of_neighbours(residuals: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
-pub mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::process::Rows;
 

@@ -8,12 +8,14 @@
 
 mod score;
 mod table;
+mod trouble;
 
 use std::path::Path;
 
-use generator::{Case, Process, RING, THERMAL, TURNING};
+use generator::{Case, Process, RING, THERMAL, TURNING, Trouble};
 use score::{Score, score};
 use table::Table;
+use trouble::Tally;
 
 /// Sizes of the hidden effects, in standard uncertainties.
 const SIZES: &[f64] = &[5.0, 8.0, 15.0, 40.0, 100.0];
@@ -110,6 +112,33 @@ fn the_whole_of_ring() {
 #[ignore = "minutes long; prints the table of README.md"]
 fn the_whole_of_thermal() {
     whole(&THERMAL, 12);
+}
+
+/// Every trouble of real measurements, with nothing and with every effect hidden.
+fn troubled(process: &Process, seeds: std::ops::Range<u64>) -> Vec<(Trouble, Tally)> {
+    println!("{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}", "trouble", "none", "adequate", "one", "told", "rows");
+    let tally = |trouble: &Trouble| {
+        let tally = Tally::of(process, *trouble, seeds.clone());
+        println!("{}", tally.line(*trouble));
+        (*trouble, tally)
+    };
+    Trouble::ALL.iter().map(tally).collect()
+}
+
+#[test]
+#[ignore = "minutes long; prints the table of docs/validation.md"]
+fn the_whole_of_troubles() {
+    troubled(&TURNING, 1000..1040);
+    troubled(&RING, 1000..1040);
+}
+
+/// Troubles of the ring, whose diagnosis is the quickest. By the rates of the whole each of these would be
+/// missed by chance in less than one seed of a hundred.
+#[test]
+fn a_sample_of_troubles() {
+    for (trouble, tally) in troubled(&RING, 0..4) {
+        assert!(tally.is_at_least(0.6), "{}", tally.line(trouble));
+    }
 }
 
 /// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than

@@ -33,6 +33,14 @@ pub struct Score {
     pub said: String,
 }
 
+/// The diagnosis of a case alone.
+pub fn diagnosis(case: &Case) -> Result<Diagnosis, fem::process::Failure> {
+    let model = Model::parse(Source::new("case.toml", case.model.clone())).expect("the model is right");
+    let source = Source::new("case.csv", case.data.clone());
+    let data = Measurements::parse(source, model.process).expect("so are the data");
+    diagnose(&Data::of(&model, data).expect("every row lies in the model"), MOST_EFFECTS, &Progress::default())
+}
+
 /// Diagnoses a case.
 pub fn score(case: &Case) -> Score {
     let model = Model::parse(Source::new("case.toml", case.model.clone())).expect("the model is right");
@@ -73,7 +81,8 @@ pub fn score(case: &Case) -> Score {
     }
 }
 
-fn class(missing: &fem::diagnose::Missing) -> Vec<&'static str> {
+/// The effect and those that cannot be told from it.
+pub fn class(missing: &fem::diagnose::Missing) -> Vec<&'static str> {
     std::iter::once(missing.effect.name).chain(missing.indistinguishable_from.iter().map(|e| e.name)).collect()
 }
 

@@ -2,6 +2,7 @@
 //! every process.
 
 mod correlated_noise;
+mod discrepancy;
 mod drift;
 mod jump;
 mod outliers;
@@ -9,6 +10,7 @@ mod uncertainty_scale;
 mod zero_shift;
 
 pub use correlated_noise::CORRELATED_NOISE;
+pub use discrepancy::DISCREPANCY;
 pub use drift::DRIFT;
 pub use jump::JUMP;
 pub use outliers::OUTLIERS;
@@ -18,4 +20,5 @@ pub use zero_shift::ZERO_SHIFT;
 use super::term::MeasurementEffect;
 
 /// All of them, in the order in which people meet them.
-pub static ALL: &[&MeasurementEffect] = &[&ZERO_SHIFT, &OUTLIERS, &CORRELATED_NOISE, &UNCERTAINTY_SCALE, &DRIFT, &JUMP];
+pub static ALL: &[&MeasurementEffect] =
+    &[&ZERO_SHIFT, &OUTLIERS, &CORRELATED_NOISE, &UNCERTAINTY_SCALE, &DRIFT, &JUMP, &DISCREPANCY];

@@ -15,7 +15,7 @@ pub static ZERO_SHIFT: MeasurementEffect = MeasurementEffect {
 };
 
 /// One column a level: the rows that share its zero.
-fn columns(term: &Term, measurements: &Measurements) -> Vec<Column> {
+pub fn columns(term: &Term, measurements: &Measurements) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     for (row, level) in measurements.levels(&term.by).into_iter().enumerate() {
         if level >= columns.len() {

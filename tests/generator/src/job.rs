@@ -58,6 +58,11 @@ pub trait Job {
         vec![1e-6; self.rows()]
     }
 
+    /// Group of each row: the part or the set-up with which it was measured.
+    fn groups(&self) -> Vec<usize> {
+        vec![0; self.rows()]
+    }
+
     /// Number of measured rows.
     fn rows(&self) -> usize;
 

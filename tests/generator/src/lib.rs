@@ -13,7 +13,8 @@ pub mod law;
 pub mod random;
 pub mod ring;
 pub mod thermal;
-pub mod tuning;
+pub mod trouble;
+mod tuning;
 pub mod turning;
 pub mod visibility;
 pub mod writing;
@@ -22,6 +23,7 @@ pub use job::NoiseKind;
 pub use law::Cause as Hidden;
 pub use ring::RING;
 pub use thermal::THERMAL;
+pub use trouble::Trouble;
 pub use turning::{TURNING, story};
 
 use foreign::what_catalogue_leaves;
@@ -85,6 +87,8 @@ pub struct Truth {
     pub shape: &'static str,
     /// Where the noise can be learnt from.
     pub noise: NoiseKind,
+    /// Rows, from 0, that are wrong by themselves.
+    pub outliers: Vec<usize>,
 }
 
 /// One practice case.
@@ -115,6 +119,11 @@ const PLAIN_NOISE: (f64, f64) = (6.0, 0.5);
 impl Process {
     /// A case in which nothing is missing.
     pub fn nothing(&self, seed: u64) -> Case {
+        self.nothing_but(None, seed)
+    }
+
+    /// A case in which nothing is missing, measured with a trouble.
+    pub fn nothing_but(&self, trouble: Option<Trouble>, seed: u64) -> Case {
         let mut random = self.random("nothing", seed);
         loop {
             if let Some(job) = (self.draw_job)(&[], &mut random) {
@@ -122,16 +131,22 @@ impl Process {
                 let sigma = plain_noise(&*job, &mut random);
                 let tuned =
                     Tuned { hidden: Vec::new(), sigma, lambda: Vec::new(), in_rows: Vec::new(), free: Vec::new() };
-                return finish(&*job, &causes, tuned, Vec::new(), None, &mut random);
+                return finish(&*job, &causes, tuned, Vec::new(), None, trouble, &mut random);
             }
         }
     }
 
     /// A case with one hidden effect at the given lambda; None if no draw of job and size reaches it.
     pub fn single(&self, effect: &str, lambda: f64, seed: u64) -> Option<Case> {
+        self.single_with(None, effect, lambda, seed)
+    }
+
+    /// A case with one hidden effect at the given lambda for white noise, measured with a trouble; None if
+    /// no draw of job and size reaches it.
+    pub fn single_with(&self, trouble: Option<Trouble>, effect: &str, lambda: f64, seed: u64) -> Option<Case> {
         let effect = self.laws.iter().find(|law| law.0 == effect)?.0;
         let mut random = self.random(effect, seed);
-        (0..ATTEMPTS).find_map(|_| self.attempt(&[effect], lambda, &mut random))
+        (0..ATTEMPTS).find_map(|_| self.attempt(&[effect], lambda, trouble, &mut random))
     }
 
     /// A case with `count` different hidden effects, the weakest at the given lambda, the others up to four
@@ -151,7 +166,7 @@ impl Process {
             if self.never_together.iter().any(|pair| pair.iter().all(|e| effects.contains(e))) {
                 continue;
             }
-            if let Some(case) = self.attempt(&effects, lambda, &mut random) {
+            if let Some(case) = self.attempt(&effects, lambda, None, &mut random) {
                 return case;
             }
         }
@@ -175,7 +190,7 @@ impl Process {
                 let in_rows = vec![nuisance.in_rows(&shape, sigma)];
                 let free = vec![nuisance.free_lambda(&shape, sigma)];
                 let tuned = Tuned { hidden: Vec::new(), sigma, lambda: vec![lambda], in_rows, free };
-                return finish(&*job, &causes, tuned, vec![left], Some((name, shape)), &mut random);
+                return finish(&*job, &causes, tuned, vec![left], Some((name, shape)), None, &mut random);
             }
         }
     }
@@ -185,7 +200,13 @@ impl Process {
     }
 
     /// One draw of job, true values and effects, brought to the wanted lambda.
-    fn attempt(&self, effects: &[&'static str], lambda: f64, random: &mut Random) -> Option<Case> {
+    fn attempt(
+        &self,
+        effects: &[&'static str],
+        lambda: f64,
+        trouble: Option<Trouble>,
+        random: &mut Random,
+    ) -> Option<Case> {
         let job = (self.draw_job)(effects, random)?;
         let shown = job.causes(&true_values(&*job, random));
         let drawn: Vec<Hidden> = effects.iter().map(|e| job.draw(e, random)).collect();
@@ -199,7 +220,7 @@ impl Process {
         if apart.iter().any(|a| *a < 4.0) {
             return None;
         }
-        Some(finish(&*job, &shown, tuned, apart, None, random))
+        Some(finish(&*job, &shown, tuned, apart, None, trouble, random))
     }
 }
 
@@ -222,6 +243,7 @@ fn finish(
     tuned: Tuned,
     apart: Vec<f64>,
     foreign: Option<(&'static str, Vec<f64>)>,
+    trouble: Option<Trouble>,
     random: &mut Random,
 ) -> Case {
     let mut causes = shown.to_vec();
@@ -229,12 +251,17 @@ fn finish(
     let mut exact = job.predict(&causes);
     let (shape, structure) = foreign.unwrap_or(("", vec![0.0; exact.len()]));
     exact.iter_mut().zip(structure).for_each(|(e, s)| *e += s);
-    let mut measured = || {
-        let noise = job.scales().into_iter().map(|scale| tuned.sigma * scale * random.normal());
+    let mut measured = |trouble: Option<Trouble>| {
+        let (noise, wrong) = match trouble {
+            None => (job.scales().iter().map(|_| random.normal()).collect(), Vec::new()),
+            Some(trouble) => trouble.noise(&job.groups(), random),
+        };
+        let noise = job.scales().into_iter().zip(noise).map(|(scale, noise)| tuned.sigma * scale * noise);
         let observed: Vec<f64> = exact.iter().zip(noise).map(|(e, noise)| e + noise).collect();
-        job.data(&observed, tuned.sigma)
+        (job.data(&observed, tuned.sigma * trouble.map_or(1.0, Trouble::stated)), wrong)
     };
-    let (data, fresh) = (measured(), measured());
+    let (data, outliers) = measured(trouble);
+    let (fresh, _) = measured(None);
     let values: Vec<f64> = shown.iter().map(|c| c.parameters[0].1).collect();
     let kind = match (shape, tuned.hidden.is_empty()) {
         ("", true) => Kind::Nothing,
@@ -259,6 +286,7 @@ fn finish(
             shown: shown.to_vec(),
             shape,
             noise: job.noise(),
+            outliers,
         },
     }
 }

@@ -54,6 +54,10 @@ impl crate::job::Job for Job {
         self.noise
     }
 
+    fn groups(&self) -> Vec<usize> {
+        self.rows.iter().map(|row| row.set_up).collect()
+    }
+
     fn rows(&self) -> usize {
         self.rows.len()
     }

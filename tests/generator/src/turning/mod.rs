@@ -49,6 +49,10 @@ impl crate::job::Job for Job {
         self.noise
     }
 
+    fn groups(&self) -> Vec<usize> {
+        self.rows.iter().map(|row| row.part).collect()
+    }
+
     fn rows(&self) -> usize {
         self.rows.len()
     }
