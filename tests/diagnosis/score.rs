@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
+use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -61,7 +61,12 @@ pub fn score(case: &Case) -> Score {
     let all_named = hidden.iter().all(|h| classes.iter().any(|c| c.contains(h)));
     let right = match case.truth.kind {
         Kind::Nothing => diagnosis.verdict == Verdict::Adequate,
-        Kind::Outside => matches!(diagnosis.verdict, Verdict::Unexplained | Verdict::PartlyExplained),
+        // What no effect of the machine can make may be one of the measurement: a zero of every part.
+        Kind::Outside => {
+            let remains = matches!(diagnosis.verdict, Verdict::Unexplained | Verdict::PartlyExplained);
+            let of_measurement = diagnosis.missing.iter().all(|m| m.cause != Cause::Physical);
+            remains || diagnosis.verdict == Verdict::MissingEffect && of_measurement
+        }
         Kind::Effects => all_named && classes.len() == hidden.len() && diagnosis.verdict == Verdict::MissingEffect,
     };
     let mut differences: Vec<f64> = fresh.observed.iter().zip(&diagnosis.after.predicted).map(|(y, p)| y - p).collect();
