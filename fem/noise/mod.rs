@@ -234,14 +234,14 @@ impl Noise {
         (self.sigma.iter().map(|s| s * s).sum::<f64>() / self.sigma.len() as f64).sqrt()
     }
 
-    /// Root mean square over the rows of an observable, by its position in the process's list; over all rows
-    /// where none observes it.
+    /// Root mean square over the rows of an observable, by its position in the process's list, without those
+    /// that are weighed down; over all rows where none observes it.
     pub fn usual(&self, measurements: &Measurements, observable: usize) -> f64 {
-        let own = || self.sigma.iter().zip(&measurements.rows.observable).filter(|(_, o)| **o == observable);
-        match own().count() {
-            0 => self.rms(),
-            count => (own().map(|(s, _)| s * s).sum::<f64>() / count as f64).sqrt(),
-        }
+        let weighed = self.terms.iter().filter(|t| matches!(t.effect.acts, Acts::Weighs));
+        let outlying: Vec<usize> = weighed.flat_map(|t| t.rows.iter().copied()).collect();
+        let is_own = |row: &usize| measurements.rows.observable[*row] == observable && !outlying.contains(row);
+        let own: Vec<f64> = (0..self.sigma.len()).filter(is_own).map(|row| self.sigma[row].powi(2)).collect();
+        if own.is_empty() { self.rms() } else { (own.iter().sum::<f64>() / own.len() as f64).sqrt() }
     }
 }
 
