@@ -22,5 +22,9 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
     if !unknown.is_empty() {
         say!("note: unknown (`?`) in {name}: {}; give a value, or let `fem fit` find it", unknown.join(", "));
     }
+    let added = written.measurement.get(model.measurement.len()..).and_then(<[_]>::last);
+    if let Some(term) = added.filter(|term| term.size.is_nan()) {
+        say!("note: unknown (`?`) in {name}: {}; what compares or fits the model estimates it", term.effect.size.key());
+    }
     print(&format!("written {name}: {} with {}\n", args.model.display(), args.effect))
 }

@@ -203,9 +203,11 @@ pub struct Budget {
 #[command(after_help = "Examples:
   fem effects
   fem effects turning
-  fem effects tool-wear")]
+  fem effects tool-wear
+  fem effects measurement            what instrument, datum and surroundings do to data
+  fem effects zero-shift")]
 pub struct Effects {
-    /// A process or an effect; everything if left out
+    /// A process, `measurement` or an effect; everything if left out
     pub name: Option<String>,
     /// Print JSON
     #[arg(long)]
@@ -217,7 +219,8 @@ pub struct Effects {
 
 Examples:
   fem add shaft.toml tool-wear 'rate=8 +- 2 um/km' -o worn.toml
-  fem add shaft.toml carriage-contact 'c=0.3 um/N^n' n=0.5 -o closer.toml")]
+  fem add shaft.toml carriage-contact 'c=0.3 um/N^n' n=0.5 -o closer.toml
+  fem add shaft.toml zero-shift by=part 'size=0.7 um' -o zeros.toml")]
 pub struct Add {
     /// The model file; it is not changed
     pub model: PathBuf,

@@ -11,7 +11,7 @@ use crate::fit::fitted_text;
 use crate::input::Source;
 use crate::measure::Measurements;
 use crate::model::{Data, Model, add_effect};
-use crate::output::{Folder, Format, Report, files, settings};
+use crate::output::{Folder, Format, Report, additions, files};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
@@ -50,8 +50,8 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
 fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
     let text = fitted_text(data, &diagnosis.fit);
     let mut better = Model::parse(Source::new(data.model.source.name.to_string(), text))?;
-    for missing in &diagnosis.missing {
-        better = add_effect(&better, missing.effect.name, &settings(missing, &diagnosis.fit))?;
+    for (name, settings) in additions(data, diagnosis) {
+        better = add_effect(&better, &name, &settings)?;
     }
     Ok(better)
 }

@@ -4,26 +4,29 @@ use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
 use crate::input::{Problem, nearest};
-use crate::output::{Detail, Report};
+use crate::noise::{MeasurementEffect, effects};
+use crate::output::{Detail, MEASUREMENT, Report};
 use crate::process::{self, Description, Process};
 
 pub fn effects(args: &args::Effects) -> Result<(), Error> {
     let all: Vec<(&dyn Process, Description)> =
         process::ALL.iter().flat_map(|p| p.effects().into_iter().map(move |e| (*p, e))).collect();
     let name = args.name.as_deref();
-    let of_process = name.is_none_or(|n| process::ALL.iter().any(|p| p.name() == n));
-    let is_meant =
-        |p: &dyn Process, e: &Description| name.is_none_or(|n| n == if of_process { p.name() } else { e.name });
-    let chosen: Vec<_> = all.iter().filter(|(p, e)| is_meant(*p, e)).cloned().collect();
-    if chosen.is_empty() {
-        return Err(Error::Request(unknown(name.unwrap_or_default(), &all)));
+    let owners = || process::ALL.iter().map(|p| p.name()).chain([MEASUREMENT]);
+    let of_owner = name.is_none_or(|n| owners().any(|owner| owner == n));
+    let is_meant = |owner: &str, effect: &str| name.is_none_or(|n| n == if of_owner { owner } else { effect });
+    let chosen: Vec<_> = all.iter().filter(|(p, e)| is_meant(p.name(), e.name)).cloned().collect();
+    let of_measurement: Vec<&MeasurementEffect> =
+        effects::ALL.iter().copied().filter(|e| is_meant(MEASUREMENT, e.name)).collect();
+    if chosen.is_empty() && of_measurement.is_empty() {
+        let names = all.iter().map(|(_, e)| e.name).chain(effects::ALL.iter().map(|e| e.name)).chain(owners());
+        return Err(Error::Request(unknown(name.unwrap_or_default(), names)));
     }
-    let detail = if of_process { Detail::Line } else { Detail::Page };
-    print(&page(&Report::Effects(&chosen, detail), args.json)?)
+    let detail = if of_owner { Detail::Line } else { Detail::Page };
+    print(&page(&Report::Effects(&chosen, &of_measurement, detail), args.json)?)
 }
 
-fn unknown(name: &str, all: &[(&dyn Process, Description)]) -> Problem {
-    let names = all.iter().map(|(_, e)| e.name).chain(process::ALL.iter().map(|p| p.name()));
+fn unknown<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Problem {
     let problem = Problem::new(format!("`{name}` is neither a process nor an effect"));
     match nearest(name, names) {
         Some(near) => problem.help(format!("did you mean `{near}`? `fem effects` lists all")),

@@ -5,7 +5,7 @@ use super::next::Next;
 use super::verdict::{GoodnessOfFit, Verdict};
 use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
-use crate::noise::NoiseLevel;
+use crate::noise::{MeasurementEffect, NoiseLevel};
 use crate::process::Description;
 
 /// Diagnosis of a model. SI units.
@@ -47,8 +47,10 @@ pub struct Diagnosis {
 /// A row that lies far outside of what the others scatter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlier {
-    /// Number of the row, from 0.
-    pub row: usize,
+    /// Record of the file, counted from 1.
+    pub record: usize,
+    /// Number of its observable among the file's.
+    pub observable: usize,
     /// Line of the file.
     pub line: u64,
     /// Observed value, SI.
@@ -64,12 +66,16 @@ pub struct Outlier {
 pub enum Cause {
     /// The machine's, the fixture's or the part's.
     Physical,
-    /// The measurement's, with the names of the coordinates that group its rows.
+    /// The measurement's.
     Measurement {
+        /// Its entry in the catalogue.
+        effect: &'static MeasurementEffect,
         /// Coordinates whose levels group the rows.
         by: Vec<&'static str>,
         /// Observable on which it acts, where the file has several.
         observable: Option<&'static str>,
+        /// Records of the file, counted from 1: those that are outlying, or the first after a step.
+        records: Vec<usize>,
         /// First line of the file after a step.
         from_line: Option<u64>,
     },

@@ -10,16 +10,14 @@ use crate::fit::{Estimate, Interval, StoppingCriterion, minimise};
 use crate::input::{Bounds, Parameter};
 use crate::measure::{Measurements, Repeats};
 use crate::model::Data;
-use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Size, Term, effects};
+use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects};
 use crate::process::{self, Absent, Description, Holds, Neutral};
-use crate::units::{Kind, Knowledge, LENGTH, NUMBER, Quantity, TIME};
+use crate::units::{Knowledge, LENGTH, Quantity, TIME};
 
 /// Places at which a step of the zero is looked for.
 const STEPS: usize = 240;
 /// Prior odds against an outlying row, as a term of −2 ln L: 2·ln(0.99/0.01).
 const ODDS: f64 = 9.2;
-/// Factor by which the noise of an outlying row exceeds that of the others.
-const OUTLYING: f64 = 10.0;
 /// Largest part of the rows that can be outliers.
 const FEW: f64 = 0.1;
 /// Most groups whose zeros are sought.
@@ -105,7 +103,7 @@ pub fn proposals(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
     }
     if let Some(rows) = outlying(trial, repeats, &residuals) {
         let others = present.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
-        let term = Term { rows, size: OUTLYING, ..Term::new(&effects::OUTLIERS) };
+        let term = Term { rows, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
         trials.push(others.chain([term]).collect());
     }
     judged(trial, repeats, trials)
@@ -281,7 +279,7 @@ pub fn contradictions(trial: &CandidateModel, repeats: &Repeats) -> Option<Propo
         return None;
     }
     let others = noise.terms.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
-    let term = Term { rows, size: OUTLYING, ..Term::new(&effects::OUTLIERS) };
+    let term = Term { rows, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
     judged(trial, repeats, vec![others.chain([term]).collect()]).pop()
 }
 
@@ -317,7 +315,8 @@ pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
     let left = noise.unshared(&residuals);
     let weighed = noise.terms.iter().filter(|t| matches!(t.effect.acts, Acts::Weighs));
     let outlier = |(row, factor): (usize, f64)| Outlier {
-        row,
+        record: data.records_of[row] + 1,
+        observable: data.observable(row),
         line: data.lines[row],
         value: data.observed[row],
         predicted: data.observed[row] - left[row],
@@ -352,8 +351,10 @@ pub fn told(
         grown.solution = solution.unwrap_or_else(|| plain.solution.clone());
         Missing {
             cause: Cause::Measurement {
+                effect: term.effect,
                 by: term.by.iter().map(|i| data.model.process.coordinates()[*i].name).collect(),
                 observable: term.observable.map(|o| data.model.process.observables()[o].name),
+                records: records(term, data),
                 from_line: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.lines[*r])).flatten(),
             },
             effect: description(term, data),
@@ -368,20 +369,22 @@ pub fn told(
     noise.terms.iter().enumerate().filter(is_new).map(tell).collect()
 }
 
-/// Kind of the size of a term.
-fn kind(term: &Term, measurements: &Measurements) -> Kind {
-    let observed = || term.observable.and_then(|o| measurements.observables.iter().find(|s| s.position == o));
-    match term.effect.size {
-        Size::OfObservable(..) => observed().unwrap_or(&measurements.observables[0]).kind,
-        Size::Number(..) => NUMBER,
-    }
+/// Records of the file on which a term acts, counted from 1; those that the model weighs down already are left
+/// out.
+fn records(term: &Term, data: &Data) -> Vec<usize> {
+    let is_weighed = |t: &Term| t.effect == term.effect && matches!(t.effect.acts, Acts::Weighs);
+    let is_known = |row: &usize| data.terms.iter().any(|t| is_weighed(t) && t.rows.contains(row));
+    let mut records: Vec<usize> =
+        term.rows.iter().filter(|row| !is_known(row)).map(|row| data.records_of[*row] + 1).collect();
+    records.dedup();
+    records
 }
 
 /// A term as the catalogue of effects tells one.
 fn description(term: &Term, measurements: &Measurements) -> Description {
     let parameter = process::Parameter {
         name: term.effect.size.key(),
-        kind: kind(term, measurements),
+        kind: term.kind(measurements),
         about: term.effect.size.about(),
         neutral: Neutral::Value(0.0),
         range: (0.0, f64::INFINITY),
@@ -415,7 +418,7 @@ fn estimate(
     };
     let interval = Interval { low: interval[0], high: interval[1] };
     let width = interval.high.zip(interval.low).map_or(f64::NAN, |(high, low)| (high - low) / 3.92);
-    let kind = kind(term, measurements);
+    let kind = term.kind(measurements);
     Estimate {
         parameter: Parameter {
             path: format!("measurement.{}.{}", term.effect.name, term.effect.size.key()),

@@ -7,7 +7,7 @@
 
 mod tables;
 
-pub use tables::Names;
+pub use tables::{Names, is_one_of};
 
 use std::any::Any;
 use std::cell::{Cell, RefCell};
@@ -177,6 +177,20 @@ impl<'a> Reader<'a> {
             );
         }
         item.as_str().map(str::to_string)
+    }
+
+    /// A key with a text or a bare number, as text.
+    pub fn text_or_number(&self, key: &'static str, about: &'static str) -> Option<String> {
+        self.describe(key, || json!({ "type": ["string", "number"], "description": about }), false);
+        let item = self.item(key)?;
+        let number = || item.as_integer().map(|n| n.to_string()).or_else(|| item.as_float().map(|n| n.to_string()));
+        let text = item.as_str().map(str::to_string).or_else(number);
+        if text.is_none() {
+            let found = item.type_name();
+            let problem = Problem::new(format!("`{key}`: expected a text or a number, found {found}"));
+            self.refuse(problem.help(format!("write {key} = \"…\"")).at(item.span()));
+        }
+        text
     }
 
     /// The keys of this table, in the order of the file.

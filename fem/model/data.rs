@@ -2,10 +2,12 @@
 
 use std::ops::Deref;
 
-use super::{Model, measurement};
+use toml_edit::Item;
+
+use super::Model;
 use crate::input::{InputError, Problem, Source};
 use crate::measure::Measurements;
-use crate::noise::{Acts, Term};
+use crate::noise::{Acts, Size, Term, effects};
 use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows};
 
 /// Most misplaced rows that are reported.
@@ -35,8 +37,8 @@ impl<'m> Data<'m> {
     pub fn of(model: &'m Model, measurements: Measurements) -> Result<Self, InputError> {
         let misplaced = model.system.misplaced(&measurements.rows);
         if misplaced.is_empty() {
-            let terms = measurement::resolved(&model.measurement, &measurements)
-                .map_err(|problem| InputError::one(model.source.clone(), problem))?;
+            let terms =
+                resolved(model, &measurements).map_err(|problem| InputError::one(model.source.clone(), problem))?;
             return Ok(Self { terms, ..Self::within(model, measurements) });
         }
         let problem = |m: &Misplaced| {
@@ -141,6 +143,43 @@ impl<'m> Data<'m> {
         let digest = Measurements::digest(self.as_read.as_ref().unwrap_or(&self.observed));
         format!("{} rows, mark {digest:016x}", self.len())
     }
+}
+
+/// The effects of a model with the rows of a file in the place of its records.
+///
+/// # Errors
+/// A record that the file does not have, or an effect that could act on any of several observables.
+fn resolved(model: &Model, measurements: &Measurements) -> Result<Vec<Term>, Problem> {
+    let is_in_file = |o: usize| measurements.observables.iter().any(|s| s.position == o);
+    let several = measurements.observables.len() > 1;
+    let acting = model.measurement.iter().filter(|term| term.observable.is_none_or(is_in_file));
+    let resolve = |term: &Term| {
+        let name = term.effect.name;
+        let place = model.document.get("measurement").and_then(|m| m.get(name)).and_then(Item::span);
+        if several && term.observable.is_none() && matches!(term.effect.size, Size::OfObservable(..)) {
+            let names: Vec<&str> = measurements.observables.iter().map(|s| s.name).collect();
+            let problem = Problem::new(format!("`measurement.{name}` does not say on which observable it acts"));
+            let listed = format!("{} has {}", measurements.name, names.join(" and "));
+            return Err(problem.help(format!("{listed}: add observable = \"{}\"", names[0])).at(place));
+        }
+        let mut rows = Vec::new();
+        for record in &term.rows {
+            let is_first = *term.effect == effects::JUMP;
+            let is_meant = |row: &usize| {
+                let own = measurements.records_of[*row] + 1;
+                term.is_of(measurements, *row) && if is_first { own >= *record } else { own == *record }
+            };
+            let own: Vec<usize> = (0..measurements.len()).filter(is_meant).collect();
+            if own.is_empty() {
+                let problem = Problem::new(format!("`measurement.{name}` names row {record}"));
+                return Err(problem.help(format!("{} has no such row", measurements.name)).at(place));
+            }
+            rows.extend(own.into_iter().take(if is_first { 1 } else { usize::MAX }));
+        }
+        // Of the only observable nothing need be said.
+        Ok(Term { rows, observable: term.observable.filter(|_| several), ..term.clone() })
+    };
+    acting.map(resolve).collect()
 }
 
 impl Deref for Data<'_> {

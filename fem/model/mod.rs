@@ -9,6 +9,7 @@ mod schema;
 
 pub use add::{Setting, add_effect};
 pub use data::Data;
+pub use measurement::{Key, effect_named as measurement_effect, keys as measurement_keys};
 pub use run::{Contribution, Run};
 pub use schema::schema;
 
@@ -22,7 +23,7 @@ use toml_edit::Document;
 use crate::input::{
     FileKey, Found, InputError, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
 };
-use crate::noise::Term;
+use crate::noise::{self, Term};
 use crate::process::{self, Active, Description, Failure, ForwardModel, Process, System};
 use crate::units::Knowledge;
 
@@ -120,6 +121,19 @@ impl Model {
     /// Forward model as it is written.
     pub fn forward(&self) -> Box<dyn ForwardModel> {
         self.system.with_effects(&self.effects)
+    }
+
+    /// Name of the table in which an effect of the measurement is added to the model: its own, or where that
+    /// is taken, by the model or among `others`, the next of `zero-shift-2`, `zero-shift-3`, ….
+    pub fn free_table(&self, effect: &str, others: &[String]) -> String {
+        let is_taken = |name: &String| self.has_measurement(name) || others.contains(name);
+        let further = (2..).map(|number| format!("{effect}-{number}"));
+        std::iter::once(effect.to_string()).chain(further).find(|name| !is_taken(name)).unwrap_or_default()
+    }
+
+    /// Whether the model has the table `[measurement.NAME]`.
+    fn has_measurement(&self, name: &str) -> bool {
+        self.document.get("measurement").is_some_and(|tables| tables.get(name).is_some())
     }
 
     /// Name of the model's file without its folder and ending.
@@ -260,8 +274,12 @@ fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> 
         let message = format!("`{name}` is an effect of `{}`, not of `{}`", owner.name(), process.name());
         return Problem::new(message).help(format!("`fem effects {}` lists those that fit", process.name()));
     }
+    if measurement::effect_named(name).is_some() {
+        let message = format!("`{name}` is an effect of the measurement, not of `{}`", process.name());
+        return Problem::new(message).help(format!("write [measurement.{name}]"));
+    }
     let problem = Problem::new(format!("`{name}` is no effect known here"));
-    match nearest(name, names.iter().copied()) {
+    match nearest(name, names.iter().copied().chain(noise::effects::ALL.iter().map(|e| e.name))) {
         Some(near) => problem.help(format!("did you mean `{near}`? `fem effects {}` lists all", process.name())),
         None => problem.help(format!(
             "`fem effects {}` lists those that are; an effect of your own has a `formula`",

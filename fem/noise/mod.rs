@@ -234,8 +234,8 @@ impl Noise {
         self.rms_of(|_| true).unwrap_or(f64::NAN)
     }
 
-    /// Root mean square over the rows of an observable, by its position in the process's list; over all rows
-    /// where none observes it.
+    /// Root mean square over the rows of an observable, by its position in the process's list, without those
+    /// that are weighed down; over all rows where none observes it.
     pub fn usual(&self, measurements: &Measurements, observable: usize) -> f64 {
         self.rms_of(|row| measurements.rows.observable[row] == observable).unwrap_or_else(|| self.rms())
     }

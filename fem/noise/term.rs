@@ -1,6 +1,7 @@
 //! A measurement effect and the term of the covariance that it makes.
 
 use crate::measure::Measurements;
+use crate::units::{Kind, NUMBER};
 
 /// Entries of a column: rows with their weights.
 pub type Column = Vec<(usize, f64)>;
@@ -92,6 +93,15 @@ impl Term {
     /// Whether it acts on a row.
     pub fn is_of(&self, measurements: &Measurements, row: usize) -> bool {
         self.observable.is_none_or(|own| measurements.rows.observable[row] == own)
+    }
+
+    /// Kind of its size in a file.
+    pub fn kind(&self, measurements: &Measurements) -> Kind {
+        let own = || measurements.observables.iter().find(|s| Some(s.position) == self.observable);
+        match self.effect.size {
+            Size::OfObservable(..) => own().unwrap_or(&measurements.observables[0]).kind,
+            Size::Number(..) => NUMBER,
+        }
     }
 
     /// Level of each row by the groups that the term sets apart, if it does.

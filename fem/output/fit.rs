@@ -42,6 +42,7 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
         "data": data.name,
         "observations": data.len(),
         "noise": super::comparison::noise(&fit.noise.level(data), kind),
+        "measurement": super::measurement::json(&fit.noise.terms, data.model.process, data),
         "rms": kind.from_si(fit.rms),
         "unit": kind.unit,
         "chi2_per_dof": finite(fit.reduced_chi2),
@@ -63,11 +64,12 @@ pub(super) fn finite(value: f64) -> Json {
 pub fn text(data: &Data, fit: &Fit) -> String {
     let kind = data.kind();
     let mut text = format!(
-        "{} fitted to {}: {} observations, noise {}\n\n",
+        "{} fitted to {}: {} observations, noise {}\n{}\n",
         data.model.source.name,
         data.name,
         data.len(),
         super::comparison::noise_text(&fit.noise.level(data), data),
+        super::measurement::at_work(&data.model.source.name, &fit.noise.terms, data.model.process, data),
     );
     let width = fit.estimates.iter().map(|e| e.parameter.path.chars().count()).max().unwrap_or(0);
     // Writing to a String does not fail, here and below.

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::report::{Format, Report};
-use super::{OutputError, budget, comparison, compensation, diagnosis, fit, plan};
+use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan};
 
 use crate::model::{Contribution, Model, Run};
 use crate::process::{Case, Datum, Description, Figure, Neutral, Parameter, Process, Tolerance};
@@ -25,7 +25,10 @@ impl Format for Json {
             Report::Plan(design, found) => plan::json(design, found),
             Report::Compensation(data, found) => compensation::json(data, found),
             Report::Budget(file, estimate) => budget::json(file, *estimate),
-            Report::Effects(entries, _) => entries.iter().map(|(process, e)| effect(*process, e)).collect(),
+            Report::Effects(entries, of_measurement, _) => {
+                let own = entries.iter().map(|(process, e)| effect(*process, e));
+                own.chain(of_measurement.iter().map(|e| measurement::entry(e))).collect()
+            }
             Report::Validation(cases) => validation(cases),
         };
         Ok(format!("{value:#}\n"))

@@ -8,6 +8,7 @@ use crate::diagnose::{Diagnosis, Plan};
 use crate::fit::Fit;
 use crate::measure::Measurements;
 use crate::model::{Data, Model, Run};
+use crate::noise::MeasurementEffect;
 use crate::process::{Case, Description, Process};
 
 /// What a command has found.
@@ -26,8 +27,9 @@ pub enum Report<'a> {
     Compensation(&'a Data<'a>, &'a Compensation),
     /// `fem budget`.
     Budget(&'a Budget, Option<&'a Estimate>),
-    /// `fem effects`: entries of the catalogue, as a list or as a page each.
-    Effects(&'a [(&'a dyn Process, Description)], Detail),
+    /// `fem effects`: entries of the catalogue, those of processes and those of the measurement, as a list or
+    /// as a page each.
+    Effects(&'a [(&'a dyn Process, Description)], &'a [&'a MeasurementEffect], Detail),
     /// `fem validate`.
     Validation(&'a [Case]),
 }

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use super::report::{Detail, Format, Report};
-use super::{OutputError, budget, comparison, compensation, diagnosis, fit, plan, plot};
+use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan, plot};
 use crate::model::{Contribution, Model, Run};
+use crate::noise::MeasurementEffect;
 use crate::process::{Case, Description, Neutral, Observable, Parameter, Process, Tolerance};
 
 /// One page of plain text per report.
@@ -23,9 +24,10 @@ impl Format for Text {
             Report::Plan(design, found) => plan::text(design, found),
             Report::Compensation(data, found) => compensation::text(data, found),
             Report::Budget(file, estimate) => budget::text(file, *estimate),
-            Report::Effects(entries, Detail::Line) => catalogue(entries),
-            Report::Effects(entries, Detail::Page) => {
-                entries.iter().map(|(process, e)| effect(process.name(), e)).collect::<Vec<_>>().join("\n")
+            Report::Effects(entries, of_measurement, Detail::Line) => catalogue(entries, of_measurement),
+            Report::Effects(entries, of_measurement, Detail::Page) => {
+                let own = entries.iter().map(|(process, e)| effect(process.name(), e));
+                own.chain(of_measurement.iter().map(|e| measurement::page(e))).collect::<Vec<_>>().join("\n")
             }
             Report::Validation(cases) => validation(cases),
         })
@@ -68,8 +70,8 @@ fn changes(text: &mut String, observables: &[Observable], shares: &[Contribution
     }
 }
 
-/// The catalogue, process by process: one line per effect.
-fn catalogue(entries: &[(&dyn Process, Description)]) -> String {
+/// The catalogue, process by process, and what they share: one line per effect.
+fn catalogue(entries: &[(&dyn Process, Description)], of_measurement: &[&MeasurementEffect]) -> String {
     let mut text = String::new();
     for of_process in entries.chunk_by(|a, b| a.0.name() == b.0.name()) {
         let process = of_process[0].0;
@@ -77,6 +79,9 @@ fn catalogue(entries: &[(&dyn Process, Description)]) -> String {
         for (_, effect) in of_process {
             let _ = writeln!(text, "  {:<24} {}", effect.name, effect.about);
         }
+    }
+    if !of_measurement.is_empty() {
+        text.push_str(&measurement::catalogue(of_measurement));
     }
     format!("{text}\n`fem effects NAME` tells all about one of them\n")
 }

@@ -1,7 +1,7 @@
 //! The story of `models/story`: from a machine believed to be rigid, by what the diagnosis says, to the
 //! noise.
 
-use super::fem::{Place, model};
+use super::fem::{Place, model, words};
 
 const RIGID: &str = "rigid.toml";
 const DATA: &str = "measured.csv";
@@ -11,20 +11,6 @@ fn place() -> Place {
     place.write(RIGID, model("story/rigid.toml"));
     place.write(DATA, model("story/measured.csv"));
     place
-}
-
-/// The words of a command line with single quotes.
-fn words(line: &str) -> Vec<String> {
-    let mut words = vec![String::new()];
-    let mut quoted = false;
-    for c in line.trim().chars() {
-        match c {
-            '\'' => quoted = !quoted,
-            ' ' if !quoted => words.push(String::new()),
-            c => words.last_mut().unwrap().push(c),
-        }
-    }
-    words
 }
 
 #[test]

@@ -6,6 +6,12 @@ use toml_edit::{Item, Value};
 use super::{Ground, Problem, Reader};
 use crate::input::did_you_mean;
 
+/// Whether a table's name is a known one, or that of a further table of its kind: `zero-shift-2`.
+pub fn is_one_of(name: &str, known: &str) -> bool {
+    let is_number = |rest: &str| rest.strip_prefix('-').is_some_and(|n| n.parse::<u32>().is_ok_and(|n| n > 1));
+    name.strip_prefix(known).is_some_and(|rest| rest.is_empty() || is_number(rest))
+}
+
 /// The names that tables of the user's choice may have.
 pub struct Names<'n> {
     /// Those that are known, for the schema.
@@ -141,7 +147,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Tables with names of a list within a table that may hold other keys too, which somebody else reads
-    /// ([`Reader::part`] was called before): `[measurement.NAME]`.
+    /// ([`Reader::part`] was called before): `[measurement.NAME]`, and further ones as `[measurement.NAME-2]`.
     pub fn tables_within<T>(
         &self,
         key: &'static str,
@@ -162,6 +168,8 @@ impl<'a> Reader<'a> {
                 Some(there) => there.extend(own["properties"].as_object().cloned().unwrap_or_default()),
                 None => drop(shape.properties.insert(key.to_string(), own)),
             }
+            let further = format!("^({})-[1-9][0-9]*$", known.join("|"));
+            shape.properties[key]["patternProperties"] = json!({ further: { "type": "object" } });
             return values;
         }
         let Some(item) = self.item(key) else { return values };
@@ -172,7 +180,7 @@ impl<'a> Reader<'a> {
                 continue;
             }
             let span = table.key(name).and_then(|k| k.span());
-            let Some(known) = known.iter().copied().find(|k| *k == name) else {
+            let Some(known) = known.iter().copied().find(|known| is_one_of(name, known)) else {
                 let meant = did_you_mean(name, known.iter().copied(), '`');
                 let problem = Problem::new(format!("`{name}` is no effect of the measurement known here"));
                 parent.refuse(problem.help(format!("{meant}known are {}", known.join(", "))).at(span));

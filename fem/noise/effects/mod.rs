@@ -13,7 +13,7 @@ pub use correlated_noise::CORRELATED_NOISE;
 pub use discrepancy::DISCREPANCY;
 pub use drift::DRIFT;
 pub use jump::JUMP;
-pub use outliers::OUTLIERS;
+pub use outliers::{OUTLIERS, OUTLYING};
 pub use uncertainty_scale::UNCERTAINTY_SCALE;
 pub use zero_shift::ZERO_SHIFT;
 

@@ -2,6 +2,10 @@
 
 use super::super::term::{Acts, MeasurementEffect, Size};
 
+/// Factor by which the noise of an outlying row exceeds that of the others, where nothing else is said: its
+/// weight is then a hundredth, and no likelihood of single rows could tell it.
+pub const OUTLYING: f64 = 10.0;
+
 /// Single rows are wrong, and weighed down.
 pub static OUTLIERS: MeasurementEffect = MeasurementEffect {
     name: "outliers",

@@ -13,6 +13,7 @@ pub(super) use text::{noise as noise_text, told};
 
 use serde_json::{Value as Json, json};
 
+use super::measurement;
 use crate::compare::{Agreement, Comparison, Feature};
 use crate::measure::{MeasuredObservable, Measurements};
 use crate::noise::{NoiseLevel, NoiseSource};
@@ -33,7 +34,9 @@ impl NoiseSource {
 /// Makes the JSON of `fem compare --json`: `fem-comparison/1`.
 pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Json {
     let kind = measurements.kind();
-    let noise = comparisons.first().map(|c| noise(&c.noise.level(measurements), kind));
+    let first = comparisons.first();
+    let noise = first.map(|c| noise(&c.noise.level(measurements), kind));
+    let terms = |c: &Comparison| measurement::json(&c.noise.terms, process, measurements);
     let model = |c: &Comparison| {
         json!({
             "model": c.model,
@@ -51,6 +54,7 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
             "adequate": c.adequacy(),
             "features": c.features.iter().map(feature).collect::<Vec<_>>(),
             "observables": observables(measurements, |s| c.agreement(measurements, s)),
+            "measurement": terms(c),
         })
     };
     json!({
@@ -58,6 +62,7 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         "data": measurements.name,
         "observations": measurements.len(),
         "noise": noise,
+        "measurement": first.map(terms),
         "models": comparisons.iter().map(model).collect::<Vec<_>>(),
         "notes": measurements.notes,
     })

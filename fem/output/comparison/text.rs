@@ -6,7 +6,7 @@ use super::place;
 use crate::compare::{Comparison, Feature};
 use crate::measure::{MeasuredObservable, Measurements};
 use crate::noise::{NoiseLevel, NoiseSource};
-use crate::output::plot;
+use crate::output::{measurement, plot};
 use crate::process::{Plot, Process};
 
 /// Writes the models side by side, and where each fails.
@@ -16,6 +16,9 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     // Writing to a String does not fail, here and below.
     if let Some(first) = comparisons.first() {
         let _ = writeln!(text, ", noise {}", noise(&first.noise.level(measurements), measurements));
+    }
+    for c in comparisons {
+        text.push_str(&measurement::at_work(&c.model, &c.noise.terms, process, measurements));
     }
     let width = comparisons.iter().map(|c| c.model.chars().count()).max().unwrap_or(0).max(5);
     let _ = writeln!(

@@ -1,9 +1,11 @@
 //! A diagnosis, as text and JSON.
 
+mod commands;
 mod text;
 
+pub use commands::additions;
 pub(super) use text::bound;
-pub use text::{settings, text};
+pub use text::text;
 
 use serde_json::{Map, Value as Json, json};
 
@@ -30,7 +32,7 @@ impl Verdict {
 pub(super) fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
     let kind = data.kind();
     let first = (format!("{} re-fitted", data.model.stem().display()), diagnosis.before.rms);
-    let added = diagnosis.missing.iter().map(|m| (format!("+ {}", m.effect.name), m.goodness.rms));
+    let added = diagnosis.missing.iter().map(|m| (format!("+ {}", text::label(m)), m.goodness.rms));
     Falling {
         title: format!("root mean square error of {}", data.model.stem().display()),
         steps: std::iter::once(first).chain(added).map(|(label, rms)| (label, kind.from_si(rms))).collect(),
@@ -51,6 +53,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "observations_used": d.rows,
         "cautions": d.cautions,
         "noise": super::comparison::noise(&d.noise, kind),
+        "measurement": super::measurement::json(&data.terms, data.model.process, data),
         "before": goodness(&d.before, kind),
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
         "verdict": d.verdict.word(),
@@ -86,10 +89,9 @@ fn after(d: &Diagnosis, kind: Kind) -> Json {
 
 /// Row counted from 1, as people do.
 fn outlier(outlier: &Outlier, data: &Data) -> Json {
-    let observed = data.observables.iter().find(|s| s.position == data.rows.observable[outlier.row]);
-    let kind = observed.map_or(data.kind(), |s| s.kind);
+    let kind = data.observables[outlier.observable].kind;
     json!({
-        "row": data.records_of[outlier.row] + 1,
+        "row": outlier.record,
         "line": outlier.line,
         "value": kind.from_si(outlier.value),
         "predicted": kind.from_si(outlier.predicted),
@@ -100,16 +102,20 @@ fn outlier(outlier: &Outlier, data: &Data) -> Json {
 
 fn missing(missing: &Missing, kind: Kind) -> Json {
     let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
-    let (whose, by, observable, from_line) = match &missing.cause {
-        Cause::Physical => ("physical", None, None, None),
-        Cause::Measurement { by, observable, from_line } => ("measurement", Some(by), *observable, *from_line),
+    let measurement = match &missing.cause {
+        Cause::Physical => None,
+        Cause::Measurement { effect, by, observable, records, from_line } => {
+            Some((effect, by, observable, records, from_line))
+        }
     };
     json!({
         "effect": missing.effect.name,
-        "kind": whose,
-        "by": by,
-        "observable": observable,
-        "from_line": from_line,
+        "kind": if measurement.is_some() { "measurement" } else { "physical" },
+        "by": measurement.map(|m| m.1),
+        "observable": measurement.map(|m| m.2),
+        "rows": measurement.map(|m| m.3),
+        "from_line": measurement.map(|m| m.4),
+        "separated_by": measurement.map(|m| m.0.separates),
         "rms_after": kind.from_si(missing.goodness.rms),
         "chi2_per_dof_after": finite(missing.goodness.reduced_chi2),
         "held_out_after": missing.goodness.cross_validation.filter(|h| h.is_finite()),

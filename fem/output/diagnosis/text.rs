@@ -1,16 +1,15 @@
 //! Writes a diagnosis for people: the story from the failing model to the noise.
 
 use std::fmt::Write;
-use std::path::Path;
 
-use crate::diagnose::{Diagnosis, GoodnessOfFit, Missing, Outlook, Verdict};
-use crate::fit::{Estimate, Fit};
-use crate::model::{Data, Model, Setting};
+use super::commands::{commands, name};
+use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Outlier, Outlook, Verdict};
+use crate::model::{Data, Model};
 use crate::output::comparison;
 use crate::output::fit::Short;
-use crate::output::plot;
+use crate::output::{measurement, plot};
 use crate::process::{Description, Holds, Neutral, Plot};
-use crate::units::{Kind, Knowledge};
+use crate::units::Kind;
 
 /// Writes the story. Writing to a String does not fail, here and below.
 pub fn text(data: &Data, diagnosis: &Diagnosis) -> String {
@@ -18,13 +17,14 @@ pub fn text(data: &Data, diagnosis: &Diagnosis) -> String {
     let noise = comparison::noise_text(&d.noise, data);
     let mut text =
         format!("{} against {}: {} observations, noise {noise}\n", data.model.source.name, data.name, data.len());
+    text.push_str(&measurement::at_work(&data.model.source.name, &data.terms, data.model.process, data));
     for caution in &d.cautions {
         let _ = writeln!(text, "\ncaution: {caution}");
     }
     let _ = writeln!(text, "\n{}", verdict(d));
     where_it_fails(&mut text, d);
     for (i, missing) in d.missing.iter().enumerate() {
-        cause(&mut text, i + 1, missing);
+        cause(&mut text, i + 1, missing, data, d);
     }
     errors(&mut text, data.model, d, kind);
     if structure_remains(d) {
@@ -79,23 +79,63 @@ fn where_it_fails(text: &mut String, d: &Diagnosis) {
     }
 }
 
-fn cause(text: &mut String, number: usize, missing: &Missing) {
+/// A missing effect in a few words, with what groups the rows: `zero-shift by run`.
+pub fn label(missing: &Missing) -> String {
+    match &missing.cause {
+        Cause::Physical => missing.effect.name.to_string(),
+        Cause::Measurement { by, observable, .. } => {
+            let of = observable.map_or(String::new(), |name| format!(" of {name}"));
+            format!("{}{}{of}", missing.effect.name, measurement::grouped(by))
+        }
+    }
+}
+
+fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &Diagnosis) {
     let effect = &missing.effect;
-    let _ = writeln!(text, "\ncause {number}: {}, {}", effect.name, effect.about);
+    let _ = writeln!(text, "\ncause {number}: {}, {}", label(missing), effect.about);
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
     for e in &missing.estimates {
         let k = e.parameter.kind;
         let value = format!("{:.4} {}", Short(k.from_si(e.value)), k.unit);
         let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.4}", Short(k.from_si(v))));
-        let (low, high) = (end(e.interval.low), end(e.interval.high));
+        // The factor of outlying rows is set, and has no interval.
+        let is_set = missing.cause != Cause::Physical && e.interval.low.is_none() && e.interval.high.is_none();
+        let interval = match is_set {
+            true => String::new(),
+            false => format!(" 95 %: {} to {}", end(e.interval.low), end(e.interval.high)),
+        };
         let warnings = if e.warnings.is_empty() { String::new() } else { format!("   ({})", e.warnings.join("; ")) };
-        let line = format!("  {:<width$}  {:<20} 95 %: {low} to {high}{warnings}", name(e), value.trim_end());
+        let line = format!("  {:<width$}  {:<20}{interval}{warnings}", name(e), value.trim_end());
         let _ = writeln!(text, "{}", line.trim_end());
     }
     let _ = writeln!(text, "  {}", chance(missing.p_value));
     for alternative in &missing.indistinguishable_from {
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
         let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.name);
+    }
+    if let Cause::Measurement { effect, records, from_line, .. } = &missing.cause {
+        if let Some(line) = from_line {
+            let _ = writeln!(text, "  from line {line} on");
+        } else {
+            outlying(text, records, data, d);
+        }
+        let _ = writeln!(text, "  what separates it from effects of the machine: {}", effect.separates);
+    }
+}
+
+/// Most outlying rows that are listed.
+const MOST_ROWS: usize = 10;
+
+/// Lists the outlying rows that stand in these records.
+fn outlying(text: &mut String, records: &[usize], data: &Data, d: &Diagnosis) {
+    let own: Vec<&Outlier> = d.outliers.iter().filter(|o| records.contains(&o.record)).collect();
+    for o in own.iter().take(MOST_ROWS) {
+        let kind = data.observables[o.observable].kind;
+        let [value, predicted] = [o.value, o.predicted].map(|si| kind.shown(si));
+        let _ = writeln!(text, "  line {:<5} {value:.3}, predicted {predicted:.3}", o.line);
+    }
+    if own.len() > MOST_ROWS {
+        let _ = writeln!(text, "  and {} more", own.len() - MOST_ROWS);
     }
 }
 
@@ -113,14 +153,10 @@ fn chance(p: f64) -> String {
     }
 }
 
-fn name(e: &Estimate) -> &str {
-    e.parameter.path.rsplit('.').next().unwrap_or_default()
-}
-
 /// Writes the table of the falling error.
 fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
     let first = format!("{} re-fitted", model.source.name);
-    let labels = d.missing.iter().map(|m| format!("+ {}", m.effect.name));
+    let labels = d.missing.iter().map(|m| format!("+ {}", label(m)));
     let lines: Vec<(String, &GoodnessOfFit)> = std::iter::once(first)
         .chain(labels)
         .zip(std::iter::once(&d.before).chain(d.missing.iter().map(|m| &m.goodness)))
@@ -232,67 +268,4 @@ fn measure_next(text: &mut String, d: &Diagnosis) {
         pairs.join(", "),
         next.separation
     );
-}
-
-/// Makes the settings with which an effect is added, as `fem add` takes them.
-pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
-    let setting = |e: &Estimate| {
-        let k = e.parameter.kind;
-        let entry = missing.effect.parameters.iter().find(|p| p.name == name(e));
-        // A value that the data leave open is known no better than its plausible range.
-        let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
-        let value =
-            crate::fit::uncertain(k.from_si(e.value), (fit.birge_ratio() * e.std / k.canonical().factor).min(widest));
-        Setting { key: name(e).into(), value: format!("{value} {}", k.unit).trim_end().into() }
-    };
-    missing.estimates.iter().map(setting).collect()
-}
-
-fn commands(text: &mut String, data: &Data, d: &Diagnosis) {
-    if d.missing.is_empty() {
-        return;
-    }
-    let model = data.model;
-    let (file, data) = (quoted(&model.source.name), quoted(&data.name));
-    let _ = writeln!(text, "\nto go on");
-    let mut from = model.source.name.to_string();
-    for missing in &d.missing {
-        let values: Vec<String> =
-            settings(missing, &d.fit).iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
-        let stem = Path::new(&from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let to = format!("{stem}-{}.toml", missing.effect.name);
-        let _ = writeln!(
-            text,
-            "  fem add {} {} {} -o {}",
-            quoted(&from),
-            missing.effect.name,
-            values.join(" "),
-            quoted(&to)
-        );
-        from = to;
-    }
-    if model.parameters.is_empty() {
-        let _ = writeln!(text, "  fem compare {} --with {data}", quoted(&from));
-        let _ = writeln!(
-            text,
-            "  or all at once, every value re-fitted: fem diagnose {file} --with {data} --add-to better.toml"
-        );
-        return;
-    }
-    // A fit with the effects' values in place would take them for priors, and count the data twice.
-    let _ = writeln!(
-        text,
-        "  what the model knew roughly was bent by what was missing; all at once, every value re-fitted:\n  fem diagnose {file} --with {data} --add-to better.toml"
-    );
-    // A model with unknown values can be fitted, but not compared.
-    let mut own = d.fit.estimates.iter().take(model.parameters.len());
-    if own.all(|e| e.is_closed() || e.parameter.quantity.knowledge != Knowledge::Free) {
-        let _ = writeln!(text, "  fem compare better.toml --with {data}");
-    }
-}
-
-/// Quotes a word for a shell.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./+,:@%".contains(c);
-    if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }

@@ -1,0 +1,102 @@
+//! Says how to go on: the tables in which missing effects are added, and the commands that add them.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use crate::diagnose::{Cause, Diagnosis, Missing};
+use crate::fit::{Estimate, Fit};
+use crate::model::{Data, Setting};
+use crate::output::fit::Short;
+use crate::units::Knowledge;
+
+/// Name of a parameter of an effect.
+pub fn name(e: &Estimate) -> &str {
+    e.parameter.path.rsplit('.').next().unwrap_or_default()
+}
+
+/// Tables in which the missing effects are added, in their order, with the settings that `fem add` takes.
+pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Vec<Setting>)> {
+    let mut names: Vec<String> = Vec::new();
+    let mut addition = |missing: &Missing| {
+        let (name, settings) = match &missing.cause {
+            Cause::Physical => (missing.effect.name.to_string(), physical_settings(missing, &diagnosis.fit)),
+            Cause::Measurement { by, observable, records, from_line, .. } => {
+                let listed = records.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+                let text = |key: &str, value: String| Setting { key: key.into(), value };
+                let by = (!by.is_empty()).then(|| text("by", by.join(", ")));
+                let observable = observable.map(|name| text("observable", name.into()));
+                let rows = if from_line.is_some() { "from" } else { "rows" };
+                let rows = (!records.is_empty()).then(|| text(rows, listed));
+                let texts = [by, observable, rows].into_iter().flatten();
+                let name = data.model.free_table(missing.effect.name, &names);
+                (name, texts.chain(missing.estimates.iter().map(size)).collect())
+            }
+        };
+        names.push(name.clone());
+        (name, settings)
+    };
+    diagnosis.missing.iter().map(&mut addition).collect()
+}
+
+/// The size of an effect of the measurement. It is no parameter of a fit, and has no uncertainty in a file.
+fn size(e: &Estimate) -> Setting {
+    let k = e.parameter.kind;
+    let value = format!("{:.5} {}", Short(k.from_si(e.value)), k.unit);
+    Setting { key: name(e).into(), value: value.trim_end().into() }
+}
+
+/// Makes the settings with which an effect is added, as `fem add` takes them.
+fn physical_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
+    let setting = |e: &Estimate| {
+        let k = e.parameter.kind;
+        let entry = missing.effect.parameters.iter().find(|p| p.name == name(e));
+        // A value that the data leave open is known no better than its plausible range.
+        let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
+        let value =
+            crate::fit::uncertain(k.from_si(e.value), (fit.birge_ratio() * e.std / k.canonical().factor).min(widest));
+        Setting { key: name(e).into(), value: format!("{value} {}", k.unit).trim_end().into() }
+    };
+    missing.estimates.iter().map(setting).collect()
+}
+
+/// Writes the commands that add what is missing.
+pub fn commands(text: &mut String, data: &Data, d: &Diagnosis) {
+    if d.missing.is_empty() {
+        return;
+    }
+    let model = data.model;
+    let _ = writeln!(text, "\nto go on");
+    let mut from = model.source.name.to_string();
+    for (name, settings) in additions(data, d) {
+        let values: Vec<String> = settings.iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
+        let stem = Path::new(&from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let to = format!("{stem}-{name}.toml");
+        let _ = writeln!(text, "  fem add {} {name} {} -o {}", quoted(&from), values.join(" "), quoted(&to));
+        from = to;
+    }
+    let (file, data) = (quoted(&model.source.name), quoted(&data.name));
+    if model.parameters.is_empty() {
+        let _ = writeln!(text, "  fem compare {} --with {data}", quoted(&from));
+        let _ = writeln!(
+            text,
+            "  or all at once, every value re-fitted: fem diagnose {file} --with {data} --add-to better.toml"
+        );
+        return;
+    }
+    // A fit with the effects' values in place would take them for priors, and count the data twice.
+    let _ = writeln!(
+        text,
+        "  what the model knew roughly was bent by what was missing; all at once, every value re-fitted:\n  fem diagnose {file} --with {data} --add-to better.toml"
+    );
+    // A model with unknown values can be fitted, but not compared.
+    let mut own = d.fit.estimates.iter().take(model.parameters.len());
+    if own.all(|e| e.is_closed() || e.parameter.quantity.knowledge != Knowledge::Free) {
+        let _ = writeln!(text, "  fem compare better.toml --with {data}");
+    }
+}
+
+/// Quotes a word for a shell.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./+,:@%".contains(c);
+    if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+}
