@@ -6,6 +6,7 @@ mod features;
 mod rng;
 mod sentence;
 mod significance;
+mod suspicion;
 mod trend;
 mod waves;
 
@@ -13,6 +14,7 @@ pub use binning::Along;
 pub use features::{Feature, find as features};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
+pub use suspicion::{Suspicion, is_rough, penalty};
 pub use trend::Trend;
 
 use nalgebra::DMatrix;
@@ -20,7 +22,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use crate::measure::{MeasuredObservable, Measurements, Repeats, repeats};
 use crate::model::{Data, Model};
-use crate::noise::{Noise, NoiseSource};
+use crate::noise::{Noise, NoiseSource, Term};
 use crate::process::Failure;
 
 /// Comparison of one model with one file of measurements. SI units.
@@ -49,6 +51,9 @@ pub struct Comparison {
     pub p_value: Option<f64>,
     /// Structure of the residuals, the largest share first.
     pub features: Vec<Feature>,
+    /// Effects of the measurement that the residuals ask for though the noise seems to explain them: repeats
+    /// that differ from run to run are no noise.
+    pub suspects: Vec<Term>,
 }
 
 /// Fewest rows from which a noise that nothing else tells can be estimated: fewer are called neither adequate nor not.
@@ -59,7 +64,7 @@ impl Comparison {
     pub fn adequacy(&self) -> Option<bool> {
         let is_explained = self.p_value.is_none_or(|p| p >= SIGNIFICANCE) && self.features.is_empty();
         let is_told = self.noise.source != NoiseSource::Estimated || self.residuals.len() >= FEWEST_ROWS;
-        is_told.then_some(is_explained && !self.is_rougher())
+        is_told.then_some(is_explained && self.suspects.is_empty() && !self.is_rougher())
     }
 
     /// Whether the noise surely explains it: where the rows are too few to tell it does not.
@@ -101,12 +106,16 @@ pub fn compare(data: &Data) -> Result<Comparison, Failure> {
     let (model, measurements): (&Model, &Measurements) = (data.model, data);
     let predicted = model.forward().observe(&measurements.rows)?;
     let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
-    let repeats = repeats(measurements, model.process.coordinates());
+    let all_repeats = repeats(measurements, model.process.coordinates());
     let nothing = DMatrix::zeros(measurements.len(), 0);
-    let (noise, repeats) = Noise::stated(&data.terms, measurements, &repeats, &residuals, &nothing);
+    let (noise, repeats) = Noise::stated(&data.terms, measurements, &all_repeats, &residuals, &nothing);
+    let suspicion = Suspicion { data, noise: &noise, repeats: &all_repeats, residuals: &residuals, mean: &nothing };
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
     let (reduced_chi2, p_value) = reduced_chi2(&residuals, &noise, &repeats, data.datum_directions.len());
+    let features = features::find(model.process, measurements, &residuals, &noise);
+    let is_explained = p_value.is_none_or(|p| p >= SIGNIFICANCE) && features.is_empty();
+    let suspects = if is_explained { suspicion.suspects() } else { Vec::new() };
     Ok(Comparison {
         model: model.source.name.to_string(),
         rms: rms(&errors),
@@ -114,7 +123,8 @@ pub fn compare(data: &Data) -> Result<Comparison, Failure> {
         worst,
         reduced_chi2,
         p_value,
-        features: features::find(model.process, measurements, &residuals, &noise),
+        features,
+        suspects,
         predicted,
         residuals,
         errors,

@@ -77,11 +77,6 @@ pub fn length_outside(columns: &DMatrix<f64>, v: DVector<f64>) -> f64 {
     project(&orthonormal(columns), v).norm()
 }
 
-/// Orthonormal basis of some columns of a length.
-pub fn orthonormal_of(columns: &[DVector<f64>], rows: usize) -> DMatrix<f64> {
-    if columns.is_empty() { DMatrix::zeros(rows, 0) } else { orthonormal(&DMatrix::from_columns(columns)) }
-}
-
 /// Orthonormalises by Gram and Schmidt, twice, and leaves out directions that depend on earlier ones.
 fn orthonormal(columns: &DMatrix<f64>) -> DMatrix<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();

@@ -85,7 +85,7 @@ pub fn at_work(model: &str, terms: &[Term], process: &dyn Process, measurements:
 }
 
 /// A term in words: `zero-shift by run, size 0.712 um`.
-fn words(term: &Term, process: &dyn Process, measurements: &Measurements) -> String {
+pub fn words(term: &Term, process: &dyn Process, measurements: &Measurements) -> String {
     let mut text = term.effect.name.to_string();
     text.push_str(&grouped(&coordinates(term, process)));
     if let Some(observable) = term.observable {

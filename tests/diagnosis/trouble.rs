@@ -60,7 +60,7 @@ impl Tally {
         }
         self.told[0] += 1;
         self.told[1] += usize::from(names(&diagnosis).any(|name| trouble.names().contains(&name)));
-        let rows: BTreeSet<usize> = diagnosis.outliers.iter().map(|o| o.row).collect();
+        let rows: BTreeSet<usize> = diagnosis.outliers.iter().map(|o| o.record - 1).collect();
         let wrong: BTreeSet<usize> = case.truth.outliers.iter().copied().collect();
         self.outliers[0] += wrong.len();
         self.outliers[1] += rows.intersection(&wrong).count();

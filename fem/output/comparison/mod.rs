@@ -55,6 +55,7 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
             "features": c.features.iter().map(feature).collect::<Vec<_>>(),
             "observables": observables(measurements, |s| c.agreement(measurements, s)),
             "measurement": terms(c),
+            "suspects": measurement::json(&c.suspects, process, measurements),
         })
     };
     json!({

@@ -35,6 +35,7 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
                 "fails: far more is left than neighbouring rows scatter by, though along no coordinate"
             }
             (true, None) => "no structure is left; whether the rest is noise needs repeats or a column u",
+            (false, _) if !c.suspects.is_empty() => "the noise is not what it is taken for",
             (false, _) => "fails",
         };
         let _ = writeln!(
@@ -73,7 +74,11 @@ pub(in crate::output) fn told(features: &[Feature]) -> impl Iterator<Item = &Fea
 
 fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {
     let _ = writeln!(text, "\nwhere {} fails", c.model);
-    if c.features.is_empty() {
+    if !c.suspects.is_empty() {
+        let all: Vec<String> = c.suspects.iter().map(|t| measurement::words(t, process, measurements)).collect();
+        let asked = all.join("; ");
+        let _ = writeln!(text, "  the rows ask for {asked}\n  `fem diagnose` weighs it against effects of the machine");
+    } else if c.features.is_empty() {
         let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
     }
     for feature in told(&c.features) {

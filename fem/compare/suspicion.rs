@@ -1,0 +1,284 @@
+//! Which effects of the measurement the residuals of a model may ask for: terms of the covariance that are
+//! worth weighing.
+
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+
+use crate::measure::{Measurements, Repeats};
+use crate::model::Data;
+use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects};
+use crate::process::{Absent, Holds};
+use crate::units::{LENGTH, TIME};
+
+/// Places at which a step of the zero is looked for.
+const STEPS: usize = 240;
+/// Prior odds against an outlying row, as a term of −2 ln L: 2·ln(0.99/0.01).
+const ODDS: f64 = 9.2;
+/// Largest part of the rows that can be outliers.
+const FEW: f64 = 0.1;
+/// Most groups whose zeros are sought.
+const LEVELS: usize = 200;
+/// Fewest places that make a curve.
+const LEAST_PLACES: usize = 4;
+/// Most sensors at places of their own.
+const MOST_SENSORS: usize = 16;
+/// Ratio of the scatter of neighbouring rows to all scatter below which structure, not noise, is what
+/// exceeds the stated uncertainty.
+const ROUGH: f64 = 0.8;
+
+/// Fall of −2 ln L, beyond its price, from which a term is suspected.
+const PROMISING: f64 = 6.0;
+/// Most rows in which terms are suspected.
+const MOST_ROWS: usize = 20_000;
+
+/// Penalty on a term: ln n for its size, as for any parameter, and what it was chosen from.
+pub fn penalty(term: &Term, measurements: &Measurements) -> f64 {
+    let n = (measurements.len() as f64).ln();
+    match term.effect.acts {
+        Acts::Weighs => ODDS * term.rows.len() as f64,
+        _ if *term.effect == effects::JUMP => 3.0 * n,
+        _ => n,
+    }
+}
+
+/// Whether neighbouring rows scatter as much as a larger uncertainty says.
+pub fn is_rough(noise: &Noise, residuals: &[f64]) -> bool {
+    if noise.terms.iter().all(|t| !matches!(t.effect.acts, Acts::Scales)) {
+        return true;
+    }
+    let z = noise.whiten(residuals.iter().copied());
+    let mut squares: Vec<f64> = z.windows(3).map(|z| (z[0] - 2.0 * z[1] + z[2]).powi(2) / 6.0).collect();
+    squares.sort_unstable_by(f64::total_cmp);
+    squares.get(squares.len() / 2).is_none_or(|median| (median / 0.4549).sqrt() > ROUGH)
+}
+
+/// Residuals of a model with the noise by which they are judged.
+pub struct Suspicion<'a> {
+    /// Rows.
+    pub data: &'a Data<'a>,
+    /// Noise, with the terms that are known to be at work.
+    pub noise: &'a Noise,
+    /// Repeats of the rows, whatever the terms.
+    pub repeats: &'a Repeats,
+    /// Residuals of all rows, SI.
+    pub residuals: &'a [f64],
+    /// Derivatives of the prediction by what was fitted, and datum directions.
+    pub mean: &'a DMatrix<f64>,
+}
+
+impl Suspicion<'_> {
+    /// Terms that the residuals ask for more than chance would, one after another, with their sizes: what the
+    /// noise is besides what it is taken for.
+    pub fn suspects(&self) -> Vec<Term> {
+        if self.data.len() > MOST_ROWS {
+            return Vec::new();
+        }
+        let restricted = Restricted { measurements: self.data, residuals: self.residuals, mean: self.mean };
+        let price = |noise: &Noise| noise.terms.iter().map(|term| penalty(term, self.data)).sum::<f64>();
+        let here = restricted.minus_two_log(self.noise) + price(self.noise);
+        let judge = |terms: Vec<Term>| {
+            let (own, _) = Noise::beside(&terms, self.data, self.repeats, self.residuals);
+            let noise = restricted.estimate(&own, &terms, terms.len() - self.noise.terms.len());
+            (restricted.minus_two_log(&noise) + price(&noise), noise)
+        };
+        let sets = self.contradictions().into_iter().chain(self.terms());
+        let all: Vec<(f64, Noise)> = sets.collect::<Vec<_>>().into_par_iter().map(judge).collect();
+        let likely = all.into_iter().filter(|(at, noise)| *at < here - PROMISING && is_rough(noise, self.residuals));
+        let best = likely.min_by(|a, b| a.0.total_cmp(&b.0));
+        let is_new = |term: &Term| self.noise.terms.iter().all(|t| !t.is_like(term));
+        best.map_or_else(Vec::new, |(_, noise)| noise.terms.into_iter().filter(is_new).collect())
+    }
+
+    /// Every set of terms with one more than are at work; its size is still to be found.
+    pub fn terms(&self) -> Vec<Vec<Term>> {
+        let (data, present) = (self.data, &self.noise.terms);
+        let mut trials: Vec<Vec<Term>> = Vec::new();
+        let mut with = |term: Term| trials.push(present.iter().cloned().chain([term]).collect());
+        for by in groupings(data) {
+            for observable in own_observables(data) {
+                let term = Term { by: by.clone(), observable, ..Term::new(&effects::ZERO_SHIFT) };
+                if present.iter().all(|t| !t.is_like(&term)) {
+                    with(term);
+                }
+            }
+        }
+        let has = |effect: &MeasurementEffect| present.iter().any(|t| t.effect == effect);
+        if !has(&effects::CORRELATED_NOISE) {
+            with(Term::new(&effects::CORRELATED_NOISE));
+        }
+        if !has(&effects::UNCERTAINTY_SCALE) && data.uncertainty.is_some() {
+            with(Term::new(&effects::UNCERTAINTY_SCALE));
+        }
+        for observable in own_observables(data) {
+            let step = Term { observable, ..Term::new(&effects::JUMP) };
+            with(Term { rows: vec![self.step_at(&step)], ..step.clone() });
+            let drift = Term { observable, ..Term::new(&effects::DRIFT) };
+            if present.iter().all(|t| !t.is_like(&drift)) {
+                with(drift);
+            }
+        }
+        if let Some(rows) = self.outlying() {
+            let others = present.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
+            let term = Term { rows, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
+            trials.push(others.chain([term]).collect());
+        }
+        trials
+    }
+
+    /// Every set of terms with a curve over places more than are at work.
+    pub fn curves(&self) -> Vec<Vec<Term>> {
+        let data = self.data;
+        let coordinates = data.model.process.coordinates();
+        let counts = |by: &[usize]| data.levels(by).into_iter().max().map_or(0, |m| m + 1);
+        let is_curve = |by: &Vec<usize>| (LEAST_PLACES..=LEVELS.min(data.len() / 3)).contains(&counts(by));
+        let of_kind = |is: fn(Holds) -> bool| data.given.iter().copied().filter(move |i| is(coordinates[*i].holds));
+        let places = || of_kind(|h| matches!(h, Holds::Quantity(_)));
+        let words = || of_kind(|h| matches!(h, Holds::Word(_)));
+        let both = places().flat_map(|i| words().map(move |j| vec![i, j]));
+        let all = places().map(|i| vec![i]).chain(both).filter(is_curve);
+        let with = |by: Vec<usize>| {
+            own_observables(data).into_iter().map(move |observable| Term {
+                by: by.clone(),
+                observable,
+                ..Term::new(&effects::DISCREPANCY)
+            })
+        };
+        let present = &self.noise.terms;
+        let trials = all.flat_map(with).map(|term| present.iter().cloned().chain([term]).collect());
+        trials.collect()
+    }
+
+    /// Outlying rows that contradict the rows that they repeat, as a term beside the others; `None` where there are none, or too
+    /// many to be single mistakes.
+    pub fn contradictions(&self) -> Option<Vec<Term>> {
+        let noise = self.noise;
+        let z: Vec<f64> = self.residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
+        let contradicts = contradicting(self.repeats, &z);
+        let rows: Vec<usize> = (0..z.len()).filter(|row| contradicts[*row]).collect();
+        let is_told = |row: &usize| noise.terms.iter().any(|t| t.rows.contains(row));
+        if rows.iter().all(is_told) || rows.len() as f64 > FEW * z.len() as f64 {
+            return None;
+        }
+        let others = noise.terms.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
+        let term = Term { rows, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
+        Some(others.chain([term]).collect())
+    }
+
+    /// First row of the step that gains most.
+    fn step_at(&self, step: &Term) -> usize {
+        let Acts::Shared(columns) = step.effect.acts else { return 0 };
+        let (data, noise) = (self.data, self.noise);
+        let white = |values: Vec<f64>| DVector::from_vec(noise.whiten(values));
+        let mean: Vec<_> = self.mean.column_iter().map(|c| white(c.iter().copied().collect())).collect();
+        let basis = if mean.is_empty() { DMatrix::zeros(data.len(), 0) } else { DMatrix::from_columns(&mean).qr().q() };
+        let z = white(self.residuals.to_vec());
+        let gain = |row: usize| {
+            let mut dense = vec![0.0; data.len()];
+            let term = Term { rows: vec![row], ..step.clone() };
+            columns(&term, data).into_iter().flatten().for_each(|(row, w)| dense[row] = w);
+            let column = white(dense);
+            let own = &column - &basis * (basis.transpose() * &column);
+            own.dot(&z).powi(2) / own.norm_squared().max(1e-9)
+        };
+        let best = |rows: &[usize]| {
+            let gains: Vec<f64> = rows.par_iter().map(|row| gain(*row)).collect();
+            (0..rows.len()).max_by(|a, b| gains[*a].total_cmp(&gains[*b])).map_or(0, |i| rows[i])
+        };
+        let stride = data.len().div_ceil(STEPS);
+        let coarse = best(&(1..data.len()).step_by(stride).collect::<Vec<_>>());
+        best(&(coarse.saturating_sub(stride).max(1)..(coarse + stride + 1).min(data.len())).collect::<Vec<_>>())
+    }
+
+    /// Rows that lie far outside of what the others scatter; `None` where there are none, or too many to be
+    /// single mistakes.
+    fn outlying(&self) -> Option<Vec<usize>> {
+        let noise = self.noise;
+        let present: Vec<usize> = noise
+            .terms
+            .iter()
+            .filter(|t| matches!(t.effect.acts, Acts::Weighs))
+            .flat_map(|t| t.rows.iter().copied())
+            .collect();
+        let z: Vec<f64> = noise.unshared(self.residuals).iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
+        let mut sizes: Vec<f64> = z.iter().map(|z| z.abs()).collect();
+        sizes.sort_unstable_by(f64::total_cmp);
+        // The median of |z| is 0.6745 of a standard deviation.
+        let usual = sizes[sizes.len() / 2] / 0.6745;
+        let usual = if noise.source == NoiseSource::Column { usual.max(1.0) } else { usual };
+        let threshold = ((2.0 * (z.len() as f64).ln()).sqrt() + 1.0) * usual;
+        let contradicts = contradicting(self.repeats, &z);
+        let is_out = |row: &usize| z[*row].abs() > threshold || contradicts[*row];
+        let new: Vec<usize> = (0..z.len()).filter(|row| is_out(row) && !present.contains(row)).collect();
+        let mut rows = [present, new.clone()].concat();
+        rows.sort_unstable();
+        (!new.is_empty() && rows.len() as f64 <= FEW * z.len() as f64).then_some(rows)
+    }
+}
+
+/// Coordinates whose levels may each have a zero of their own: parts, runs and directions, alone and two
+/// together, conditions of few levels, and all of them together, which make a pass.
+fn groupings(data: &Data) -> Vec<Vec<usize>> {
+    let coordinates = data.model.process.coordinates();
+    let counts = |by: &[usize]| data.levels(by).into_iter().max().map_or(0, |m| m + 1);
+    let groups = |by: &[usize]| (2..=LEVELS.min(data.len() / 2)).contains(&counts(by));
+    let given = || data.given.iter().copied();
+    let time = given().find(|i| coordinates[*i].holds.kind() == Some(TIME));
+    let is_sensor = |i: &usize| {
+        // Few places at many times: a sensor stands at each.
+        let few = counts(&[*i]) <= MOST_SENSORS && coordinates[*i].holds.kind() == Some(LENGTH);
+        few && coordinates.iter().all(|c| !c.repeats) && time.is_some_and(|t| counts(&[t]) > counts(&[*i]))
+    };
+    let is_number = |i: &usize| matches!(coordinates[*i].holds, Holds::Number(_) | Holds::Word(_));
+    let is_condition = |i: &usize| {
+        let of_model = coordinates[*i].absent == Absent::Model && !is_number(i);
+        of_model && (2..=MOST_SENSORS.min(data.len() / 8)).contains(&counts(&[*i]))
+    };
+    let numbers: Vec<usize> = given().filter(|i| is_number(i) && counts(&[*i]) > 1).collect();
+    let conditions: Vec<usize> = given().filter(is_condition).collect();
+    let pairs = numbers.iter().enumerate().flat_map(|(k, i)| numbers[k + 1..].iter().map(|j| vec![*i, *j]));
+    let pass: Vec<usize> = numbers.iter().chain(&conditions).copied().collect();
+    let several = numbers.iter().chain(&conditions).map(|i| vec![*i]).chain(pairs);
+    let mut all: Vec<Vec<usize>> = given().filter(is_sensor).map(|i| vec![i]).collect();
+    for by in several.chain((!conditions.is_empty()).then_some(pass)) {
+        // What groups the rows as another does is not told twice.
+        let levels = data.levels(&by);
+        if groups(&by) && all.iter().all(|other| data.levels(other) != levels) {
+            all.push(by);
+        }
+    }
+    if numbers.is_empty() && all.is_empty() {
+        // One series has one zero.
+        all.push(Vec::new());
+    }
+    all
+}
+
+/// Observables on which a term may act: each by itself where there are several.
+fn own_observables(measurements: &Measurements) -> Vec<Option<usize>> {
+    match &measurements.observables[..] {
+        [_] => vec![None],
+        several => several.iter().map(|s| Some(s.position)).collect(),
+    }
+}
+
+/// Whether each row contradicts the rows that it repeats, whatever the model says: it lies far from their
+/// median, measured by the median of all such distances.
+fn contradicting(repeats: &Repeats, z: &[f64]) -> Vec<bool> {
+    /// Fewest rows that tell which of them is wrong.
+    const LEAST: usize = 4;
+    /// Distance, in standard deviations, beyond which a row contradicts the others.
+    const FAR: f64 = 6.0;
+    let mut groups = vec![Vec::new(); repeats.groups];
+    repeats.group.iter().enumerate().for_each(|(row, group)| groups[*group].push(row));
+    let mut distances = vec![0.0; z.len()];
+    for rows in groups.iter().filter(|rows| rows.len() >= LEAST) {
+        let mut values: Vec<f64> = rows.iter().map(|row| z[*row]).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let median = 0.5 * (values[(values.len() - 1) / 2] + values[values.len() / 2]);
+        rows.iter().for_each(|row| distances[*row] = (z[*row] - median).abs());
+    }
+    let mut sizes: Vec<f64> = distances.iter().copied().filter(|d| *d > 0.0).collect();
+    sizes.sort_unstable_by(f64::total_cmp);
+    let usual = sizes.get(sizes.len() / 2).map_or(f64::INFINITY, |median| median / 0.6745);
+    distances.into_iter().map(|d| d > FAR * usual).collect()
+}

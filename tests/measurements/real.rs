@@ -1,0 +1,62 @@
+//! Real measurements: what an engineer says of them, and no cause that they cannot tell.
+
+use std::path::Path;
+
+use fem::compare::compare;
+use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Verdict, diagnose};
+use fem::measure::Measurements;
+use fem::model::{Data, Model};
+use fem::progress::Progress;
+
+fn with<T>(name: &str, tell: impl FnOnce(&Data) -> T) -> T {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/real").join(name);
+    let model = Model::load(&folder.join("model.toml")).unwrap();
+    let measurements = Measurements::load(&folder.join("measured.csv"), model.process).unwrap();
+    tell(&Data::of(&model, measurements).unwrap())
+}
+
+fn diagnosed(name: &str) -> Diagnosis {
+    with(name, |data| diagnose(data, MOST_EFFECTS, &Progress::default()).unwrap())
+}
+
+fn physical(diagnosis: &Diagnosis) -> Vec<&'static str> {
+    diagnosis.missing.iter().filter(|m| m.cause == Cause::Physical).map(|m| m.effect.name).collect()
+}
+
+fn of_measurement(diagnosis: &Diagnosis) -> Vec<&'static str> {
+    diagnosis.missing.iter().filter(|m| m.cause != Cause::Physical).map(|m| m.effect.name).collect()
+}
+
+/// The means of the runs fall from +26.6 to -17.0 um, equally at all positions: the zero or the sensor
+/// drifts, not the screw. What varies between runs is no noise, and no command takes it for such.
+#[test]
+fn a_zero_that_wanders_from_run_to_run_is_no_noise() {
+    let comparison = with("axis-muts-y", |data| compare(data).unwrap());
+    assert!(!comparison.adequate());
+    assert!(comparison.suspects.iter().any(|t| t.effect.name == "zero-shift"), "{:?}", comparison.suspects);
+    let diagnosis = diagnosed("axis-muts-y");
+    assert_eq!(physical(&diagnosis), Vec::<&str>::new());
+    assert!(of_measurement(&diagnosis).contains(&"zero-shift"));
+    assert_ne!(diagnosis.verdict, Verdict::Adequate);
+    // The repeatability within a run is 2.8 um, not the 17.7 um of all runs together.
+    assert!((1e6 * diagnosis.noise.together() - 2.8).abs() < 0.1, "{}", 1e6 * diagnosis.noise.together());
+}
+
+/// Two readings of the first run, coming back, contradict the four other runs by 114 and 48 um; the reversal
+/// changes its sign along the travel, which no single play makes.
+#[test]
+fn readings_that_contradict_their_repeats_are_told_and_blame_nobody() {
+    let diagnosis = diagnosed("axis-mcu1025");
+    assert_eq!(diagnosis.outliers.iter().map(|o| o.line).collect::<Vec<_>>(), [10, 11]);
+    assert_eq!(physical(&diagnosis), Vec::<&str>::new());
+    assert!(matches!(diagnosis.verdict, Verdict::PartlyExplained | Verdict::Unexplained));
+}
+
+/// A slack of 0.3 mm and a spring: no contact whose constant stands at its bound, and no clearance beyond
+/// what a joint has.
+#[test]
+fn a_cause_at_a_bound_is_no_cause() {
+    let diagnosis = diagnosed("wire-steel");
+    assert_eq!(physical(&diagnosis), Vec::<&str>::new());
+    assert_eq!(diagnosis.verdict, Verdict::Unexplained);
+}
