@@ -1,0 +1,55 @@
+//! A hypothesis: a noise with what the search found under it.
+
+use super::search::SearchResult;
+use super::verdict::{self, GoodnessOfFit};
+use super::{instrument, lead};
+use crate::measure::Repeats;
+use crate::noise::{Acts, Term};
+
+/// A noise with the result of the search under it.
+pub struct Hypothesis<'a> {
+    /// Result of the search.
+    pub found: SearchResult<'a>,
+    /// Repeats within the groups that the noise sets apart.
+    pub repeats: Repeats,
+    /// −2 ln L with penalties.
+    pub criterion: f64,
+    /// Whether the noise explains what the best set leaves.
+    pub explains: bool,
+}
+
+impl<'a> Hypothesis<'a> {
+    /// Judges the result of a search.
+    pub fn new(found: SearchResult<'a>, repeats: Repeats) -> Self {
+        let criterion = instrument::criterion(found.best());
+        let goodness = GoodnessOfFit::of(found.best(), &repeats, None);
+        let explains = verdict::is_noise(&goodness, &verdict::features(found.best()));
+        Self { found, repeats, criterion, explains }
+    }
+
+    fn terms(&self) -> &[Term] {
+        &self.found.best().objective.noise.terms
+    }
+
+    /// Leaves out effects of the machine that cannot be believed: at a bound of what can be computed, or,
+    /// where structure remains, larger than is plausible.
+    pub fn leave_out_the_unbelievable(&mut self) {
+        while let Some(member) = self.found.best().unbelievable(!self.explains) {
+            let (base, candidates) = (&self.found.base, &self.found.candidates);
+            match lead::without(base, candidates, self.found.best(), member) {
+                Some(rest) if !rest.members.is_empty() => {
+                    self.found.steps.pop();
+                    self.found.steps.push(rest);
+                }
+                _ => self.found.steps.clear(),
+            }
+            let goodness = GoodnessOfFit::of(self.found.best(), &self.repeats, None);
+            self.explains = verdict::is_noise(&goodness, &verdict::features(self.found.best()));
+        }
+    }
+
+    /// Whether its noise could swallow what a model lacks: it is believed only where it explains everything.
+    pub fn is_greedy(&self) -> bool {
+        self.terms().iter().any(|t| matches!(t.effect.acts, Acts::Neighbours | Acts::Scales))
+    }
+}
