@@ -14,7 +14,7 @@ pub use binning::Along;
 pub use features::{Feature, find as features};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
-pub use suspicion::{Suspicion, is_rough, penalty};
+pub use suspicion::{Suspicion, is_rough, is_round_off, penalty};
 pub use trend::Trend;
 
 use nalgebra::DMatrix;

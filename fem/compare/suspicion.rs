@@ -28,7 +28,8 @@ const ROUGH: f64 = 0.8;
 
 /// Fall of −2 ln L, beyond its price, from which a term is suspected.
 const PROMISING: f64 = 6.0;
-/// Most rows in which terms are suspected.
+/// Fewest and most rows in which terms are suspected.
+const LEAST_ROWS: usize = 8;
 const MOST_ROWS: usize = 20_000;
 
 /// Penalty on a term: ln n for its size, as for any parameter, and what it was chosen from.
@@ -52,6 +53,14 @@ pub fn is_rough(noise: &Noise, residuals: &[f64]) -> bool {
     squares.get(squares.len() / 2).is_none_or(|median| (median / 0.4549).sqrt() > ROUGH)
 }
 
+/// Whether nothing but the round-off of a computation is left: rows that the model itself made.
+pub fn is_round_off(residuals: &[f64], observed: &[f64]) -> bool {
+    /// Largest part of the observed values that counts as such.
+    const ROUND_OFF: f64 = 1e-7;
+    let largest = |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    largest(residuals) <= ROUND_OFF * largest(observed)
+}
+
 /// Residuals of a model with the noise by which they are judged.
 pub struct Suspicion<'a> {
     /// Rows.
@@ -70,7 +79,7 @@ impl Suspicion<'_> {
     /// Terms that the residuals ask for more than chance would, one after another, with their sizes: what the
     /// noise is besides what it is taken for.
     pub fn suspects(&self) -> Vec<Term> {
-        if self.data.len() > MOST_ROWS {
+        if self.data.len() > MOST_ROWS || is_round_off(self.residuals, &self.data.observed) {
             return Vec::new();
         }
         let restricted = Restricted { measurements: self.data, residuals: self.residuals, mean: self.mean };
@@ -92,6 +101,9 @@ impl Suspicion<'_> {
     /// Every set of terms with one more than are at work; its size is still to be found.
     pub fn terms(&self) -> Vec<Vec<Term>> {
         let (data, present) = (self.data, &self.noise.terms);
+        if data.len() < LEAST_ROWS {
+            return Vec::new();
+        }
         let mut trials: Vec<Vec<Term>> = Vec::new();
         let mut with = |term: Term| trials.push(present.iter().cloned().chain([term]).collect());
         for by in groupings(data) {
@@ -246,7 +258,7 @@ fn groupings(data: &Data) -> Vec<Vec<usize>> {
             all.push(by);
         }
     }
-    if numbers.is_empty() && all.is_empty() {
+    if numbers.is_empty() && all.is_empty() && time.is_some() {
         // One series has one zero.
         all.push(Vec::new());
     }

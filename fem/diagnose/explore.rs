@@ -7,6 +7,7 @@ use super::hypothesis::Hypothesis;
 use super::instrument::{self, Proposal};
 use super::search::Breadth;
 use super::settle::{Extent, SETTLED, look_until_settled};
+use crate::compare::is_round_off;
 use crate::fit::Solution;
 use crate::measure::Repeats;
 use crate::noise::MeasurementEffect;
@@ -16,6 +17,8 @@ use crate::process::{Description, Failure};
 const MOST_TERMS: usize = 3;
 /// Fall of −2 ln L, beyond its price, from which a term is worth a search and is kept.
 const PROMISING: f64 = 6.0;
+/// The same for a curve, which could be anything.
+const DESCRIBED: f64 = 15.0;
 /// Rise of −2 ln L up to which a term is tried in the place of all effects of the machine.
 const INSTEAD: f64 = 15.0;
 /// Terms of which each is tried in a search of its own.
@@ -33,6 +36,10 @@ pub fn explore<'a>(
     repeats: &Repeats,
     extent: Extent,
 ) -> Result<Vec<Hypothesis<'a>>, Failure> {
+    let best = first.found.best();
+    if is_round_off(&instrument::residuals(best), &best.objective.data.observed) {
+        return Ok(vec![first]);
+    }
     let mut path = vec![first];
     // Rows that contradict their own repeats are wrong whatever the model says.
     let wrong = path.first().and_then(|first| instrument::contradictions(&first.found.base, repeats));
@@ -48,7 +55,7 @@ pub fn explore<'a>(
             let instead = instrument::proposals(&here.found.base, repeats);
             proposals.extend(instead.into_iter().filter(|p| p.criterion < here.criterion + INSTEAD));
         }
-        let Some(better) = further(here, proposals, start, absent, repeats, extent)? else { break };
+        let Some(better) = further(here, proposals, start, absent, repeats, PROMISING, extent)? else { break };
         path.push(better);
     }
     while path.len() > 1 && path.last().is_some_and(|h| h.is_greedy() && !h.explains) {
@@ -72,7 +79,7 @@ fn last_resort<'a>(
         let curves = instrument::curves(last.found.best(), repeats);
         let bare = instrument::curves(&last.found.base, repeats);
         let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < last.criterion + INSTEAD).collect();
-        if let Some(beside) = further(&last, curves, start, absent, repeats, extent)? {
+        if let Some(beside) = further(&last, curves, start, absent, repeats, DESCRIBED, extent)? {
             path.push(std::mem::replace(&mut last, beside));
         }
     }
@@ -81,13 +88,15 @@ fn last_resort<'a>(
     Ok(path)
 }
 
-/// The best hypothesis with one term more, of those that are worth a search; `None` where none is better.
+/// The best hypothesis with one term more, of those that are worth a search; `None` where none is better by
+/// more than `least`.
 fn further<'a>(
     here: &Hypothesis<'a>,
     mut proposals: Vec<Proposal>,
     start: &Solution,
     absent: &[Description],
     repeats: &Repeats,
+    least: f64,
     extent: Extent,
 ) -> Result<Option<Hypothesis<'a>>, Failure> {
     proposals.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
@@ -109,7 +118,7 @@ fn further<'a>(
             best = Some(found);
         }
     }
-    Ok(best.filter(|b| b.criterion < here.criterion - PROMISING))
+    Ok(best.filter(|b| b.criterion < here.criterion - least))
 }
 
 /// Searches widely where the usual search left structure: strong effects that are far from linear hide behind

@@ -134,7 +134,9 @@ impl Assessment {
             separation: self.separation(p),
         };
         let mut all: Vec<Alike> = self.pairs().map(alike).collect();
-        all.sort_by(|a, b| a.separation.total_cmp(&b.separation));
+        // Separations that differ by round-off stand in the order of the catalogue.
+        let shown = |a: &Alike| (1e3 * a.separation).round();
+        all.sort_by(|a, b| shown(a).total_cmp(&shown(b)));
         all
     }
 }
