@@ -126,7 +126,7 @@ fn troubled(process: &Process, seeds: std::ops::Range<u64>) -> Vec<(Trouble, Tal
 }
 
 #[test]
-#[ignore = "minutes long; prints the table of docs/validation.md"]
+#[ignore = "minutes long; prints a table"]
 fn the_whole_of_troubles() {
     troubled(&TURNING, 1000..1040);
     troubled(&RING, 1000..1040);
@@ -143,34 +143,35 @@ fn a_sample_of_troubles() {
 
 /// A sample of other seeds. By the rates of the whole, each bound would be missed by chance in less than
 /// one seed of a hundred; the effects that are hidden alone are all but one named first, or their class.
-fn sample(process: &Process) {
+fn sample(process: &Process, [nothing, two, outside]: [u64; 3]) {
     let mut table = Table::default();
-    run(&mut table, "nothing", numbered(0..12, |s| process.nothing(s)));
+    run(&mut table, "nothing", numbered(0..nothing, |s| process.nothing(s)));
     run(&mut table, "one", singles(process, 15.0, 0..1));
-    run(&mut table, "two", numbered(0..4, |s| process.several(2, 40.0, s)));
-    run(&mut table, "outside", numbered(0..5, |s| process.outside(15.0, s)));
+    run(&mut table, "two", numbered(0..two, |s| process.several(2, 40.0, s)));
+    run(&mut table, "outside", numbered(0..outside, |s| process.outside(15.0, s)));
     let count = |group: &str, is: fn(&Score) -> bool| table.scores(group).iter().filter(|s| is(s)).count();
-    assert!(count("nothing", |s| s.right) >= 10, "{table}");
+    assert!(count("nothing", |s| s.right) + nothing.div_ceil(6) as usize >= nothing as usize, "{table}");
     assert!(count("one", |s| s.first) + 1 >= process.laws.len(), "{table}");
-    assert!(count("two", |s| s.all_named) >= 3, "{table}");
-    assert!(count("outside", |s| s.right) >= 3, "{table}");
+    assert!(count("two", |s| s.all_named) + 1 >= two as usize, "{table}");
+    assert!(count("outside", |s| s.right) + outside.div_ceil(3) as usize >= outside as usize, "{table}");
     let covered = table.scores("one").iter().fold((0, 0), |(a, b), s| (a + s.covered.0, b + s.covered.1));
     assert!(covered.0 as f64 >= 0.75 * covered.1 as f64, "{table}");
 }
 
 #[test]
 fn a_sample_of_turning() {
-    sample(&TURNING);
+    sample(&TURNING, [12, 4, 5]);
 }
 
 #[test]
 fn a_sample_of_ring() {
-    sample(&RING);
+    sample(&RING, [12, 4, 5]);
 }
 
 #[test]
 fn a_sample_of_thermal() {
-    sample(&THERMAL);
+    // Heated rods take the longest by far.
+    sample(&THERMAL, [4, 2, 2]);
 }
 
 /// What the program predicts of the revealed model and what the generator made differ by less than the
