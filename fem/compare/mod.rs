@@ -14,7 +14,7 @@ pub use binning::Along;
 pub use features::{Feature, find as features};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
-pub use suspicion::{Suspicion, is_rough, is_round_off, penalty};
+pub use suspicion::{PROMISING, Suspicion, is_rough, is_round_off, price};
 pub use trend::Trend;
 
 use nalgebra::DMatrix;
@@ -105,7 +105,7 @@ impl Comparison {
 pub fn compare(data: &Data) -> Result<Comparison, Failure> {
     let (model, measurements): (&Model, &Measurements) = (data.model, data);
     let predicted = model.forward().observe(&measurements.rows)?;
-    let residuals: Vec<f64> = measurements.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
+    let residuals = measurements.residuals(&predicted);
     let all_repeats = repeats(measurements, model.process.coordinates());
     let nothing = DMatrix::zeros(measurements.len(), 0);
     let (noise, repeats) = Noise::stated(&data.terms, measurements, &all_repeats, &residuals, &nothing);

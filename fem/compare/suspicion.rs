@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::measure::{Measurements, Repeats};
 use crate::model::Data;
-use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects};
+use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects, of_neighbours};
 use crate::process::{Absent, Holds};
 use crate::units::{LENGTH, TIME};
 
@@ -26,14 +26,19 @@ const MOST_SENSORS: usize = 16;
 /// exceeds the stated uncertainty.
 const ROUGH: f64 = 0.8;
 
-/// Fall of −2 ln L, beyond its price, from which a term is suspected.
-const PROMISING: f64 = 6.0;
+/// Fall of −2 ln L, beyond its price, from which a term is suspected, and worth a search.
+pub const PROMISING: f64 = 6.0;
 /// Fewest and most rows in which terms are suspected.
 const LEAST_ROWS: usize = 8;
 const MOST_ROWS: usize = 20_000;
 
+/// Price of the terms of a noise in −2 ln L.
+pub fn price(noise: &Noise, measurements: &Measurements) -> f64 {
+    noise.terms.iter().map(|term| penalty(term, measurements)).sum()
+}
+
 /// Penalty on a term: ln n for its size, as for any parameter, and what it was chosen from.
-pub fn penalty(term: &Term, measurements: &Measurements) -> f64 {
+fn penalty(term: &Term, measurements: &Measurements) -> f64 {
     let n = (measurements.len() as f64).ln();
     match term.effect.acts {
         Acts::Weighs => ODDS * term.rows.len() as f64,
@@ -47,10 +52,7 @@ pub fn is_rough(noise: &Noise, residuals: &[f64]) -> bool {
     if noise.terms.iter().all(|t| !matches!(t.effect.acts, Acts::Scales)) {
         return true;
     }
-    let z = noise.whiten(residuals.iter().copied());
-    let mut squares: Vec<f64> = z.windows(3).map(|z| (z[0] - 2.0 * z[1] + z[2]).powi(2) / 6.0).collect();
-    squares.sort_unstable_by(f64::total_cmp);
-    squares.get(squares.len() / 2).is_none_or(|median| (median / 0.4549).sqrt() > ROUGH)
+    of_neighbours(&noise.whiten(residuals.iter().copied())) > ROUGH
 }
 
 /// Whether nothing but the round-off of a computation is left: rows that the model itself made.
@@ -83,12 +85,12 @@ impl Suspicion<'_> {
             return Vec::new();
         }
         let restricted = Restricted { measurements: self.data, residuals: self.residuals, mean: self.mean };
-        let price = |noise: &Noise| noise.terms.iter().map(|term| penalty(term, self.data)).sum::<f64>();
-        let here = restricted.minus_two_log(self.noise) + price(self.noise);
+        let cost = |noise: &Noise| restricted.minus_two_log(noise) + price(noise, self.data);
+        let here = cost(self.noise);
         let judge = |terms: Vec<Term>| {
             let (own, _) = Noise::beside(&terms, self.data, self.repeats, self.residuals);
             let noise = restricted.estimate(&own, &terms, terms.len() - self.noise.terms.len());
-            (restricted.minus_two_log(&noise) + price(&noise), noise)
+            (cost(&noise), noise)
         };
         let sets = self.contradictions().into_iter().chain(self.terms());
         let all: Vec<(f64, Noise)> = sets.collect::<Vec<_>>().into_par_iter().map(judge).collect();
@@ -129,11 +131,7 @@ impl Suspicion<'_> {
                 with(drift);
             }
         }
-        if let Some(rows) = self.outlying() {
-            let others = present.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
-            let term = Term { rows, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
-            trials.push(others.chain([term]).collect());
-        }
+        trials.extend(self.outlying().map(|rows| self.with_outliers(rows)));
         trials
     }
 
@@ -141,7 +139,7 @@ impl Suspicion<'_> {
     pub fn curves(&self) -> Vec<Vec<Term>> {
         let data = self.data;
         let coordinates = data.model.process.coordinates();
-        let counts = |by: &[usize]| data.levels(by).into_iter().max().map_or(0, |m| m + 1);
+        let counts = |by: &[usize]| count(data, by);
         let is_curve = |by: &Vec<usize>| (LEAST_PLACES..=LEVELS.min(data.len() / 3)).contains(&counts(by));
         let of_kind = |is: fn(Holds) -> bool| data.given.iter().copied().filter(move |i| is(coordinates[*i].holds));
         let places = || of_kind(|h| matches!(h, Holds::Quantity(_)));
@@ -160,20 +158,24 @@ impl Suspicion<'_> {
         trials.collect()
     }
 
-    /// Outlying rows that contradict the rows that they repeat, as a term beside the others; `None` where there are none, or too
-    /// many to be single mistakes.
+    /// The terms with outlying rows that contradict the rows that they repeat; `None` where there are none, or
+    /// too many to be single mistakes.
     pub fn contradictions(&self) -> Option<Vec<Term>> {
         let noise = self.noise;
         let z: Vec<f64> = self.residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
         let contradicts = contradicting(self.repeats, &z);
         let rows: Vec<usize> = (0..z.len()).filter(|row| contradicts[*row]).collect();
-        let is_told = |row: &usize| noise.terms.iter().any(|t| t.rows.contains(row));
-        if rows.iter().all(is_told) || rows.len() as f64 > FEW * z.len() as f64 {
+        if rows.iter().all(|row| noise.is_weighed_down(*row)) || rows.len() as f64 > FEW * z.len() as f64 {
             return None;
         }
-        let others = noise.terms.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
+        Some(self.with_outliers(rows))
+    }
+
+    /// The terms at work with these outlying rows in the place of any others.
+    fn with_outliers(&self, rows: Vec<usize>) -> Vec<Term> {
+        let others = self.noise.terms.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
         let term = Term { rows, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
-        Some(others.chain([term]).collect())
+        others.chain([term]).collect()
     }
 
     /// First row of the step that gains most.
@@ -205,12 +207,7 @@ impl Suspicion<'_> {
     /// single mistakes.
     fn outlying(&self) -> Option<Vec<usize>> {
         let noise = self.noise;
-        let present: Vec<usize> = noise
-            .terms
-            .iter()
-            .filter(|t| matches!(t.effect.acts, Acts::Weighs))
-            .flat_map(|t| t.rows.iter().copied())
-            .collect();
+        let present: Vec<usize> = (0..noise.sigma.len()).filter(|row| noise.is_weighed_down(*row)).collect();
         let z: Vec<f64> = noise.unshared(self.residuals).iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
         let mut sizes: Vec<f64> = z.iter().map(|z| z.abs()).collect();
         sizes.sort_unstable_by(f64::total_cmp);
@@ -231,7 +228,7 @@ impl Suspicion<'_> {
 /// together, conditions of few levels, and all of them together, which make a pass.
 fn groupings(data: &Data) -> Vec<Vec<usize>> {
     let coordinates = data.model.process.coordinates();
-    let counts = |by: &[usize]| data.levels(by).into_iter().max().map_or(0, |m| m + 1);
+    let counts = |by: &[usize]| count(data, by);
     let groups = |by: &[usize]| (2..=LEVELS.min(data.len() / 2)).contains(&counts(by));
     let given = || data.given.iter().copied();
     let time = given().find(|i| coordinates[*i].holds.kind() == Some(TIME));
@@ -263,6 +260,11 @@ fn groupings(data: &Data) -> Vec<Vec<usize>> {
         all.push(Vec::new());
     }
     all
+}
+
+/// Number of levels of some coordinates together.
+fn count(measurements: &Measurements, by: &[usize]) -> usize {
+    measurements.levels(by).into_iter().max().map_or(0, |most| most + 1)
 }
 
 /// Observables on which a term may act: each by itself where there are several.

@@ -154,7 +154,7 @@ fn known(data: &Data, approaches: &[Approach]) -> Result<(Box<dyn ForwardModel>,
         (model.forward_at(&values)?, ModelAgreement { rms: fit.rms, adequate, fitted: true })
     };
     let predicted = forward.observe(&data.rows)?;
-    let left: Vec<f64> = data.observed.iter().zip(&predicted).map(|(y, p)| y - p).collect();
+    let left = data.residuals(&predicted);
     let adequate = agreement.adequate && scatter_explains(approaches, &left, model.parameters.len());
     Ok((forward, ModelAgreement { adequate, ..agreement }))
 }

@@ -21,6 +21,11 @@ pub struct CandidateModel<'a> {
 }
 
 impl CandidateModel<'_> {
+    /// Residuals of the rows, SI.
+    pub fn residuals(&self) -> Vec<f64> {
+        self.objective.data.residuals(&self.solution.predicted)
+    }
+
     /// Penalised BIC by which candidate models are ranked: χ² with a penalty on every parameter (Schwarz
     /// 1978) and on every effect that is larger than is plausible.
     pub fn penalised_bic(&self) -> f64 {

@@ -5,19 +5,18 @@ use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::hypothesis::Hypothesis;
 use super::instrument::{self, Proposal};
-use super::search::Breadth;
-use super::settle::{Extent, SETTLED, look_until_settled};
-use crate::compare::is_round_off;
-use crate::fit::Solution;
+use super::search::{Breadth, SearchResult};
+use super::settle::{SETTLED, look_until_settled};
+use crate::compare::{PROMISING, is_round_off};
+use crate::fit::{Objective, Solution};
 use crate::measure::Repeats;
 use crate::noise::MeasurementEffect;
 use crate::process::{Description, Failure};
+use crate::progress::Progress;
 
 /// Most effects of the measurement that are sought.
 const MOST_TERMS: usize = 3;
-/// Fall of −2 ln L, beyond its price, from which a term is worth a search and is kept.
-const PROMISING: f64 = 6.0;
-/// The same for a curve, which could be anything.
+/// Fall of −2 ln L, beyond its price, from which a curve is kept, which could be anything.
 const DESCRIBED: f64 = 15.0;
 /// Rise of −2 ln L up to which a term is tried in the place of all effects of the machine.
 const INSTEAD: f64 = 15.0;
@@ -26,141 +25,140 @@ const TOGETHER: usize = 3;
 /// Searches in which the sizes of terms settle.
 const ROUNDS: usize = 2;
 
-/// Looks for effects of the measurement together with those of the machine: terms are added to the noise one
-/// after another, the most promising first, and everything is sought again under each, as long as the
-/// likelihood rises by more than its price. The first hypothesis comes first, the best last.
-pub fn explore<'a>(
-    first: Hypothesis<'a>,
-    start: &Solution,
-    absent: &[Description],
-    repeats: &Repeats,
-    extent: Extent,
-) -> Result<Vec<Hypothesis<'a>>, Failure> {
-    let best = first.found.best();
-    if is_round_off(&instrument::residuals(best), &best.objective.data.observed) {
-        return Ok(vec![first]);
-    }
-    let mut path = vec![first];
-    // Rows that contradict their own repeats are wrong whatever the model says.
-    let wrong = path.first().and_then(|first| instrument::contradictions(&first.found.base, repeats));
-    if let (Some(wrong), Some(first)) = (wrong, path.first()) {
-        let without = under(&first.found.base, wrong, start, absent, repeats, extent)?;
-        path.push(without);
-    }
-    for _ in 0..MOST_TERMS {
-        let Some(here) = path.last() else { break };
-        let mut proposals = instrument::proposals(here.found.best(), repeats);
-        proposals.retain(|p| p.criterion < here.criterion - PROMISING);
-        if !here.found.best().members.is_empty() {
-            let instead = instrument::proposals(&here.found.base, repeats);
-            proposals.extend(instead.into_iter().filter(|p| p.criterion < here.criterion + INSTEAD));
-        }
-        let Some(better) = further(here, proposals, start, absent, repeats, PROMISING, extent)? else { break };
-        path.push(better);
-    }
-    while path.len() > 1 && path.last().is_some_and(|h| h.is_greedy() && !h.explains) {
-        path.pop();
-    }
-    last_resort(path, start, absent, repeats, extent)
+/// What stays the same while noises are tried.
+pub struct Exploration<'e> {
+    /// Minimum of the model alone, where every search begins.
+    pub start: &'e Solution,
+    /// Effects that the model does not have.
+    pub absent: &'e [Description],
+    /// Repeats of the rows, whatever the terms.
+    pub repeats: &'e Repeats,
+    /// Most effects that are sought together.
+    pub most: usize,
+    /// Where progress is told.
+    pub progress: &'e Progress,
 }
 
-/// Searches widely where structure remains, and beside a curve over places that no law here has, by which
-/// causes are judged; leaves out what cannot be believed.
-fn last_resort<'a>(
-    mut path: Vec<Hypothesis<'a>>,
-    start: &Solution,
-    absent: &[Description],
-    repeats: &Repeats,
-    extent: Extent,
-) -> Result<Vec<Hypothesis<'a>>, Failure> {
-    let Some(last) = path.pop() else { return Err(unsolvable()) };
-    let mut last = widened(last, start, absent, (extent.0, Breadth::WIDE, extent.2))?;
-    if !last.explains {
-        let curves = instrument::curves(last.found.best(), repeats);
-        let bare = instrument::curves(&last.found.base, repeats);
-        let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < last.criterion + INSTEAD).collect();
-        if let Some(beside) = further(&last, curves, start, absent, repeats, DESCRIBED, extent)? {
-            path.push(std::mem::replace(&mut last, beside));
+impl Exploration<'_> {
+    /// Looks for effects of the measurement together with those of the machine: terms are added to the noise one
+    /// after another, the most promising first, and everything is sought again under each, as long as the
+    /// likelihood rises by more than its price. The first hypothesis comes first, the best last.
+    pub fn weigh<'a>(&self, first: Hypothesis<'a>) -> Result<Vec<Hypothesis<'a>>, Failure> {
+        let best = first.found.best();
+        if is_round_off(&best.residuals(), &best.objective.data.observed) {
+            return Ok(vec![first]);
         }
+        let mut path = vec![first];
+        // Rows that contradict their own repeats are wrong whatever the model says.
+        let wrong = path.first().and_then(|first| instrument::contradictions(&first.found.base, self.repeats));
+        if let (Some(wrong), Some(first)) = (wrong, path.first()) {
+            let without = self.under(&first.found.base, wrong)?;
+            path.push(without);
+        }
+        for _ in 0..MOST_TERMS {
+            let Some(here) = path.last() else { break };
+            let mut proposals = instrument::proposals(here.found.best(), self.repeats);
+            proposals.retain(|p| p.criterion < here.criterion - PROMISING);
+            if !here.found.best().members.is_empty() {
+                let instead = instrument::proposals(&here.found.base, self.repeats);
+                proposals.extend(instead.into_iter().filter(|p| p.criterion < here.criterion + INSTEAD));
+            }
+            let Some(better) = self.further(here, proposals, PROMISING)? else { break };
+            path.push(better);
+        }
+        while path.len() > 1 && path.last().is_some_and(|h| h.is_greedy() && !h.explains) {
+            path.pop();
+        }
+        self.last_resort(path)
     }
-    last.leave_out_the_unbelievable();
-    path.push(last);
-    Ok(path)
-}
 
-/// The best hypothesis with one term more, of those that are worth a search; `None` where none is better by
-/// more than `least`.
-fn further<'a>(
-    here: &Hypothesis<'a>,
-    mut proposals: Vec<Proposal>,
-    start: &Solution,
-    absent: &[Description],
-    repeats: &Repeats,
-    least: f64,
-    extent: Extent,
-) -> Result<Option<Hypothesis<'a>>, Failure> {
-    proposals.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
-    let mut best: Option<Hypothesis> = None;
-    let mut looked: Vec<&MeasurementEffect> = Vec::new();
-    for proposal in proposals {
-        // The best of each effect is looked at: their neighbours would say the same.
-        let Some(newest) = proposal.noise.terms.last().map(|t| t.effect) else { continue };
-        if looked.len() == TOGETHER || looked.contains(&newest) {
-            continue;
+    /// Searches widely where structure remains, and beside a curve over places that no law here has, by which
+    /// causes are judged; leaves out what cannot be believed.
+    fn last_resort<'a>(&self, mut path: Vec<Hypothesis<'a>>) -> Result<Vec<Hypothesis<'a>>, Failure> {
+        let Some(last) = path.pop() else { return Err(unsolvable()) };
+        let mut last = self.widened(last)?;
+        if !last.explains {
+            let curves = instrument::curves(last.found.best(), self.repeats);
+            let bare = instrument::curves(&last.found.base, self.repeats);
+            let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < last.criterion + INSTEAD).collect();
+            if let Some(beside) = self.further(&last, curves, DESCRIBED)? {
+                path.push(std::mem::replace(&mut last, beside));
+            }
         }
-        looked.push(newest);
-        if best.as_ref().is_some_and(|b| b.explains && proposal.criterion > b.criterion + INSTEAD) {
-            // What explains everything is not likely to be beaten from so far behind.
-            continue;
-        }
-        let found = under(&here.found.base, proposal, start, absent, repeats, extent)?;
-        if best.as_ref().is_none_or(|b| found.criterion < b.criterion) {
-            best = Some(found);
-        }
+        last.leave_out_the_unbelievable();
+        path.push(last);
+        Ok(path)
     }
-    Ok(best.filter(|b| b.criterion < here.criterion - least))
-}
 
-/// Searches widely where the usual search left structure: strong effects that are far from linear hide behind
-/// others.
-fn widened<'a>(
-    last: Hypothesis<'a>,
-    start: &Solution,
-    absent: &[Description],
-    extent: Extent,
-) -> Result<Hypothesis<'a>, Failure> {
-    if last.explains || last.found.best().members.is_empty() {
-        return Ok(last);
-    }
-    let mut objective = last.found.base.objective.clone();
-    let found = look_until_settled(&mut objective, &mut start.clone(), absent, &last.repeats, extent)?;
-    let wide = Hypothesis::new(found, last.repeats.clone());
-    Ok(if wide.criterion < last.criterion { wide } else { last })
-}
-
-/// Searches under a noise; its sizes are settled with what is found.
-fn under<'a>(
-    base: &CandidateModel<'a>,
-    proposal: Proposal,
-    start: &Solution,
-    absent: &[Description],
-    repeats: &Repeats,
-    (most, breadth, progress): Extent,
-) -> Result<Hypothesis<'a>, Failure> {
-    let mut objective = base.objective.clone();
-    let mut solution = start.clone();
-    let mut within = proposal.repeats;
-    objective.noise = proposal.noise;
-    let mut found = look_until_settled(&mut objective, &mut solution, absent, &within, (most, breadth, progress))?;
-    for _ in 0..ROUNDS {
-        let Some((noise, own)) = instrument::settled(found.best(), repeats) else { break };
-        let sizes = noise.terms.iter().zip(&found.best().objective.noise.terms);
-        let is_settled = sizes.into_iter().all(|(a, b)| (1.0 / SETTLED..SETTLED).contains(&(a.size / b.size)));
-        (objective.noise, within) = (noise, own);
-        found = look_until_settled(&mut objective, &mut solution, absent, &within, (most, breadth, progress))?;
-        if is_settled {
-            break;
+    /// The best hypothesis with one term more, of those that are worth a search; `None` where none is better by
+    /// more than `least`.
+    fn further<'a>(
+        &self,
+        here: &Hypothesis<'a>,
+        mut proposals: Vec<Proposal>,
+        least: f64,
+    ) -> Result<Option<Hypothesis<'a>>, Failure> {
+        proposals.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
+        let mut best: Option<Hypothesis> = None;
+        let mut looked: Vec<&MeasurementEffect> = Vec::new();
+        for proposal in proposals {
+            // The best of each effect is looked at: their neighbours would say the same.
+            let Some(newest) = proposal.noise.terms.last().map(|t| t.effect) else { continue };
+            if looked.len() == TOGETHER || looked.contains(&newest) {
+                continue;
+            }
+            looked.push(newest);
+            if best.as_ref().is_some_and(|b| b.explains && proposal.criterion > b.criterion + INSTEAD) {
+                // What explains everything is not likely to be beaten from so far behind.
+                continue;
+            }
+            let found = self.under(&here.found.base, proposal)?;
+            if best.as_ref().is_none_or(|b| found.criterion < b.criterion) {
+                best = Some(found);
+            }
         }
+        Ok(best.filter(|b| b.criterion < here.criterion - least))
     }
-    Ok(Hypothesis::new(found, within))
+
+    /// Searches widely where the usual search left structure: strong effects that are far from linear hide behind
+    /// others.
+    fn widened<'a>(&self, last: Hypothesis<'a>) -> Result<Hypothesis<'a>, Failure> {
+        if last.explains || last.found.best().members.is_empty() {
+            return Ok(last);
+        }
+        let mut objective = last.found.base.objective.clone();
+        let found = self.look(&mut objective, &mut self.start.clone(), &last.repeats, Breadth::WIDE)?;
+        let wide = Hypothesis::new(found, last.repeats.clone());
+        Ok(if wide.criterion < last.criterion { wide } else { last })
+    }
+
+    /// Searches under a noise; its sizes are settled with what is found.
+    fn under<'a>(&self, base: &CandidateModel<'a>, proposal: Proposal) -> Result<Hypothesis<'a>, Failure> {
+        let mut objective = base.objective.clone();
+        let mut solution = self.start.clone();
+        let mut within = proposal.repeats;
+        objective.noise = proposal.noise;
+        let mut found = self.look(&mut objective, &mut solution, &within, Breadth::USUAL)?;
+        for _ in 0..ROUNDS {
+            let Some((noise, own)) = instrument::settled(found.best(), self.repeats) else { break };
+            let sizes = noise.terms.iter().zip(&found.best().objective.noise.terms);
+            let is_settled = sizes.into_iter().all(|(a, b)| (1.0 / SETTLED..SETTLED).contains(&(a.size / b.size)));
+            (objective.noise, within) = (noise, own);
+            found = self.look(&mut objective, &mut solution, &within, Breadth::USUAL)?;
+            if is_settled {
+                break;
+            }
+        }
+        Ok(Hypothesis::new(found, within))
+    }
+
+    fn look<'a>(
+        &self,
+        objective: &mut Objective<'a>,
+        solution: &mut Solution,
+        within: &Repeats,
+        breadth: Breadth,
+    ) -> Result<SearchResult<'a>, Failure> {
+        look_until_settled(objective, solution, self.absent, within, (self.most, breadth, self.progress))
+    }
 }

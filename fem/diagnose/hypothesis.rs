@@ -1,10 +1,10 @@
 //! A hypothesis: a noise with what the search found under it.
 
 use super::search::SearchResult;
-use super::verdict::{self, GoodnessOfFit};
+use super::verdict::is_explained;
 use super::{instrument, lead};
 use crate::measure::Repeats;
-use crate::noise::{Acts, Term};
+use crate::noise::Acts;
 
 /// A noise with the result of the search under it.
 pub struct Hypothesis<'a> {
@@ -22,13 +22,8 @@ impl<'a> Hypothesis<'a> {
     /// Judges the result of a search.
     pub fn new(found: SearchResult<'a>, repeats: Repeats) -> Self {
         let criterion = instrument::criterion(found.best());
-        let goodness = GoodnessOfFit::of(found.best(), &repeats, None);
-        let explains = verdict::is_noise(&goodness, &verdict::features(found.best()));
+        let explains = is_explained(found.best(), &repeats);
         Self { found, repeats, criterion, explains }
-    }
-
-    fn terms(&self) -> &[Term] {
-        &self.found.best().objective.noise.terms
     }
 
     /// Leaves out effects of the machine that cannot be believed: at a bound of what can be computed, or,
@@ -43,13 +38,13 @@ impl<'a> Hypothesis<'a> {
                 }
                 _ => self.found.steps.clear(),
             }
-            let goodness = GoodnessOfFit::of(self.found.best(), &self.repeats, None);
-            self.explains = verdict::is_noise(&goodness, &verdict::features(self.found.best()));
+            self.explains = is_explained(self.found.best(), &self.repeats);
         }
     }
 
     /// Whether its noise could swallow what a model lacks: it is believed only where it explains everything.
     pub fn is_greedy(&self) -> bool {
-        self.terms().iter().any(|t| matches!(t.effect.acts, Acts::Neighbours | Acts::Scales))
+        let terms = &self.found.best().objective.noise.terms;
+        terms.iter().any(|t| matches!(t.effect.acts, Acts::Neighbours | Acts::Scales))
     }
 }

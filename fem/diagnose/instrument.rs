@@ -6,7 +6,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use super::candidate_model::CandidateModel;
 use super::diagnosis::{Cause, Missing, Outlier};
 use super::verdict::GoodnessOfFit;
-use crate::compare::{Suspicion, is_rough, penalty};
+use crate::compare::{Suspicion, is_rough, price};
 use crate::fit::{Estimate, Interval, StoppingCriterion, minimise};
 use crate::input::{Bounds, Parameter};
 use crate::measure::{Measurements, Repeats};
@@ -19,19 +19,13 @@ use crate::units::{Knowledge, Quantity};
 const QUICK: StoppingCriterion = StoppingCriterion { steps: 8, tolerance: 1e-3 };
 /// Noise by which a model's rows are judged when terms are at work, without their shares yet.
 fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Noise, Repeats) {
-    Noise::beside(terms, trial.objective.data, repeats, &residuals(trial))
-}
-
-/// Residuals of the rows of a fitted model, SI.
-pub fn residuals(trial: &CandidateModel) -> Vec<f64> {
-    trial.objective.data.observed.iter().zip(&trial.solution.predicted).map(|(y, p)| y - p).collect()
+    Noise::beside(terms, trial.objective.data, repeats, &trial.residuals())
 }
 
 /// −2 ln L of a fitted model with penalties on its parameters and on the terms of its noise.
 pub fn criterion(trial: &CandidateModel) -> f64 {
-    let data = trial.objective.data;
-    let terms: f64 = trial.objective.noise.terms.iter().map(|term| penalty(term, data)).sum();
-    trial.penalised_bic() + trial.objective.noise.log_determinant() + terms
+    let noise = &trial.objective.noise;
+    trial.penalised_bic() + noise.log_determinant() + price(noise, trial.objective.data)
 }
 
 /// A term more, with the noise that it makes and the fall of the criterion.
@@ -46,32 +40,26 @@ pub struct Proposal {
 
 /// Every term that the residuals of a model may ask for, the most promising first.
 pub fn proposals(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
-    judged(trial, repeats, suspected(trial, repeats, |suspicion| suspicion.terms()))
+    proposed(trial, repeats, |suspicion| suspicion.terms())
 }
 
 /// Every curve over places that the residuals of a model may ask for, the most promising first.
 pub fn curves(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
-    judged(trial, repeats, suspected(trial, repeats, |suspicion| suspicion.curves()))
+    proposed(trial, repeats, |suspicion| suspicion.curves())
 }
 
 /// Outlying rows that contradict the rows that they repeat, as a term; `None` where there are none, or too
 /// many to be single mistakes.
 pub fn contradictions(trial: &CandidateModel, repeats: &Repeats) -> Option<Proposal> {
-    let sets = suspected(trial, repeats, |suspicion| suspicion.contradictions().into_iter().collect());
-    judged(trial, repeats, sets).pop()
+    proposed(trial, repeats, |suspicion| suspicion.contradictions().into_iter().collect()).pop()
 }
 
-fn suspected(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Suspicion) -> Vec<Vec<Term>>) -> Vec<Vec<Term>> {
+/// Estimates the sizes of the terms that `seek` finds beside a model, and fits it again under each.
+fn proposed(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Suspicion) -> Vec<Vec<Term>>) -> Vec<Proposal> {
     let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
-    let (data, noise, residuals) = (trial.objective.data, &trial.objective.noise, residuals(trial));
-    seek(&Suspicion { data, noise, repeats, residuals: &residuals, mean: &mean })
-}
-
-/// Estimates the sizes of terms beside a model, and fits it again under each.
-fn judged(trial: &CandidateModel, repeats: &Repeats, trials: Vec<Vec<Term>>) -> Vec<Proposal> {
-    let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
-    let residuals = residuals(trial);
-    let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean: &mean };
+    let (data, noise, residuals) = (trial.objective.data, &trial.objective.noise, trial.residuals());
+    let sets = seek(&Suspicion { data, noise, repeats, residuals: &residuals, mean: &mean });
+    let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
     let judge = |terms: Vec<Term>| {
         let (own, repeats) = plain(trial, repeats, &terms);
         let noise = restricted.estimate(&own, &terms, terms.len());
@@ -81,7 +69,7 @@ fn judged(trial: &CandidateModel, repeats: &Repeats, trials: Vec<Vec<Term>>) -> 
         refitted.solution = solution.unwrap_or_else(|| trial.solution.clone());
         Proposal { noise, repeats, criterion: criterion(&refitted) }
     };
-    let mut all: Vec<Proposal> = trials.into_par_iter().map(judge).collect();
+    let mut all: Vec<Proposal> = sets.into_par_iter().map(judge).collect();
     all.retain(|p| p.criterion.is_finite() && is_rough(&p.noise, &residuals));
     all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     all
@@ -90,7 +78,7 @@ fn judged(trial: &CandidateModel, repeats: &Repeats, trials: Vec<Vec<Term>>) -> 
 /// The noise of a model's terms with their sizes estimated anew, and the repeats within their groups.
 pub fn settled(trial: &CandidateModel, repeats: &Repeats) -> Option<(Noise, Repeats)> {
     let mean = trial.objective.mean(&trial.solution)?;
-    let residuals = residuals(trial);
+    let residuals = trial.residuals();
     let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean: &mean };
     let terms = trial.objective.noise.terms.clone();
     let (own, within) = plain(trial, repeats, &terms);
@@ -100,7 +88,7 @@ pub fn settled(trial: &CandidateModel, repeats: &Repeats) -> Option<(Noise, Repe
 /// The rows that are weighed down.
 pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
     let (data, noise) = (best.objective.data, &best.objective.noise);
-    let residuals = residuals(best);
+    let residuals = best.residuals();
     let left = noise.unshared(&residuals);
     let weighed = noise.terms.iter().filter(|t| matches!(t.effect.acts, Acts::Weighs));
     let outlier = |(row, factor): (usize, f64)| Outlier {
@@ -125,7 +113,7 @@ pub fn told(
     let Some(plain) = plain else { return Vec::new() };
     let Some(mean) = best.objective.mean(&best.solution) else { return Vec::new() };
     let (data, noise) = (best.objective.data, &best.objective.noise);
-    let residuals = residuals(best);
+    let residuals = best.residuals();
     let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
     let whole = restricted.minus_two_log(noise);
     let tell = |(number, term): (usize, &Term)| {

@@ -41,6 +41,7 @@ use crate::model::{Data, Model};
 use crate::noise::Noise;
 use crate::process::{Description, Failure};
 use crate::progress::Progress;
+use explore::Exploration;
 use failure::unsolvable;
 use hypothesis::Hypothesis;
 use search::Breadth;
@@ -70,24 +71,24 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
 
 fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     progress.expect(1);
-    let breadth = Breadth::USUAL;
+    let extent = (most, Breadth::USUAL, progress);
     let absent = absent(data.model);
     let mut objective = Objective::new(data)?;
     let mut solution = fit::best(&mut objective)?;
-    let residuals: Vec<f64> = data.observed.iter().zip(&solution.predicted).map(|(y, p)| y - p).collect();
+    let residuals = data.residuals(&solution.predicted);
     let mean = objective.mean(&solution).ok_or_else(unsolvable)?;
     let (noise, within) = Noise::stated(&data.terms, data, repeats, &residuals, &mean);
     objective.noise = noise;
-    let mut found = look_until_settled(&mut objective, &mut solution, &absent, &within, (most, breadth, progress))?;
+    let mut found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     let mut conflicts = Vec::new();
     while let Some((parameter, conflict)) = prior_conflict::conflicting_prior(&found, &within) {
         objective.variables[parameter].prior = None;
         conflicts.push(conflict);
-        found = look_until_settled(&mut objective, &mut solution, &absent, &within, (most, breadth, progress))?;
+        found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     }
     let first = Hypothesis::new(found, within);
-    let hypotheses = explore::explore(first, &solution, &absent, repeats, (most, breadth, progress))?;
-    let diagnosis = conclude::conclude(hypotheses, &conflicts);
+    let exploration = Exploration { start: &solution, absent: &absent, repeats, most, progress };
+    let diagnosis = conclude::conclude(exploration.weigh(first)?, &conflicts);
     progress.advance(1);
     diagnosis
 }

@@ -4,7 +4,7 @@
 use super::candidate_model::CandidateModel;
 use super::confounding::EQUAL_FIT;
 use super::search::SearchResult;
-use super::verdict::{self, GoodnessOfFit};
+use super::verdict::is_explained;
 use crate::fit::{self, StoppingCriterion, minimise};
 use crate::input::Parameter;
 use crate::measure::Repeats;
@@ -48,11 +48,8 @@ pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usi
         .flat_map(|trial| far(trial).into_iter().map(move |i| (trial, i)))
         .filter_map(|(trial, i)| Some((i, release(trial, i)?)))
         .collect();
-    released.retain(|(_, trial)| {
-        let goodness = GoodnessOfFit::of(trial, repeats, None);
-        trial.penalised_bic() < best.penalised_bic() - EQUAL_FIT
-            && verdict::is_noise(&goodness, &verdict::features(trial))
-    });
+    released
+        .retain(|(_, trial)| trial.penalised_bic() < best.penalised_bic() - EQUAL_FIT && is_explained(trial, repeats));
     let (i, trial) = released.into_iter().min_by(|a, b| a.1.penalised_bic().total_cmp(&b.1.penalised_bic()))?;
     let variable = &trial.objective.variables[i];
     let parameter = trial.objective.parameters[i].clone();

@@ -58,9 +58,7 @@ fn with_blind(objective: &Objective, jacobian: DMatrix<f64>) -> DMatrix<f64> {
     }
     let mut all = DMatrix::zeros(jacobian.nrows(), blind.len() + jacobian.ncols());
     for (column, direction) in blind.iter().enumerate() {
-        let mut whole = vec![0.0; objective.data.len()];
-        direction.rows.iter().zip(&direction.components).for_each(|(row, component)| whole[*row] = *component);
-        let whole = objective.noise.whiten(whole);
+        let whole = objective.noise.whiten(direction.whole(objective.data.len()));
         all.column_mut(column).rows_mut(0, whole.len()).copy_from_slice(&whole);
     }
     all.columns_mut(blind.len(), jacobian.ncols()).copy_from(&jacobian);

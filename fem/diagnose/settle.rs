@@ -5,7 +5,7 @@ use super::failure::unsolvable;
 use super::null_distribution::variance;
 use super::search::{self, Breadth, SearchResult};
 use super::sensitivity;
-use super::verdict::{self, GoodnessOfFit};
+use super::verdict::is_explained;
 use crate::fit::{self, Objective, Solution, StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::noise::NoiseSource;
@@ -24,17 +24,17 @@ pub fn look_until_settled<'a>(
     solution: &mut Solution,
     absent: &[Description],
     repeats: &Repeats,
-    (most, breadth, progress): Extent,
+    extent: Extent,
 ) -> Result<SearchResult<'a>, Failure> {
     /// Most searches after the first.
     const MOST: usize = 4;
-    let mut found = look(objective, solution, absent, repeats, (most, breadth, progress))?;
+    let mut found = look(objective, solution, absent, repeats, extent)?;
     if objective.noise.source == NoiseSource::Estimated {
         for _ in 0..MOST {
             let left = found.best().objective.residual_noise(&found.best().solution);
             let settled = left.is_about(&objective.noise, SETTLED);
             objective.noise = left;
-            found = look(objective, solution, absent, repeats, (most, breadth, progress))?;
+            found = look(objective, solution, absent, repeats, extent)?;
             if settled {
                 break;
             }
@@ -56,8 +56,7 @@ fn look<'a>(
     let base = CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let variance = variance(&objective.noise, repeats);
     let mut found = search::search(base, candidates, variance, (most, breadth), progress).ok_or_else(unsolvable)?;
-    let goodness = GoodnessOfFit::of(found.best(), repeats, None);
-    let explains = found.best().members.is_empty() || verdict::is_noise(&goodness, &verdict::features(found.best()));
+    let explains = found.best().members.is_empty() || is_explained(found.best(), repeats);
     if let Some(best) = found.steps.last_mut().filter(|_| !explains) {
         // The best model may stand in a shallow minimum.
         best.solution = fit::profile_intervals(&mut best.objective, best.solution.clone())?.solution;

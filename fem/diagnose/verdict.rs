@@ -58,20 +58,16 @@ impl GoodnessOfFit {
 /// Root mean square residual of the rows, SI; in standard uncertainties where there are several observables.
 pub fn rms(trial: &CandidateModel) -> f64 {
     let objective = &trial.objective;
-    let left = objective.noise.unshared(&residuals(trial));
+    let left = objective.noise.unshared(&trial.residuals());
     let left = objective.data.together(&left, &objective.noise.sigma);
     let counted = left.into_iter().enumerate().filter(|(row, _)| !objective.noise.is_weighed_down(*row));
     compare::rms(&counted.map(|(_, error)| error).collect::<Vec<_>>())
 }
 
-fn residuals(trial: &CandidateModel) -> Vec<f64> {
-    trial.objective.data.observed.iter().zip(&trial.solution.predicted).map(|(y, p)| y - p).collect()
-}
-
 /// Structure of the residuals of a fitted model.
 pub fn features(trial: &CandidateModel) -> Vec<Feature> {
     let objective = &trial.objective;
-    find_features(objective.data.model.process, objective.data, &residuals(trial), &objective.noise)
+    find_features(objective.data.model.process, objective.data, &trial.residuals(), &objective.noise)
 }
 
 /// Verdict on the model before and with the best set.
@@ -93,8 +89,13 @@ pub fn verdict(
 }
 
 /// Whether the noise explains the residuals.
-pub fn is_noise(goodness: &GoodnessOfFit, features: &[Feature]) -> bool {
+fn is_noise(goodness: &GoodnessOfFit, features: &[Feature]) -> bool {
     goodness.p_value.is_none_or(|p| p >= UNEXPLAINED) && features.iter().all(|f| f.p_value >= UNEXPLAINED)
+}
+
+/// Whether the noise explains what a candidate model leaves.
+pub fn is_explained(trial: &CandidateModel, repeats: &Repeats) -> bool {
+    is_noise(&GoodnessOfFit::of(trial, repeats, None), &features(trial))
 }
 
 /// Part of χ² that the noise does not explain; where the noise is only estimated, the part that has

@@ -21,7 +21,7 @@ use nalgebra::DMatrix;
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use crate::compare::{SIGNIFICANCE, rms};
-use crate::measure::{Measurements, Repeats, repeats};
+use crate::measure::{Repeats, repeats};
 use crate::model::Data;
 use crate::noise::{Noise, NoiseSource};
 use crate::process::Failure;
@@ -84,7 +84,7 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
         // The noise is estimated from the residuals of the best model, and priors are weighted against it:
         // two rounds settle both.
         for _ in 0..2 {
-            let left = residuals(data, &solution.predicted);
+            let left = data.residuals(&solution.predicted);
             let mean = objective.mean(&solution).unwrap_or_else(|| DMatrix::zeros(data.len(), 0));
             (objective.noise, within) = Noise::stated(&data.terms, data, &repeats, &left, &mean);
             if objective.noise.source == NoiseSource::Estimated {
@@ -97,14 +97,10 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
     Ok(report(&objective, settled, &within))
 }
 
-fn residuals(measurements: &Measurements, predicted: &[f64]) -> Vec<f64> {
-    measurements.observed.iter().zip(predicted).map(|(y, p)| y - p).collect()
-}
-
 /// Makes the report of a minimum.
 pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats) -> Fit {
     let ProfiledMinimum { solution, covariance, intervals } = settled;
-    let residuals = residuals(objective.data, &solution.predicted);
+    let residuals = objective.data.residuals(&solution.predicted);
     let (reduced_chi2, p_value) = reduced_chi2(objective, &solution, repeats);
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
     let rms = rms(&objective.data.together(&residuals, &objective.noise.sigma));

@@ -159,7 +159,7 @@ impl<'a> Objective<'a> {
     /// ratio between observables stays, for neighbouring rows tell it better than the residuals of a wrong
     /// model.
     pub fn residual_noise(&self, solution: &Solution) -> Noise {
-        let left = self.data.observed.iter().zip(&solution.predicted).map(|(y, p)| y - p);
+        let left = self.data.residuals(&solution.predicted);
         let square: f64 = self.noise.whiten(left).iter().map(|z| z * z).sum();
         let factor = (square / self.freedom().max(1.0)).sqrt();
         let mut noise = self.noise.times(factor, self.data);
@@ -196,7 +196,7 @@ impl<'a> Objective<'a> {
 
     /// Standardised residuals of rows, then of priors.
     pub fn residuals(&self, position: &DVector<f64>, predicted: &[f64]) -> DVector<f64> {
-        let rows = self.noise.whiten(self.data.observed.iter().zip(predicted).map(|(y, p)| y - p)).into_iter();
+        let rows = self.noise.whiten(self.data.residuals(predicted)).into_iter();
         let prior = |(variable, s): (&SearchVariable, &f64)| {
             variable.prior.map(|(value, std)| (value - variable.value(*s)) / std)
         };
@@ -242,7 +242,7 @@ impl<'a> Objective<'a> {
         let blind = &self.data.datum_directions;
         let mut all = DMatrix::zeros(self.data.len(), blind.len() + own.ncols());
         for (column, direction) in blind.iter().enumerate() {
-            direction.rows.iter().zip(&direction.components).for_each(|(row, c)| all[(*row, column)] = *c);
+            all.column_mut(column).copy_from_slice(&direction.whole(self.data.len()));
         }
         all.columns_mut(blind.len(), own.ncols()).copy_from(&own);
         Some(all)

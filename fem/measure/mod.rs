@@ -116,6 +116,11 @@ impl Measurements {
         self.observables.iter().position(|s| s.position == self.rows.observable[row]).unwrap_or(0)
     }
 
+    /// Observed less predicted values of all rows, SI.
+    pub fn residuals(&self, predicted: &[f64]) -> Vec<f64> {
+        self.observed.iter().zip(predicted).map(|(y, p)| y - p).collect()
+    }
+
     /// Level of each row by some coordinates together, numbered from 0 as they first appear.
     pub fn levels(&self, by: &[usize]) -> Vec<usize> {
         let mut numbers: std::collections::HashMap<Vec<u64>, usize> = std::collections::HashMap::new();

@@ -138,6 +138,12 @@ impl Noise {
         Self { sigma, source, terms: Vec::new(), shared: None }
     }
 
+    /// Noise of rows of these uncertainties, with what the terms make them share.
+    fn shared(sigma: Vec<f64>, source: NoiseSource, terms: Vec<Term>, measurements: &Measurements) -> Self {
+        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
+        Self { sigma, source, terms, shared }
+    }
+
     /// The same noise with other terms; `self` has none that change the rows' own uncertainties.
     #[must_use]
     pub fn with(&self, terms: Vec<Term>, measurements: &Measurements) -> Self {
@@ -149,8 +155,7 @@ impl Noise {
                 Acts::Shared(_) | Acts::Neighbours => {}
             }
         }
-        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
-        Self { sigma, source: self.source, terms, shared }
+        Self::shared(sigma, self.source, terms, measurements)
     }
 
     /// The same noise, all of it larger by a factor.
@@ -162,8 +167,7 @@ impl Noise {
             _ => term.clone(),
         };
         let terms: Vec<Term> = self.terms.iter().map(scaled).collect();
-        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
-        Self { sigma, source: self.source, terms, shared }
+        Self::shared(sigma, self.source, terms, measurements)
     }
 
     /// The same noise with another size of one term.
@@ -176,8 +180,7 @@ impl Noise {
             Acts::Scales => self.sigma.iter().map(|s| s * ratio).collect(),
             _ => self.sigma.clone(),
         };
-        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
-        Self { sigma, source: self.source, terms, shared }
+        Self::shared(sigma, self.source, terms, measurements)
     }
 
     /// Whitens values of every row (SI): divided by the standard uncertainties and freed of what the rows
@@ -191,7 +194,7 @@ impl Noise {
     }
 
     /// What each term most probably adds to every row, SI, in the order of the terms: zeros, steps, drifts.
-    pub fn shares(&self, residuals: &[f64]) -> Vec<Vec<f64>> {
+    fn shares(&self, residuals: &[f64]) -> Vec<Vec<f64>> {
         let mut of_terms = vec![vec![0.0; residuals.len()]; self.terms.len()];
         if let Some(shared) = &self.shared {
             let own: Vec<f64> = residuals.iter().zip(&self.sigma).map(|(r, s)| r / s).collect();
@@ -277,7 +280,7 @@ fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
 /// Estimates σ from second differences of neighbouring rows, (rᵢ₋₁ − 2rᵢ + rᵢ₊₁)²/6, which are free of every
 /// trend that is straight over three rows. σ is never zero: residuals that are all alike leave their own
 /// round-off.
-fn of_neighbours(residuals: &[f64]) -> f64 {
+pub fn of_neighbours(residuals: &[f64]) -> f64 {
     let mut squares: Vec<f64> = residuals.windows(3).map(|r| (r[0] - 2.0 * r[1] + r[2]).powi(2) / 6.0).collect();
     let largest = residuals.iter().fold(0.0f64, |m, r| m.max(r.abs()));
     let floor = (1e-12 * largest).max(1e-15);

@@ -163,6 +163,13 @@ impl DatumDirection {
             values[*row] -= along * component;
         }
     }
+
+    /// The direction over so many rows, zero where it has no component.
+    pub fn whole(&self, rows: usize) -> Vec<f64> {
+        let mut whole = vec![0.0; rows];
+        self.rows.iter().zip(&self.components).for_each(|(row, component)| whole[*row] = *component);
+        whole
+    }
 }
 
 /// A further experiment: what could be measured besides.
