@@ -4,9 +4,9 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use crate::measure::{Measurements, Repeats};
+use crate::measure::{Measurements, Repeats, of_neighbours};
 use crate::model::Data;
-use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects, of_neighbours};
+use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects};
 use crate::process::{Absent, Holds};
 use crate::units::{LENGTH, TIME};
 

@@ -50,8 +50,8 @@ use settle::look_until_settled;
 /// Most effects that are sought together, unless told otherwise.
 pub const MOST_EFFECTS: usize = 3;
 
-/// Number of rows beyond which they are thinned, whole groups of repeats together: more rows tell causes
-/// apart no better than needed, and the time of the search grows with them.
+/// Number of rows beyond which they are thinned: more rows tell causes apart no better than needed, and the
+/// time of the search grows with them.
 const MOST_ROWS: usize = 2000;
 
 /// Searches for up to `most` effects that the model lacks.
@@ -63,7 +63,8 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
     let all = repeats(data, coordinates);
     let every = data.len().div_ceil(MOST_ROWS);
     if every > 1 {
-        let some = data.some(|row| all.group[row].is_multiple_of(every));
+        let keep = data.one_in(every, &all);
+        let some = data.some(|row| keep[row]);
         return diagnose_all(&some, &repeats(&some, coordinates), most, progress);
     }
     diagnose_all(data, &all, most, progress)

@@ -1,12 +1,17 @@
 //! Measurement files: one observation per row, with its coordinates, its value and perhaps its uncertainty.
 
 mod header;
+mod neighbours;
 mod read;
 mod repeats;
+mod thin;
 mod vocabulary;
 
-pub use repeats::{Repeats, Scatter, repeats};
+pub use neighbours::of_neighbours;
+pub use repeats::{LEAST_FREEDOM, Repeats, Scatter, repeats};
 pub use vocabulary::MeasuredObservable;
+
+use std::collections::HashMap;
 
 use crate::process::{Process, Rows};
 use crate::units::Kind;
@@ -123,13 +128,23 @@ impl Measurements {
 
     /// Level of each row by some coordinates together, numbered from 0 as they first appear.
     pub fn levels(&self, by: &[usize]) -> Vec<usize> {
-        let mut numbers: std::collections::HashMap<Vec<u64>, usize> = std::collections::HashMap::new();
-        let mut level = |row: usize| {
-            let key = by.iter().map(|i| self.rows.columns[*i][row].to_bits()).collect();
+        self.numbered(|row| by.iter().map(|i| self.rows.columns[*i][row].to_bits()).collect())
+    }
+
+    /// The same, each observable by itself.
+    fn levels_of_observables(&self, by: &[usize]) -> Vec<usize> {
+        let own = |row: usize| self.rows.observable[row] as u64;
+        self.numbered(|row| by.iter().map(|i| self.rows.columns[*i][row].to_bits()).chain([own(row)]).collect())
+    }
+
+    /// Numbers rows of equal keys from 0 as they first appear.
+    fn numbered(&self, key: impl Fn(usize) -> Vec<u64>) -> Vec<usize> {
+        let mut numbers: HashMap<Vec<u64>, usize> = HashMap::new();
+        let mut number = |row: usize| {
             let next = numbers.len();
-            *numbers.entry(key).or_insert(next)
+            *numbers.entry(key(row)).or_insert(next)
         };
-        (0..self.len()).map(&mut level).collect()
+        (0..self.len()).map(&mut number).collect()
     }
 
     /// Row numbers of each observable.

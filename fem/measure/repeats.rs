@@ -1,9 +1,12 @@
 //! Replicates: rows that repeat each other tell the noise (pure error).
 
-use std::collections::HashMap;
-
 use super::Measurements;
-use crate::process::Coordinate;
+use super::neighbours::of_neighbours_alike;
+use crate::process::{Coordinate, Holds};
+use crate::units::TIME;
+
+/// Fewest degrees of freedom from which a variance is estimated.
+pub const LEAST_FREEDOM: usize = 5;
 
 /// Groups of replicates and their scatter.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +17,11 @@ pub struct Repeats {
     pub groups: usize,
     /// Scatter of each of the file's observables, in their order.
     pub scatter: Vec<Scatter>,
+    /// Whether rows of a group were taken at times of their own: they repeat each other in all but what drifts,
+    /// and the scatter is that of neighbours about the means of their groups.
+    pub drifting: bool,
+    /// Pass of each row: by its run, direction and other labels, and its observable.
+    pass: Vec<usize>,
 }
 
 /// Scatter of the replicates of one observable (pure error).
@@ -23,7 +31,7 @@ pub struct Scatter {
     pub groups: usize,
     /// Sum of squares about the groups' means, SI².
     pub sum_of_squares: f64,
-    /// Degrees of freedom: rows − groups.
+    /// Degrees of freedom: rows − groups, and less what was taken out besides.
     pub freedom: usize,
 }
 
@@ -40,9 +48,22 @@ impl Repeats {
         let uncertain: f64 = self.scatter.iter().map(|s| s.groups as f64 / s.freedom as f64).sum();
         self.groups as f64 / uncertain
     }
-}
 
-impl Repeats {
+    /// Groups of rows that agree in some coordinates and the observable.
+    fn of(measurements: &Measurements, coordinates: &[Coordinate], compared: &[usize], drifting: bool) -> Self {
+        let group = measurements.levels_of_observables(compared);
+        let is_label = |i: &usize| matches!(coordinates[*i].holds, Holds::Number(_) | Holds::Word(_));
+        let labels: Vec<usize> = (0..coordinates.len()).filter(is_label).collect();
+        let bare = Self {
+            groups: group.iter().max().map_or(0, |most| most + 1),
+            scatter: vec![Scatter::default(); measurements.observables.len()],
+            pass: measurements.levels_of_observables(&labels),
+            drifting,
+            group,
+        };
+        bare.within(measurements, &[], &|_| false)
+    }
+
     /// The same groups with the scatter that is left when levels that cross them, each with a shift of its
     /// own, are taken out (pure error within runs), and rows that `is_out` are not counted.
     #[must_use]
@@ -53,67 +74,107 @@ impl Repeats {
         let mut left: Vec<f64> = rows.iter().map(|row| measurements.observed[*row]).collect();
         let own = |of_rows: &[usize]| rows.iter().map(|row| of_rows[*row]).collect::<Vec<usize>>();
         let parts: Vec<Vec<usize>> = std::iter::once(&self.group).chain(levels).map(|l| own(l)).collect();
-        let count = |part: &Vec<usize>| {
-            let mut distinct = part.clone();
-            distinct.sort_unstable();
-            distinct.dedup();
-            distinct.len()
-        };
         for _ in 0..if levels.is_empty() { 1 } else { ROUNDS } {
-            for part in &parts {
-                let most = part.iter().max().map_or(0, |m| m + 1);
-                let (mut sum, mut members) = (vec![0.0; most], vec![0.0; most]);
-                for (level, value) in part.iter().zip(&left) {
-                    sum[*level] += value;
-                    members[*level] += 1.0;
-                }
-                left.iter_mut().zip(part).for_each(|(value, level)| *value -= sum[*level] / members[*level]);
+            parts.iter().for_each(|part| take_means_out(part, &mut left));
+        }
+        let shifts: usize = parts[1..].iter().map(|part| distinct(part.clone()).saturating_sub(1)).sum();
+        let scatter = |(number, own): (usize, &Scatter)| {
+            let of: Vec<usize> = (0..rows.len()).filter(|i| measurements.observable(rows[*i]) == number).collect();
+            // Groups are those of all rows: one that has lost its only row to `is_out` has no scatter either.
+            let all = distinct(of.iter().map(|i| self.group[rows[*i]]).collect());
+            let groups = own.groups.max(all);
+            let freedom = of.len().saturating_sub(groups + shifts);
+            let left: Vec<f64> = of.iter().map(|i| left[*i]).collect();
+            if !self.drifting {
+                return Scatter { groups, freedom, sum_of_squares: left.iter().map(|d| d * d).sum() };
             }
-        }
-        let shifts: usize = parts[1..].iter().map(|part| count(part).saturating_sub(1)).sum();
-        let mut scatter = vec![Scatter::default(); measurements.observables.len()];
-        for (row, value) in rows.iter().zip(&left) {
-            let own = &mut scatter[measurements.observable(*row)];
-            own.sum_of_squares += value * value;
-            own.freedom += 1;
-        }
-        for (number, own) in scatter.iter_mut().enumerate() {
-            own.groups = self.scatter[number].groups;
-            own.freedom = own.freedom.saturating_sub(own.groups + shifts);
-        }
-        Self { group: self.group.clone(), groups: self.groups, scatter }
+            let is_one_pass = |a: usize, b: usize| self.pass[rows[of[a]]] == self.pass[rows[of[b]]];
+            let enlarged = of.len() as f64 / freedom.max(1) as f64;
+            let freedom = freedom / NEIGHBOURS;
+            let variance = enlarged * of_neighbours_alike(&left, is_one_pass).powi(2);
+            Scatter { groups, freedom, sum_of_squares: variance * freedom as f64 }
+        };
+        let scatter = self.scatter.iter().enumerate().map(scatter).collect();
+        Self { scatter, ..self.clone() }
     }
 }
 
-/// Groups the rows that repeat each other.
+/// Rows whose differences tell of a variance as much as one independent row does: second differences that
+/// overlap, by their median.
+const NEIGHBOURS: usize = 4;
+
+/// Takes the mean of each level out of its values.
+fn take_means_out(levels: &[usize], values: &mut [f64]) {
+    let most = levels.iter().max().map_or(0, |m| m + 1);
+    let (mut sum, mut members) = (vec![0.0; most], vec![0.0; most]);
+    for (level, value) in levels.iter().zip(&*values) {
+        sum[*level] += value;
+        members[*level] += 1.0;
+    }
+    values.iter_mut().zip(levels).for_each(|(value, level)| *value -= sum[*level] / members[*level]);
+}
+
+/// Number of distinct levels.
+fn distinct(mut levels: Vec<usize>) -> usize {
+    levels.sort_unstable();
+    levels.dedup();
+    levels.len()
+}
+
+/// Groups the rows that repeat each other. Where runs repeat each other and each row has a time of its own,
+/// rows that agree in all but the time do, in all but what drifts.
 pub fn repeats(measurements: &Measurements, coordinates: &[Coordinate]) -> Repeats {
-    let compared: Vec<usize> = (0..coordinates.len()).filter(|i| !coordinates[*i].repeats).collect();
-    let mut numbers: HashMap<Vec<u64>, usize> = HashMap::new();
-    let mut group = Vec::with_capacity(measurements.len());
-    let mut observable = Vec::new();
-    for row in 0..measurements.len() {
-        let mut key: Vec<u64> = compared.iter().map(|&i| measurements.rows.columns[i][row].to_bits()).collect();
-        key.push(measurements.rows.observable[row] as u64);
-        let next = numbers.len();
-        let own = *numbers.entry(key).or_insert(next);
-        if own == next {
-            observable.push(measurements.observable(row));
+    let compared = |is_left_out: &dyn Fn(&Coordinate) -> bool| -> Vec<usize> {
+        (0..coordinates.len()).filter(|i| !is_left_out(&coordinates[*i])).collect()
+    };
+    let exact = Repeats::of(measurements, coordinates, &compared(&|c| c.repeats), false);
+    if exact.freedom() >= LEAST_FREEDOM || coordinates.iter().all(|c| !c.repeats) {
+        return exact;
+    }
+    let at_other_times = compared(&|c| c.repeats || c.holds.kind() == Some(TIME));
+    let drifting = Repeats::of(measurements, coordinates, &at_other_times, true);
+    if drifting.freedom() >= LEAST_FREEDOM { drifting } else { exact }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::process::{Process, Rows};
+
+    /// Nine runs over eleven targets to and fro, with an error of each target and a drift of 30 um over the test;
+    /// each reading at a time of its own, and off by ±2 um in turn.
+    fn test(with_time: bool) -> (&'static dyn Process, Measurements) {
+        let process = *crate::process::ALL.iter().find(|p| p.name() == "axis").unwrap();
+        let position = |name: &str| process.coordinates().iter().position(|c| c.name == name).unwrap();
+        let mut columns = vec![vec![0.0; 198]; process.coordinates().len()];
+        let mut observed = Vec::new();
+        for row in 0..198 {
+            let (run, place) = (row / 22, row % 22);
+            let target = if place < 11 { place } else { 21 - place };
+            columns[position("run")][row] = (run + 1) as f64;
+            columns[position("direction")][row] = (place / 11) as f64;
+            columns[position("position")][row] = 0.1 * target as f64;
+            columns[position("time")][row] = if with_time { 20.0 * row as f64 } else { 0.0 };
+            // A pattern whose second differences have the variance of white noise of 2 um.
+            let noise = 2e-6 * [1.2, -0.7, -1.1, 0.4, 1.3, -0.2, -1.4, 0.9, -0.5][(row * 5 + run) % 9];
+            observed.push(1e-5 * (target as f64).sin() + 30e-6 * (1.0 - (-(row as f64) / 60.0).exp()) + noise);
         }
-        group.push(own);
+        let planned = Measurements::planned(process, "test", Rows { columns, observable: vec![0; 198] });
+        (process, Measurements { observed, ..planned })
     }
-    let groups = numbers.len();
-    let (mut sum, mut count) = (vec![0.0; groups], vec![0usize; groups]);
-    for (&g, y) in group.iter().zip(&measurements.observed) {
-        sum[g] += y;
-        count[g] += 1;
+
+    fn sigma(repeats: &Repeats) -> f64 {
+        (repeats.scatter[0].sum_of_squares / repeats.scatter[0].freedom as f64).sqrt()
     }
-    let mut scatter = vec![Scatter::default(); measurements.observables.len()];
-    for (&g, y) in group.iter().zip(&measurements.observed) {
-        scatter[observable[g]].sum_of_squares += (y - sum[g] / count[g] as f64).powi(2);
+
+    #[test]
+    fn times_of_their_own_leave_rows_repeats_in_all_but_drift() {
+        let (process, with_time) = test(true);
+        let found = repeats(&with_time, process.coordinates());
+        assert!(found.drifting && found.groups == 22, "{} groups", found.groups);
+        assert!((1e-6..3.5e-6).contains(&sigma(&found)), "{}", sigma(&found));
+        // Without times the runs are repeats, drift and all.
+        let (_, without) = test(false);
+        assert!(sigma(&repeats(&without, process.coordinates())) > 6e-6);
     }
-    for (observable, count) in observable.iter().zip(&count) {
-        scatter[*observable].groups += 1;
-        scatter[*observable].freedom += count - 1;
-    }
-    Repeats { group, groups, scatter }
 }

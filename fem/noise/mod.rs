@@ -13,11 +13,8 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use crate::measure::{Measurements, Repeats, Scatter};
+use crate::measure::{LEAST_FREEDOM, Measurements, Repeats, Scatter, of_neighbours};
 use covariance::Covariance;
-
-/// Fewest degrees of freedom from which a variance is estimated.
-const LEAST_FREEDOM: usize = 5;
 
 /// Standard uncertainty of each row, and its source. SI units.
 #[derive(Clone, Debug)]
@@ -275,21 +272,6 @@ fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
         order.iter().find_map(differ).unwrap_or(std::cmp::Ordering::Equal)
     });
     rows
-}
-
-/// Estimates σ from second differences of neighbouring rows, (rᵢ₋₁ − 2rᵢ + rᵢ₊₁)²/6, which are free of every
-/// trend that is straight over three rows. σ is never zero: residuals that are all alike leave their own
-/// round-off.
-pub fn of_neighbours(residuals: &[f64]) -> f64 {
-    let mut squares: Vec<f64> = residuals.windows(3).map(|r| (r[0] - 2.0 * r[1] + r[2]).powi(2) / 6.0).collect();
-    let largest = residuals.iter().fold(0.0f64, |m, r| m.max(r.abs()));
-    let floor = (1e-12 * largest).max(1e-15);
-    if squares.is_empty() {
-        return largest.max(floor);
-    }
-    // Steps between parts or set-ups show as outliers: the median of χ²₁ is 0.4549 of its mean.
-    squares.sort_unstable_by(f64::total_cmp);
-    (squares[squares.len() / 2] / 0.4549).sqrt().max(floor)
 }
 
 #[cfg(test)]
