@@ -33,7 +33,9 @@ pub fn causes(
     feasibility: Feasibility,
 ) -> Vec<Cause> {
     match feasibility {
-        Feasibility::Within | Feasibility::Compensation | Feasibility::Unknown => Vec::new(),
+        Feasibility::Within | Feasibility::Compensation | Feasibility::BetweenTargets | Feasibility::Unknown => {
+            Vec::new()
+        }
         Feasibility::Resolution => vec![Cause {
             key: "resolution",
             finding: "the entries of the controller are too coarse: exact ones would do".into(),

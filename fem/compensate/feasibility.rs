@@ -13,6 +13,8 @@ pub enum Feasibility {
     Resolution,
     /// No table suffices: the mechanics must be repaired first.
     Repair,
+    /// Tables suffice at the targets, and the test does not tell whether they do between them.
+    BetweenTargets,
     /// The test does not tell, for repeated approaches are missing.
     Unknown,
 }
@@ -26,6 +28,7 @@ impl Feasibility {
             Self::BothDirections => "needs-both-directions",
             Self::Resolution => "needs-finer-resolution",
             Self::Repair => "repair-first",
+            Self::BetweenTargets => "unknown-between-targets",
             Self::Unknown => "unknown",
         }
     }

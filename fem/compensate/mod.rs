@@ -64,6 +64,8 @@ pub struct Scheme {
     pub after: Evaluation,
     /// Tolerances checked with the table.
     pub checks: Vec<Check>,
+    /// Tolerances checked with a table that was made without the target at which it is judged.
+    pub left_out: Vec<Check>,
     /// Modelled axis with the table, along the travel.
     pub modelled: Course,
 }
@@ -96,6 +98,23 @@ impl Course {
     }
 }
 
+impl Scheme {
+    /// Whether the tolerances are kept between the targets too: by a model that agrees with the test, or else
+    /// by what a table misses at a target that it was made without.
+    fn is_kept_between(&self, tolerance: &Tolerance, model: ModelAgreement) -> bool {
+        if model.adequate { self.modelled.spread() <= narrowest(tolerance) } else { passed(&self.left_out) }
+    }
+}
+
+/// Width of the narrowest band for deviations, m.
+fn narrowest(tolerance: &Tolerance) -> f64 {
+    tolerance.travel.min(2.0 * tolerance.per_length)
+}
+
+fn passed(checks: &[Check]) -> bool {
+    checks.iter().all(Check::passed)
+}
+
 /// Evaluates a test and compensates the axis; `axis` is the model's system as one that moves to targets.
 ///
 /// # Errors
@@ -111,7 +130,16 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
         let after = Evaluation::of(&approaches, &table.applied(&approaches, &data.observed));
         let deviations = table.applied(&course.approaches, &course.deviations);
         let modelled = Course { deviations, approaches: course.approaches.clone() };
-        Scheme { key, name, checks: tolerance.checks(&after), after, modelled, table }
+        let left_out = Evaluation::of(&approaches, &table.applied_without_own(&approaches, &data.observed));
+        Scheme {
+            key,
+            name,
+            checks: tolerance.checks(&after),
+            left_out: tolerance.checks(&left_out),
+            after,
+            modelled,
+            table,
+        }
     };
     let one = |law| Table::with_backlash(&evaluation, law, resolution);
     let both = Table::both_directions(&evaluation, Law::Points, resolution);
@@ -123,7 +151,7 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     let before = tolerance.checks(&evaluation);
     let fine = Table::both_directions(&evaluation, Law::Points, 0.0);
     let fine = tolerance.checks(&Evaluation::of(&approaches, &fine.applied(&approaches, &data.observed)));
-    let feasibility = feasibility(&before, &schemes, &fine);
+    let feasibility = feasibility(&before, &schemes, &fine, |scheme| scheme.is_kept_between(&tolerance, agreement));
     Ok(Compensation {
         reversal: Reversal::of(&evaluation),
         pitch: PitchErrors::of(&evaluation),
@@ -185,12 +213,18 @@ fn lost_motion_of(forward: &dyn ForwardModel) -> Option<String> {
 }
 
 /// Judges by the checks before, those with each scheme, and those with entries as fine as can be.
-fn feasibility(before: &[Check], [points, _, both]: &[Scheme; 3], fine: &[Check]) -> Feasibility {
-    let passed = |checks: &[Check]| checks.iter().all(Check::passed);
+fn feasibility(
+    before: &[Check],
+    [points, _, both]: &[Scheme; 3],
+    fine: &[Check],
+    is_kept_between: impl Fn(&Scheme) -> bool,
+) -> Feasibility {
+    let suffices = |scheme: &Scheme| passed(&scheme.checks) && is_kept_between(scheme);
     match () {
         () if passed(before) => Feasibility::Within,
-        () if passed(&points.checks) => Feasibility::Compensation,
-        () if passed(&both.checks) => Feasibility::BothDirections,
+        () if suffices(points) => Feasibility::Compensation,
+        () if suffices(both) => Feasibility::BothDirections,
+        () if passed(&points.checks) || passed(&both.checks) => Feasibility::BetweenTargets,
         () if passed(fine) => Feasibility::Resolution,
         // A known value may be out of tolerance already.
         () if both.checks.iter().any(|c| c.value.is_some_and(|v| v > c.limit)) => Feasibility::Repair,
@@ -212,7 +246,7 @@ fn cautions(evaluation: &Evaluation, left: &Course, model: ModelAgreement, toler
         let doubt =
             "the model does not explain what was measured, so that what it says between the targets is doubtful";
         cautions.push(format!("{doubt}; `fem diagnose` tells what is missing"));
-    } else if width > tolerance.travel.min(2.0 * tolerance.per_length) {
+    } else if width > narrowest(tolerance) {
         let width = 1e6 * width;
         cautions.push(format!(
             "with the point table the model still ranges over {width:.3} um between the targets: take more of them, closer than the error varies"

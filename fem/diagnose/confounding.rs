@@ -124,7 +124,7 @@ fn alternative<'a>(
     mut trial: CandidateModel<'a>,
     candidate: usize,
 ) -> Option<Alternative<'a>> {
-    let jacobian = trial.objective.jacobian(&trial.solution.position)?;
+    let jacobian = trial.objective.jacobian(&trial.solution)?;
     let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).map(|(p, q)| p - q);
     let apart = trial.objective.noise.whiten(rows).into_iter().chain(priors_apart(best, &trial));
     let separation = length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2);

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::candidate_model::CandidateModel;
+use crate::model::Data;
 use crate::process::Holds;
 
 /// Most folds.
@@ -21,27 +22,35 @@ impl Folds {
     /// words (a direction, which as a rule the others cannot predict), or by stretches of the first
     /// coordinate. `None` where nothing varies.
     pub fn of(trial: &CandidateModel) -> Option<Self> {
-        let measurements = trial.objective.data;
         let coordinates = trial.objective.data.model.process.coordinates();
-        let varies = |i: &usize| {
-            let column = &measurements.rows.columns[*i];
-            measurements.given.contains(i) && column.iter().any(|v| *v != column[0])
-        };
         let rank = |i: &usize| match coordinates[*i].holds {
             _ if coordinates[*i].repeats => 0,
             Holds::Number(_) => 1,
             Holds::Word(_) => 2,
             Holds::Quantity(_) => 3,
         };
-        let chosen = (0..coordinates.len()).filter(varies).min_by_key(rank)?;
-        let column = &measurements.rows.columns[chosen];
+        let chosen = varying(trial.objective.data).min_by_key(rank)?;
+        Some(Self::by(trial.objective.data, chosen))
+    }
+
+    /// Folds by every number and every quantity that varies: parts and runs, targets, sensors, conditions and
+    /// times.
+    pub fn every(trial: &CandidateModel) -> Vec<Self> {
+        let data = trial.objective.data;
+        let coordinates = data.model.process.coordinates();
+        let is_word = |i: usize| matches!(coordinates[i].holds, Holds::Word(_));
+        varying(data).filter(|i| !is_word(*i)).map(|i| Self::by(data, i)).filter(|folds| folds.count > 2).collect()
+    }
+
+    fn by(data: &Data, coordinate: usize) -> Self {
+        let column = &data.rows.columns[coordinate];
         let mut levels = column.clone();
         levels.sort_unstable_by(f64::total_cmp);
         levels.dedup();
         let count = levels.len().min(FOLDS);
         let group = |v: &f64| levels.partition_point(|l| l < v) * count / levels.len();
         let group = column.iter().map(group).collect();
-        Some(Self { coordinate: coordinates[chosen].name, group, count })
+        Self { coordinate: data.model.process.coordinates()[coordinate].name, group, count }
     }
 
     /// Root mean square of the held-out residuals, in standard uncertainties of the rows, to first order
@@ -49,7 +58,7 @@ impl Folds {
     /// 1982), exact where the model is linear.
     pub fn error(&self, trial: &CandidateModel) -> Option<f64> {
         let mut objective = trial.objective.clone();
-        let jacobian = objective.jacobian(&trial.solution.position)?;
+        let jacobian = objective.jacobian(&trial.solution)?;
         let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
         let covariance = objective.covariance(&trial.solution).ok()?;
         let mut square = 0.0;
@@ -62,6 +71,15 @@ impl Folds {
         }
         Some((square / self.group.len() as f64).sqrt())
     }
+}
+
+/// Coordinates of the file that vary.
+fn varying<'d>(data: &'d Data) -> impl Iterator<Item = usize> + 'd {
+    let varies = |i: &usize| {
+        let column = &data.rows.columns[*i];
+        data.given.contains(i) && column.iter().any(|v| *v != column[0])
+    };
+    (0..data.rows.columns.len()).filter(varies)
 }
 
 /// Part of the information of all rows on a parameter below which the rows that stay do not determine it.

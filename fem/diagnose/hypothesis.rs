@@ -1,10 +1,14 @@
 //! A hypothesis: a noise with what the search found under it.
 
+use super::cross_validation::Folds;
 use super::search::SearchResult;
 use super::verdict::is_explained;
 use super::{instrument, lead};
 use crate::measure::Repeats;
 use crate::noise::Acts;
+
+/// Ratio of held-out errors from which an effect misleads.
+const WORSE: f64 = 1.1;
 
 /// A noise with the result of the search under it.
 pub struct Hypothesis<'a> {
@@ -27,9 +31,10 @@ impl<'a> Hypothesis<'a> {
     }
 
     /// Leaves out effects of the machine that cannot be believed: at a bound of what can be computed, or,
-    /// where structure remains, larger than is plausible.
+    /// where structure remains, larger than is plausible, or such that what is held out is predicted worse
+    /// with them.
     pub fn leave_out_the_unbelievable(&mut self) {
-        while let Some(member) = self.found.best().unbelievable(!self.explains) {
+        while let Some(member) = self.found.best().unbelievable(!self.explains).or_else(|| self.misleading()) {
             let (base, candidates) = (&self.found.base, &self.found.candidates);
             match lead::without(base, candidates, self.found.best(), member) {
                 Some(rest) if !rest.members.is_empty() => {
@@ -40,6 +45,24 @@ impl<'a> Hypothesis<'a> {
             }
             self.explains = is_explained(self.found.best(), &self.repeats);
         }
+    }
+
+    /// Member with which a part, target, sensor or time that is held out is predicted worse than without it,
+    /// where structure remains.
+    fn misleading(&self) -> Option<usize> {
+        let best = self.found.best();
+        if self.explains || best.members.is_empty() {
+            return None;
+        }
+        let foldings = Folds::every(best);
+        let misleads = |member: &usize| {
+            let Some(rest) = lead::without(&self.found.base, &self.found.candidates, best, *member) else {
+                return false;
+            };
+            let errors = foldings.iter().filter_map(|folds| folds.error(best).zip(folds.error(&rest)));
+            errors.into_iter().any(|(with, without)| with > WORSE * without)
+        };
+        best.members.iter().copied().find(misleads)
     }
 
     /// Whether its noise could swallow what a model lacks: it is believed only where it explains everything.

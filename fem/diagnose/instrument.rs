@@ -16,7 +16,7 @@ use crate::process::{self, Description, Neutral};
 use crate::units::{Knowledge, Quantity};
 
 /// Stopping criterion that is enough to rank terms.
-const QUICK: StoppingCriterion = StoppingCriterion { steps: 8, tolerance: 1e-3 };
+const QUICK: StoppingCriterion = StoppingCriterion::rough(12, 1e-3);
 /// Noise by which a model's rows are judged when terms are at work, without their shares yet.
 fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Noise, Repeats) {
     Noise::beside(terms, trial.objective.data, repeats, &trial.residuals())

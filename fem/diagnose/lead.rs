@@ -18,7 +18,7 @@ const HALVINGS: usize = 5;
 /// χ² of the priors above which a re-fit also starts from the prior values.
 const BENT: f64 = 9.0;
 /// Stopping criterion that is enough to rank sets; the last set is fitted to full convergence.
-const SEARCHING: StoppingCriterion = StoppingCriterion { steps: 25, tolerance: 1e-5 };
+const SEARCHING: StoppingCriterion = StoppingCriterion::rough(40, 1e-5);
 
 /// Set that is worth fitting.
 pub struct Lead<'t, 'a> {

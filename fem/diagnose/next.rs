@@ -93,7 +93,7 @@ impl Contrast {
         let (mut one, mut other) = (best.objective.clone(), alternative.objective.clone());
         let sigma = experiment.observable.iter().map(|o| one.noise.usual(one.data, *o));
         let sigma = DVector::from_iterator(experiment.len(), sigma);
-        let jacobian = other.jacobian(&alternative.solution.position)?;
+        let jacobian = other.jacobian(&alternative.solution)?;
         // Residuals are measured less predicted, so that their derivatives have the opposite sign.
         let mut experiment_jacobian = -other.sensitivities(&alternative.solution.position, experiment)?;
         experiment_jacobian.column_iter_mut().for_each(|mut c| c.component_div_assign(&sigma));

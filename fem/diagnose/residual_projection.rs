@@ -24,7 +24,7 @@ pub struct ProjectedResidual {
 impl ProjectedResidual {
     /// Projects the residual of a solution; `None` where the model cannot be computed beside it.
     pub fn new(objective: &mut Objective, solution: &Solution) -> Option<Self> {
-        let jacobian = objective.jacobian(&solution.position)?;
+        let jacobian = objective.jacobian(solution)?;
         let tangent = orthonormal(&with_blind(objective, jacobian));
         let residual = objective.residuals(&solution.position, &solution.predicted);
         let freedom = (residual.len() - tangent.ncols()) as f64;

@@ -23,7 +23,7 @@ const DEEPER: f64 = 0.01;
 const MOST: usize = 6;
 
 /// Stopping criterion of the other parameters while one is held.
-const FOLLOW: StoppingCriterion = StoppingCriterion { steps: 15, tolerance: 1e-6 };
+const FOLLOW: StoppingCriterion = StoppingCriterion::rough(25, 1e-6);
 /// Most positions at which an end is sought.
 const TRIALS: usize = 24;
 /// Distances beyond an end at which further valleys are sought, as parts of the distance of the end.

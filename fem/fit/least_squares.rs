@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::objective::{Objective, Solution};
+use super::objective::{Differences, Objective, Solution};
 use crate::process::Failure;
 
 /// Criterion by which a search for a minimum stops.
@@ -13,11 +13,18 @@ pub struct StoppingCriterion {
     pub steps: usize,
     /// Fall of χ², as a part of 1 + χ², below which a step is the last.
     pub tolerance: f64,
+    /// Differences of which Jacobians are made.
+    pub differences: Differences,
 }
 
 impl StoppingCriterion {
     /// Full convergence.
-    pub const FULL: Self = Self { steps: 60, tolerance: 1e-10 };
+    pub const FULL: Self = Self { steps: 90, tolerance: 1e-10, differences: Differences::Central };
+
+    /// Convergence that is enough to go on from.
+    pub const fn rough(steps: usize, tolerance: f64) -> Self {
+        Self { steps, tolerance, differences: Differences::Forward }
+    }
 }
 
 /// Finds the minimum near a position.
@@ -32,7 +39,8 @@ pub fn solve(objective: &mut Objective, start: &DVector<f64>) -> Result<Solution
 }
 
 /// Minimises χ² from `start` with the variables `held` fixed; `None` where χ² cannot be computed at the
-/// start.
+/// start. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden 1965);
+/// no search ends but on differences.
 pub fn minimise(
     objective: &mut Objective,
     start: &DVector<f64>,
@@ -40,9 +48,12 @@ pub fn minimise(
     stop: StoppingCriterion,
 ) -> Option<Solution> {
     let mut here = evaluate(objective, start.clone())?;
-    let mut damping = 1e-3;
+    let (mut damping, mut mended) = (1e-3, None);
     for _ in 0..stop.steps {
-        let Some(jacobian) = objective.jacobian(&here.position) else { break };
+        let is_fresh = mended.is_none();
+        let Some(jacobian) = mended.take().or_else(|| objective.jacobian_about(&here, held, stop.differences)) else {
+            break;
+        };
         let residuals = objective.residuals(&here.position, &here.predicted);
         let gradient = jacobian.transpose() * &residuals;
         let still = |i: usize| {
@@ -50,15 +61,23 @@ pub fn minimise(
             held.contains(&i) || (s <= variable.low && gradient[i] > 0.0) || (s >= variable.high && gradient[i] < 0.0)
         };
         let moving: Vec<usize> = (0..objective.variables.len()).filter(|i| !still(*i)).collect();
-        if moving.is_empty() {
-            break;
-        }
-        let Some((next, delta_chi2)) = descend(objective, &here, &jacobian, &gradient, &moving, &mut damping) else {
-            break;
+        let slope = Slope { jacobian: &jacobian, gradient: &gradient, moving: &moving };
+        let before = damping;
+        let Some(step) = slope.descend(objective, &here, &mut damping, if is_fresh { TRIALS } else { MENDED_TRIALS })
+        else {
+            if is_fresh {
+                break;
+            }
+            damping = before;
+            continue;
         };
-        let settled = delta_chi2 <= stop.tolerance * (1.0 + here.chi2);
-        here = next;
-        if settled {
+        let fall = here.chi2 - step.to.chi2;
+        let settled = fall <= stop.tolerance * (1.0 + here.chi2);
+        if !settled && fall >= AS_PROMISED * step.promised {
+            mended = Some(slope.mended(objective, &residuals, &here.position, &step.to));
+        }
+        here = step.to;
+        if settled && is_fresh {
             break;
         }
     }
@@ -71,38 +90,73 @@ fn evaluate(objective: &mut Objective, position: DVector<f64>) -> Option<Solutio
     Some(Solution { position, predicted, chi2 })
 }
 
-/// Finds the first damped step that lowers χ²; returns the new point and the fall of χ².
-fn descend(
-    objective: &mut Objective,
-    here: &Solution,
-    jacobian: &DMatrix<f64>,
-    gradient: &DVector<f64>,
-    moving: &[usize],
-    damping: &mut f64,
-) -> Option<(Solution, f64)> {
-    let n = moving.len();
-    let columns = DMatrix::from_fn(jacobian.nrows(), n, |r, c| jacobian[(r, moving[c])]);
-    let normal = columns.transpose() * &columns;
-    let downhill = DVector::from_fn(n, |i, _| -gradient[moving[i]]);
-    for _ in 0..25 {
-        let mut damped = normal.clone();
-        for i in 0..n {
-            damped[(i, i)] += *damping * normal[(i, i)].max(1e-30);
+/// Trials of the damping, with a Jacobian by differences and with a mended one.
+const TRIALS: usize = 25;
+const MENDED_TRIALS: usize = 2;
+/// Part of the promised fall of χ² from which a Jacobian is mended and kept.
+const AS_PROMISED: f64 = 0.5;
+
+/// A step that lowers χ².
+struct Step {
+    to: Solution,
+    /// Fall of χ² by the linear model.
+    promised: f64,
+}
+
+/// The linear model of the residuals about a point, in the variables that move.
+struct Slope<'a> {
+    jacobian: &'a DMatrix<f64>,
+    gradient: &'a DVector<f64>,
+    moving: &'a [usize],
+}
+
+impl Slope<'_> {
+    /// Finds the first damped step that lowers χ².
+    fn descend(&self, objective: &mut Objective, here: &Solution, damping: &mut f64, trials: usize) -> Option<Step> {
+        let (n, moving) = (self.moving.len(), self.moving);
+        if n == 0 {
+            return None;
         }
-        let step = damped.cholesky().map(|l| l.solve(&downhill));
-        if let Some(step) = step {
-            let mut position = here.position.clone();
-            for (i, &moved) in moving.iter().enumerate() {
-                let variable = &objective.variables[moved];
-                position[moved] = (position[moved] + step[i]).clamp(variable.low, variable.high);
+        let columns = DMatrix::from_fn(self.jacobian.nrows(), n, |r, c| self.jacobian[(r, moving[c])]);
+        let normal = columns.transpose() * &columns;
+        let downhill = DVector::from_fn(n, |i, _| -self.gradient[moving[i]]);
+        for _ in 0..trials {
+            let mut damped = normal.clone();
+            for i in 0..n {
+                damped[(i, i)] += *damping * normal[(i, i)].max(1e-30);
             }
-            if let Some(next) = evaluate(objective, position).filter(|next| next.chi2 < here.chi2) {
-                *damping = (*damping * 0.2).max(1e-12);
-                let delta_chi2 = here.chi2 - next.chi2;
-                return Some((next, delta_chi2));
+            if let Some(mut step) = damped.cholesky().map(|l| l.solve(&downhill)) {
+                let mut position = here.position.clone();
+                for (i, &moved) in moving.iter().enumerate() {
+                    let variable = &objective.variables[moved];
+                    position[moved] = (position[moved] + step[i]).clamp(variable.low, variable.high);
+                    step[i] = position[moved] - here.position[moved];
+                }
+                if let Some(to) = evaluate(objective, position).filter(|next| next.chi2 < here.chi2) {
+                    *damping = (*damping * 0.2).max(1e-12);
+                    let promised = 2.0 * downhill.dot(&step) - step.dot(&(&normal * &step));
+                    return Some(Step { to, promised });
+                }
             }
+            *damping *= 4.0;
         }
-        *damping *= 4.0;
+        None
     }
-    None
+
+    /// The Jacobian that gives what a step has changed, and is otherwise the nearest to this one, lengths
+    /// measured in the units of the variables.
+    fn mended(
+        &self,
+        objective: &Objective,
+        residuals: &DVector<f64>,
+        from: &DVector<f64>,
+        to: &Solution,
+    ) -> DMatrix<f64> {
+        let step = &to.position - from;
+        let units = objective.variables.iter().map(|v| v.unit.powi(-2));
+        let along = DVector::from_iterator(step.len(), step.iter().zip(units).map(|(s, w)| s * w));
+        let seen = objective.residuals(&to.position, &to.predicted) - residuals;
+        let missed = seen - self.jacobian * &step;
+        self.jacobian + missed * along.transpose() / along.dot(&step)
+    }
 }

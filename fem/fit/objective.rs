@@ -30,6 +30,15 @@ pub struct Objective<'a> {
     pub failures: usize,
 }
 
+/// Differences by which a Jacobian is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Differences {
+    /// From the point itself, one evaluation a variable.
+    Forward,
+    /// From either side, two evaluations.
+    Central,
+}
+
 /// A point of the search, as a rule a minimum.
 #[derive(Clone, Debug)]
 pub struct Solution {
@@ -203,21 +212,40 @@ impl<'a> Objective<'a> {
         DVector::from_vec(rows.chain(self.variables.iter().zip(position.iter()).filter_map(prior)).collect())
     }
 
-    /// Jacobian of the residuals by central differences, one-sided at a bound.
-    pub fn jacobian(&mut self, position: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let count = self.data.len() + self.priors();
-        let mut jacobian = DMatrix::zeros(count, self.variables.len());
-        for i in 0..self.variables.len() {
-            let (low, high) = self.around(position, i);
+    /// Jacobian of the residuals about a point by these differences; columns of variables that are `held` are
+    /// zero.
+    pub fn jacobian_about(
+        &mut self,
+        here: &Solution,
+        held: &[usize],
+        differences: Differences,
+    ) -> Option<DMatrix<f64>> {
+        let residuals = self.residuals(&here.position, &here.predicted);
+        let mut jacobian = DMatrix::zeros(residuals.len(), self.variables.len());
+        for i in (0..self.variables.len()).filter(|i| !held.contains(i)) {
+            let ends: [f64; 2] = self.around(&here.position, i).into();
             let mut at = |s: f64| {
-                let mut moved = position.clone();
+                let mut moved = here.position.clone();
                 moved[i] = s;
                 self.predict(&moved).map(|p| self.residuals(&moved, &p))
             };
-            let column = (at(high)? - at(low)?) / (high - low);
+            let column = match differences {
+                Differences::Central => (at(ends[1])? - at(ends[0])?) / (ends[1] - ends[0]),
+                Differences::Forward => {
+                    // Inwards at a bound.
+                    let far = |s: &f64| (s - here.position[i]).abs();
+                    let s = if far(&ends[1]) >= far(&ends[0]) { ends[1] } else { ends[0] };
+                    (at(s)? - &residuals) / (s - here.position[i])
+                }
+            };
             jacobian.set_column(i, &column);
         }
         Some(jacobian)
+    }
+
+    /// Jacobian of the residuals by central differences, one-sided at a bound.
+    pub fn jacobian(&mut self, here: &Solution) -> Option<DMatrix<f64>> {
+        self.jacobian_about(here, &[], Differences::Central)
     }
 
     /// Sensitivities: derivatives of the prediction of any rows, SI per unit of the search variables.
@@ -258,7 +286,7 @@ impl<'a> Objective<'a> {
     /// Covariance of the search variables, (JᵀJ)⁻¹; a direction that the data do not see gets a huge
     /// variance.
     pub fn covariance(&mut self, solution: &Solution) -> Result<DMatrix<f64>, Failure> {
-        let jacobian = self.jacobian(&solution.position).ok_or_else(|| Failure {
+        let jacobian = self.jacobian(solution).ok_or_else(|| Failure {
             message: "the model cannot be computed beside the best values".into(),
             help: "check bounds and values".into(),
         })?;

@@ -10,7 +10,7 @@ use crate::process::Failure;
 /// Most combinations of starts.
 const MOST: usize = 240;
 /// Stopping criterion of the first, short search from each start.
-const SHORT: StoppingCriterion = StoppingCriterion { steps: 6, tolerance: 1e-10 };
+const SHORT: StoppingCriterion = StoppingCriterion::rough(12, 1e-10);
 
 /// Finds the best minimum over all starts.
 ///

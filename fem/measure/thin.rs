@@ -73,7 +73,8 @@ mod tests {
         let column = |name: &str| process.coordinates().iter().position(|c| c.name == name).unwrap();
         let (x, time) = (&some.rows.columns[column("x")], &some.rows.columns[column("time")]);
         for sensor in 0..6 {
-            let own: Vec<f64> = x.iter().zip(time).filter(|(x, _)| **x == 0.1 * f64::from(sensor)).map(|p| *p.1).collect();
+            let own: Vec<f64> =
+                x.iter().zip(time).filter(|(x, _)| **x == 0.1 * f64::from(sensor)).map(|p| *p.1).collect();
             assert!(own.len().abs_diff(3000 / 18) <= 1, "sensor {sensor}: {} readings", own.len());
             assert!(own[0] < 18.0 && own[own.len() - 1] >= 3000.0 - 18.0, "sensor {sensor}");
         }

@@ -93,6 +93,23 @@ impl Table {
         let of = |(a, d): (&Approach, &f64)| d + self.correction(a.position, a.direction);
         approaches.iter().zip(deviations).map(of).collect()
     }
+
+    /// Deviations as they would be if the table had been made without the target of each: what it may leave
+    /// between its points. The ends keep their entries.
+    pub fn applied_without_own(&self, approaches: &[Approach], deviations: &[f64]) -> Vec<f64> {
+        let others = |left_out: usize| {
+            let mut nodes = self.nodes.clone();
+            nodes.remove(left_out);
+            Self { nodes, ..*self }
+        };
+        let inner = 1..self.nodes.len().saturating_sub(1).max(1);
+        let without: Vec<Self> = inner.clone().map(others).collect();
+        let of = |(a, d): (&Approach, &f64)| {
+            let own = inner.clone().position(|i| self.nodes[i].position == a.position);
+            d + own.map_or(self, |i| &without[i]).correction(a.position, a.direction)
+        };
+        approaches.iter().zip(deviations).map(of).collect()
+    }
 }
 
 fn rounded(value: f64, resolution: f64) -> f64 {

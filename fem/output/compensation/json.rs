@@ -106,6 +106,7 @@ fn scheme(s: &Scheme) -> Json {
         "entries": s.table.nodes.iter().map(entry).collect::<Vec<_>>(),
         "after": quantities(&s.after),
         "checks": s.checks.iter().map(check).collect::<Vec<_>>(),
+        "left_out": s.left_out.iter().map(check).collect::<Vec<_>>(),
         "modelled_range": um(s.modelled.spread()),
     })
 }

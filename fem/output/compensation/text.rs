@@ -53,6 +53,9 @@ fn verdict(c: &Compensation) -> &'static str {
             "compensation would reach the tolerance, but the controller's entries are too coarse for it"
         }
         Feasibility::Repair => "compensation cannot reach the tolerance: the mechanics must be repaired first",
+        Feasibility::BetweenTargets => {
+            "tables bring the targets within tolerance; whether they do so between them is not known: measure more targets"
+        }
         Feasibility::Unknown => {
             "whether compensation suffices is not known: approach every target at least twice from each side"
         }
