@@ -1,5 +1,8 @@
 //! Candidate model: the model with a set of effects more, fitted.
 
+use nalgebra::DVector;
+
+use super::sensitivity::CandidateEffect;
 use crate::fit::{Objective, Solution};
 use crate::process::Neutral;
 
@@ -70,6 +73,20 @@ impl CandidateModel<'_> {
             }
         }
         None
+    }
+
+    /// Position of the same set with its members in another order.
+    pub fn position_of(&self, members: &[usize], candidates: &[CandidateEffect]) -> DVector<f64> {
+        let mut first = self.objective.data.model.parameters.len();
+        let own = &self.solution.position.as_slice()[..first];
+        let mut values = std::collections::BTreeMap::new();
+        for member in &self.members {
+            let end = first + candidates[*member].parameters;
+            values.insert(*member, &self.solution.position.as_slice()[first..end]);
+            first = end;
+        }
+        let added = members.iter().filter_map(|m| values.get(m).copied()).flatten();
+        DVector::from_vec(own.iter().chain(added).copied().collect())
     }
 
     /// Members in rising order, by which equal sets are recognised.

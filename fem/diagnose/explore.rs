@@ -5,7 +5,7 @@ use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::hypothesis::Hypothesis;
 use super::instrument::{self, Proposal};
-use super::search::{Breadth, SearchResult};
+use super::search::{Breadth, Extent, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
 use crate::compare::{PROMISING, is_round_off};
 use crate::fit::{Objective, Solution};
@@ -52,7 +52,7 @@ impl Exploration<'_> {
         // Rows that contradict their own repeats are wrong whatever the model says.
         let wrong = path.first().and_then(|first| instrument::contradictions(&first.found.base, self.repeats));
         if let (Some(wrong), Some(first)) = (wrong, path.first()) {
-            let without = self.under(&first.found.base, wrong)?;
+            let without = self.under(&first.found, wrong)?;
             path.push(without);
         }
         for _ in 0..MOST_TERMS {
@@ -112,7 +112,7 @@ impl Exploration<'_> {
                 // What explains everything is not likely to be beaten from so far behind.
                 continue;
             }
-            let found = self.under(&here.found.base, proposal)?;
+            let found = self.under(&here.found, proposal)?;
             if best.as_ref().is_none_or(|b| found.criterion < b.criterion) {
                 best = Some(found);
             }
@@ -127,24 +127,29 @@ impl Exploration<'_> {
             return Ok(last);
         }
         let mut objective = last.found.base.objective.clone();
-        let found = self.look(&mut objective, &mut self.start.clone(), &last.repeats, Breadth::WIDE)?;
+        let extent = Extent { breadth: Breadth::WIDE, deepens: true, ..self.extent(&[]) };
+        let found = look_until_settled(&mut objective, &mut self.start.clone(), self.absent, &last.repeats, extent)?;
         let wide = Hypothesis::new(found, last.repeats.clone());
         Ok(if wide.criterion < last.criterion { wide } else { last })
     }
 
-    /// Searches under a noise; its sizes are settled with what is found.
-    fn under<'a>(&self, base: &CandidateModel<'a>, proposal: Proposal) -> Result<Hypothesis<'a>, Failure> {
-        let mut objective = base.objective.clone();
+    /// Searches under a noise; its sizes are settled with what is found. The search begins with what an earlier
+    /// one has found.
+    fn under<'a>(&self, earlier: &SearchResult<'a>, proposal: Proposal) -> Result<Hypothesis<'a>, Failure> {
+        let mut objective = earlier.base.objective.clone();
         let mut solution = self.start.clone();
         let mut within = proposal.repeats;
         objective.noise = proposal.noise;
-        let mut found = self.look(&mut objective, &mut solution, &within, Breadth::USUAL)?;
+        let mut look = |objective: &mut Objective<'a>, within: &Repeats, known: &[CandidateModel<'a>]| {
+            look_until_settled(objective, &mut solution, self.absent, within, self.extent(known))
+        };
+        let mut found = look(&mut objective, &within, &earlier.tried)?;
         for _ in 0..ROUNDS {
             let Some((noise, own)) = instrument::settled(found.best(), self.repeats) else { break };
             let sizes = noise.terms.iter().zip(&found.best().objective.noise.terms);
             let is_settled = sizes.into_iter().all(|(a, b)| (1.0 / SETTLED..SETTLED).contains(&(a.size / b.size)));
             (objective.noise, within) = (noise, own);
-            found = self.look(&mut objective, &mut solution, &within, Breadth::USUAL)?;
+            found = look(&mut objective, &within, &std::mem::take(&mut found.tried))?;
             if is_settled {
                 break;
             }
@@ -152,13 +157,7 @@ impl Exploration<'_> {
         Ok(Hypothesis::new(found, within))
     }
 
-    fn look<'a>(
-        &self,
-        objective: &mut Objective<'a>,
-        solution: &mut Solution,
-        within: &Repeats,
-        breadth: Breadth,
-    ) -> Result<SearchResult<'a>, Failure> {
-        look_until_settled(objective, solution, self.absent, within, (self.most, breadth, self.progress))
+    fn extent<'k, 'a>(&'k self, known: &'k [CandidateModel<'a>]) -> Extent<'k, 'a> {
+        Extent { most: self.most, breadth: Breadth::USUAL, deepens: false, known, progress: self.progress }
     }
 }

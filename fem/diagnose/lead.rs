@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::DVector;
 
-use super::candidate_model::CandidateModel;
+use super::candidate_model::{self, CandidateModel};
 use super::gain::Gain;
 use super::pairs::Pair;
 use super::residual_projection::ProjectedResidual;
@@ -18,7 +18,7 @@ const HALVINGS: usize = 5;
 /// χ² of the priors above which a re-fit also starts from the prior values.
 const BENT: f64 = 9.0;
 /// Stopping criterion that is enough to rank sets; the last set is fitted to full convergence.
-const SEARCHING: StoppingCriterion = StoppingCriterion::rough(40, 1e-5);
+const SEARCHING: StoppingCriterion = StoppingCriterion::rough(40, 1e-4);
 
 /// Set that is worth fitting.
 pub struct Lead<'t, 'a> {
@@ -108,10 +108,23 @@ pub fn promising(gains: Vec<Gain>) -> Vec<(usize, Gain)> {
     chosen
 }
 
-/// Fits a set from its starts.
-pub fn refit<'a>(lead: &Lead<'_, 'a>, candidates: &[CandidateEffect]) -> Option<CandidateModel<'a>> {
+/// Fits a set from its starts; from where an earlier search has left it alone, if that is as good as they
+/// promise.
+pub fn refit<'a>(
+    lead: &Lead<'_, 'a>,
+    candidates: &[CandidateEffect],
+    known: &[CandidateModel<'a>],
+) -> Option<CandidateModel<'a>> {
     let candidate = &candidates[lead.added];
-    let objective = lead.parent.objective.with(&candidate.effect);
+    let mut objective = lead.parent.objective.with(&candidate.effect);
+    let members = [&lead.parent.members[..], &[lead.added]].concat();
+    let earlier = known.iter().find(|k| k.key() == candidate_model::key(&members));
+    if let Some(position) = earlier.map(|k| k.position_of(&members, candidates))
+        && let Some(predicted) = objective.predict(&position)
+        && objective.residuals(&position, &predicted).norm_squared() <= lead.promised
+    {
+        return fit_from(lead.parent, &[lead.added], objective, [Start::own(&position)]);
+    }
     let starts = one_by_one(lead.parent, candidate, &lead.starts, &objective.variables);
     fit_from(lead.parent, &[lead.added], objective, starts.into_iter().chain(lead.together.clone()))
 }

@@ -44,7 +44,7 @@ use crate::progress::Progress;
 use explore::Exploration;
 use failure::unsolvable;
 use hypothesis::Hypothesis;
-use search::Breadth;
+use search::{Breadth, Extent};
 use settle::look_until_settled;
 
 /// Most effects that are sought together, unless told otherwise.
@@ -72,7 +72,7 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
 
 fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     progress.expect(1);
-    let extent = (most, Breadth::USUAL, progress);
+    let extent = Extent { most, breadth: Breadth::USUAL, deepens: true, known: &[], progress };
     let absent = absent(data.model);
     let mut objective = Objective::new(data)?;
     let mut solution = fit::best(&mut objective)?;
@@ -85,6 +85,8 @@ fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress
     while let Some((parameter, conflict)) = prior_conflict::conflicting_prior(&found, &within) {
         objective.variables[parameter].prior = None;
         conflicts.push(conflict);
+        let before = std::mem::take(&mut found.tried);
+        let extent = Extent { known: &before, ..extent };
         found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     }
     let first = Hypothesis::new(found, within);

@@ -36,6 +36,22 @@ impl Breadth {
     pub const WIDE: Self = Self { beam: 20, refitted: 60 };
 }
 
+/// How far a search goes, and what it knows beforehand.
+#[derive(Clone, Copy)]
+pub struct Extent<'e, 'a> {
+    /// Most effects that are sought together.
+    pub most: usize,
+    /// Breadth.
+    pub breadth: Breadth,
+    /// Whether the best set, where it leaves structure, is brought to the deepest minimum that the profiles of
+    /// its parameters come upon: as dear as the search itself.
+    pub deepens: bool,
+    /// Sets that an earlier search has fitted, under another noise.
+    pub known: &'e [CandidateModel<'a>],
+    /// Where progress is told.
+    pub progress: &'e Progress,
+}
+
 /// Most rounds in which an effect of a set is exchanged.
 const EXCHANGES: usize = 4;
 
@@ -72,9 +88,9 @@ pub fn search<'a>(
     base: CandidateModel<'a>,
     candidates: Vec<CandidateEffect>,
     variance: Variance,
-    (most, breadth): (usize, Breadth),
-    progress: &Progress,
+    extent: Extent<'_, 'a>,
 ) -> Option<SearchResult<'a>> {
+    let Extent { most, breadth, known, progress, .. } = extent;
     let everyone: Vec<&CandidateEffect> = candidates.iter().collect();
     let projected = ProjectedResidual::new(&mut base.objective.clone(), &base.solution)?;
     let first_null_distribution = MaxStatistic::simulate(&projected, &everyone, variance);
@@ -101,7 +117,8 @@ pub fn search<'a>(
             seen.insert(candidate_model::key(&members))
         });
         leads.truncate(if size == 1 { usize::MAX } else { breadth.refitted });
-        let fitted: Vec<CandidateModel<'a>> = leads.par_iter().filter_map(|lead| refit(lead, &candidates)).collect();
+        let fitted: Vec<CandidateModel<'a>> =
+            leads.par_iter().filter_map(|lead| refit(lead, &candidates, known)).collect();
         drop(leads);
         if size == 1 {
             let of = |i: usize| fitted.iter().find(|t| t.members == [i]).cloned();
@@ -113,7 +130,7 @@ pub fn search<'a>(
         let Some(mut best) = beam.first().cloned() else { break };
         if size > 1 {
             beam.truncate(breadth.beam);
-            best = exchange(&base, &candidates, best, breadth);
+            best = exchange(&base, &candidates, best, extent);
             tried.insert(best.key(), best.clone());
             beam.insert(0, best.clone());
             beam.dedup_by_key(|t| t.key());
@@ -192,7 +209,7 @@ fn exchange<'a>(
     base: &CandidateModel<'a>,
     candidates: &[CandidateEffect],
     mut best: CandidateModel<'a>,
-    breadth: Breadth,
+    Extent { breadth, known, .. }: Extent<'_, 'a>,
 ) -> CandidateModel<'a> {
     for _ in 0..EXCHANGES {
         let smaller: Vec<CandidateModel> =
@@ -200,7 +217,8 @@ fn exchange<'a>(
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
         leads.truncate(breadth.refitted);
-        let mut fitted: Vec<CandidateModel> = leads.par_iter().filter_map(|lead| refit(lead, candidates)).collect();
+        let mut fitted: Vec<CandidateModel> =
+            leads.par_iter().filter_map(|lead| refit(lead, candidates, known)).collect();
         if best.members.len() > 2 {
             fitted.extend(reseated(base, candidates, &best));
         }

@@ -3,20 +3,19 @@
 use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::null_distribution::variance;
-use super::search::{self, Breadth, SearchResult};
+use super::search::{self, Extent, SearchResult};
 use super::sensitivity;
 use super::verdict::is_explained;
 use crate::fit::{self, Objective, Solution, StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::noise::NoiseSource;
 use crate::process::{Description, Failure};
-use crate::progress::Progress;
 
 /// Ratio between estimates of the noise up to which it counts as settled.
 pub const SETTLED: f64 = 1.1;
 
-/// Most effects that are sought together, how widely, and where progress is told.
-pub type Extent<'p> = (usize, Breadth, &'p Progress);
+/// Fall of χ² from which a minimum was a shallow one.
+const SHALLOW: f64 = 1.0;
 
 /// Repeats the search until the residuals of the best model agree with the noise that it was found with.
 pub fn look_until_settled<'a>(
@@ -24,23 +23,49 @@ pub fn look_until_settled<'a>(
     solution: &mut Solution,
     absent: &[Description],
     repeats: &Repeats,
-    extent: Extent,
+    extent: Extent<'_, 'a>,
 ) -> Result<SearchResult<'a>, Failure> {
     /// Most searches after the first.
     const MOST: usize = 4;
     let mut found = look(objective, solution, absent, repeats, extent)?;
-    if objective.noise.source == NoiseSource::Estimated {
-        for _ in 0..MOST {
-            let left = found.best().objective.residual_noise(&found.best().solution);
-            let settled = left.is_about(&objective.noise, SETTLED);
-            objective.noise = left;
-            found = look(objective, solution, absent, repeats, extent)?;
-            if settled {
-                break;
-            }
+    for _ in 0..if objective.noise.source == NoiseSource::Estimated { MOST } else { 0 } {
+        let (next, settled) = look_again(objective, solution, absent, found, repeats, extent)?;
+        found = next;
+        if settled {
+            break;
         }
     }
+    if extent.deepens && deepen(&mut found, repeats)? && objective.noise.source == NoiseSource::Estimated {
+        found = look_again(objective, solution, absent, found, repeats, extent)?.0;
+    }
     Ok(found)
+}
+
+/// Searches with the noise that a search has left; also whether that is the noise that it was given.
+fn look_again<'a>(
+    objective: &mut Objective<'a>,
+    solution: &mut Solution,
+    absent: &[Description],
+    mut found: SearchResult<'a>,
+    repeats: &Repeats,
+    extent: Extent<'_, 'a>,
+) -> Result<(SearchResult<'a>, bool), Failure> {
+    let left = found.best().objective.residual_noise(&found.best().solution);
+    let settled = left.is_about(&objective.noise, SETTLED);
+    objective.noise = left;
+    let mut known = std::mem::take(&mut found.tried);
+    known.insert(0, found.best().clone());
+    let next = look(objective, solution, absent, repeats, Extent { known: &known, ..extent })?;
+    Ok((next, settled))
+}
+
+/// Brings the best set, where it leaves structure, to the deepest minimum that the profiles of its parameters
+/// come upon; also whether it was deeper.
+fn deepen(found: &mut SearchResult, repeats: &Repeats) -> Result<bool, Failure> {
+    let Some(best) = found.steps.last_mut().filter(|best| !is_explained(best, repeats)) else { return Ok(false) };
+    let before = best.solution.chi2;
+    best.solution = fit::profile_intervals(&mut best.objective, best.solution.clone())?.solution;
+    Ok(best.solution.chi2 < before - SHALLOW)
 }
 
 /// Searches once, with a given noise.
@@ -49,17 +74,11 @@ fn look<'a>(
     solution: &mut Solution,
     absent: &[Description],
     repeats: &Repeats,
-    (most, breadth, progress): Extent,
+    extent: Extent<'_, 'a>,
 ) -> Result<SearchResult<'a>, Failure> {
     *solution = minimise(objective, &solution.position, &[], StoppingCriterion::FULL).ok_or_else(unsolvable)?;
     let candidates = sensitivity::candidates(objective, solution, absent);
     let base = CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let variance = variance(&objective.noise, repeats);
-    let mut found = search::search(base, candidates, variance, (most, breadth), progress).ok_or_else(unsolvable)?;
-    let explains = found.best().members.is_empty() || is_explained(found.best(), repeats);
-    if let Some(best) = found.steps.last_mut().filter(|_| !explains) {
-        // The best model may stand in a shallow minimum.
-        best.solution = fit::profile_intervals(&mut best.objective, best.solution.clone())?.solution;
-    }
-    Ok(found)
+    search::search(base, candidates, variance, extent).ok_or_else(unsolvable)
 }
