@@ -59,6 +59,11 @@ impl Start {
 }
 
 impl<'a> Lead<'_, 'a> {
+    /// Members of the set, in rising order.
+    pub fn key(&self) -> Vec<usize> {
+        candidate_model::key(&[&self.parent.members[..], &[self.added]].concat())
+    }
+
     /// Starts the two effects of a pair together: the first, while alone, may have taken up what belongs to
     /// the second.
     pub fn look_at(
@@ -118,7 +123,8 @@ pub fn refit<'a>(
     let candidate = &candidates[lead.added];
     let mut objective = lead.parent.objective.with(&candidate.effect);
     let members = [&lead.parent.members[..], &[lead.added]].concat();
-    let earlier = known.iter().find(|k| k.key() == candidate_model::key(&members));
+    let key = lead.key();
+    let earlier = known.iter().find(|k| k.key() == key);
     if let Some(position) = earlier.map(|k| k.position_of(&members, candidates))
         && let Some(predicted) = objective.predict(&position)
         && objective.residuals(&position, &predicted).norm_squared() <= lead.promised

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rayon::prelude::*;
 
-use super::candidate_model::{self, CandidateModel};
+use super::candidate_model::CandidateModel;
 use super::lead::{Lead, fit_from, leads, refit, together, without};
 use super::null_distribution::{MaxStatistic, Variance};
 use super::pairs;
@@ -111,11 +111,7 @@ pub fn search<'a>(
         }
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
         let mut seen = BTreeSet::new();
-        leads.retain(|lead| {
-            let mut members = lead.parent.members.clone();
-            members.push(lead.added);
-            seen.insert(candidate_model::key(&members))
-        });
+        leads.retain(|lead| seen.insert(lead.key()));
         leads.truncate(if size == 1 { usize::MAX } else { breadth.refitted });
         let fitted: Vec<CandidateModel<'a>> =
             leads.par_iter().filter_map(|lead| refit(lead, &candidates, known)).collect();
@@ -130,7 +126,7 @@ pub fn search<'a>(
         let Some(mut best) = beam.first().cloned() else { break };
         if size > 1 {
             beam.truncate(breadth.beam);
-            best = exchange(&base, &candidates, best, extent);
+            best = exchange(&base, &candidates, best, &tried, extent);
             tried.insert(best.key(), best.clone());
             beam.insert(0, best.clone());
             beam.dedup_by_key(|t| t.key());
@@ -209,18 +205,23 @@ fn exchange<'a>(
     base: &CandidateModel<'a>,
     candidates: &[CandidateEffect],
     mut best: CandidateModel<'a>,
+    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
     Extent { breadth, known, .. }: Extent<'_, 'a>,
 ) -> CandidateModel<'a> {
+    /// Fall of χ², to first order, for which a set that was tried is fitted again.
+    const AGAIN: f64 = 1.0;
     for _ in 0..EXCHANGES {
         let smaller: Vec<CandidateModel> =
-            best.members.iter().filter_map(|m| without(base, candidates, &best, *m)).collect();
+            best.members.iter().filter_map(|m| smaller(base, candidates, &best, *m, tried)).collect();
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
+        let before = |lead: &Lead| tried.get(&lead.key());
+        leads.retain(|lead| before(lead).is_none_or(|t| lead.promised < t.solution.chi2 - AGAIN));
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
         leads.truncate(breadth.refitted);
         let mut fitted: Vec<CandidateModel> =
             leads.par_iter().filter_map(|lead| refit(lead, candidates, known)).collect();
         if best.members.len() > 2 {
-            fitted.extend(reseated(base, candidates, &best));
+            fitted.extend(reseated(base, candidates, &best, tried));
         }
         let Some(better) = fitted.into_iter().min_by(|a, b| a.penalised_bic().total_cmp(&b.penalised_bic())) else {
             break;
@@ -239,12 +240,14 @@ fn reseated<'a>(
     base: &CandidateModel<'a>,
     candidates: &[CandidateEffect],
     set: &CandidateModel<'a>,
+    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
 ) -> Vec<CandidateModel<'a>> {
     let members = set.key();
     let twos: Vec<[usize; 2]> =
         (0..members.len()).flat_map(|j| (0..j).map(move |i| [i, j])).map(|two| two.map(|i| members[i])).collect();
     let reseat = |two: &[usize; 2]| {
-        let rest = without(base, candidates, &without(base, candidates, set, two[0])?, two[1])?;
+        let rest = smaller(base, candidates, set, two[0], tried)?;
+        let rest = smaller(base, candidates, &rest, two[1], tried)?;
         let projected = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution)?;
         let pairs = pairs::pairs(&projected, &two.map(|i| &candidates[i]));
         let start = together(&rest, pairs.get(&(0, 1))?, *two, candidates);
@@ -252,4 +255,16 @@ fn reseated<'a>(
         fit_from(&rest, two, objective, [start])
     };
     twos.par_iter().filter_map(reseat).collect()
+}
+
+/// The set without one of its members, as it was tried before or fitted now.
+fn smaller<'a>(
+    base: &CandidateModel<'a>,
+    candidates: &[CandidateEffect],
+    set: &CandidateModel<'a>,
+    member: usize,
+    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
+) -> Option<CandidateModel<'a>> {
+    let rest: Vec<usize> = set.key().into_iter().filter(|m| *m != member).collect();
+    tried.get(&rest).cloned().or_else(|| without(base, candidates, set, member))
 }
