@@ -5,6 +5,7 @@ mod args;
 mod budget;
 mod compare;
 mod compensate;
+mod data;
 mod diagnose;
 mod effects;
 mod error;

@@ -1,9 +1,9 @@
 //! Reads the header row: the meaning and the unit of every column.
 
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
-use crate::input::{Problem, name_and_unit, nearest, parted_by_commas};
+use crate::input::{Problem, name_and_unit, nearest};
 use crate::process::{Absent, Holds};
-use crate::units::{Kind, Unit, UnitError};
+use crate::units::{Kind, TIME, Unit, UnitError};
 
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,6 @@ pub struct Header {
 
 /// Reads the header cells. Problems carry no place, for they all stand in the same line.
 pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Result<Header, Vec<Problem>> {
-    parted_by_commas(cells.iter().map(String::as_str)).map_err(|problem| vec![problem])?;
     let mut header = Header::default();
     let mut problems = Vec::new();
     let (mut unknown, mut wrong): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
@@ -94,7 +93,9 @@ fn column(name: &str, unit: &str, vocabulary: Vocabulary) -> Result<Column, Prob
 }
 
 fn unfit(name: &str, kind: &Kind, error: UnitError) -> Problem {
-    Problem::new(format!("`{name}`: {}", error.message)).help(format!("write {name} [{}]", kind.unit))
+    let is_time = kind.canonical().dimension == TIME.canonical().dimension;
+    let or = if is_time { ", or dates with times, 2026-03-01T10:00:00, in its cells" } else { "" };
+    Problem::new(format!("`{name}`: {}", error.message)).help(format!("write {name} [{}]{or}", kind.unit))
 }
 
 fn note(name: &str, vocabulary: Vocabulary) -> String {
