@@ -48,6 +48,8 @@ pub enum Command {
     Add(Add),
     /// Write a commented model to start from
     New(New),
+    /// Write a measurement file of what an instrument or a spreadsheet wrote
+    Import(Import),
     /// The JSON Schema of model files, for editors
     Schema,
     /// Every handbook and benchmark case: expected, computed, error
@@ -107,11 +109,14 @@ pub enum Mark {
 }
 
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Several models are shown side by side, in the order given: the error falling.
+#[command(
+    after_help = "Several models are shown side by side, in the order given: the error falling. `fem effects PROCESS` names the
+columns of the measurements, which may be parted by commas, semicolons or tabs.
 
 Examples:
   fem compare shaft.toml --with measured.csv
-  fem compare rigid.toml springs.toml worn.toml --with measured.csv -o residuals")]
+  fem compare rigid.toml springs.toml worn.toml --with measured.csv -o residuals"
+)]
 pub struct Compare {
     /// The model files
     #[arg(required = true, value_name = "MODEL")]
@@ -270,6 +275,27 @@ pub struct New {
     /// The file to write; it must not exist. Printed if left out
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Every command reads such files as they are; this one shows what is taken, and keeps it. `fem effects PROCESS` names the columns.
+
+Examples:
+  fem import test.csv --process axis -o measured.csv
+  fem import log.csv --process thermal --columns 'Zeit=time [s],T1=temperature@x=12 mm [degC]' -o measured.csv"
+)]
+pub struct Import {
+    /// The file of an instrument or a spreadsheet
+    pub file: PathBuf,
+    /// The process that was measured
+    #[arg(long, value_name = "PROCESS")]
+    pub process: String,
+    /// The file to write
+    #[arg(short, long, value_name = "FILE.csv")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub reading: Reading,
 }
 
 #[derive(Debug, clap::Args)]

@@ -38,29 +38,28 @@ enum Style {
 /// Writes the numbers of the `numeric` columns with a point. Where nobody `said` which mark is the decimal one,
 /// it is the only one that occurs; commas then are not the separator of the columns.
 ///
+/// Gives the problems of single numbers that have marks where none can stand.
+///
 /// # Errors
-/// Both marks occur, or a number has its marks where neither can stand.
+/// Which mark is the decimal one cannot be told, so that no number can be read.
 pub fn settle(
     rows: &mut [Row],
     numeric: &[bool],
     separator: char,
     said: Option<Decimal>,
     told: &mut Vec<String>,
-) -> Vec<Problem> {
+) -> Result<Vec<Problem>, Problem> {
     let decimal = match said {
         Some(decimal) => decimal,
         // Quoted cells such as "1,500" are refused as no numbers.
-        None if separator == ',' => return Vec::new(),
-        None => match found(rows, numeric) {
-            Ok(decimal) => decimal,
-            Err(problem) => return vec![problem],
-        },
+        None if separator == ',' => return Ok(Vec::new()),
+        None => found(rows, numeric)?,
     };
     if decimal == Decimal::Comma {
         told.push("a decimal comma".into());
     }
     if decimal == Decimal::Point && said.is_none() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let mut problems = Vec::new();
     for row in rows {
@@ -77,7 +76,7 @@ pub fn settle(
         }
         row.cells = cells;
     }
-    problems
+    Ok(problems)
 }
 
 /// The mark that alone occurs; a point where none does.

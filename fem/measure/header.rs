@@ -120,7 +120,8 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
         let problem = Problem::new("no column holds what was observed");
         let near: String =
             vocabulary.observables.iter().map(|o| meant(o.name)).find(|m| !m.is_empty()).unwrap_or_default();
-        problems.push(("", problem.help(format!("{near}add a column {}", names.join(" or ")))));
+        let help = format!("{near}add a column {}, or {}", names.join(" or "), said(&names[0], vocabulary));
+        problems.push(("", problem.help(help)));
     }
     for (i, coordinate) in vocabulary.coordinates.iter().enumerate() {
         let given = header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
@@ -135,11 +136,18 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
                 _ => String::new(),
             };
             let problem = Problem::new(format!("the column `{}` is missing: {}", coordinate.name, coordinate.about));
-            let help = format!("{}add a column {}{unit}", meant(coordinate.name), coordinate.name);
+            let name = format!("{}{unit}", coordinate.name);
+            let said = said(&name, vocabulary);
+            let help = format!("{}add a column {name}, or {said}", meant(coordinate.name));
             problems.push((coordinate.name, problem.help(help)));
         }
     }
     problems
+}
+
+/// How a column of another name is said to be this one, and where the names stand.
+fn said(name: &str, vocabulary: Vocabulary) -> String {
+    format!("say which one it is: --columns 'HEADING={name}'; `fem effects {}` lists all names", vocabulary.process)
 }
 
 /// Checks that every column of uncertainties belongs to an observable of the file, has its dimension, and

@@ -115,12 +115,15 @@ pub fn parts(cell: &str, is_known: impl Fn(&str) -> bool) -> (&str, &str) {
     let round = || cell.strip_suffix(')').and_then(|text| text.split_once('('));
     let said = || cell.rsplit_once(" in ");
     let slash = || cell.split_once('/');
-    let is_unit = |(name, unit): &(&str, &str)| {
-        is_known(name.trim()) || (!unit.trim().is_empty() && Unit::parse(unit.trim()).is_ok())
-    };
+    let is_unit = |(name, unit): &(&str, &str)| is_known(name.trim()) || self::is_unit(unit.trim());
     let found = brackets.or_else(|| round().filter(is_unit)).or_else(|| said().filter(is_unit));
     let (name, unit) = found.or_else(|| slash().filter(is_unit)).unwrap_or((cell, ""));
     (name.trim(), unit.trim())
+}
+
+/// Whether a text is a unit, and not a number: a file of whole numbers has no units in its first row.
+pub fn is_unit(text: &str) -> bool {
+    text.contains(|c: char| c.is_alphabetic() || c == '°') && Unit::parse(text).is_ok()
 }
 
 /// Reads `x=12 mm` in a heading.

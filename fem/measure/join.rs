@@ -120,7 +120,9 @@ impl Measurements {
                 let convert = conversion(own, &self.header[*column]).flatten();
                 cells[*column] = match (convert, cell.parse::<f64>()) {
                     (Some([from, to]), Ok(value)) => {
-                        ((value * from.factor + from.offset - to.offset) / to.factor).to_string()
+                        let value = (value * from.factor + from.offset - to.offset) / to.factor;
+                        // Round-off of the conversion is no digit of the file.
+                        format!("{value:.14e}").parse().unwrap_or(value).to_string()
                     }
                     _ => cell.to_string(),
                 };

@@ -22,7 +22,7 @@ pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
 pub use reading::Reading;
 pub use repeats::{LEAST_FREEDOM, Repeats, Scatter, repeats};
-pub use vocabulary::MeasuredObservable;
+pub use vocabulary::{MeasuredObservable, is_column};
 
 use std::collections::HashMap;
 

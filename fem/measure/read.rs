@@ -1,5 +1,6 @@
 //! Reads the rows of a measurement file.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::header::{self, Column, Header};
@@ -66,7 +67,8 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
         .map_err(|problems| refuse(problems.into_iter().map(of_header).collect()))?;
     let mut builder = Builder::new(&header, vocabulary, purpose, file.header);
     let mut problems = file.problems;
-    for row in file.rows {
+    let told: BTreeSet<usize> = problems.iter().filter_map(|p| p.span.as_ref()).map(|span| span.start).collect();
+    for row in file.rows.into_iter().filter(|row| !told.contains(&row.place.start)) {
         if problems.len() >= MOST_PROBLEMS {
             break;
         }

@@ -76,13 +76,23 @@ pub fn read(source: &Source) -> Result<Sheet, Problem> {
                 counted = place.start;
                 sheet.rows.push(Row { cells, place, line });
             }
-            Err(error) => sheet.problems.push(no_csv(&error, skipped)),
+            Err(error) => sheet.problems.push(ragged(&error, skipped, separator)),
         }
         if sheet.problems.len() >= MOST_PROBLEMS {
             break;
         }
     }
     Ok(sheet)
+}
+
+/// The problem of a record that is no CSV, or has other cells than the header.
+fn ragged(error: &csv::Error, skipped: usize, separator: char) -> Problem {
+    let problem = no_csv(error, skipped);
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } if separator == ',' && len > expected_len => problem
+            .help("give every row one cell per column; where decimals have a comma, part the columns by semicolons"),
+        _ => problem,
+    }
 }
 
 /// The separator that a first line `sep=;` names, and the text behind that line: so write spreadsheets.

@@ -5,14 +5,14 @@ use std::ops::Range;
 
 use csv::StringRecord;
 
-use super::heading::Heading;
+use super::heading::{self, Heading};
 use super::reading::{self, Reading};
 use super::sheet::{self, MOST_PROBLEMS, Row, Sheet};
 use super::vocabulary::Vocabulary;
 use super::{actual, clock, decimal, wide, words};
 use crate::input::{Problem, Source, did_you_mean};
 use crate::process::Holds;
-use crate::units::{TIME, Unit};
+use crate::units::TIME;
 
 /// Most readings of one sort that are told one by one.
 const MOST_TOLD: usize = 8;
@@ -50,7 +50,8 @@ pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<T
     let renamed: Vec<String> = headings.iter().filter_map(Heading::told).collect();
     let numeric: Vec<bool> = headings.iter().map(|heading| is_numeric(heading, vocabulary)).collect();
     let mut problems = sheet.problems;
-    problems.extend(decimal::settle(&mut sheet.rows, &numeric, sheet.separator, said.decimal, &mut told));
+    let marks = decimal::settle(&mut sheet.rows, &numeric, sheet.separator, said.decimal, &mut told);
+    problems.extend(marks.map_err(|problem| vec![problem])?);
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
         problems.extend(clock::count(&mut sheet.rows, column, heading, &mut notes));
     }
@@ -131,7 +132,7 @@ fn names(header: &[String]) -> Vec<String> {
 fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) -> Result<(), Problem> {
     let Some(first) = sheet.rows.first() else { return Ok(()) };
     let cells: Vec<&str> = first.cells.iter().map(|cell| cell.trim_matches(['[', ']', '(', ')']).trim()).collect();
-    let is_unit = |cell: &&str| !cell.is_empty() && Unit::parse(cell).is_ok();
+    let is_unit = |cell: &&str| heading::is_unit(cell);
     let is_blank = |cell: &str| matches!(cell, "" | "-");
     let known = || headings.iter().zip(&cells).filter(|(heading, _)| heading.is_known);
     if !known().all(|(_, cell)| is_blank(cell) || is_unit(cell)) || !known().any(|(_, cell)| is_unit(cell)) {

@@ -28,6 +28,11 @@ impl MeasuredObservable {
     }
 }
 
+/// Whether measurement files of a process have a column of this name.
+pub fn is_column(process: &dyn Process, name: &str) -> bool {
+    Vocabulary::of(process).knows(name)
+}
+
 /// Purpose for which a file is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Purpose {

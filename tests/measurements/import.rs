@@ -81,6 +81,13 @@ const CASES: &[Case] = &[
         ..PLAIN
     },
     Case {
+        name: "a first row of whole numbers, which are no units",
+        written: "X (mm),part,diameter_error [um]\n20,1,3\n77,2,4\n",
+        own: "x [mm],part,diameter_error [um]\n20,1,3\n77,2,4\n",
+        told: "`X (mm)` as x [mm]",
+        ..PLAIN
+    },
+    Case {
         name: "comments between, empty columns behind",
         written: "# a\nx [mm];part;diameter_error [um];u [um];;\n# b\n20.5;1;-29.737;1;;\n77;2;3.5;1;;\n",
         told: "columns parted by semicolons",
