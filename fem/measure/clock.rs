@@ -125,6 +125,7 @@ pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut
         _ => return Vec::new(),
     };
     let (name, like) = (heading.name.clone(), said.as_ref().unwrap_or(&text));
+    let written = heading.written.clone();
     let mut problems = Vec::new();
     let mut before = f64::NEG_INFINITY;
     for row in rows.iter_mut().filter(|row| !cell(row).is_empty()) {
@@ -150,7 +151,7 @@ pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut
         Some(said) => format!("`{name}` is counted from {said}, as was said"),
         None => format!(
             "`{name}` is counted from {text}, its first (line {line}); if the model's clock began at another \
-             moment, say --columns '{name}={name} since {text}'"
+             moment, say --columns '{written}={name} since {text}'"
         ),
     });
     problems

@@ -43,6 +43,8 @@ impl Measurements {
         is_design: bool,
     ) -> Result<Self, InputError> {
         let said = &said.of_several(paths.len() > 1);
+        // A file has many names, by different ways.
+        let places: Vec<_> = paths.iter().map(|path| std::fs::canonicalize(path.as_ref())).collect();
         let load = |path: &P| match is_design {
             true => Self::load_design(path.as_ref(), process, said),
             false => Self::load_as(path.as_ref(), process, said),
@@ -51,6 +53,10 @@ impl Measurements {
         let names: Vec<&str> = files.iter().map(|file| &*file.name).collect();
         let name = names.join(", ");
         let refuse = |problem| InputError::one(Source::new(name.clone(), ""), problem);
+        let is_again = |i: &usize| places[..*i].iter().flatten().any(|other| places[*i].as_ref().is_ok_and(|p| p == other));
+        if let Some(again) = (0..places.len()).find(is_again) {
+            return Err(refuse(twice(names[again])));
+        }
         let is_nowhere = |from: &&str| files.iter().all(|f| f.headings.iter().all(|cell| !is_meant(from, cell)));
         if let Some(from) = said.names().find(is_nowhere) {
             let problem = Problem::new(format!("--columns: no file has a column `{from}`"));
@@ -161,8 +167,7 @@ impl Measurements {
 fn check(files: &[Measurements]) -> Result<(), Problem> {
     for (i, file) in files.iter().enumerate() {
         if files[..i].iter().any(|other| other.name == file.name) {
-            let problem = Problem::new(format!("{} is named twice", file.name));
-            return Err(problem.help("its rows would count twice: name it once"));
+            return Err(twice(&file.name));
         }
     }
     let (with, without): (Vec<_>, Vec<_>) = files.iter().partition(|file| file.uncertainty.is_some());
@@ -185,6 +190,10 @@ fn check(files: &[Measurements]) -> Result<(), Problem> {
         }
     }
     Ok(())
+}
+
+fn twice(name: &str) -> Problem {
+    Problem::new(format!("{name} is named twice")).help("its rows would count twice: name it once")
 }
 
 /// Notes of a file with its name.

@@ -40,6 +40,11 @@ impl Reading {
                 return Err(problem.help("write --columns 'HEADING=NAME [UNIT],HEADING=NAME', and - to leave one out"));
             }
         }
+        let is_twice = |(i, (from, _)): (usize, &(String, String))| columns[..i].iter().any(|(other, _)| other == from);
+        if let Some((_, (from, _))) = columns.iter().enumerate().find(|(i, entry)| is_twice((*i, *entry))) {
+            let problem = Problem::new(format!("--columns: `{from}` is said to be two things"));
+            return Err(problem.help("keep one of them"));
+        }
         Ok(Self { decimal, columns, is_of_several: false })
     }
 

@@ -47,7 +47,6 @@ pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<T
     let mut headings = headings(&mut sheet, vocabulary, said)
         .map_err(|problems| problems.into_iter().map(of_header).collect::<Vec<_>>())?;
     units(&mut headings, &mut sheet, &mut told).map_err(|problem| vec![problem])?;
-    let renamed: Vec<String> = headings.iter().filter_map(Heading::told).collect();
     let numeric: Vec<bool> = headings.iter().map(|heading| is_numeric(heading, vocabulary)).collect();
     let mut problems = sheet.problems;
     let marks = decimal::settle(&mut sheet.rows, &numeric, sheet.separator, said.decimal, &mut told);
@@ -55,7 +54,7 @@ pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<T
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
         problems.extend(clock::count(&mut sheet.rows, column, heading, &mut notes));
     }
-    told.extend(bounded(renamed));
+    told.extend(bounded(headings.iter().filter_map(Heading::told).collect()));
     let long = wide::lengthened(headings, sheet.rows, vocabulary, &mut told);
     let (mut headings, mut rows) = long.map_err(|problem| vec![of_header(problem)])?;
     actual::less_commanded(&mut headings, &mut rows, vocabulary, &mut told)

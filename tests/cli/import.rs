@@ -163,6 +163,7 @@ fn files_that_cannot_stand_together_are_refused() {
     place.write("diameter.csv", "x [mm],diameter [mm]\n10,40\n");
     for (model, files, told) in [
         ("axis.toml", ["a.csv", "a.csv"], "a.csv is named twice"),
+        ("axis.toml", ["a.csv", "./a.csv"], "./a.csv is named twice"),
         ("axis.toml", ["a.csv", "bare.csv"], "a.csv has a column u, and bare.csv has none"),
         ("axis.toml", ["a.csv", "beyond.csv"], "line 3 of beyond.csv: the axis travels"),
         (
