@@ -1,6 +1,6 @@
 //! Headings as people and instruments spell them: name, unit, and the place at which a column was measured.
 
-use super::clock::Moment;
+use super::moment::Moment;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
 use crate::process::Holds;

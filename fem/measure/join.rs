@@ -53,7 +53,8 @@ impl Measurements {
         let names: Vec<&str> = files.iter().map(|file| &*file.name).collect();
         let name = names.join(", ");
         let refuse = |problem| InputError::one(Source::new(name.clone(), ""), problem);
-        let is_again = |i: &usize| places[..*i].iter().flatten().any(|other| places[*i].as_ref().is_ok_and(|p| p == other));
+        let is_again =
+            |i: &usize| places[..*i].iter().flatten().any(|other| places[*i].as_ref().is_ok_and(|p| p == other));
         if let Some(again) = (0..places.len()).find(is_again) {
             return Err(refuse(twice(names[again])));
         }

@@ -6,6 +6,7 @@ mod decimal;
 mod header;
 mod heading;
 mod join;
+mod moment;
 mod neighbours;
 mod read;
 mod reading;

@@ -1,9 +1,9 @@
 //! What the user says of a file that it does not say itself: which of its columns are meant, and the decimal
 //! mark.
 
-use super::clock::Moment;
 use super::decimal::Decimal;
 use super::heading::{Heading, parts, plain};
+use super::moment::Moment;
 use super::vocabulary::Vocabulary;
 use crate::input::{Problem, did_you_mean};
 

@@ -81,7 +81,7 @@ fn names(headings: &[Heading]) -> Result<Vec<(String, String)>, Problem> {
     let mut all: Vec<(String, String)> = Vec::new();
     for heading in headings.iter().filter(|h| !h.at.is_empty()) {
         match all.iter().find(|(name, _)| *name == heading.name) {
-            Some((_, unit)) if *unit == heading.unit => {}
+            Some((_, unit)) if Unit::parse(unit).is_ok_and(|own| Unit::parse(&heading.unit) == Ok(own)) => {}
             Some((name, unit)) => {
                 let message = format!("columns of `{name}` are in {unit} and in {}", heading.unit);
                 return Err(Problem::new(message).help("write all of them in one unit"));
