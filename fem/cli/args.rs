@@ -48,6 +48,8 @@ pub enum Command {
     Add(Add),
     /// Write a commented model to start from
     New(New),
+    /// Write a measurement file of what an instrument or a spreadsheet wrote
+    Import(Import),
     /// The JSON Schema of model files, for editors
     Schema,
     /// Every handbook and benchmark case: expected, computed, error
@@ -76,19 +78,51 @@ pub struct Run {
     pub json: bool,
 }
 
+/// Measurements and how they are read.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Several models are shown side by side, in the order given: the error falling.
+pub struct Data {
+    /// The measurements; once for each of several files
+    #[arg(long, value_name = "DATA.csv", required = true)]
+    pub with: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: Reading,
+}
+
+/// What a file does not say itself.
+#[derive(Debug, clap::Args)]
+pub struct Reading {
+    /// What columns are: 'Zeit=time [s],T1=temperature@x=12 mm'; - leaves one out
+    #[arg(long, value_name = "HEADING=NAME,..")]
+    pub columns: Vec<String>,
+    /// The decimal mark, where a file could mean either; the other one groups thousands
+    #[arg(long, value_name = "MARK")]
+    pub decimal: Option<Mark>,
+}
+
+/// A decimal mark.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum Mark {
+    /// 1,5
+    Comma,
+    /// 1.5
+    Point,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Several models are shown side by side, in the order given: the error falling. `fem effects PROCESS` names the
+columns of the measurements, which may be parted by commas, semicolons or tabs.
 
 Examples:
   fem compare shaft.toml --with measured.csv
-  fem compare rigid.toml springs.toml worn.toml --with measured.csv -o residuals")]
+  fem compare rigid.toml springs.toml worn.toml --with measured.csv -o residuals"
+)]
 pub struct Compare {
     /// The model files
     #[arg(required = true, value_name = "MODEL")]
     pub models: Vec<PathBuf>,
-    /// The measurements
-    #[arg(long, value_name = "DATA.csv")]
-    pub with: PathBuf,
+    #[command(flatten)]
+    pub data: Data,
     /// Where to write residuals.csv and compared.pvd; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -103,9 +137,8 @@ pub struct Compare {
 pub struct Fit {
     /// The model file; it is not changed
     pub model: PathBuf,
-    /// The measurements
-    #[arg(long, value_name = "DATA.csv")]
-    pub with: PathBuf,
+    #[command(flatten)]
+    pub data: Data,
     /// Write the model with the fitted values and their uncertainties
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
@@ -123,9 +156,8 @@ Examples:
 pub struct Diagnose {
     /// The model file; it is not changed
     pub model: PathBuf,
-    /// The measurements
-    #[arg(long, value_name = "DATA.csv")]
-    pub with: PathBuf,
+    #[command(flatten)]
+    pub data: Data,
     /// Where to write diagnosis.json; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -153,7 +185,9 @@ pub struct Plan {
     pub model: PathBuf,
     /// The planned rows; some of the model's own programme if left out
     #[arg(long, value_name = "DESIGN.csv")]
-    pub with: Option<PathBuf>,
+    pub with: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: Reading,
     /// Standard uncertainty of a row, where the design has no column u; once for each observable
     #[arg(long, value_name = "SIZE")]
     pub noise: Vec<String>,
@@ -174,9 +208,8 @@ Examples:
 pub struct Compensate {
     /// The model file, of a process that moves to targets
     pub model: PathBuf,
-    /// The positioning test
-    #[arg(long, value_name = "DATA.csv")]
-    pub with: PathBuf,
+    #[command(flatten)]
+    pub data: Data,
     /// Where to write the tables; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -242,6 +275,27 @@ pub struct New {
     /// The file to write; it must not exist. Printed if left out
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Every command reads such files as they are; this one shows what is taken, and keeps it. `fem effects PROCESS` names the columns.
+
+Examples:
+  fem import test.csv --process axis -o measured.csv
+  fem import log.csv --process thermal --columns 'Zeit=time [s],T1=temperature@x=12 mm [degC]' -o measured.csv"
+)]
+pub struct Import {
+    /// The file of an instrument or a spreadsheet
+    pub file: PathBuf,
+    /// The process that was measured
+    #[arg(long, value_name = "PROCESS")]
+    pub process: String,
+    /// The file to write
+    #[arg(short, long, value_name = "FILE.csv")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub reading: Reading,
 }
 
 #[derive(Debug, clap::Args)]

@@ -5,7 +5,6 @@ use super::error::Error;
 use super::terminal::{notes, page, print};
 use crate::compare::compare;
 use crate::input::{InputError, Problem};
-use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::{Folder, Format, Report};
 use crate::progress::Progress;
@@ -27,7 +26,7 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     for model in &models {
         model.require_values()?;
     }
-    let mut measurements = Measurements::load(&args.with, process)?;
+    let mut measurements = args.data.load(process)?;
     let mut comparisons = Vec::new();
     for model in &models {
         let data = Data::of(model, measurements)?;
@@ -37,8 +36,7 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     let report = Report::Comparison(&models, &measurements, &comparisons);
     if let Some(directory) = &args.output {
         refuse_namesakes(&models)?;
-        let reads = [args.with.clone()];
-        Folder { directory, reads: &reads, progress: &Progress::default() }.write(&report)?;
+        Folder { directory, reads: &args.data.with, progress: &Progress::default() }.write(&report)?;
     }
     notes(&measurements.notes);
     print(&page(&report, args.json)?)

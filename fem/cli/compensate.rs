@@ -6,7 +6,6 @@ use super::say::say;
 use super::terminal::{notes, page, print};
 use crate::compensate::compensate;
 use crate::input::Problem;
-use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::{Folder, Format, LINUXCNC, Report};
 use crate::progress::Progress;
@@ -18,12 +17,12 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
         let help = "compensation is for axes that are tested by going to targets from both sides";
         return Err(Error::Request(problem.help(help)));
     };
-    let data = Data::of(&model, Measurements::load(&args.with, model.process)?)?;
+    let data = Data::of(&model, args.data.load(model.process)?)?;
     let found = compensate(&data, axis)?;
     let report = Report::Compensation(&data, &found);
     let mut written = String::new();
     if let Some(directory) = &args.output {
-        let reads = [args.model.clone(), args.with.clone()];
+        let reads = args.data.reads(&args.model);
         written = Folder { directory, reads: &reads, progress: &Progress::default() }.write(&report)?;
         if !written.contains(LINUXCNC) {
             say!("note: no {LINUXCNC}: it takes fewer targets than these");

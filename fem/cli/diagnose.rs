@@ -9,18 +9,17 @@ use super::{args, watch};
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::fit::fitted_text;
 use crate::input::Source;
-use crate::measure::Measurements;
 use crate::model::{Data, Model, add_effect};
 use crate::output::{Folder, Format, Report, additions, files};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
-    let reads = [args.model.clone(), args.with.clone()];
+    let reads = args.data.reads(&args.model);
     if let Some(new) = &args.add_to {
         files::refuse_reads(new, &reads)?;
     }
-    let data = Data::of(&model, Measurements::load(&args.with, model.process)?)?;
+    let data = Data::of(&model, args.data.load(model.process)?)?;
     let progress = Arc::new(Progress::default());
     let bar = watch::show(&progress);
     let diagnosis = diagnose(&data, usize::from(args.max_effects), &progress);

@@ -5,7 +5,7 @@ use super::error::Error;
 use super::terminal::{page, print};
 use crate::input::{Problem, nearest};
 use crate::noise::{MeasurementEffect, effects};
-use crate::output::{Detail, MEASUREMENT, Report};
+use crate::output::{Detail, MEASUREMENT, Report, columns};
 use crate::process::{self, Description, Process};
 
 pub fn effects(args: &args::Effects) -> Result<(), Error> {
@@ -23,7 +23,12 @@ pub fn effects(args: &args::Effects) -> Result<(), Error> {
         return Err(Error::Request(unknown(name.unwrap_or_default(), names)));
     }
     let detail = if of_owner { Detail::Line } else { Detail::Page };
-    print(&page(&Report::Effects(&chosen, &of_measurement, detail), args.json)?)
+    let mut text = page(&Report::Effects(&chosen, &of_measurement, detail), args.json)?;
+    let process = process::ALL.iter().find(|p| name == Some(p.name()));
+    if let (Some(process), false) = (process, args.json) {
+        text.push_str(&format!("\n{}", columns(*process)));
+    }
+    print(&text)
 }
 
 fn unknown<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Problem {

@@ -6,13 +6,12 @@ use super::say::say;
 use super::terminal::{notes, page, print};
 use crate::fit::{fit, fitted_text};
 use crate::input::{Problem, Source};
-use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::{Report, files};
 
 pub fn run(args: &args::Fit) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
-    let reads = [args.model.clone(), args.with.clone()];
+    let reads = args.data.reads(&args.model);
     if let Some(new) = &args.add_to {
         files::refuse_reads(new, &reads)?;
     }
@@ -20,7 +19,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
         return Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")));
     }
-    let data = Data::of(&model, Measurements::load(&args.with, model.process)?)?;
+    let data = Data::of(&model, args.data.load(model.process)?)?;
     let fit = fit(&data)?;
     if let Some(new) = &args.add_to {
         let text = fitted_text(&data, &fit);

@@ -5,10 +5,12 @@ mod args;
 mod budget;
 mod compare;
 mod compensate;
+mod data;
 mod diagnose;
 mod effects;
 mod error;
 mod fit;
+mod import;
 mod new;
 mod plan;
 mod run;
@@ -40,6 +42,7 @@ pub fn main() -> ExitCode {
         Command::Effects(args) => effects::effects(&args),
         Command::Add(args) => add::add(&args),
         Command::New(args) => new::new(&args),
+        Command::Import(args) => import::import(&args),
         Command::Schema => schema::schema(),
         Command::Validate(args) => validate::validate(&args),
         Command::Completions { shell } => {

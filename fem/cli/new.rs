@@ -5,17 +5,17 @@ use super::error::Error;
 use super::terminal::print;
 use crate::budget;
 use crate::input::{Problem, did_you_mean};
-use crate::output::files;
+use crate::output::{commented, files};
 use crate::process;
 
 /// Name of a starting file, its text, and the command that reads it.
-type Start = (&'static str, &'static str, &'static str);
+type Start = (&'static str, String, &'static str);
 
 pub fn new(args: &args::New) -> Result<(), Error> {
     let starts: Vec<Start> = process::ALL
         .iter()
-        .map(|p| (p.name(), p.starting_model(), "run"))
-        .chain([("budget", budget::STARTING, "budget")])
+        .map(|p| (p.name(), format!("{}\n{}", p.starting_model(), commented(*p)), "run"))
+        .chain([("budget", budget::STARTING.to_string(), "budget")])
         .collect();
     let Some((_, text, command)) = starts.iter().find(|s| s.0 == args.process) else {
         let names: Vec<&str> = starts.iter().map(|s| s.0).collect();

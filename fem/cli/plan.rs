@@ -14,9 +14,9 @@ use crate::units::{Kind, Knowledge, Quantity};
 
 pub fn run(args: &args::Plan) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
-    let design = match &args.with {
-        Some(path) => Data::of(&model, Measurements::load_design(path, model.process)?)?,
-        None => Data::programme(&model)?,
+    let design = match args.with.is_empty() {
+        false => Data::of(&model, Measurements::load_all(&args.with, model.process, &args.reading.said()?, true)?)?,
+        true => Data::programme(&model)?,
     };
     let sigma = noise(model.process, &args.noise)?;
     if design.uncertainty.is_none() {

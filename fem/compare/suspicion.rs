@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use crate::measure::{Measurements, Repeats, of_neighbours};
+use crate::measure::{FILE, Measurements, Repeats, of_neighbours};
 use crate::model::Data;
 use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects};
 use crate::process::{Absent, Holds};
@@ -242,7 +242,9 @@ fn groupings(data: &Data) -> Vec<Vec<usize>> {
         let of_model = coordinates[*i].absent == Absent::Model && !is_number(i);
         of_model && (2..=MOST_SENSORS.min(data.len() / 8)).contains(&counts(&[*i]))
     };
-    let numbers: Vec<usize> = given().filter(|i| is_number(i) && counts(&[*i]) > 1).collect();
+    let several_files = (data.files.len() > 1).then_some(FILE);
+    let numbers = given().filter(|i| is_number(i) && counts(&[*i]) > 1);
+    let numbers: Vec<usize> = numbers.chain(several_files).collect();
     let conditions: Vec<usize> = given().filter(is_condition).collect();
     let pairs = numbers.iter().enumerate().flat_map(|(k, i)| numbers[k + 1..].iter().map(|j| vec![*i, *j]));
     let pass: Vec<usize> = numbers.iter().chain(&conditions).copied().collect();

@@ -76,6 +76,8 @@ pub enum Cause {
         observable: Option<&'static str>,
         /// Records of the file, counted from 1: those that are outlying, or the first after a step.
         records: Vec<usize>,
+        /// Where the first row after a step stands, for people.
+        from: Option<String>,
         /// First line of the file after a step.
         from_line: Option<u64>,
     },

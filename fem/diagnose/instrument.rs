@@ -9,7 +9,7 @@ use super::verdict::GoodnessOfFit;
 use crate::compare::{Suspicion, is_rough, price};
 use crate::fit::{Estimate, Interval, StoppingCriterion, minimise};
 use crate::input::{Bounds, Parameter};
-use crate::measure::{Measurements, Repeats};
+use crate::measure::{Measurements, Repeats, grouping_name};
 use crate::model::Data;
 use crate::noise::{Acts, Noise, Restricted, Term, effects};
 use crate::process::{self, Description, Neutral};
@@ -129,9 +129,10 @@ pub fn told(
         Missing {
             cause: Cause::Measurement {
                 effect: term.effect,
-                by: term.by.iter().map(|i| data.model.process.coordinates()[*i].name).collect(),
+                by: term.by.iter().map(|i| grouping_name(data.model.process, *i)).collect(),
                 observable: term.observable.map(|o| data.model.process.observables()[o].name),
                 records: records(term, data),
+                from: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.place(*r))).flatten(),
                 from_line: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.lines[*r])).flatten(),
             },
             effect: description(term, data),

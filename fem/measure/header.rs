@@ -1,9 +1,9 @@
 //! Reads the header row: the meaning and the unit of every column.
 
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
-use crate::input::{Problem, name_and_unit, nearest, parted_by_commas};
+use crate::input::{Problem, name_and_unit, nearest};
 use crate::process::{Absent, Holds};
-use crate::units::{Kind, Unit, UnitError};
+use crate::units::{Kind, TIME, Unit, UnitError};
 
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,6 @@ pub struct Header {
 
 /// Reads the header cells. Problems carry no place, for they all stand in the same line.
 pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Result<Header, Vec<Problem>> {
-    parted_by_commas(cells.iter().map(String::as_str)).map_err(|problem| vec![problem])?;
     let mut header = Header::default();
     let mut problems = Vec::new();
     let (mut unknown, mut wrong): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
@@ -94,7 +93,9 @@ fn column(name: &str, unit: &str, vocabulary: Vocabulary) -> Result<Column, Prob
 }
 
 fn unfit(name: &str, kind: &Kind, error: UnitError) -> Problem {
-    Problem::new(format!("`{name}`: {}", error.message)).help(format!("write {name} [{}]", kind.unit))
+    let is_time = kind.canonical().dimension == TIME.canonical().dimension;
+    let or = if is_time { ", or dates with times, 2026-03-01T10:00:00, in its cells" } else { "" };
+    Problem::new(format!("`{name}`: {}", error.message)).help(format!("write {name} [{}]{or}", kind.unit))
 }
 
 fn note(name: &str, vocabulary: Vocabulary) -> String {
@@ -119,7 +120,8 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
         let problem = Problem::new("no column holds what was observed");
         let near: String =
             vocabulary.observables.iter().map(|o| meant(o.name)).find(|m| !m.is_empty()).unwrap_or_default();
-        problems.push(("", problem.help(format!("{near}add a column {}", names.join(" or ")))));
+        let help = format!("{near}add a column {}, or {}", names.join(" or "), said(&names[0], vocabulary));
+        problems.push(("", problem.help(help)));
     }
     for (i, coordinate) in vocabulary.coordinates.iter().enumerate() {
         let given = header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
@@ -134,11 +136,18 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
                 _ => String::new(),
             };
             let problem = Problem::new(format!("the column `{}` is missing: {}", coordinate.name, coordinate.about));
-            let help = format!("{}add a column {}{unit}", meant(coordinate.name), coordinate.name);
+            let name = format!("{}{unit}", coordinate.name);
+            let said = said(&name, vocabulary);
+            let help = format!("{}add a column {name}, or {said}", meant(coordinate.name));
             problems.push((coordinate.name, problem.help(help)));
         }
     }
     problems
+}
+
+/// How a column of another name is said to be this one, and where the names stand.
+fn said(name: &str, vocabulary: Vocabulary) -> String {
+    format!("say which one it is: --columns 'HEADING={name}'; `fem effects {}` lists all names", vocabulary.process)
 }
 
 /// Checks that every column of uncertainties belongs to an observable of the file, has its dimension, and

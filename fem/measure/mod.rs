@@ -1,15 +1,29 @@
 //! Measurement files: one observation per row, with its coordinates, its value and perhaps its uncertainty.
 
+mod actual;
+mod clock;
+mod decimal;
 mod header;
+mod heading;
+mod join;
+mod moment;
 mod neighbours;
 mod read;
+mod reading;
 mod repeats;
+mod sheet;
+mod table;
 mod thin;
 mod vocabulary;
+mod wide;
+mod words;
 
+pub use decimal::Decimal;
+pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
+pub use reading::Reading;
 pub use repeats::{LEAST_FREEDOM, Repeats, Scatter, repeats};
-pub use vocabulary::MeasuredObservable;
+pub use vocabulary::{MeasuredObservable, is_column};
 
 use std::collections::HashMap;
 
@@ -19,8 +33,10 @@ use crate::units::Kind;
 /// Measurements of a process.
 #[derive(Clone, Debug)]
 pub struct Measurements {
-    /// Name of the file.
+    /// Name of the file, or of all of them.
     pub name: String,
+    /// Files, in their order; there is at least one.
+    pub files: Vec<MeasuredFile>,
     /// Coordinates and observable of each row.
     pub rows: Rows,
     /// Observed values, SI.
@@ -36,9 +52,13 @@ pub struct Measurements {
     pub observables: Vec<MeasuredObservable>,
     /// Coordinates that have a column in the file, by their position in the process's list.
     pub given: Vec<usize>,
-    /// Cells of the header, as written.
+    /// Cells of the header, in the program's form.
     pub header: Vec<String>,
-    /// Records, as written.
+    /// Cells of the header, as the file writes them.
+    pub headings: Vec<String>,
+    /// Options by which the user has said how the file is to be read.
+    pub said: Vec<String>,
+    /// Records, in the program's form.
     pub records: Vec<csv::StringRecord>,
     /// Notes for the user: columns that were not used.
     pub notes: Vec<String>,
@@ -49,6 +69,7 @@ impl Measurements {
     pub fn planned(process: &dyn Process, name: &str, rows: Rows) -> Self {
         Self {
             name: name.into(),
+            files: vec![MeasuredFile { name: name.into(), first_record: 0 }],
             observed: vec![0.0; rows.len()],
             uncertainty: None,
             records_of: (0..rows.len()).collect(),
@@ -56,6 +77,8 @@ impl Measurements {
             observables: MeasuredObservable::of(&rows, process.observables()),
             given: (0..process.coordinates().len()).collect(),
             header: Vec::new(),
+            headings: Vec::new(),
+            said: Vec::new(),
             records: Vec::new(),
             notes: Vec::new(),
             rows,
@@ -84,9 +107,12 @@ impl Measurements {
             lines: rows.iter().map(|r| self.lines[*r]).collect(),
             records: Vec::new(),
             name: self.name.clone(),
+            files: self.files.clone(),
             observables: self.observables.clone(),
             given: self.given.clone(),
             header: self.header.clone(),
+            headings: self.headings.clone(),
+            said: self.said.clone(),
             notes: self.notes.clone(),
         }
     }
@@ -126,15 +152,20 @@ impl Measurements {
         self.observed.iter().zip(predicted).map(|(y, p)| y - p).collect()
     }
 
-    /// Level of each row by some coordinates together, numbered from 0 as they first appear.
+    /// Level of each row by some coordinates, or the [`FILE`], together, numbered from 0 as they first appear.
     pub fn levels(&self, by: &[usize]) -> Vec<usize> {
-        self.numbered(|row| by.iter().map(|i| self.rows.columns[*i][row].to_bits()).collect())
+        self.numbered(|row| by.iter().map(|i| self.level(*i, row)).collect())
     }
 
-    /// The same, each observable by itself.
+    /// The same, each observable of each file by itself.
     fn levels_of_observables(&self, by: &[usize]) -> Vec<usize> {
-        let own = |row: usize| self.rows.observable[row] as u64;
-        self.numbered(|row| by.iter().map(|i| self.rows.columns[*i][row].to_bits()).chain([own(row)]).collect())
+        let own = |row: usize| [self.rows.observable[row] as u64, self.file_number(row) as u64];
+        self.numbered(|row| by.iter().map(|i| self.level(*i, row)).chain(own(row)).collect())
+    }
+
+    /// Value of a coordinate, or number of the file, as a key.
+    fn level(&self, by: usize, row: usize) -> u64 {
+        self.rows.columns.get(by).map_or(self.file_number(row) as u64, |column| column[row].to_bits())
     }
 
     /// Numbers rows of equal keys from 0 as they first appear.

@@ -1,11 +1,15 @@
 //! Reads the rows of a measurement file.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::Measurements;
 use super::header::{self, Column, Header};
+use super::reading::Reading;
+use super::sheet::{MOST_PROBLEMS, Row};
+use super::table;
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
-use crate::input::{InputError, Problem, Source, line_at, no_csv, number};
+use super::{MeasuredFile, Measurements};
+use crate::input::{InputError, Problem, Source, number};
 use crate::process::{Absent, Holds, Process, Rows};
 use crate::units::Unit;
 
@@ -18,15 +22,23 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load(path: &Path, process: &dyn Process) -> Result<Self, InputError> {
-        Self::parse(Source::read(path, LARGEST_FILE)?, process)
+        Self::load_as(path, process, &Reading::default())
+    }
+
+    /// Reads a file of measurements of which the user has said how it is to be read.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its line.
+    pub fn load_as(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
+        read(Source::read(path, LARGEST_FILE)?, process, Purpose::Measured, said)
     }
 
     /// Reads a design, a file of planned rows in which nothing need have been observed yet.
     ///
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
-    pub fn load_design(path: &Path, process: &dyn Process) -> Result<Self, InputError> {
-        read(Source::read(path, LARGEST_FILE)?, process, Purpose::Design)
+    pub fn load_design(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
+        read(Source::read(path, LARGEST_FILE)?, process, Purpose::Design, said)
     }
 
     /// Reads measurements from the text of a file.
@@ -34,62 +46,86 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn parse(source: Source, process: &dyn Process) -> Result<Self, InputError> {
-        read(source, process, Purpose::Measured)
+        Self::parse_as(source, process, &Reading::default())
+    }
+
+    /// Reads measurements from the text of a file of which the user has said how it is to be read.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its line.
+    pub fn parse_as(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
+        read(source, process, Purpose::Measured, said)
     }
 }
 
-/// Number of problems after which reading stops.
-const MOST_PROBLEMS: usize = 20;
-
-pub fn read(source: Source, process: &dyn Process, purpose: Purpose) -> Result<Measurements, InputError> {
-    let vocabulary = Vocabulary { observables: process.observables(), coordinates: process.coordinates() };
-    let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
-    let skipped = source.text.len() - text.len();
+fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading) -> Result<Measurements, InputError> {
+    let vocabulary = Vocabulary::of(process);
     let refuse = |problems| InputError::new(source.clone(), problems);
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-    let cells: Vec<String> = match reader.headers() {
-        Ok(headers) => headers.iter().map(str::to_string).collect(),
-        Err(error) => return Err(refuse(vec![no_csv(&error, skipped)])),
-    };
-    let place = reader.headers().ok().and_then(|h| h.position()).map(|p| line_at(text, p.byte() as usize, skipped));
-    let header = header::read(&cells, vocabulary, purpose)
-        .map_err(|problems| refuse(problems.into_iter().map(|p| p.at(place.clone())).collect()))?;
-    let mut table = Builder::new(&header, vocabulary, cells);
-    let mut problems = Vec::new();
-    for record in reader.records() {
-        match record {
-            Ok(record) => {
-                let span = record.position().map(|p| line_at(text, p.byte() as usize, skipped));
-                table.push(record).unwrap_or_else(|problem| problems.push(problem.at(span)));
-            }
-            Err(error) => problems.push(no_csv(&error, skipped)),
-        }
+    let file = table::read(&source, vocabulary, said).map_err(refuse)?;
+    let of_header = |problem: Problem| problem.at(Some(file.place.clone()));
+    let header = header::read(&file.header, vocabulary, purpose)
+        .map_err(|problems| refuse(problems.into_iter().map(of_header).collect()))?;
+    let mut builder = Builder::new(&header, vocabulary, purpose, file.header);
+    let mut problems = file.problems;
+    let told: BTreeSet<usize> = problems.iter().filter_map(|p| p.span.as_ref()).map(|span| span.start).collect();
+    for row in file.rows.into_iter().filter(|row| !told.contains(&row.place.start)) {
         if problems.len() >= MOST_PROBLEMS {
             break;
         }
+        let place = row.place.clone();
+        builder.push(row).unwrap_or_else(|problem| problems.push(problem.at(Some(place))));
     }
-    if problems.is_empty() && table.measurements.observed.is_empty() {
-        problems.push(Problem::new("the file has a header and no rows").help("add at least one observation"));
+    if problems.is_empty() && builder.measurements.observed.is_empty() {
+        let help = match builder.left_out.is_empty() {
+            true => "add at least one observation",
+            false => "every row has an empty cell where the observed value should stand",
+        };
+        problems.push(Problem::new("the file has a header and no rows").help(help));
     }
     if !problems.is_empty() {
         return Err(refuse(problems));
     }
-    let mut measurements = table.measurements;
+    let left_out = unobserved(&builder.left_out);
+    let mut measurements = builder.measurements;
     measurements.name = source.name.to_string();
+    measurements.files = vec![MeasuredFile { name: source.name.to_string(), first_record: 0 }];
+    (measurements.headings, measurements.said) = (file.headings, said.options());
+    measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).collect();
     if measurements.observables.is_empty() {
         measurements.observables = MeasuredObservable::of(&measurements.rows, vocabulary.observables);
     }
     Ok(measurements)
 }
 
+/// Most lines that a note lists.
+const MOST_LINES: usize = 10;
+
+/// The note of the rows in which nothing was observed, by their lines.
+fn unobserved(lines: &[u64]) -> Option<String> {
+    let mut distinct = lines.to_vec();
+    distinct.dedup();
+    let listed: Vec<String> = distinct.iter().take(MOST_LINES).map(u64::to_string).collect();
+    let more = if distinct.len() > MOST_LINES { ", …" } else { "" };
+    let rows = if lines.len() == 1 { "row is" } else { "rows are" };
+    let where_ = if distinct.len() == 1 { "line" } else { "lines" };
+    let told = || {
+        let count = lines.len();
+        format!("{count} {rows} left out, for nothing was observed: {where_} {}{more}", listed.join(", "))
+    };
+    (!lines.is_empty()).then(told)
+}
+
 struct Builder<'a> {
     header: &'a Header,
     vocabulary: Vocabulary,
+    purpose: Purpose,
     measurements: Measurements,
+    /// Lines of the rows in which nothing was observed.
+    left_out: Vec<u64>,
 }
 
 impl<'a> Builder<'a> {
-    fn new(header: &'a Header, vocabulary: Vocabulary, cells: Vec<String>) -> Self {
+    fn new(header: &'a Header, vocabulary: Vocabulary, purpose: Purpose, cells: Vec<String>) -> Self {
         let has_u = header.columns.iter().any(|c| matches!(c, Column::Uncertainty(..)));
         let given = header.columns.iter().filter_map(|c| match c {
             Column::Coordinate(i, _) => Some(*i),
@@ -97,6 +133,7 @@ impl<'a> Builder<'a> {
         });
         let measurements = Measurements {
             name: String::new(),
+            files: Vec::new(),
             rows: Rows { columns: vec![Vec::new(); vocabulary.coordinates.len()], observable: Vec::new() },
             observed: Vec::new(),
             uncertainty: has_u.then(Vec::new),
@@ -105,15 +142,24 @@ impl<'a> Builder<'a> {
             observables: header.observables.clone(),
             given: given.collect(),
             header: cells,
+            headings: Vec::new(),
+            said: Vec::new(),
             records: Vec::new(),
             notes: header.notes.clone(),
         };
-        Self { header, vocabulary, measurements }
+        Self { header, vocabulary, purpose, measurements, left_out: Vec::new() }
     }
 
-    /// Takes a record whole, or reports its problem and takes nothing.
-    fn push(&mut self, record: csv::StringRecord) -> Result<(), Problem> {
+    /// Takes a record whole, or reports its problem and takes nothing. A record in which nothing was observed
+    /// is counted and left out.
+    fn push(&mut self, row: Row) -> Result<(), Problem> {
+        let record = row.cells;
         let observed = self.observed(&record)?;
+        if observed.is_empty() {
+            self.left_out.push(row.line);
+            self.measurements.records.push(record);
+            return Ok(());
+        }
         let coordinates = self.coordinates(&record, &observed)?;
         let table = &mut self.measurements;
         for o in observed {
@@ -129,31 +175,26 @@ impl<'a> Builder<'a> {
                 all.push(o.uncertainty);
             }
             table.records_of.push(table.records.len());
-            table.lines.push(record.position().map_or(0, csv::Position::line));
+            table.lines.push(row.line);
         }
         table.records.push(record);
         Ok(())
     }
 
-    /// Reads the observed values of a record. Where there are several observables some cells may be empty,
-    /// but not all.
+    /// Reads the observed values of a record; empty cells observe nothing. A design asks for none.
     fn observed(&self, record: &csv::StringRecord) -> Result<Vec<Observed>, Problem> {
         let cells = || record.iter().zip(&self.header.columns).zip(&self.measurements.header);
-        let may_be_empty = self.header.observables.len() > 1;
         let mut all = Vec::new();
         for ((cell, column), name) in cells() {
             if let Column::Observed(observable, unit) = column
-                && !(may_be_empty && cell.is_empty())
+                && !cell.is_empty()
             {
                 let value = number(cell, name)? * unit.factor + unit.offset;
                 all.push(Observed { observable: *observable, value, uncertainty: f64::NAN });
             }
         }
-        if self.header.observables.is_empty() {
+        if self.purpose == Purpose::Design && all.is_empty() {
             all.push(Observed { observable: self.planned(record), value: 0.0, uncertainty: f64::NAN });
-        }
-        if all.is_empty() {
-            return Err(Problem::new("the row observes nothing").help("fill in one of its observables"));
         }
         for ((cell, column), name) in cells() {
             if let Column::Uncertainty(of, unit) = column

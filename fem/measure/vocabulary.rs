@@ -1,6 +1,6 @@
 //! What a process can be measured by, and what a file has of it.
 
-use crate::process::{Coordinate, Observable, Rows};
+use crate::process::{Coordinate, Observable, Process, Rows};
 use crate::units::Kind;
 
 /// An observable of a file.
@@ -28,6 +28,11 @@ impl MeasuredObservable {
     }
 }
 
+/// Whether measurement files of a process have a column of this name.
+pub fn is_column(process: &dyn Process, name: &str) -> bool {
+    Vocabulary::of(process).knows(name)
+}
+
 /// Purpose for which a file is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Purpose {
@@ -40,6 +45,31 @@ pub(super) enum Purpose {
 /// Columns that a process knows.
 #[derive(Clone, Copy)]
 pub(super) struct Vocabulary {
+    pub(super) process: &'static str,
     pub(super) observables: &'static [Observable],
     pub(super) coordinates: &'static [Coordinate],
+}
+
+impl Vocabulary {
+    pub(super) fn of(process: &dyn Process) -> Self {
+        Self { process: process.name(), observables: process.observables(), coordinates: process.coordinates() }
+    }
+
+    /// Whether a name is that of a column.
+    pub(super) fn knows(&self, name: &str) -> bool {
+        self.names().any(|known| known == name)
+    }
+
+    /// Names of all columns, those of uncertainties and actual values last.
+    pub(super) fn names(&self) -> impl Iterator<Item = String> {
+        let own = self.coordinates.iter().map(|c| c.name).chain(self.observables.iter().map(|o| o.name));
+        let uncertainties = self.observables.iter().map(|o| format!("u_{}", o.name));
+        let actual = self.coordinates.iter().filter(|c| c.actual.is_some());
+        let actual = actual.flat_map(|c| ["actual".to_string(), format!("actual_{}", c.name)]);
+        own.map(str::to_string).chain(["u".to_string()]).chain(uncertainties).chain(actual)
+    }
+
+    pub(super) fn coordinate(&self, name: &str) -> Option<&'static Coordinate> {
+        self.coordinates.iter().find(|c| c.name == name)
+    }
 }

@@ -1,6 +1,7 @@
 //! The one door by which measurements reach what compares, fits, diagnoses, plans and compensates.
 
 use std::ops::Deref;
+use std::path::Path;
 
 use toml_edit::Item;
 
@@ -42,8 +43,8 @@ impl<'m> Data<'m> {
             return Ok(Self { terms, ..Self::within(model, measurements) });
         }
         let problem = |m: &Misplaced| {
-            let line = measurements.lines[m.row];
-            Problem::new(format!("line {line}: {}", m.message)).help("mend the row, or let the model cover it")
+            Problem::new(format!("{}: {}", measurements.place(m.row), m.message))
+                .help("mend the row, or let the model cover it")
         };
         let source = Source::new(measurements.name.clone(), "");
         Err(InputError { source, problems: misplaced.iter().take(MOST_PROBLEMS).map(problem).collect() })
@@ -162,24 +163,49 @@ fn resolved(model: &Model, measurements: &Measurements) -> Result<Vec<Term>, Pro
             let listed = format!("{} has {}", measurements.name, names.join(" and "));
             return Err(problem.help(format!("{listed}: add observable = \"{}\"", names[0])).at(place));
         }
+        let file = file(term, measurements).map_err(|problem| problem.at(place.clone()))?;
+        let before = file.map_or(0, |number| measurements.files[number].first_record);
         let mut rows = Vec::new();
         for record in &term.rows {
             let is_first = *term.effect == effects::JUMP;
             let is_meant = |row: &usize| {
                 let own = measurements.records_of[*row] + 1;
-                term.is_of(measurements, *row) && if is_first { own >= *record } else { own == *record }
+                let is_there = file.is_none_or(|number| measurements.file_number(*row) == number);
+                let at = before + record;
+                is_there && term.is_of(measurements, *row) && if is_first { own >= at } else { own == at }
             };
             let own: Vec<usize> = (0..measurements.len()).filter(is_meant).collect();
             if own.is_empty() {
                 let problem = Problem::new(format!("`measurement.{name}` names row {record}"));
-                return Err(problem.help(format!("{} has no such row", measurements.name)).at(place));
+                let of = file.map_or(&measurements.name, |number| &measurements.files[number].name);
+                return Err(problem.help(format!("{of} has no such row")).at(place));
             }
             rows.extend(own.into_iter().take(if is_first { 1 } else { usize::MAX }));
         }
         // Of the only observable nothing need be said.
-        Ok(Term { rows, observable: term.observable.filter(|_| several), ..term.clone() })
+        Ok(Term { rows, file: None, observable: term.observable.filter(|_| several), ..term.clone() })
     };
     acting.map(resolve).collect()
+}
+
+/// The number of the file whose rows a term counts; `None` where it counts them through all files.
+///
+/// # Errors
+/// No file has that name.
+fn file(term: &Term, measurements: &Measurements) -> Result<Option<usize>, Problem> {
+    let Some(name) = &term.file else { return Ok(None) };
+    // The file may have been named from another folder.
+    let is_named = |file: &str| file == name || Path::new(file).file_name().is_some_and(|own| own == name.as_str());
+    let mut meant = (0..measurements.files.len()).filter(|number| is_named(&measurements.files[*number].name));
+    match (meant.next(), meant.next()) {
+        (Some(number), None) => Ok(Some(number)),
+        (found, _) => {
+            let none = if found.is_some() { "several files have this name" } else { "no file has this name" };
+            let problem = Problem::new(format!("`measurement.{}` counts rows of {name}: {none}", term.effect.name));
+            let files: Vec<&str> = measurements.files.iter().map(|file| &*file.name).collect();
+            Err(problem.help(format!("the measurements are {}", files.join(", "))))
+        }
+    }
 }
 
 impl Deref for Data<'_> {

@@ -1,6 +1,7 @@
 //! The tables `[measurement.NAME]`: what the model says of its instrument, datum and surroundings.
 
 use crate::input::{Problem, Reader, did_you_mean, is_one_of};
+use crate::measure::{FILE, FILE_WORD};
 use crate::noise::{Acts, MeasurementEffect, Size, Term, effects};
 use crate::process::Process;
 use crate::units::{Kind, Knowledge, NUMBER, Quantity};
@@ -18,7 +19,7 @@ pub struct Key {
 
 const BY: Key = Key {
     name: "by",
-    about: "coordinates whose levels have a zero each, parted by commas; one zero for all where left out",
+    about: "coordinates, or `file`, whose levels have a zero each, parted by commas; one zero for all where left out",
     example: "run",
 };
 const OBSERVABLE: Key =
@@ -26,6 +27,11 @@ const OBSERVABLE: Key =
 const ROWS: Key =
     Key { name: "rows", about: "the rows that are wrong, counted from 1 and parted by commas", example: "12, 40" };
 const FROM: Key = Key { name: "from", about: "the first row of the step, counted from 1", example: "46" };
+const IN_FILE: Key = Key {
+    name: "file",
+    about: "of several files the one whose rows these are; counted through all of them where left out",
+    example: "",
+};
 
 /// The keys of an effect's table, the size last.
 pub fn keys(effect: &MeasurementEffect) -> Vec<Key> {
@@ -41,6 +47,9 @@ pub fn keys(effect: &MeasurementEffect) -> Vec<Key> {
     }
     if *effect == effects::JUMP {
         keys.push(FROM);
+    }
+    if matches!(effect.acts, Acts::Weighs) || *effect == effects::JUMP {
+        keys.push(IN_FILE);
     }
     let example = match (effect.size, effect.acts) {
         (Size::OfObservable(..), _) => "0.7 um",
@@ -86,6 +95,9 @@ fn term(effect: &'static MeasurementEffect, table: &Reader, process: &'static dy
             table.problem(FROM.name, "a step begins at one row", "add from = \"46\"");
         }
     }
+    if keys.contains(&IN_FILE) {
+        term.file = table.text(IN_FILE.name, IN_FILE.about);
+    }
     let key = effect.size.key();
     let Some(text) = table.text_or_number(key, effect.size.about()) else {
         term.size = if matches!(effect.acts, Acts::Weighs) { effects::OUTLYING } else { f64::NAN };
@@ -108,10 +120,11 @@ fn term(effect: &'static MeasurementEffect, table: &Reader, process: &'static dy
 }
 
 fn coordinates(table: &Reader, process: &dyn Process) -> Vec<usize> {
-    let names = || process.coordinates().iter().map(|c| c.name);
+    let names = || process.coordinates().iter().map(|c| c.name).chain([FILE_WORD]);
     let mut all = Vec::new();
     for name in table.text(BY.name, BY.about).iter().flat_map(|by| by.split(',')).map(str::trim) {
         match names().position(|n| n == name) {
+            Some(last) if last == process.coordinates().len() => all.push(FILE),
             Some(coordinate) => all.push(coordinate),
             None => {
                 let meant = did_you_mean(name, names(), '"');

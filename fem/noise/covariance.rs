@@ -48,7 +48,8 @@ impl Covariance {
             let mut before: Vec<Option<usize>> = vec![None; measurements.observables.len()];
             for (row, link) in chain.iter_mut().enumerate() {
                 let last = &mut before[measurements.observable(row)];
-                *link = last.map(|last| (last, coefficient));
+                let is_same_file = |last: &usize| measurements.file_number(*last) == measurements.file_number(row);
+                *link = last.filter(is_same_file).map(|last| (last, coefficient));
                 *last = Some(row);
             }
         }

@@ -74,12 +74,15 @@ pub enum Acts {
 pub struct Term {
     /// The effect.
     pub effect: &'static MeasurementEffect,
-    /// Coordinates whose levels group the rows, by their positions in the process's list.
+    /// Coordinates whose levels group the rows, by their positions in the process's list, or
+    /// [`FILE`](crate::measure::FILE).
     pub by: Vec<usize>,
     /// The observable on which it acts, by its position in the process's list; `None` for all.
     pub observable: Option<usize>,
     /// Rows, from 0: those that are outlying, or the first after a step.
     pub rows: Vec<usize>,
+    /// The file in which the rows were counted before they were found in the measurements; `None` for all.
+    pub file: Option<String>,
     /// Value of its parameter, SI.
     pub size: f64,
 }
@@ -87,7 +90,7 @@ pub struct Term {
 impl Term {
     /// Term of an effect on all rows, without a size yet.
     pub fn new(effect: &'static MeasurementEffect) -> Self {
-        Self { effect, by: Vec::new(), observable: None, rows: Vec::new(), size: 0.0 }
+        Self { effect, by: Vec::new(), observable: None, rows: Vec::new(), file: None, size: 0.0 }
     }
 
     /// Whether it acts on a row.

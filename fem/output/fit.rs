@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
+use super::measurement::files;
 use crate::compare::SIGNIFICANCE;
 use crate::fit::{Estimate, Fit};
 use crate::model::Data;
@@ -40,6 +41,7 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
         "schema": "fem-fit/1",
         "model": &*data.model.source.name,
         "data": data.name,
+        "files": files(data),
         "observations": data.len(),
         "noise": super::comparison::noise(&fit.noise.level(data), kind),
         "measurement": super::measurement::json(&fit.noise.terms, data.model.process, data),

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
-use crate::measure::Measurements;
+use crate::measure::{Measurements, grouping_name};
 use crate::model::{Key, measurement_keys};
 use crate::noise::{MeasurementEffect, Size, Term};
 use crate::process::Process;
@@ -93,7 +93,7 @@ pub fn words(term: &Term, process: &dyn Process, measurements: &Measurements) ->
     }
     match &term.rows[..] {
         [] => {}
-        [row] => drop(write!(text, ", line {}", measurements.lines[*row])),
+        [row] => drop(write!(text, ", {}", measurements.place(*row))),
         rows => drop(write!(text, ", {} rows", rows.len())),
     }
     let size = term.kind(measurements).shown(term.size);
@@ -104,13 +104,18 @@ pub fn words(term: &Term, process: &dyn Process, measurements: &Measurements) ->
     text
 }
 
+/// Names of the files of measurements.
+pub fn files(measurements: &Measurements) -> Vec<&str> {
+    measurements.files.iter().map(|file| &*file.name).collect()
+}
+
 /// The coordinates that group rows, in words: ` by run and direction`.
 pub fn grouped(by: &[&str]) -> String {
     if by.is_empty() { String::new() } else { format!(" by {}", by.join(" and ")) }
 }
 
 fn coordinates(term: &Term, process: &dyn Process) -> Vec<&'static str> {
-    term.by.iter().map(|i| process.coordinates()[*i].name).collect()
+    term.by.iter().map(|i| grouping_name(process, *i)).collect()
 }
 
 /// The effects of the measurement at work, beside the noise in JSON; rows are records, counted from 1.

@@ -2,6 +2,7 @@
 //! [`Format`] is a way to write it. Files appear whole or not at all.
 
 mod budget;
+mod columns;
 mod comparison;
 mod compensation;
 mod csv;
@@ -13,6 +14,7 @@ mod fit;
 mod folder;
 mod json;
 mod measurement;
+mod measurements;
 mod plan;
 mod plot;
 mod report;
@@ -21,11 +23,13 @@ mod text;
 pub mod vtk;
 
 pub use budget::warnings as budget_warnings;
+pub use columns::{columns, commented};
 pub use compensation::LINUXCNC;
 pub use diagnosis::additions;
 pub use error::OutputError;
 pub use folder::Folder;
 pub use json::Json;
 pub use measurement::MEASUREMENT;
+pub use measurements::measurements;
 pub use report::{Detail, Format, Report};
 pub use text::Text;

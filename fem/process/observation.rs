@@ -38,12 +38,14 @@ pub struct Coordinate {
     pub absent: Absent,
     /// Whether rows that differ in it alone repeat each other.
     pub repeats: bool,
+    /// The observable, by its position, that is the actual value of the coordinate less this commanded one.
+    pub actual: Option<usize>,
 }
 
 impl Coordinate {
     /// A coordinate in which rows that repeat each other agree.
     pub const fn new(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Self {
-        Self { name, about, holds, absent, repeats: false }
+        Self { name, about, holds, absent, repeats: false, actual: None }
     }
 }
 

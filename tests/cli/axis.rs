@@ -91,7 +91,7 @@ fn bad_input_is_told_with_its_remedy() {
 const ROWS: &[(&str, &str)] = &[
     ("position [mm],deviation [um]\n0,1\n", "the column `direction` is missing"),
     ("direction,deviation [um]\n+,1\n", "the column `position` is missing"),
-    ("position [mm],direction,deviation [um]\n0,up,1\n", "`up` in `direction` is no direction"),
+    ("position [mm],direction,deviation [um]\n0,left,1\n", "`left` in `direction` is no direction"),
     ("position [mm],direction,time [min],deviation [um]\n0,+,-1,1\n", "`time` is below zero"),
 ];
 

@@ -13,6 +13,7 @@ mod contour;
 mod fem;
 mod files;
 mod fixture;
+mod import;
 mod measurement;
 mod mesh_file;
 mod pages;

@@ -157,7 +157,7 @@ fn bad_input_is_told_with_its_remedy() {
 
 /// (file, part of the message)
 const FILES: &[(&str, &str)] = &[
-    ("time [min],x [mm],temperature [degC],elongation [um]\n5,100,,\n", "the row observes nothing"),
+    ("time [min],x [mm],temperature [degC],elongation [um]\n5,100,,\n", "the file has a header and no rows"),
     ("time [min],x [mm],temperature [degC],elongation [um]\n5,,30,\n", "the cell of `x [mm]` is empty"),
     ("time [min],temperature [degC]\n5,30\n", "the column `x` is missing"),
     (

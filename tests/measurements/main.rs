@@ -6,6 +6,7 @@
 mod compare;
 mod diagnose;
 mod fit;
+mod import;
 mod limits;
 mod real;
 

@@ -47,6 +47,7 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
                 "error": kind.from_si(c.errors[c.worst]),
                 "row": measurements.records_of[c.worst] + 1,
                 "line": measurements.lines[c.worst],
+                "file": measurements.file_of(c.worst).unwrap_or(&measurements.name),
                 "at": place(process.coordinates(), measurements, c.worst),
             },
             "chi2_per_dof": c.reduced_chi2,
@@ -61,6 +62,7 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     json!({
         "schema": "fem-comparison/1",
         "data": measurements.name,
+        "files": measurement::files(measurements),
         "observations": measurements.len(),
         "noise": noise,
         "measurement": first.map(terms),

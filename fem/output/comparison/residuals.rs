@@ -1,15 +1,18 @@
 //! Writes `residuals.csv`: the measured rows with their predictions and residuals.
 
 use crate::compare::Comparison;
-use crate::measure::{MeasuredObservable, Measurements};
+use crate::measure::{FILE_WORD, MeasuredObservable, Measurements};
 use crate::units::Unit;
 
-/// Writes the records in their order, as written, with `predicted [unit]` and `residual [unit]` in the
+/// Writes the records in their order with `predicted [unit]` and `residual [unit]` in the
 /// file's own unit. Where the file has several observables each has two columns of its own, `predicted_NAME`
-/// and `residual_NAME`, empty where it was not observed.
+/// and `residual_NAME`, empty where it was not observed. Rows
+/// of several files have the name of theirs in front.
 pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let header = measurements.header.iter().cloned();
+    let several_files = measurements.files.len() > 1;
+    let file = several_files.then(|| FILE_WORD.to_string());
+    let header = file.into_iter().chain(measurements.header.iter().cloned());
     let several = measurements.observables.len() > 1;
     let names = measurements.observables.iter().flat_map(|seen| names(seen, several));
     // Writing to memory does not fail.
@@ -24,7 +27,8 @@ pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String
             added[2 * own + 1] = (comparison.residuals[row] / unit.factor).to_string();
             row += 1;
         }
-        let _ = writer.write_record(record.iter().map(str::to_string).chain(added));
+        let file = measurements.file_of_record(number).map(str::to_string);
+        let _ = writer.write_record(file.into_iter().chain(record.iter().map(str::to_string)).chain(added));
     }
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }

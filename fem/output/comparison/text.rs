@@ -90,7 +90,7 @@ fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measu
         }
         _ => Vec::new(),
     };
-    let _ = writeln!(text, "  worst in line {} ({})", measurements.lines[c.worst], at.join(", "));
+    let _ = writeln!(text, "  worst in {} ({})", measurements.place(c.worst), at.join(", "));
     if let Some(feature) = c.features.iter().find(|f| f.curve.len() > 2) {
         let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
         let plot = Plot { title, x_unit: "", points: feature.curve.clone() };

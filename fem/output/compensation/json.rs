@@ -4,6 +4,7 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::compensate::{Compensation, LostMotion, Rules, Scheme};
 use crate::model::Data;
+use crate::output::measurement::files;
 use crate::positioning::{Check, EDITION, Evaluation, PitchErrors, Quantity, Side, Step, Target};
 
 /// Makes the JSON: lengths along the axis in mm, everything else in um; unknown values are null.
@@ -20,6 +21,7 @@ pub fn json(data: &Data, c: &Compensation) -> Json {
         "schema": "fem-compensation/1",
         "model": &*data.model.source.name,
         "data": data.name,
+        "files": files(data),
         "observations": data.len(),
         "unit": "um",
         "position_unit": "mm",

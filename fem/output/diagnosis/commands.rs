@@ -74,25 +74,30 @@ pub fn commands(text: &mut String, data: &Data, d: &Diagnosis) {
         let _ = writeln!(text, "  fem add {} {name} {} -o {}", quoted(&from), values.join(" "), quoted(&to));
         from = to;
     }
-    let (file, data) = (quoted(&model.source.name), quoted(&data.name));
+    let (file, data) = (quoted(&model.source.name), with(data));
     if model.parameters.is_empty() {
-        let _ = writeln!(text, "  fem compare {} --with {data}", quoted(&from));
-        let _ = writeln!(
-            text,
-            "  or all at once, every value re-fitted: fem diagnose {file} --with {data} --add-to better.toml"
-        );
+        let _ = writeln!(text, "  fem compare {} {data}", quoted(&from));
+        let _ =
+            writeln!(text, "  or all at once, every value re-fitted: fem diagnose {file} {data} --add-to better.toml");
         return;
     }
     // A fit with the effects' values in place would take them for priors, and count the data twice.
     let _ = writeln!(
         text,
-        "  what the model knew roughly was bent by what was missing; all at once, every value re-fitted:\n  fem diagnose {file} --with {data} --add-to better.toml"
+        "  what the model knew roughly was bent by what was missing; all at once, every value re-fitted:\n  fem diagnose {file} {data} --add-to better.toml"
     );
     // A model with unknown values can be fitted, but not compared.
     let mut own = d.fit.estimates.iter().take(model.parameters.len());
     if own.all(|e| e.is_closed() || e.parameter.quantity.knowledge != Knowledge::Free) {
-        let _ = writeln!(text, "  fem compare better.toml --with {data}");
+        let _ = writeln!(text, "  fem compare better.toml {data}");
     }
+}
+
+/// The options that name the measurements and how they are read.
+fn with(data: &Data) -> String {
+    let files = data.files.iter().flat_map(|file| ["--with", &*file.name]);
+    let words: Vec<String> = files.chain(data.said.iter().map(String::as_str)).map(quoted).collect();
+    words.join(" ")
 }
 
 /// Quotes a word for a shell.

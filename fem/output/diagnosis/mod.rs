@@ -11,6 +11,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::falling::Falling;
 use super::fit::finite;
+use super::measurement::files;
 use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
@@ -49,6 +50,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "schema": "fem-diagnosis/1",
         "model": &*data.model.source.name,
         "data": data.name,
+        "files": files(data),
         "observations": data.len(),
         "observations_used": d.rows,
         "cautions": d.cautions,
@@ -93,6 +95,7 @@ fn outlier(outlier: &Outlier, data: &Data) -> Json {
     json!({
         "row": outlier.record,
         "line": outlier.line,
+        "file": data.file_of_record(outlier.record - 1).unwrap_or(&data.name),
         "value": kind.from_si(outlier.value),
         "predicted": kind.from_si(outlier.predicted),
         "unit": kind.unit,
@@ -104,7 +107,7 @@ fn missing(missing: &Missing, kind: Kind) -> Json {
     let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
     let measurement = match &missing.cause {
         Cause::Physical => None,
-        Cause::Measurement { effect, by, observable, records, from_line } => {
+        Cause::Measurement { effect, by, observable, records, from_line, .. } => {
             Some((effect, by, observable, records, from_line))
         }
     };

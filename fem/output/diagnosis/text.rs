@@ -113,9 +113,9 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
         let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.name);
     }
-    if let Cause::Measurement { effect, records, from_line, .. } = &missing.cause {
-        if let Some(line) = from_line {
-            let _ = writeln!(text, "  from line {line} on");
+    if let Cause::Measurement { effect, records, from, .. } = &missing.cause {
+        if let Some(place) = from {
+            let _ = writeln!(text, "  from {place} on");
         } else {
             outlying(text, records, data, d);
         }
@@ -132,7 +132,9 @@ fn outlying(text: &mut String, records: &[usize], data: &Data, d: &Diagnosis) {
     for o in own.iter().take(MOST_ROWS) {
         let kind = data.observables[o.observable].kind;
         let [value, predicted] = [o.value, o.predicted].map(|si| kind.shown(si));
-        let _ = writeln!(text, "  line {:<5} {value:.3}, predicted {predicted:.3}", o.line);
+        let of = data.file_of_record(o.record - 1).map_or(String::new(), |name| format!(" of {name}"));
+        let place = format!("{}{of}", o.line);
+        let _ = writeln!(text, "  line {place:<5} {value:.3}, predicted {predicted:.3}");
     }
     if own.len() > MOST_ROWS {
         let _ = writeln!(text, "  and {} more", own.len() - MOST_ROWS);

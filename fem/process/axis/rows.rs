@@ -21,7 +21,10 @@ pub const TIME_OF_ROW: usize = 3;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    Coordinate::new("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused),
+    Coordinate {
+        actual: Some(0),
+        ..Coordinate::new("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused)
+    },
     Coordinate::new("direction", "of approach, + or -", Holds::Word(DIRECTIONS), Absent::Refused),
     Coordinate { repeats: true, ..Coordinate::new("run", "number of the run", Holds::Number(1), Absent::Value(1.0)) },
     Coordinate::new("time", "since the test began, cold", Holds::Quantity(TIME), Absent::Value(0.0)),

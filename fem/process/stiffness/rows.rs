@@ -15,20 +15,13 @@ pub const BRANCH: usize = 1;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    Coordinate {
-        name: "force",
-        about: "force on the joint",
-        holds: Holds::Quantity(FORCE),
-        absent: Absent::Refused,
-        repeats: false,
-    },
-    Coordinate {
-        name: "branch",
-        about: "whether the force rises from nothing or falls from the largest",
-        holds: Holds::Word(&["load", "unload"]),
-        absent: Absent::Value(0.0),
-        repeats: false,
-    },
+    Coordinate::new("force", "force on the joint", Holds::Quantity(FORCE), Absent::Refused),
+    Coordinate::new(
+        "branch",
+        "whether the force rises from nothing or falls from the largest",
+        Holds::Word(&["load", "unload"]),
+        Absent::Value(0.0),
+    ),
 ];
 
 /// The branch of a row.

@@ -1,0 +1,59 @@
+//! Dates and times of day in a column of times: counted in seconds from the first row's.
+
+use csv::StringRecord;
+
+use super::heading::Heading;
+use super::moment::Moment;
+use super::sheet::{MOST_PROBLEMS, Row};
+use crate::input::Problem;
+
+/// Counts the moments of a column from the first of them, or from the one that its heading says.
+///
+/// # Errors
+/// A cell is no moment of the form of the others, or times of day fall.
+pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut Vec<String>) -> Vec<Problem> {
+    let cell = |row: &Row| row.cells.get(column).unwrap_or_default().to_string();
+    let Some(first) = rows.iter().find(|row| !cell(row).is_empty()) else { return Vec::new() };
+    let (text, line) = (cell(first), first.line);
+    let (zero, said) = match (&heading.since, Moment::parse(&text)) {
+        (Some((said, zero)), _) => (*zero, Some(said.clone())),
+        (None, Some(zero)) if heading.unit.is_empty() => (zero, None),
+        _ => return Vec::new(),
+    };
+    let (name, like) = (heading.name.clone(), said.as_ref().unwrap_or(&text));
+    let written = heading.written.clone();
+    let mut problems = Vec::new();
+    let mut before = f64::NEG_INFINITY;
+    for row in rows.iter_mut().filter(|row| !cell(row).is_empty()) {
+        if problems.len() >= MOST_PROBLEMS {
+            break;
+        }
+        let text = cell(row);
+        let problem = match Moment::parse(&text).and_then(|moment| moment.after(zero)) {
+            Some(seconds) if zero.has_date || seconds >= before => {
+                before = seconds;
+                row.cells = with(&row.cells, column, &seconds.to_string());
+                continue;
+            }
+            Some(_) => Problem::new(format!("`{name}` falls to {text}: is it past midnight?"))
+                .help("write dates with the times, 2026-03-01T10:00:00"),
+            None => Problem::new(format!("`{text}` in `{name}` is no time like {like}"))
+                .help("write all times alike, 2026-03-01T10:00:00, all with a zone or all without"),
+        };
+        problems.push(problem.at(Some(row.place.clone())));
+    }
+    heading.unit = "s".into();
+    notes.push(match said {
+        Some(said) => format!("`{name}` is counted from {said}, as was said"),
+        None => format!(
+            "`{name}` is counted from {text}, its first (line {line}); if the model's clock began at another \
+             moment, say --columns '{written}={name} since {text}'"
+        ),
+    });
+    problems
+}
+
+/// A record with another cell in a column.
+fn with(cells: &StringRecord, column: usize, cell: &str) -> StringRecord {
+    cells.iter().enumerate().map(|(i, own)| if i == column { cell } else { own }).collect()
+}

@@ -1,0 +1,155 @@
+//! Decimal marks: which of comma and point is one, and numbers written with a point.
+
+use csv::StringRecord;
+
+use super::sheet::{MOST_PROBLEMS, Row};
+use crate::input::Problem;
+
+/// The decimal mark of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decimal {
+    /// `1,5`; points group thousands.
+    Comma,
+    /// `1.5`; commas group thousands.
+    Point,
+}
+
+impl Decimal {
+    /// The mark, and the one that groups thousands.
+    fn marks(self) -> (char, char) {
+        match self {
+            Self::Comma => (',', '.'),
+            Self::Point => ('.', ','),
+        }
+    }
+}
+
+/// How a cell writes a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Style {
+    /// With one mark: it could be the decimal mark.
+    With(char),
+    /// With both marks, or one of them several times.
+    Grouped,
+    /// No number, or one without a mark.
+    Other,
+}
+
+/// Writes the numbers of the `numeric` columns with a point. Where nobody `said` which mark is the decimal one,
+/// it is the only one that occurs; commas then are not the separator of the columns.
+///
+/// Gives the problems of single numbers that have marks where none can stand.
+///
+/// # Errors
+/// Which mark is the decimal one cannot be told, so that no number can be read.
+pub fn settle(
+    rows: &mut [Row],
+    numeric: &[bool],
+    separator: char,
+    said: Option<Decimal>,
+    told: &mut Vec<String>,
+) -> Result<Vec<Problem>, Problem> {
+    let decimal = match said {
+        Some(decimal) => decimal,
+        // Quoted cells such as "1,500" are refused as no numbers.
+        None if separator == ',' => return Ok(Vec::new()),
+        None => found(rows, numeric)?,
+    };
+    if decimal == Decimal::Comma {
+        told.push("a decimal comma".into());
+    }
+    if decimal == Decimal::Point && said.is_none() {
+        return Ok(Vec::new());
+    }
+    let mut problems = Vec::new();
+    for row in rows {
+        let mut cells = StringRecord::new();
+        for (cell, numeric) in row.cells.iter().zip(numeric) {
+            match plain(cell, decimal).filter(|_| *numeric) {
+                Some(Ok(number)) => cells.push_field(&number),
+                Some(Err(problem)) if problems.len() < MOST_PROBLEMS => {
+                    problems.push(problem.at(Some(row.place.clone())));
+                    cells.push_field(cell);
+                }
+                _ => cells.push_field(cell),
+            }
+        }
+        row.cells = cells;
+    }
+    Ok(problems)
+}
+
+/// The mark that alone occurs; a point where none does.
+fn found(rows: &[Row], numeric: &[bool]) -> Result<Decimal, Problem> {
+    let mut first: [Option<(&str, u64)>; 2] = [None; 2];
+    for row in rows {
+        for (cell, _) in row.cells.iter().zip(numeric).filter(|(_, numeric)| **numeric) {
+            let place = match style(cell) {
+                Style::With(',') => &mut first[0],
+                Style::With(_) => &mut first[1],
+                Style::Grouped => {
+                    let problem = Problem::new(format!("which mark of `{cell}` is the decimal one cannot be told"));
+                    return Err(problem.help(ASK).at(Some(row.place.clone())));
+                }
+                Style::Other => continue,
+            };
+            if place.is_none() {
+                *place = Some((cell, row.line));
+            }
+            if let [Some((comma, one)), Some((point, other))] = first {
+                let message = format!(
+                    "numbers are written with a comma, `{comma}` in line {one}, and with a point, `{point}` in line {other}"
+                );
+                return Err(Problem::new(message).help(ASK).at(Some(row.place.clone())));
+            }
+        }
+    }
+    Ok(if first[0].is_some() { Decimal::Comma } else { Decimal::Point })
+}
+
+const ASK: &str = "say --decimal comma, and points group thousands, or --decimal point, and commas do";
+
+fn style(cell: &str) -> Style {
+    let Some(mantissa) = mantissa(cell) else { return Style::Other };
+    let mut marks = mantissa.chars().filter(|c| matches!(c, ',' | '.'));
+    match (marks.next(), marks.next()) {
+        (Some(mark), None) => Style::With(mark),
+        (Some(_), Some(_)) if is_number(mantissa, Decimal::Comma) || is_number(mantissa, Decimal::Point) => {
+            Style::Grouped
+        }
+        _ => Style::Other,
+    }
+}
+
+/// The digits and marks of a number before its exponent; `None` where there is something else.
+fn mantissa(cell: &str) -> Option<&str> {
+    let end = cell.find(['e', 'E']).unwrap_or(cell.len());
+    let digits = cell[..end].strip_prefix(['+', '-', '−']).unwrap_or(&cell[..end]);
+    let is_one = digits.contains(|c: char| c.is_ascii_digit())
+        && digits.chars().all(|c| c.is_ascii_digit() || matches!(c, ',' | '.'));
+    is_one.then_some(digits)
+}
+
+/// Whether the marks of a mantissa stand where they may: one decimal mark, and groups of three digits before.
+fn is_number(mantissa: &str, decimal: Decimal) -> bool {
+    let (mark, group) = decimal.marks();
+    let (whole, fraction) = mantissa.split_once(mark).unwrap_or((mantissa, ""));
+    let mut groups = whole.split(group);
+    let first = groups.next().unwrap_or_default();
+    let mut more = groups.peekable();
+    let is_grouped = more.peek().is_some();
+    !fraction.contains([mark, group])
+        && more.all(|digits| digits.len() == 3)
+        && (!is_grouped || (1..=3).contains(&first.len()))
+}
+
+/// A number with a decimal point and no other marks; `None` where the cell is no number.
+fn plain(cell: &str, decimal: Decimal) -> Option<Result<String, Problem>> {
+    let (mark, group) = decimal.marks();
+    let mantissa = mantissa(cell)?;
+    if !is_number(mantissa, decimal) {
+        let problem = Problem::new(format!("in `{cell}` a mark stands where it groups no thousands"));
+        return Some(Err(problem.help("mend the cell, or say the other --decimal")));
+    }
+    Some(Ok(cell.replace(group, "").replace(mark, ".")))
+}

@@ -1,0 +1,122 @@
+//! What the user says of a file that it does not say itself: which of its columns are meant, and the decimal
+//! mark.
+
+use super::decimal::Decimal;
+use super::heading::{Heading, parts, plain};
+use super::moment::Moment;
+use super::vocabulary::Vocabulary;
+use crate::input::{Problem, did_you_mean};
+
+/// How a file is to be read.
+#[derive(Clone, Debug, Default)]
+pub struct Reading {
+    /// The decimal mark, where it was said.
+    pub decimal: Option<Decimal>,
+    /// Headings of the file, and what each is to be.
+    columns: Vec<(String, String)>,
+    /// Whether it is for several files, of which each may lack some of these headings.
+    pub(super) is_of_several: bool,
+}
+
+impl Reading {
+    /// Makes a reading of lists such as `T1=temperature@x=12 mm,Zeit=time [s]`.
+    ///
+    /// # Errors
+    /// An entry says nothing of a column.
+    pub fn new(lists: &[String], decimal: Option<Decimal>) -> Result<Self, Problem> {
+        let mut columns: Vec<(String, String)> = Vec::new();
+        for list in lists {
+            let mut head = String::new();
+            for part in list.split(',') {
+                // A heading may hold a comma itself.
+                head = if head.is_empty() { part.to_string() } else { format!("{head},{part}") };
+                if let Some((from, to)) = head.split_once('=').filter(|(from, _)| !from.trim().is_empty()) {
+                    columns.push((from.trim().to_string(), to.trim().to_string()));
+                    head.clear();
+                }
+            }
+            if !head.trim().is_empty() || columns.last().is_some_and(|(_, to)| to.is_empty()) {
+                let problem = Problem::new(format!("--columns {list}: a column is to be nothing"));
+                return Err(problem.help("write --columns 'HEADING=NAME [UNIT],HEADING=NAME', and - to leave one out"));
+            }
+        }
+        let is_twice = |(i, (from, _)): (usize, &(String, String))| columns[..i].iter().any(|(other, _)| other == from);
+        if let Some((_, (from, _))) = columns.iter().enumerate().find(|(i, entry)| is_twice((*i, *entry))) {
+            let problem = Problem::new(format!("--columns: `{from}` is said to be two things"));
+            return Err(problem.help("keep one of them"));
+        }
+        Ok(Self { decimal, columns, is_of_several: false })
+    }
+
+    /// The same for one of several files, which may lack some of the headings, or for a single one.
+    pub(super) fn of_several(&self, is_of_several: bool) -> Self {
+        Self { is_of_several, ..self.clone() }
+    }
+
+    /// The options by which all of it is said.
+    pub(super) fn options(&self) -> Vec<String> {
+        let columns = self.columns.iter().map(|(from, to)| format!("{from}={to}")).collect::<Vec<_>>().join(",");
+        let decimal = self.decimal.map(|mark| match mark {
+            Decimal::Comma => "comma",
+            Decimal::Point => "point",
+        });
+        let columns = (!columns.is_empty()).then(|| ["--columns".to_string(), columns]);
+        let decimal = decimal.map(|mark| ["--decimal".to_string(), mark.to_string()]);
+        [columns, decimal].into_iter().flatten().flatten().collect()
+    }
+
+    /// Headings of which something is said.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(|(from, _)| &**from)
+    }
+
+    /// What is said of a heading of the file.
+    pub(super) fn of(&self, cell: &str) -> Option<&str> {
+        self.columns.iter().find(|(from, _)| is_meant(from, cell)).map(|(_, to)| &**to)
+    }
+}
+
+/// Whether an entry names a heading: the whole of it, or without its unit.
+pub(super) fn is_meant(from: &str, cell: &str) -> bool {
+    let name = parts(cell, |_| false).0;
+    from == cell.trim() || from == name || plain(from) == plain(name)
+}
+
+/// The heading that a column is said to have; `None` where it is to be left out.
+///
+/// # Errors
+/// The process knows no such column, or the file says another unit.
+pub(super) fn said(cell: &str, to: &str, vocabulary: Vocabulary) -> Result<Option<Heading>, Problem> {
+    if to == "-" {
+        return Ok(None);
+    }
+    let wrong = |problem: Problem| Problem { message: format!("--columns: {}", problem.message), ..problem };
+    let (to, since) = match to.split_once(" since ") {
+        Some((to, since)) => (to, Some(since.trim())),
+        None => (to, None),
+    };
+    let mut heading = Heading::read(to, vocabulary, &[]).map_err(wrong)?;
+    if !heading.is_known {
+        let names: Vec<String> = vocabulary.names().collect();
+        let near = did_you_mean(&heading.name, names.iter().map(String::as_str), '`');
+        let problem = Problem::new(format!("`{}` is no column of {}", heading.name, vocabulary.process));
+        return Err(wrong(problem.help(format!("{near}`fem effects {}` lists them", vocabulary.process))));
+    }
+    heading.since = match since.map(|text| (text, Moment::parse(text))) {
+        Some((text, Some(moment))) => Some((text.to_string(), moment)),
+        Some((text, None)) => {
+            let problem = Problem::new(format!("`{text}` is no moment"));
+            return Err(wrong(problem.help("write it as 2026-03-01T10:00:00")));
+        }
+        None => None,
+    };
+    let unit = parts(cell, |_| false).1;
+    if heading.unit.is_empty() {
+        heading.unit = unit.to_string();
+    } else if !unit.is_empty() && unit != heading.unit {
+        let problem = Problem::new(format!("`{cell}` is said to be in {}, and the file says {unit}", heading.unit));
+        return Err(wrong(problem.help("leave the unit to one of them")));
+    }
+    heading.written = cell.trim().to_string();
+    Ok(Some(heading))
+}

@@ -1,0 +1,189 @@
+//! A file in the program's own form: headings `name [unit]`, numbers with a point, a row for every observation.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use csv::StringRecord;
+
+use super::heading::{self, Heading};
+use super::reading::{self, Reading};
+use super::sheet::{self, MOST_PROBLEMS, Row, Sheet};
+use super::vocabulary::Vocabulary;
+use super::{actual, clock, decimal, wide, words};
+use crate::input::{Problem, Source, did_you_mean};
+use crate::process::Holds;
+use crate::units::TIME;
+
+/// Most readings of one sort that are told one by one.
+const MOST_TOLD: usize = 8;
+
+/// The cells of a file, as the program writes them.
+#[derive(Debug)]
+pub struct Table {
+    /// Cells of the header.
+    pub header: Vec<String>,
+    /// Cells of the header, as the file writes them.
+    pub headings: Vec<String>,
+    /// Bytes of the header's line in the source.
+    pub place: Range<usize>,
+    /// Records; of a wide file several stand in one line.
+    pub rows: Vec<Row>,
+    /// Problems of single records.
+    pub problems: Vec<Problem>,
+    /// What was read otherwise than it is written, for the user.
+    pub notes: Vec<String>,
+}
+
+/// Reads a file in any of the forms that instruments and spreadsheets write.
+///
+/// # Errors
+/// Problems of the header, and those without which nothing else can be read.
+pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<Table, Vec<Problem>> {
+    let mut sheet = sheet::read(source).map_err(|problem| vec![problem])?;
+    let place = sheet.place.clone();
+    let of_header = |problem: Problem| problem.at(Some(place.clone()));
+    let mut told = std::mem::take(&mut sheet.told);
+    let mut notes = Vec::new();
+    let mut headings = headings(&mut sheet, vocabulary, said)
+        .map_err(|problems| problems.into_iter().map(of_header).collect::<Vec<_>>())?;
+    units(&mut headings, &mut sheet, &mut told).map_err(|problem| vec![problem])?;
+    let numeric: Vec<bool> = headings.iter().map(|heading| is_numeric(heading, vocabulary)).collect();
+    let mut problems = sheet.problems;
+    let marks = decimal::settle(&mut sheet.rows, &numeric, sheet.separator, said.decimal, &mut told);
+    problems.extend(marks.map_err(|problem| vec![problem])?);
+    for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
+        problems.extend(clock::count(&mut sheet.rows, column, heading, &mut notes));
+    }
+    told.extend(bounded(headings.iter().filter_map(Heading::told).collect()));
+    let long = wide::lengthened(headings, sheet.rows, vocabulary, &mut told);
+    let (mut headings, mut rows) = long.map_err(|problem| vec![of_header(problem)])?;
+    actual::less_commanded(&mut headings, &mut rows, vocabulary, &mut told)
+        .map_err(|problem| vec![of_header(problem)])?;
+    for (column, heading) in headings.iter().enumerate() {
+        told.extend(bounded(settle_words(&mut rows, column, heading, vocabulary)));
+    }
+    if !told.is_empty() {
+        notes.insert(0, format!("how it was read: {}", told.join("; ")));
+    }
+    problems.truncate(MOST_PROBLEMS);
+    let header = headings.iter().map(Heading::cell).collect();
+    Ok(Table { header, headings: sheet.header, place: sheet.place, rows, problems, notes })
+}
+
+/// Reads all headings, those that the user has said before those that speak for themselves, and drops columns
+/// that are to be left out or are empty.
+fn headings(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) -> Result<Vec<Heading>, Vec<Problem>> {
+    let mut problems: Vec<Problem> = Vec::new();
+    for from in said.names() {
+        let mut meant = sheet.header.iter().filter(|cell| reading::is_meant(from, cell));
+        let problem = match (meant.next(), meant.next()) {
+            (Some(_), None) => continue,
+            (Some(_), Some(_)) => Problem::new(format!("--columns: `{from}` names several columns"))
+                .help("write the whole heading, with its unit"),
+            (None, _) if said.is_of_several => continue,
+            (None, _) => {
+                let near = did_you_mean(from, sheet.header.iter().map(String::as_str), '`');
+                let help = format!("{near}its columns are {}", sheet.header.join(", "));
+                Problem::new(format!("--columns: there is no column `{from}`")).help(help)
+            }
+        };
+        problems.push(problem);
+    }
+    let (mut headings, mut kept) = (Vec::new(), Vec::new());
+    for (column, cell) in sheet.header.iter().enumerate() {
+        let is_empty = |row: &Row| row.cells.get(column).is_none_or(str::is_empty);
+        if cell.is_empty() && sheet.rows.iter().all(is_empty) {
+            continue;
+        }
+        // A decimal comma in a place stands beside another separator only.
+        let spelled = if sheet.separator == ',' { cell.clone() } else { cell.replace(',', ".") };
+        let read = match said.of(cell) {
+            Some(to) => reading::said(cell, to, vocabulary),
+            None if cell.contains('@') => Heading::read(&spelled, vocabulary, &sheet.header).map(Some),
+            None => Heading::read(cell, vocabulary, &names(&sheet.header)).map(Some),
+        };
+        match read {
+            Ok(Some(heading)) => {
+                headings.push(heading);
+                kept.push(column);
+            }
+            Ok(None) => {}
+            Err(problem) => problems.push(problem),
+        }
+    }
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    if kept.len() < sheet.header.len() {
+        for row in &mut sheet.rows {
+            row.cells = kept.iter().map(|column| row.cells.get(*column).unwrap_or_default()).collect::<StringRecord>();
+        }
+    }
+    Ok(headings)
+}
+
+/// Names of the columns as the file writes them, without units.
+fn names(header: &[String]) -> Vec<String> {
+    header.iter().map(|cell| crate::input::name_and_unit(cell).0.to_string()).collect()
+}
+
+/// Takes the units of columns that have none from a first record that holds nothing but units.
+fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) -> Result<(), Problem> {
+    let Some(first) = sheet.rows.first() else { return Ok(()) };
+    let cells: Vec<&str> = first.cells.iter().map(|cell| cell.trim_matches(['[', ']', '(', ')']).trim()).collect();
+    let is_unit = |cell: &&str| heading::is_unit(cell);
+    let is_blank = |cell: &str| matches!(cell, "" | "-");
+    let known = || headings.iter().zip(&cells).filter(|(heading, _)| heading.is_known);
+    if !known().all(|(_, cell)| is_blank(cell) || is_unit(cell)) || !known().any(|(_, cell)| is_unit(cell)) {
+        return Ok(());
+    }
+    for (heading, cell) in headings.iter_mut().zip(&cells).filter(|(heading, cell)| heading.is_known && is_unit(cell)) {
+        if !heading.unit.is_empty() && heading.unit != *cell {
+            let message = format!("`{}` is in {} by its heading, and in {cell} here", heading.name, heading.unit);
+            return Err(Problem::new(message).help("keep one of the units").at(Some(first.place.clone())));
+        }
+        heading.unit = cell.to_string();
+        // The unit stands elsewhere; the name alone may be as the program writes it.
+        if heading.written == heading.name {
+            heading.written = heading.cell();
+        }
+    }
+    told.push(format!("units from line {}", first.line));
+    sheet.rows.remove(0);
+    Ok(())
+}
+
+fn is_numeric(heading: &Heading, vocabulary: Vocabulary) -> bool {
+    let is_word = vocabulary.coordinate(&heading.name).is_some_and(|c| matches!(c.holds, Holds::Word(_)));
+    heading.is_known && !is_word
+}
+
+fn is_time(heading: &Heading, vocabulary: Vocabulary) -> bool {
+    let kind = vocabulary.coordinate(&heading.name).and_then(|c| c.holds.kind());
+    heading.is_known && kind.is_some_and(|kind| kind.canonical().dimension == TIME.canonical().dimension)
+}
+
+/// Writes the words of a column as the program does, and tells which were written otherwise.
+fn settle_words(rows: &mut [Row], column: usize, heading: &Heading, vocabulary: Vocabulary) -> Vec<String> {
+    let holds = vocabulary.coordinate(&heading.name).filter(|_| heading.is_known).map(|c| c.holds);
+    let Some(Holds::Word(all)) = holds else { return Vec::new() };
+    let mut told = BTreeMap::new();
+    for row in rows {
+        let cell = row.cells.get(column).unwrap_or_default();
+        let Some(word) = words::meant(cell, all).filter(|word| *word != cell) else { continue };
+        told.entry(cell.to_string()).or_insert(word);
+        let cells = row.cells.iter().enumerate();
+        row.cells = cells.map(|(i, own)| if i == column { word } else { own }).collect::<StringRecord>();
+    }
+    told.into_iter().map(|(cell, word)| format!("{} `{cell}` as {word}", heading.name)).collect()
+}
+
+/// The first of several readings, and how many more there are.
+fn bounded(mut all: Vec<String>) -> Vec<String> {
+    let more = all.len().saturating_sub(MOST_TOLD);
+    all.truncate(MOST_TOLD);
+    if more > 0 {
+        all.push(format!("{more} more of these"));
+    }
+    all
+}

@@ -1,0 +1,218 @@
+//! Files of instruments and spreadsheets, and several files at once, as a user meets them.
+
+use serde_json::Value as Json;
+
+use super::fem::{Place, model};
+
+/// What cannot be told is asked: (process, the file, options).
+const ASKED: &[(&str, &str, &[&str])] = &[
+    ("axis", "position [mm];direction;deviation [um]\n10;+;1,5\n20;+;2.5\n", &[]),
+    ("axis", "position [mm];direction;deviation [um]\n10;+;1.500,5\n", &[]),
+    ("axis", "position [mm];direction;deviation [um]\n10;+;1.5\n", &["--decimal", "comma"]),
+    ("axis", "position [mm],direction,deviation [um]\n10,+,1,5\n", &[]),
+    ("turning", "x [mm],diameter_error [um],U [um]\n10,1,2\n", &[]),
+    ("axis", "Ort;Richtung;Abw\n10;+;1\n", &[]),
+    ("axis", "Ort;Richtung;Abw\n10;+;1\n", &["--columns", "Ort=position [mm],Richtung=directoin,Abw=deviation [um]"]),
+    ("axis", "Ort;Richtung;Abw\n10;+;1\n", &["--columns", "Platz=position [mm]"]),
+    ("axis", "Ort [um];Richtung;Abw\n10;+;1\n", &["--columns", "Ort=position [mm]"]),
+    ("axis", "Ort;Richtung;Abw\n10;+;1\n", &["--columns", "Ort"]),
+    ("axis", "position;direction;deviation [um]\nmm;;mm\n10;+;1\n", &[]),
+    ("axis", "position [mm],direction,deviation [um]\n10,sideways,1\n", &[]),
+    ("axis", "position [mm],direction,deviation [um],u [um]\n10,+,1,0.5\n,+,1,0.5\n20,+,2,\n", &[]),
+    ("axis", "position [mm],direction,deviation [um]\n10,+,\n", &[]),
+    ("axis", "position [mm],direction,actual\n10,+,10.001\n", &[]),
+    ("thermal", "time,x [m],temperature [degC]\n23:59:00,0,1\n00:01:00,0,1\n", &[]),
+    (
+        "thermal",
+        "time,x [m],temperature [degC]\n2026-03-01T10:00:00,0,1\n2026-03-01T10:00:00Z,0,1\n01.03.2026,0,2\n",
+        &[],
+    ),
+    ("thermal", "time,x [m],temperature [degC]\n01.03.2026 10:00,0,1\n", &[]),
+    ("thermal", "time [s],temperature@x=0.1 [degC]\n0,1\n", &[]),
+    ("thermal", "time [s],temperature@z=0.1 m [degC]\n0,1\n", &[]),
+    ("thermal", "time [s],x [m],temperature@x=0.1 m [degC]\n0,0,1\n", &[]),
+    ("thermal", "time [s],temperature@x=1 m [degC],temperature@x=2 m [K]\n0,0,1\n", &[]),
+];
+
+#[test]
+fn what_cannot_be_told_is_asked() {
+    let place = Place::new();
+    let mut page = String::new();
+    for (process, text, options) in ASKED {
+        place.write("data.csv", text);
+        let said = ["import", "data.csv", "--process", process, "-o", "own.csv"];
+        let answer = place.fem(&[&said[..], options].concat());
+        assert_eq!((answer.status, answer.out.as_str()), (2, ""), "{text}: {}", answer.err);
+        page.push_str(&format!("{text}{}\n{}\n", options.join(" "), answer.err));
+    }
+    assert_eq!(place.files(), ["data.csv"]);
+    insta::assert_snapshot!("asked", page);
+}
+
+/// What is imported is read as the file itself was.
+#[test]
+fn an_import_is_the_same_in_the_programs_own_form() {
+    let place = Place::new();
+    let text = "\u{feff}Position;Richtung;Run;Deviation;Bemerkung\nmm;;;um;\n0;forward;1;0,5;ja\n250;forward;1;;\n\
+                250;backward;1;-1,5;\n0;backward;1;1,0;\n";
+    place.write("axis.toml", model("zeros/axis.toml"));
+    place.write("raw.csv", text);
+    let columns = ["--columns", "Richtung=direction"];
+    let answer = place.fem(&[&["import", "raw.csv", "--process", "axis", "-o", "own.csv"][..], &columns].concat());
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    insta::assert_snapshot!("imported", format!("{}\n{}\n{}", answer.out, answer.err, place.read("own.csv")));
+    let compare = |data: &[&str]| {
+        let answer = place.fem(&[&["compare", "axis.toml", "--json"], data].concat());
+        let mut json: Json = serde_json::from_str(&answer.out).unwrap();
+        // Names, notes and lines are those of the file, and so is what was left out of it.
+        for key in ["data", "files", "notes"] {
+            json[key] = Json::Null;
+        }
+        json["models"][0]["worst"] = Json::Null;
+        json
+    };
+    assert_eq!(compare(&["--with", "raw.csv", columns[0], columns[1]]), compare(&["--with", "own.csv"]));
+    let onto = place.fem(&[&["import", "raw.csv", "--process", "axis", "-o", "raw.csv"][..], &columns].concat());
+    assert_eq!(onto.status, 2, "{}", onto.err);
+    let unknown = place.fem(&["import", "raw.csv", "--process", "axes", "-o", "own.csv"]);
+    assert!(unknown.status == 2 && unknown.err.contains("did you mean `axis`?"), "{}", unknown.err);
+}
+
+/// A positioning test in two files, of which the second was zeroed 8 um higher.
+fn two_files(place: &Place) {
+    place.write("axis.toml", model("zeros/axis.toml"));
+    let row = |i: i32| (f64::from(i % 10) * 40.0, if i % 20 < 10 { '+' } else { '-' }, 0.3 * f64::from(i * 7 % 11 - 5));
+    let mut first = String::from("position [mm],direction,deviation [um],u [um]\n");
+    let mut second = String::from("# the second\nu [nm];position [m];deviation [um];direction\n");
+    for i in 0..40 {
+        let (position, direction, deviation) = row(i);
+        first.push_str(&format!("{position},{direction},{deviation:.2},1\n"));
+        second.push_str(&format!("1000;{};{:.2};{direction}\n", position / 1000.0, deviation + 8.0));
+    }
+    place.write("a.csv", first);
+    place.write("b.csv", second.replace("8.0", "8,0").replace('.', ","));
+}
+
+const BOTH: [&str; 4] = ["--with", "a.csv", "--with", "b.csv"];
+
+#[test]
+fn files_stand_together_and_each_row_knows_its_own() {
+    let place = Place::new();
+    two_files(&place);
+    let answer = place.fem(&[&["compare", "axis.toml", "--json", "-o", "out"][..], &BOTH].concat());
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(answer.err.contains("note: b.csv: how it was read: columns parted by semicolons"), "{}", answer.err);
+    let json: Json = serde_json::from_str(&answer.out).unwrap();
+    assert_eq!((json["observations"].as_u64(), json["data"].as_str()), (Some(80), Some("a.csv, b.csv")));
+    assert_eq!(json["files"], serde_json::json!(["a.csv", "b.csv"]));
+    let worst = &json["models"][0]["worst"];
+    assert_eq!(worst["file"], "b.csv");
+    // A comment and the header stand above the rows of the second file, and forty rows before them.
+    assert_eq!(worst["line"].as_u64().unwrap() + 40, worst["row"].as_u64().unwrap() + 2);
+    assert!(place.fem(&[&["compare", "axis.toml"][..], &BOTH].concat()).out.contains(" of b.csv ("));
+    let residuals = place.read("out/residuals.csv");
+    let lines: Vec<&str> = residuals.lines().collect();
+    let header = "file,position [mm],direction,deviation [um],u [um],predicted [um],residual [um]";
+    assert_eq!((lines.len(), lines[0]), (81, header));
+    assert!(lines[1].starts_with("a.csv,0,+,-1.5") && lines[42].starts_with("b.csv,40,+,8.60,1,"), "{residuals}");
+}
+
+#[test]
+fn a_zero_of_each_file_is_named() {
+    let place = Place::new();
+    two_files(&place);
+    let with = [&["diagnose", "axis.toml", "--json", "--add-to", "better.toml"][..], &BOTH].concat();
+    let answer = place.fem(&with);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let json: Json = serde_json::from_str(&answer.out).unwrap();
+    let missing = json["missing"].as_array().unwrap();
+    let names: Vec<(&Json, &Json)> = missing.iter().map(|m| (&m["effect"], &m["by"])).collect();
+    assert_eq!(names, [(&Json::from("zero-shift"), &serde_json::json!(["file"]))], "{}", answer.out);
+    assert!(place.read("better.toml").contains("[measurement.zero-shift]\nby = \"file\"\n"));
+    let compared = place.fem(&[&["compare", "better.toml"][..], &BOTH].concat());
+    assert!(compared.out.contains("zero-shift by file"), "{}", compared.out);
+}
+
+#[test]
+fn rows_are_counted_through_all_files_or_in_one() {
+    let place = Place::new();
+    two_files(&place);
+    let rows = |table: &str| {
+        place.write("with.toml", format!("{}\n[measurement.outliers]\n{table}\n", model("zeros/axis.toml")));
+        let answer = place.fem(&[&["compare", "with.toml", "--json"][..], &BOTH].concat());
+        serde_json::from_str::<Json>(&answer.out)
+            .map(|json| json["measurement"][0]["rows"].clone())
+            .map_err(|_| answer.err)
+    };
+    assert_eq!(rows("rows = \"43, 45\""), Ok(serde_json::json!([43, 45])));
+    assert_eq!(rows("rows = \"3, 5\"\nfile = \"b.csv\""), Ok(serde_json::json!([43, 45])));
+    assert_eq!(rows("rows = \"3, 5\"\nfile = \"a.csv\""), Ok(serde_json::json!([3, 5])));
+    assert!(rows("rows = \"43\"\nfile = \"a.csv\"").unwrap_err().contains("a.csv has no such row"));
+    assert!(rows("rows = \"43\"\nfile = \"c.csv\"").unwrap_err().contains("no file has this name"));
+    assert!(rows("rows = \"81\"").unwrap_err().contains("names row 81"));
+}
+
+#[test]
+fn files_that_cannot_stand_together_are_refused() {
+    let place = Place::new();
+    two_files(&place);
+    place.write("lathe.toml", model("lathe.toml"));
+    place.write("bare.csv", "position [mm],direction,deviation [um]\n0,+,1\n");
+    place.write("beyond.csv", "position [mm],direction,deviation [um],u [um]\n0,+,1,1\n9000,+,1,1\n");
+    place.write("error.csv", "x [mm],diameter_error [um]\n10,1\n");
+    place.write("diameter.csv", "x [mm],diameter [mm]\n10,40\n");
+    for (model, files, told) in [
+        ("axis.toml", ["a.csv", "a.csv"], "a.csv is named twice"),
+        ("axis.toml", ["a.csv", "./a.csv"], "./a.csv is named twice"),
+        ("axis.toml", ["a.csv", "bare.csv"], "a.csv has a column u, and bare.csv has none"),
+        ("axis.toml", ["a.csv", "beyond.csv"], "line 3 of beyond.csv: the axis travels"),
+        (
+            "lathe.toml",
+            ["error.csv", "diameter.csv"],
+            "error.csv holds `diameter_error`, and diameter.csv holds `diameter`",
+        ),
+        ("axis.toml", ["a.csv", "gone.csv"], "gone.csv"),
+    ] {
+        let answer = place.fem(&["compare", model, "--with", files[0], "--with", files[1]]);
+        let page = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
+        assert!(answer.status == 2 && page.contains(told), "{files:?}: {}", answer.err);
+    }
+    let mistyped = [&["compare", "axis.toml", "--columns", "Ort=position"][..], &BOTH].concat();
+    assert!(place.fem(&mistyped).err.contains("no file has a column `Ort`"));
+}
+
+/// Uncertainties that not all files have are left out of those that have them, and each file keeps the columns
+/// that it has.
+#[test]
+fn files_may_differ_in_their_columns() {
+    let place = Place::new();
+    place.write("axis.toml", model("zeros/axis.toml"));
+    place.write("bare.csv", "position [mm],direction,deviation [um]\n0,+,1\n");
+    place.write("full.csv", "run,position [mm],direction,deviation [um],u [um],by\n2,0,+,1,1,me\n");
+    let with = ["compare", "axis.toml", "--with", "bare.csv", "--with", "full.csv", "--columns", "u=-", "-o", "out"];
+    let answer = place.fem(&with);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let header = "file,position [mm],direction,deviation [um],run,by,predicted [um],residual [um]";
+    let rows = format!("{header}\nbare.csv,0,+,1,,,-0,1\nfull.csv,0,+,1,2,me,-0,1\n");
+    assert_eq!(place.read("out/residuals.csv").replace(",0,1\n", ",-0,1\n"), rows);
+}
+
+#[test]
+fn processes_name_the_columns_of_their_files() {
+    let place = Place::new();
+    for process in fem::process::ALL {
+        let name = process.name();
+        let started = place.fem(&["new", name]).out;
+        let listed = place.fem(&["effects", name]).out;
+        let columns = listed.split("columns of its measurement files").nth(1).unwrap();
+        let coordinates = process.coordinates().iter().map(|c| c.name);
+        for column in coordinates.chain(process.observables().iter().map(|o| o.name)) {
+            assert!(columns.contains(&format!("\n  {column} ")), "{name}: {column}\n{columns}");
+        }
+        for line in columns.lines().skip(1) {
+            assert!(started.contains(&format!("# {line}\n")), "{name}: {line}\n{started}");
+        }
+    }
+    let columns = |name: &str| place.fem(&["effects", name]).out.split("\n\ncolumns").nth(1).unwrap().to_string();
+    insta::assert_snapshot!("columns", ["axis", "thermal", "turning"].map(columns).join("\n"));
+}
