@@ -142,7 +142,9 @@ fn effects_instead<'a>(
         // Its number means nothing to the search that was made under another noise: it is no member.
         let mut trial = fit_with(&rest, candidate, &candidates[candidate], &starts)?;
         trial.members.truncate(best.members.len());
-        if let Some((noise, _)) = instrument::settled(&trial, repeats).filter(|_| !rest.objective.noise.source.is_known()) {
+        if let Some((noise, _)) =
+            instrument::settled(&trial, repeats).filter(|_| !rest.objective.noise.source.is_known())
+        {
             trial.objective.noise = noise;
             let start = trial.solution.position.clone();
             trial.solution = minimise(&mut trial.objective, &start, &[], StoppingCriterion::FULL)?;
@@ -150,8 +152,7 @@ fn effects_instead<'a>(
         let rise = behind(&trial, best);
         let model = separation(best, &mut trial).map(|apart| (trial, apart));
         let cause = instrument::description(term, data);
-        (rise <= EQUAL_FIT)
-            .then(|| (rise, LookAlike { cause, other: candidates[candidate].effect.clone(), model }))
+        (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause, other: candidates[candidate].effect.clone(), model }))
     };
     let mut all: Vec<(f64, LookAlike<'a>)> = (0..candidates.len()).into_par_iter().filter_map(stand_in).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));

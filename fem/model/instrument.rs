@@ -15,6 +15,12 @@ struct Instrument {
     time: Option<usize>,
 }
 
+/// Whether a parameter, by its path, is the size of an effect of the measurement.
+pub fn is_of(path: &str, term: &Term) -> bool {
+    let own = path.strip_prefix("measurement.").and_then(|rest| rest.split_once('.'));
+    own == Some((&term.table, term.effect.size.key()))
+}
+
 /// Puts a forward model behind the instrument that some of `terms` describe, if any do.
 pub fn behind(
     part: Box<dyn ForwardModel>,
@@ -98,6 +104,9 @@ mod tests {
         for (plain, late) in plain.iter().zip(&late) {
             assert!((plain - late).abs() < 1e-9, "{late} {plain}");
         }
-        assert_eq!(shown("measurement.clock = { delay = \"5 min\", observable = \"elongation\" }", &[10.0])[0], plain[1]);
+        assert_eq!(
+            shown("measurement.clock = { delay = \"5 min\", observable = \"elongation\" }", &[10.0])[0],
+            plain[1]
+        );
     }
 }

@@ -5,6 +5,7 @@ mod data;
 mod formula_effect;
 mod instrument;
 mod measurement;
+mod require;
 mod run;
 mod schema;
 mod terms;
@@ -29,7 +30,6 @@ use crate::input::{
 };
 use crate::noise::{self, Term};
 use crate::process::{self, Active, Description, Failure, ForwardModel, Process, System};
-use crate::units::Knowledge;
 
 /// Largest model file, bytes; people write models by hand.
 const LARGEST: u64 = 4_000_000;
@@ -177,7 +177,7 @@ impl Model {
     fn effects_at(&self, values: &[f64]) -> Option<(Vec<Active>, Vec<Term>)> {
         let (mut effects, mut terms) = (self.effects.clone(), self.measurement.clone());
         for (parameter, value) in self.parameters.iter().zip(values) {
-            if let Some(term) = self.measurement.iter().position(|t| is_of_term(&parameter.path, t)) {
+            if let Some(term) = self.measurement.iter().position(|t| instrument::is_of(&parameter.path, t)) {
                 terms[term].size = *value;
                 continue;
             }
@@ -210,41 +210,6 @@ impl Model {
     pub fn catalogue(&self, path: &str) -> Option<&crate::process::Parameter> {
         self.effect_parameter(path).filter(|_| !self.is_of_formula(path))
     }
-
-    /// Refuses a model with parameters that are still unknown (`?`).
-    ///
-    /// # Errors
-    /// Parameters are unknown; the error names each of them.
-    pub fn require_values(&self) -> Result<(), InputError> {
-        self.require(|_| true)
-    }
-
-    /// Refuses a model that cannot predict the part itself, whatever its instrument shows of it.
-    ///
-    /// # Errors
-    /// Parameters are unknown; the error names each of them.
-    pub fn require_part(&self) -> Result<(), InputError> {
-        self.require(|parameter| self.measurement.iter().all(|t| !is_of_term(&parameter.path, t)))
-    }
-
-    fn require(&self, is_needed: impl Fn(&Parameter) -> bool) -> Result<(), InputError> {
-        let is_free = |p: &&Parameter| p.quantity.knowledge == Knowledge::Free && is_needed(p);
-        let free = self.parameters.iter().filter(is_free);
-        let problem = |p: &Parameter| {
-            let example = p.kind.example();
-            Problem::new(format!("`{}` is unknown (`?`)", p.path))
-                .help(format!("give it a value such as \"{example}\", or let `fem fit` find it from measurements"))
-                .at(p.span.clone())
-        };
-        let problems: Vec<Problem> = free.map(problem).collect();
-        if problems.is_empty() { Ok(()) } else { Err(InputError::new(self.source.clone(), problems)) }
-    }
-}
-
-/// Whether a parameter, by its path, is the size of an effect of the measurement.
-fn is_of_term(path: &str, term: &Term) -> bool {
-    let own = path.strip_prefix("measurement.").and_then(|rest| rest.split_once('.'));
-    own == Some((&term.table, term.effect.size.key()))
 }
 
 fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Problem> {

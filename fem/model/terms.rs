@@ -35,7 +35,8 @@ impl Model {
 /// of other rows, a step that the values do not show.
 pub fn resolved(model: &Model, measurements: &Measurements, observed: &[f64]) -> Result<Vec<Term>, Vec<Problem>> {
     let all = model.measurement.iter().filter(|term| is_in_file(term, measurements));
-    let (terms, problems): (Vec<_>, Vec<_>) = all.map(|t| resolve(model, t, measurements, observed)).partition(Result::is_ok);
+    let (terms, problems): (Vec<_>, Vec<_>) =
+        all.map(|t| resolve(model, t, measurements, observed)).partition(Result::is_ok);
     let problems: Vec<Problem> = problems.into_iter().filter_map(Result::err).collect();
     if problems.is_empty() { Ok(terms.into_iter().flatten().collect()) } else { Err(problems) }
 }
@@ -109,9 +110,8 @@ fn rows_of(term: &Term, measurements: &Measurements) -> Result<Vec<usize>, usize
 /// The effects of a model that would be at work in rows that are only proposed: those of known size that name
 /// no rows of a file.
 pub fn of_design(model: &Model, measurements: &Measurements) -> Vec<Term> {
-    let is_row = |effect: &MeasurementEffect| {
-        matches!(effect.acts, Acts::Weighs | Acts::Given) || *effect == effects::JUMP
-    };
+    let is_row =
+        |effect: &MeasurementEffect| matches!(effect.acts, Acts::Weighs | Acts::Given) || *effect == effects::JUMP;
     let is_told = |t: &Term| !t.size.is_nan() || matches!(t.effect.acts, Acts::Reads);
     let of = |t: &&Term| !is_row(t.effect) && is_told(t) && is_in_file(t, measurements);
     model.measurement.iter().filter(of).cloned().collect()
@@ -138,9 +138,9 @@ fn caution(model: &Model, term: &Term, measurements: &Measurements) -> Option<St
             let count = term.rows.len();
             Some(format!("weighs down {count} of {rows} rows: more than a fifth are no single mistakes"))
         }
-        Acts::Neighbours if term.size > rows as f64 => {
-            Some(format!("has a length beyond the {rows} rows of {file}: they share one error, which nothing here tells"))
-        }
+        Acts::Neighbours if term.size > rows as f64 => Some(format!(
+            "has a length beyond the {rows} rows of {file}: they share one error, which nothing here tells"
+        )),
         Acts::Scales if measurements.uncertainty.is_none() => {
             Some(format!("has no effect: {file} has no column u for it to multiply"))
         }

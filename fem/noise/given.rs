@@ -17,7 +17,8 @@ impl GivenCovariance {
         if !sigma.iter().all(|s| s.is_finite() && *s > 0.0) {
             return None;
         }
-        let correlation = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] / (sigma[i] * sigma[j]));
+        let correlation =
+            DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] / (sigma[i] * sigma[j]));
         let factor = correlation.cholesky()?.unpack();
         Some(Self { matrix, factor })
     }

@@ -59,11 +59,12 @@ impl Restricted<'_> {
     pub fn estimate(&self, own: &Noise, terms: &[Term], free: usize) -> Noise {
         let mut terms = terms.to_vec();
         let first = terms.len() - free;
+        let is_flat: Vec<bool> = terms.iter().map(Term::is_flat).collect();
         let level = self.measurements.observables.iter().map(|s| own.usual(self.measurements, s.position));
         let level = level.fold(f64::INFINITY, f64::min);
         let mut noise = self.scaled(own.with(terms.clone(), self.measurements));
         for _ in 0..if free > 1 { ROUNDS } else { 1 } {
-            for i in first..terms.len() {
+            for i in (first..terms.len()).filter(|i| !is_flat[*i]) {
                 let (low, high) = match terms[i].effect.acts {
                     Acts::Shared(_) => {
                         let usual = terms[i].observable.map_or(level, |o| own.usual(self.measurements, o));

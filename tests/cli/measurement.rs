@@ -205,7 +205,10 @@ fn free_zeros_are_taken_out_exactly() {
         square += own.iter().map(|y| ((y - mean) / 0.5).powi(2)).sum::<f64>();
     }
     for size in ["free", "1 m"] {
-        assert_eq!(place.fem(&["add", AXIS, "zero-shift", "by=run", &format!("size={size}"), "-o", "new.toml"]).status, 0);
+        assert_eq!(
+            place.fem(&["add", AXIS, "zero-shift", "by=run", &format!("size={size}"), "-o", "new.toml"]).status,
+            0
+        );
         let compared = parsed(&place.fem(&["compare", "new.toml", "--with", DATA, "--json"]).out);
         let freedom = if size == "free" { 85.0 } else { 90.0 };
         let found = compared["models"][0]["chi2_per_dof"].as_f64().unwrap();
@@ -249,7 +252,8 @@ fn gain_and_clock_are_fitted_as_parameters() {
     place.write("open.toml", format!("{rod}measurement.gain.factor = \"?\"\nmeasurement.clock.delay = \"?\"\n"));
     let rows = |shown: &[f64]| -> String {
         let row = |(i, y): (usize, &f64)| format!("{},150,{y:.6},0.01\n", 2 * i + 2);
-        "time [min],x [mm],temperature [degC],u [K]\n".to_string() + &shown.iter().enumerate().map(row).collect::<String>()
+        "time [min],x [mm],temperature [degC],u [K]\n".to_string()
+            + &shown.iter().enumerate().map(row).collect::<String>()
     };
     place.write(DATA, rows(&[0.0; 25]));
     place.fem(&["compare", "true.toml", "--with", DATA, "-o", "out"]);
@@ -316,7 +320,8 @@ fn a_covariance_takes_the_place_of_the_uncertainties() {
 #[test]
 fn what_cannot_be_meant_in_a_file_is_cautioned() {
     let place = place();
-    let plain = "run,position [mm],direction,deviation [um]\n1,10,+,1\n1,20,+,2\n1,30,+,1\n1,40,+,0\n1,50,+,2\n1,60,+,1\n";
+    let plain =
+        "run,position [mm],direction,deviation [um]\n1,10,+,1\n1,20,+,2\n1,30,+,1\n1,40,+,0\n1,50,+,2\n1,60,+,1\n";
     place.write("plain.csv", plain);
     for (table, file, caution) in [
         ("outliers]\nrows = \"1, 2\"", "plain.csv", "weighs down 2 of 6 rows: more than a fifth"),
@@ -326,7 +331,11 @@ fn what_cannot_be_meant_in_a_file_is_cautioned() {
         ("uncertainty-scale]\nfactor = 2", "plain.csv", "has no effect: plain.csv has no column u"),
         ("clock]\ndelay = \"1 min\"", "plain.csv", "has no effect: plain.csv has no column of times"),
         ("jump]\nfrom = 1\nsize = \"1 um\"", "plain.csv", "gives all rows one zero"),
-        ("alignment]\nalong = \"time\"\noffset = \"0 um\"\nslope = \"1 um\"", "plain.csv", "nothing in plain.csv differs"),
+        (
+            "alignment]\nalong = \"time\"\noffset = \"0 um\"\nslope = \"1 um\"",
+            "plain.csv",
+            "nothing in plain.csv differs",
+        ),
     ] {
         place.write("new.toml", format!("{}\n[measurement.{table}\n", model("zeros/axis.toml")));
         for command in ["compare", "diagnose"] {
@@ -348,7 +357,11 @@ fn plans_and_compensations_say_what_is_at_work() {
     assert!(planned.contains("new.toml has, of the measurement: zero-shift by run, size 1.000 um\n"), "{planned}");
     assert!(!planned.contains("drift left aside") && !planned.contains("outliers"), "{planned}");
     let compensated = place.fem(&["compensate", "new.toml", "--with", DATA]).out;
-    for said in ["zero-shift by run, size 1.000 um; drift, size estimated; outliers, 2 rows", "line 41 ", "the model weighs it down"] {
+    for said in [
+        "zero-shift by run, size 1.000 um; drift, size estimated; outliers, 2 rows",
+        "line 41 ",
+        "the model weighs it down",
+    ] {
         assert!(compensated.contains(said), "{compensated}");
     }
 }
@@ -439,4 +452,63 @@ fn the_commands_that_are_shown_do_the_same() {
     // A fit weighs the rows by the same covariance, and says so.
     let fitted = place.fem(&["fit", last, "--with", DATA]).out;
     assert!(fitted.contains("has, of the measurement: outliers, 2 rows"), "{fitted}");
+}
+
+/// Every part is 0.6 um larger than the one before it, and the rows stand in the order in which they were taken:
+/// the tool wears, or the zero of the instrument drifts.
+#[test]
+fn a_trend_over_the_parts_is_a_wear_or_a_drift() {
+    let place = Place::new();
+    let shaft = "process = \"turning\"\nworkpiece = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"60 mm\" }] }\n\
+        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"1 N\" }\n";
+    place.write("shaft.toml", shaft);
+    let mut rows = "part,x [mm],diameter_error [um],u [um]\n".to_string();
+    for row in 0..60u32 {
+        // Noise that is even from -0.5 to 0.5 um, from the digits of a multiplicative generator.
+        let noise = f64::from((row + 1) * 7919 % 101) / 101.0 - 0.5;
+        let (part, x) = (row / 5 + 1, 20 + 40 * (row % 5));
+        rows.push_str(&format!("{part},{x},{:.3},0.3\n", 0.6 * f64::from(part) + noise));
+    }
+    place.write(DATA, rows);
+    let found = parsed(&place.fem(&["diagnose", "shaft.toml", "--with", DATA, "--json"]).out);
+    let cause = &found["missing"][0];
+    let others = cause["indistinguishable_from"].as_array().unwrap().iter().map(|o| o.as_str().unwrap());
+    let class: Vec<&str> = others.chain([cause["effect"].as_str().unwrap()]).collect();
+    assert!(class.contains(&"drift") && class.contains(&"tool-wear"), "{cause}");
+    assert!(!found["next_measurement"].is_null(), "{found}");
+    let separated = found["separated_by"].as_array().unwrap();
+    assert!(separated.iter().any(|s| s["text"].as_str().unwrap().contains("master")), "{separated:?}");
+    let told = place.fem(&["diagnose", "shaft.toml", "--with", DATA]).out;
+    assert!(told.contains("these data cannot tell; in general: ") && told.contains("measure next"), "{told}");
+}
+
+/// Steps of 2.5 um are coarse beside the 0.2 um that the column u says.
+#[test]
+fn a_coarse_step_is_read_off_the_values() {
+    let place = Place::new();
+    let shaft = "process = \"turning\"\nworkpiece = { material = \"steel\", segments = [{ length = \"600 mm\", diameter = \"30 mm\" }] }\n\
+        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"200 N\" }\n";
+    place.write("shaft.toml", shaft);
+    let rows = |shown: &dyn Fn(usize) -> f64| -> String {
+        // Places that are no multiples of each other, so that the rounding follows nothing.
+        let row = |i: usize| format!("1,{:.1},{:.1},0.2\n", 5.0 + (i * 7919 % 5900) as f64 / 10.0, shown(i));
+        "part,x [mm],diameter_error [um],u [um]\n".to_string() + &(0..80).map(row).collect::<String>()
+    };
+    place.write(DATA, rows(&|_| 0.0));
+    place.fem(&["compare", "shaft.toml", "--with", DATA, "-o", "out"]);
+    let residuals = place.read("out/residuals.csv");
+    let predicted: Vec<f64> =
+        residuals.lines().skip(1).map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect();
+    place.write(DATA, rows(&|i| 2.5 * (predicted[i] / 2.5).round()));
+    let answer = place.fem(&["diagnose", "shaft.toml", "--with", DATA, "--json", "--add-to", "better.toml"]);
+    let found = parsed(&answer.out);
+    assert_eq!(found["missing"].as_array().unwrap().len(), 1, "{}", found["missing"]);
+    assert_eq!(found["missing"][0]["effect"], json!("resolution"));
+    assert!((found["missing"][0]["parameters"]["step"]["value"].as_f64().unwrap() - 2.5).abs() < 1e-9);
+    assert!(place.read("better.toml").contains("[measurement.resolution]\nstep = \"2.5000 um\""));
+    assert!(place.fem(&["compare", "better.toml", "--with", DATA]).out.contains("adequate"));
+    // A fit reads it off too, and writes it.
+    place.fem(&["add", "shaft.toml", "resolution", "-o", "open.toml"]);
+    place.fem(&["fit", "open.toml", "--with", DATA, "--add-to", "fitted.toml"]);
+    assert!(place.read("fitted.toml").contains("step = \"2.5000 um\""), "{}", place.read("fitted.toml"));
 }

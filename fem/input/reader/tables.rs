@@ -161,7 +161,8 @@ impl<'a> Reader<'a> {
         if matches!(self.ground, Ground::Described) {
             let parent = self.child(Ground::Described, key);
             for name in known {
-                parent.read_child(name, about, Ground::Described, false, |reader| values.push(read(name, name, reader)));
+                parent
+                    .read_child(name, about, Ground::Described, false, |reader| values.push(read(name, name, reader)));
             }
             let own = parent.shape.take().into_schema(about);
             let mut shape = self.shape.borrow_mut();

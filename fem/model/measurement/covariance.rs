@@ -47,7 +47,8 @@ fn of_matrix(lines: &[(usize, &str)]) -> Result<DMatrix<f64>, Problem> {
     for (i, (line, text)) in lines.iter().enumerate() {
         let cells: Vec<&str> = text.split(',').map(str::trim).collect();
         if cells.len() != n {
-            let problem = Problem::new(format!("line {line} has {} numbers, and the file {n} lines of them", cells.len()));
+            let problem =
+                Problem::new(format!("line {line} has {} numbers, and the file {n} lines of them", cells.len()));
             return Err(problem.help("a covariance is square; a list of entries begins with `row,column,covariance`"));
         }
         for (j, cell) in cells.iter().enumerate() {
@@ -66,9 +67,10 @@ fn of_entries<'t>(lines: impl Iterator<Item = (usize, &'t str)>) -> Result<DMatr
             return Err(problem.help("write row, column and covariance"));
         };
         let row = |cell: &str| -> Result<usize, Problem> {
-            cell.parse().ok().filter(|row| *row > 0).ok_or_else(|| {
-                Problem::new(format!("line {line}: `{cell}` is no row")).help("rows are counted from 1")
-            })
+            cell.parse()
+                .ok()
+                .filter(|row| *row > 0)
+                .ok_or_else(|| Problem::new(format!("line {line}: `{cell}` is no row")).help("rows are counted from 1"))
         };
         entries.push((line, row(i)? - 1, row(j)? - 1, entry(value, line, ENTRIES[2])?));
     }

@@ -20,8 +20,11 @@ pub const BY: Key = Key {
     example: "run",
 };
 /// The coordinate along which a part lies askew.
-pub const ALONG: Key =
-    Key { name: "along", about: "the coordinate along which it lies askew, or the angle around it", example: "position" };
+pub const ALONG: Key = Key {
+    name: "along",
+    about: "the coordinate along which it lies askew, or the angle around it",
+    example: "position",
+};
 /// The observable on which an effect acts.
 pub const OBSERVABLE: Key =
     Key { name: "observable", about: "the observable on which it acts, where a file has several", example: "" };

@@ -109,7 +109,11 @@ fn alignment(term: Term, table: &Reader, process: &'static dyn Process) -> Vec<T
         format!("known are {}", all.collect::<Vec<_>>().join(", "))
     };
     match (&along, holds) {
-        (None, _) => table.problem(ALONG.name, "it is not said along what the part lies askew", format!("add along; {}", listed())),
+        (None, _) => table.problem(
+            ALONG.name,
+            "it is not said along what the part lies askew",
+            format!("add along; {}", listed()),
+        ),
         (Some(_), Some(Holds::Quantity(_))) => {}
         (Some(name), Some(_)) => table.problem(ALONG.name, format!("`{name}` is no length, angle or time"), listed()),
         (Some(name), None) => {

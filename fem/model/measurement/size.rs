@@ -20,11 +20,7 @@ pub fn observed(process: &dyn Process, only: Option<usize>) -> Vec<(usize, Kind)
 ///
 /// # Errors
 /// It is no quantity of any of them, or cannot be meant.
-pub fn size(
-    effect: &MeasurementEffect,
-    observed: &[(usize, Kind)],
-    text: &str,
-) -> Result<(f64, Vec<usize>), Problem> {
+pub fn size(effect: &MeasurementEffect, observed: &[(usize, Kind)], text: &str) -> Result<(f64, Vec<usize>), Problem> {
     if text.trim() == FREE && matches!(effect.acts, Acts::Shared(_)) {
         return Ok((f64::INFINITY, observed.iter().map(|(position, _)| *position).collect()));
     }

@@ -23,9 +23,8 @@ mod tests {
         // A step of sqrt(12) has a standard deviation of 1.
         let rows = measured(&[1.0, 2.0]);
         let term = Term { size: 12f64.sqrt(), ..Term::new(&effects::RESOLUTION) };
-        let with = |sigma: f64, source| {
-            Noise::independent(vec![sigma; 2], source).with(vec![term.clone()], &rows).sigma[0]
-        };
+        let with =
+            |sigma: f64, source| Noise::independent(vec![sigma; 2], source).with(vec![term.clone()], &rows).sigma[0];
         assert!((with(0.75, NoiseSource::Column) - 1.25).abs() < 1e-12);
         assert!((with(0.75, NoiseSource::Repeats) - 1.0).abs() < 1e-12);
         assert!((with(3.0, NoiseSource::Estimated) - 3.0).abs() < 1e-12);

@@ -151,7 +151,8 @@ pub fn separated(one: &Description, other: &Description) -> Option<&'static str>
 /// says would separate them.
 pub fn separated_pairs(d: &Diagnosis) -> Vec<(&'static str, &'static str, &'static str)> {
     let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |other| (&m.effect, other)));
-    let is_one = |(a, b): &(&Description, &Description)| [a, b].iter().any(|d| measurement::entry_named(d.name).is_some());
+    let is_one =
+        |(a, b): &(&Description, &Description)| [a, b].iter().any(|d| measurement::entry_named(d.name).is_some());
     pairs.filter(is_one).filter_map(|(a, b)| Some((a.name, b.name, separated(a, b)?))).collect()
 }
 
