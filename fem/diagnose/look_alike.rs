@@ -21,6 +21,8 @@ use crate::process::Description;
 
 /// Rise of −2 ln L to first order beyond which an effect is not fitted in the place of a term.
 const HOPELESS: f64 = 40.0;
+/// Part of a gain's column, squared, below which the free parameters imitate all of it.
+const UNSEEN: f64 = 1e-9;
 /// Largest part by which the scale of an instrument can be off, to be believed.
 const LARGEST_GAIN: f64 = 0.2;
 
@@ -102,9 +104,10 @@ fn gain_instead(rest: &CandidateModel, best: &CandidateModel) -> Option<Descript
     let shown = rest.solution.predicted.iter().map(|p| p - zero);
     let priors = std::iter::repeat_n(0.0, rest.objective.priors());
     let column = DVector::from_vec(rest.objective.noise.whiten(shown).into_iter().chain(priors).collect());
+    let whole = column.norm_squared();
     let own = projected.project(column);
     let square = own.norm_squared();
-    if square <= f64::MIN_POSITIVE {
+    if square <= UNSEEN * whole || whole == 0.0 {
         return None;
     }
     let factor_less_one = own.dot(&projected.residual) / square;
