@@ -15,16 +15,17 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
     let written = add_effect(&model, &args.effect, &args.settings)?;
     files::write(&args.output, written.text_at(&args.output).as_bytes(), &reads)?;
     let name = args.output.display();
-    let prefix = format!("effects.{}.", args.effect);
-    let free =
-        written.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free && p.path.starts_with(&prefix));
-    let unknown: Vec<&str> = free.map(|p| &p.path[prefix.len()..]).collect();
+    let prefixes = [format!("effects.{}.", args.effect), format!("measurement.{}.", args.effect)];
+    let own = |path: &str| prefixes.iter().find_map(|prefix| path.strip_prefix(prefix.as_str())).map(str::to_string);
+    let free = written.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free);
+    let unknown: Vec<String> = free.filter_map(|p| own(&p.path)).collect();
     if !unknown.is_empty() {
         say!("note: unknown (`?`) in {name}: {}; give a value, or let `fem fit` find it", unknown.join(", "));
     }
-    let added = written.measurement.get(model.measurement.len()..).and_then(<[_]>::last);
-    if let Some(term) = added.filter(|term| term.size.is_nan()) {
-        say!("note: unknown (`?`) in {name}: {}; what compares or fits the model estimates it", term.effect.size.key());
+    let added = written.measurement.get(model.measurement.len()..).unwrap_or_default();
+    let sizes: Vec<&str> = added.iter().filter(|t| written.is_unknown(t)).map(|t| t.effect.size.key()).collect();
+    if !sizes.is_empty() {
+        say!("note: unknown (`?`) in {name}: {}; what compares or fits the model estimates it", sizes.join(", "));
     }
     print(&format!("written {name}: {} with {}\n", args.model.display(), args.effect))
 }

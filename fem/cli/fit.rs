@@ -4,7 +4,7 @@ use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
-use crate::fit::{fit, fitted_text};
+use crate::fit::{fit, fitted_text, has_nothing_to_fit};
 use crate::input::{Problem, Source};
 use crate::model::{Data, Model};
 use crate::output::{Report, files};
@@ -15,7 +15,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         files::refuse_reads(new, &reads)?;
     }
-    if model.parameters.is_empty() {
+    if has_nothing_to_fit(&model) {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
         return Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")));
     }
@@ -27,7 +27,8 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         let fitted = Model::parse(Source::new(model.source.name.clone(), text))?;
         files::write(new, fitted.text_at(new).as_bytes(), &reads)?;
         say!("written {}", new.display());
-        for open in fit.estimates.iter().filter(|e| !e.is_closed()) {
+        let sizes = fit.sizes.iter().filter(|s| !s.is_told()).map(|s| &s.estimate);
+        for open in fit.estimates.iter().filter(|e| !e.is_closed()).chain(sizes) {
             say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
         }
     }

@@ -14,7 +14,7 @@ use crate::progress::Progress;
 
 pub fn run(args: &args::Run) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
-    model.require_values()?;
+    model.require_part()?;
     let progress = Arc::new(Progress::default());
     let bar = watch::show(&progress);
     let run = model.run(&progress)?;

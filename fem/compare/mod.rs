@@ -2,6 +2,7 @@
 //! structure.
 
 mod binning;
+mod contradiction;
 mod features;
 mod rng;
 mod sentence;
@@ -11,6 +12,7 @@ mod trend;
 mod waves;
 
 pub use binning::Along;
+pub use contradiction::contradictions;
 pub use features::{Feature, find as features};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
@@ -54,6 +56,8 @@ pub struct Comparison {
     /// Effects of the measurement that the residuals ask for though the noise seems to explain them: repeats
     /// that differ from run to run are no noise.
     pub suspects: Vec<Term>,
+    /// Cautions about the effects of the measurement that the model states.
+    pub cautions: Vec<String>,
 }
 
 /// Fewest rows from which a noise that nothing else tells can be estimated: fewer are called neither adequate nor not.
@@ -125,6 +129,7 @@ pub fn compare(data: &Data) -> Result<Comparison, Failure> {
         p_value,
         features,
         suspects,
+        cautions: data.cautions.clone(),
         predicted,
         residuals,
         errors,
@@ -140,12 +145,13 @@ pub fn rms(values: &[f64]) -> f64 {
 /// Reduced χ² and its p-value for a known noise; lack of fit over pure error, by the F distribution, for
 /// repeats. `blind` datum directions were taken out of the residuals.
 fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> (f64, Option<f64>) {
-    let left = |count: usize| count.saturating_sub(blind).max(1) as f64;
+    let free = noise.free_directions();
+    let left = |count: usize| count.saturating_sub(blind + free).max(1) as f64;
     let n = left(residuals.len());
     let z = noise.whiten(residuals.iter().copied());
     let chi2: f64 = z.iter().map(|z| z * z).sum();
     match noise.source {
-        NoiseSource::Column => (chi2 / n, ChiSquared::new(n).ok().map(|d| d.sf(chi2))),
+        NoiseSource::Column | NoiseSource::Covariance => (chi2 / n, ChiSquared::new(n).ok().map(|d| d.sf(chi2))),
         NoiseSource::Repeats => {
             let (mut sum, mut count) = (vec![0.0; repeats.groups], vec![0.0; repeats.groups]);
             for (&g, z) in repeats.group.iter().zip(&z) {
@@ -153,7 +159,7 @@ fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usiz
                 count[g] += 1.0;
             }
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
-            let groups = left(repeats.groups);
+            let groups = (repeats.groups as f64 - blind as f64 - noise.free_between(&repeats.group)).max(1.0);
             let f = lack / groups;
             (f, FisherSnedecor::new(groups, repeats.effective_freedom()).ok().map(|d| d.sf(f)))
         }

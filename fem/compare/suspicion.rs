@@ -4,9 +4,10 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
+use super::contradiction::{FEW, contradicting};
 use crate::measure::{FILE, Measurements, Repeats, of_neighbours};
 use crate::model::Data;
-use crate::noise::{Acts, MeasurementEffect, Noise, NoiseSource, Restricted, Term, effects};
+use crate::noise::{Acts, MeasurementEffect, Noise, Restricted, Term, effects, step_of};
 use crate::process::{Absent, Holds};
 use crate::units::{LENGTH, TIME};
 
@@ -14,8 +15,6 @@ use crate::units::{LENGTH, TIME};
 const STEPS: usize = 240;
 /// Prior odds against an outlying row, as a term of −2 ln L: 2·ln(0.99/0.01).
 const ODDS: f64 = 9.2;
-/// Largest part of the rows that can be outliers.
-const FEW: f64 = 0.1;
 /// Most groups whose zeros are sought.
 const LEVELS: usize = 200;
 /// Fewest places that make a curve.
@@ -42,6 +41,8 @@ fn penalty(term: &Term, measurements: &Measurements) -> f64 {
     let n = (measurements.len() as f64).ln();
     match term.effect.acts {
         Acts::Weighs => ODDS * term.rows.len() as f64,
+        // Read off the values, stated by the model, or taken from a file: not chosen by the residuals.
+        Acts::Rounds | Acts::Reads | Acts::Given => 0.0,
         _ if *term.effect == effects::JUMP => 3.0 * n,
         _ => n,
     }
@@ -117,12 +118,13 @@ impl Suspicion<'_> {
             }
         }
         let has = |effect: &MeasurementEffect| present.iter().any(|t| t.effect == effect);
-        if !has(&effects::CORRELATED_NOISE) {
+        if !has(&effects::CORRELATED_NOISE) && !has(&effects::COVARIANCE) {
             with(Term::new(&effects::CORRELATED_NOISE));
         }
         if !has(&effects::UNCERTAINTY_SCALE) && data.uncertainty.is_some() {
             with(Term::new(&effects::UNCERTAINTY_SCALE));
         }
+        resolutions(data, self.noise).into_iter().for_each(&mut with);
         for observable in own_observables(data) {
             let step = Term { observable, ..Term::new(&effects::JUMP) };
             with(Term { rows: vec![self.step_at(&step)], ..step.clone() });
@@ -163,7 +165,7 @@ impl Suspicion<'_> {
     pub fn contradictions(&self) -> Option<Vec<Term>> {
         let noise = self.noise;
         let z: Vec<f64> = self.residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
-        let contradicts = contradicting(self.repeats, &z);
+        let contradicts = contradicting(&self.repeats.group, &z);
         let rows: Vec<usize> = (0..z.len()).filter(|row| contradicts[*row]).collect();
         if rows.iter().all(|row| noise.is_weighed_down(*row)) || rows.len() as f64 > FEW * z.len() as f64 {
             return None;
@@ -213,9 +215,9 @@ impl Suspicion<'_> {
         sizes.sort_unstable_by(f64::total_cmp);
         // The median of |z| is 0.6745 of a standard deviation.
         let usual = sizes[sizes.len() / 2] / 0.6745;
-        let usual = if noise.source == NoiseSource::Column { usual.max(1.0) } else { usual };
+        let usual = if noise.source.is_known() { usual.max(1.0) } else { usual };
         let threshold = ((2.0 * (z.len() as f64).ln()).sqrt() + 1.0) * usual;
-        let contradicts = contradicting(self.repeats, &z);
+        let contradicts = contradicting(&self.repeats.group, &z);
         let is_out = |row: &usize| z[*row].abs() > threshold || contradicts[*row];
         let new: Vec<usize> = (0..z.len()).filter(|row| is_out(row) && !present.contains(row)).collect();
         let mut rows = [present, new.clone()].concat();
@@ -264,6 +266,21 @@ fn groupings(data: &Data) -> Vec<Vec<usize>> {
     all
 }
 
+/// The step of the instrument where the values of the file show one that is coarse beside their noise.
+fn resolutions(data: &Data, noise: &Noise) -> Vec<Term> {
+    /// Standard deviation of rounding, over the noise, from which a step is coarse.
+    const COARSE: f64 = 0.5;
+    let has = |o: Option<usize>| noise.terms.iter().any(|t| *t.effect == effects::RESOLUTION && t.observable == o);
+    let own = own_observables(data).into_iter().enumerate().filter(|(_, observable)| !has(*observable));
+    let term = |(number, observable): (usize, Option<usize>)| {
+        let size = step_of(data, data.as_read(), number)?;
+        let usual = noise.usual(data, data.observables[number].position);
+        let is_coarse = size / 12f64.sqrt() > COARSE * usual;
+        is_coarse.then(|| Term { observable, size, ..Term::new(&effects::RESOLUTION) })
+    };
+    own.filter_map(term).collect()
+}
+
 /// Number of levels of some coordinates together.
 fn count(measurements: &Measurements, by: &[usize]) -> usize {
     measurements.levels(by).into_iter().max().map_or(0, |most| most + 1)
@@ -275,26 +292,4 @@ fn own_observables(measurements: &Measurements) -> Vec<Option<usize>> {
         [_] => vec![None],
         several => several.iter().map(|s| Some(s.position)).collect(),
     }
-}
-
-/// Whether each row contradicts the rows that it repeats, whatever the model says: it lies far from their
-/// median, measured by the median of all such distances.
-fn contradicting(repeats: &Repeats, z: &[f64]) -> Vec<bool> {
-    /// Fewest rows that tell which of them is wrong.
-    const LEAST: usize = 4;
-    /// Distance, in standard deviations, beyond which a row contradicts the others.
-    const FAR: f64 = 6.0;
-    let mut groups = vec![Vec::new(); repeats.groups];
-    repeats.group.iter().enumerate().for_each(|(row, group)| groups[*group].push(row));
-    let mut distances = vec![0.0; z.len()];
-    for rows in groups.iter().filter(|rows| rows.len() >= LEAST) {
-        let mut values: Vec<f64> = rows.iter().map(|row| z[*row]).collect();
-        values.sort_unstable_by(f64::total_cmp);
-        let median = 0.5 * (values[(values.len() - 1) / 2] + values[values.len() / 2]);
-        rows.iter().for_each(|row| distances[*row] = (z[*row] - median).abs());
-    }
-    let mut sizes: Vec<f64> = distances.iter().copied().filter(|d| *d > 0.0).collect();
-    sizes.sort_unstable_by(f64::total_cmp);
-    let usual = sizes.get(sizes.len() / 2).map_or(f64::INFINITY, |median| median / 0.6745);
-    distances.into_iter().map(|d| d > FAR * usual).collect()
 }

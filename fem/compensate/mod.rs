@@ -8,16 +8,19 @@
 mod causes;
 mod feasibility;
 mod reversal;
+mod wrong;
 
 pub use causes::Cause;
 pub use feasibility::Feasibility;
 pub use reversal::{LostMotion, Rules};
+pub use wrong::WrongReading;
 
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::compare::{SIGNIFICANCE, compare};
 use crate::fit::fit;
 use crate::model::Data;
+use crate::noise::{Acts, Term};
 use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Table, Target, Tolerance};
 use crate::process::{Failure, ForwardModel, Positioning};
 use crate::progress::Progress;
@@ -47,6 +50,8 @@ pub struct Compensation {
     pub model: ModelAgreement,
     /// Lost motion by the model, where the model agrees with the measurements.
     pub modelled_lost_motion: Option<String>,
+    /// Readings that are wrong, and left out of means and tables.
+    pub wrong_readings: Vec<WrongReading>,
     /// Cautions for the user.
     pub cautions: Vec<String>,
 }
@@ -120,17 +125,23 @@ fn passed(checks: &[Check]) -> bool {
 /// # Errors
 /// The model cannot be computed or fitted.
 pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, Failure> {
-    let approaches = axis.approaches(&data.rows);
-    let evaluation = Evaluation::of(&approaches, &data.observed);
-    let (forward, agreement) = known(data, &approaches)?;
+    let all = axis.approaches(&data.rows);
+    let weighed = wrong::weighed(data, &all);
+    let (forward, agreement) = known(&weighed, &all)?;
+    let wrong_readings = wrong::readings(data, &weighed, &all);
+    let out = wrong::stated(&weighed);
+    let kept: Vec<usize> = (0..data.len()).filter(|row| !out.contains(row)).collect();
+    let approaches: Vec<Approach> = kept.iter().map(|row| all[*row]).collect();
+    let observed: Vec<f64> = kept.iter().map(|row| data.observed[*row]).collect();
+    let evaluation = Evaluation::of(&approaches, &observed);
     let (tolerance, resolution) = (axis.tolerance(), axis.resolution());
     let between = axis.between(&data.rows);
     let course = Course { approaches: axis.approaches(&between), deviations: forward.observe(&between)? };
     let scheme = |key, name, table: Table| {
-        let after = Evaluation::of(&approaches, &table.applied(&approaches, &data.observed));
+        let after = Evaluation::of(&approaches, &table.applied(&approaches, &observed));
         let deviations = table.applied(&course.approaches, &course.deviations);
         let modelled = Course { deviations, approaches: course.approaches.clone() };
-        let left_out = Evaluation::of(&approaches, &table.applied_without_own(&approaches, &data.observed));
+        let left_out = Evaluation::of(&approaches, &table.applied_without_own(&approaches, &observed));
         Scheme {
             key,
             name,
@@ -150,14 +161,15 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     ];
     let before = tolerance.checks(&evaluation);
     let fine = Table::both_directions(&evaluation, Law::Points, 0.0);
-    let fine = tolerance.checks(&Evaluation::of(&approaches, &fine.applied(&approaches, &data.observed)));
+    let fine = tolerance.checks(&Evaluation::of(&approaches, &fine.applied(&approaches, &observed)));
     let feasibility = feasibility(&before, &schemes, &fine, |scheme| scheme.is_kept_between(&tolerance, agreement));
     Ok(Compensation {
         reversal: Reversal::of(&evaluation),
         pitch: PitchErrors::of(&evaluation),
         lost_motion: LostMotion::of(&evaluation, |x| axis.screw_compliance(x)),
-        causes: causes::causes(&approaches, &data.observed, &evaluation, feasibility),
-        cautions: cautions(&evaluation, &schemes[0].modelled, agreement, &tolerance),
+        causes: causes::causes(&approaches, &observed, &evaluation, feasibility),
+        cautions: [of_instrument(data), cautions(&evaluation, &schemes[0].modelled, agreement, &tolerance)].concat(),
+        wrong_readings,
         modelled_lost_motion: if agreement.adequate { lost_motion_of(&*forward) } else { None },
         model: agreement,
         evaluation,
@@ -183,7 +195,11 @@ fn known(data: &Data, approaches: &[Approach]) -> Result<(Box<dyn ForwardModel>,
     };
     let predicted = forward.observe(&data.rows)?;
     let left = data.residuals(&predicted);
-    let adequate = agreement.adequate && scatter_explains(approaches, &left, model.parameters.len());
+    let out = wrong::stated(data);
+    let kept = || (0..data.len()).filter(|row| !out.contains(row));
+    let left: Vec<f64> = kept().map(|row| left[row]).collect();
+    let approaches: Vec<Approach> = kept().map(|row| approaches[row]).collect();
+    let adequate = agreement.adequate && scatter_explains(&approaches, &left, model.parameters.len());
     Ok((forward, ModelAgreement { adequate, ..agreement }))
 }
 
@@ -230,6 +246,18 @@ fn feasibility(
         () if both.checks.iter().any(|c| c.value.is_some_and(|v| v > c.limit)) => Feasibility::Repair,
         () => Feasibility::Unknown,
     }
+}
+
+/// Cautions about the effects of the measurement that the model states.
+fn of_instrument(data: &Data) -> Vec<String> {
+    let mut cautions = data.cautions.clone();
+    let is_in_readings = |t: &&Term| matches!(t.effect.acts, Acts::Reads | Acts::Shared(_));
+    let names: Vec<&str> = data.terms.iter().filter(is_in_readings).map(|t| t.effect.name).collect();
+    if !names.is_empty() {
+        let names = names.join(", ");
+        cautions.push(format!("the tables are made of the readings as they are: {names} is not taken out of them"));
+    }
+    cautions
 }
 
 fn cautions(evaluation: &Evaluation, left: &Course, model: ModelAgreement, tolerance: &Tolerance) -> Vec<String> {

@@ -13,9 +13,9 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{instrument, next, sensitivity};
+use super::{instrument, look_alike, next, sensitivity};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
-use crate::measure::Repeats;
+use crate::measure::{Repeats, repeats};
 use crate::noise::effects;
 use crate::process::Failure;
 
@@ -71,7 +71,18 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         };
         missing.splice(0..0, told);
     }
-    let next = next::next(&found, &best, &confoundings);
+    let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
+    let look_alikes = match is_explained {
+        true => look_alike::look_alikes(&found, &best, &all_repeats(&best)),
+        false => Vec::new(),
+    };
+    for own in &look_alikes {
+        let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name);
+        if let Some(named) = named.filter(|m| m.indistinguishable_from.iter().all(|o| o.name != own.other.name)) {
+            named.indistinguishable_from.push(own.other.clone());
+        }
+    }
+    let next = next::next(&found, &best, &confoundings, &look_alikes);
     let all = found.tried.iter().chain([&found.base, &best]);
     let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
     let candidates = outlooks(&found, &best, variance);
@@ -99,6 +110,12 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     })
 }
 
+/// Repeats of the rows, whatever the terms.
+fn all_repeats(best: &CandidateModel) -> Repeats {
+    let data = best.objective.data;
+    repeats(data, data.model.process.coordinates())
+}
+
 /// Cautions about the limits of these data.
 fn cautions(found: &SearchResult, repeats: &Repeats, verdict: Verdict, conflicts: &[PriorConflict]) -> Vec<String> {
     let base = &found.base;
@@ -109,6 +126,7 @@ fn cautions(found: &SearchResult, repeats: &Repeats, verdict: Verdict, conflicts
         !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
     };
     let mut cautions: Vec<String> = conflicts.iter().map(PriorConflict::text).collect();
+    cautions.extend(measurements.cautions.iter().cloned());
     if !measurements.given.iter().any(varies) {
         cautions
             .push("every row stands at the same place under the same conditions: causes cannot be told apart".into());

@@ -7,13 +7,12 @@ use super::candidate_model::CandidateModel;
 use super::diagnosis::{Cause, Missing, Outlier};
 use super::verdict::GoodnessOfFit;
 use crate::compare::{Suspicion, is_rough, price};
-use crate::fit::{Estimate, Interval, StoppingCriterion, minimise};
-use crate::input::{Bounds, Parameter};
+use crate::fit::{StoppingCriterion, minimise, size_estimate};
+use crate::input::Bounds;
 use crate::measure::{Measurements, Repeats, grouping_name};
 use crate::model::Data;
 use crate::noise::{Acts, Noise, Restricted, Term, effects};
 use crate::process::{self, Description, Neutral};
-use crate::units::{Knowledge, Quantity};
 
 /// Stopping criterion that is enough to rank terms.
 const QUICK: StoppingCriterion = StoppingCriterion::rough(12, 1e-3);
@@ -139,7 +138,7 @@ pub fn told(
             goodness: GoodnessOfFit::of(&grown, repeats, None),
             // At the edge of its range the size of a term has half of χ² with one degree of freedom.
             p_value: ChiSquared::new(1.0).map_or(1.0, |d| 0.5 * d.sf((without - whole).max(0.0))),
-            estimates: vec![estimate(term, data, &restricted, noise, number)],
+            estimates: vec![size_estimate(term, data, &restricted, noise, number)],
             indistinguishable_from: Vec::new(),
         }
     };
@@ -159,7 +158,7 @@ fn records(term: &Term, data: &Data) -> Vec<usize> {
 }
 
 /// A term as the catalogue of effects tells one.
-fn description(term: &Term, measurements: &Measurements) -> Description {
+pub fn description(term: &Term, measurements: &Measurements) -> Description {
     let parameter = process::Parameter {
         name: term.effect.size.key(),
         kind: term.kind(measurements),
@@ -179,35 +178,5 @@ fn description(term: &Term, measurements: &Measurements) -> Description {
         source: term.effect.source,
         parameters: vec![parameter].into(),
         look_alikes: &[],
-    }
-}
-
-/// The size of a term with its 95 % interval, from the profile of the restricted likelihood.
-fn estimate(
-    term: &Term,
-    measurements: &Measurements,
-    restricted: &Restricted,
-    noise: &Noise,
-    number: usize,
-) -> Estimate {
-    let interval = match term.effect.acts {
-        Acts::Weighs => [None, None],
-        _ => restricted.interval(noise, number),
-    };
-    let interval = Interval { low: interval[0], high: interval[1] };
-    let width = interval.high.zip(interval.low).map_or(f64::NAN, |(high, low)| (high - low) / 3.92);
-    let kind = term.kind(measurements);
-    Estimate {
-        parameter: Parameter {
-            path: format!("measurement.{}.{}", term.effect.name, term.effect.size.key()),
-            kind,
-            quantity: Quantity { value: term.size, knowledge: Knowledge::Free },
-            bounds: Bounds::NotNegative,
-            span: None,
-        },
-        value: term.size,
-        std: width,
-        interval,
-        warnings: Vec::new(),
     }
 }

@@ -17,6 +17,7 @@ mod gain;
 mod hypothesis;
 mod instrument;
 mod lead;
+mod look_alike;
 mod next;
 mod null_distribution;
 mod pairs;

@@ -5,7 +5,8 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
-use super::confounding::{Alternative, Confounding, SEPARATE, priors_apart};
+use super::confounding::{Confounding, SEPARATE, priors_apart};
+use super::look_alike::LookAlike;
 use super::residual_projection::length_outside;
 use super::search::SearchResult;
 use crate::process::{CandidateExperiment, Description, Rows};
@@ -35,14 +36,43 @@ impl Next {
     }
 }
 
+/// Two models that the rows cannot tell apart: the best, and one with another cause in the place of one of its
+/// own.
+struct Rival<'r, 'a> {
+    /// The cause, and the other.
+    pair: (&'r Description, &'r Description),
+    model: &'r CandidateModel<'a>,
+    /// Squared separation in the rows that were measured.
+    separation: f64,
+    /// Whether one of the causes is the instrument's: new rows then have a zero that nobody knows.
+    has_free_zero: bool,
+}
+
 /// Selects the candidate experiment that tells most pairs apart, with the fewest rows. `None` where nothing
 /// is confounded, or no experiment would help.
-pub fn next(found: &SearchResult, best: &CandidateModel, confoundings: &[Confounding]) -> Option<Next> {
+pub fn next(
+    found: &SearchResult,
+    best: &CandidateModel,
+    confoundings: &[Confounding],
+    look_alikes: &[LookAlike],
+) -> Option<Next> {
     let experiments = best.objective.data.model.system.candidate_experiments(&best.objective.data.rows);
-    let alternatives: Vec<_> =
-        confoundings.iter().flat_map(|p| p.alternatives.iter().map(move |r| (p.candidate, r))).collect();
+    let effect = |number: usize| &found.candidates[number].effect;
+    let of_effects = confoundings.iter().flat_map(|own| {
+        own.alternatives.iter().map(move |other| Rival {
+            pair: (effect(own.candidate), effect(other.candidate)),
+            model: &other.model,
+            separation: other.separation,
+            has_free_zero: false,
+        })
+    });
+    let of_terms = look_alikes.iter().filter_map(|own| {
+        let (model, separation) = own.model.as_ref()?;
+        Some(Rival { pair: (&own.cause, &own.other), model, separation: *separation, has_free_zero: true })
+    });
+    let rivals: Vec<Rival> = of_effects.chain(of_terms).collect();
     let rated: Vec<Next> =
-        experiments.into_par_iter().flat_map_iter(|experiment| rate(found, best, &alternatives, &experiment)).collect();
+        experiments.into_par_iter().flat_map_iter(|experiment| rate(best, &rivals, &experiment)).collect();
     let value = |n: &Next| (if n.enough { n.pairs.len() } else { 0 }, n.separation);
     rated.into_iter().max_by(|a, b| {
         let told = value(a).0.cmp(&value(b).0);
@@ -52,20 +82,12 @@ pub fn next(found: &SearchResult, best: &CandidateModel, confoundings: &[Confoun
 }
 
 /// Rates an experiment for each number of repeats.
-fn rate(
-    found: &SearchResult,
-    best: &CandidateModel,
-    alternatives: &[(usize, &Alternative)],
-    experiment: &CandidateExperiment,
-) -> Vec<Next> {
-    let contrasts: Vec<_> = alternatives
-        .iter()
-        .filter_map(|(member, alternative)| {
-            let pair =
-                (found.candidates[*member].effect.clone(), found.candidates[alternative.candidate].effect.clone());
-            Some((pair, alternative.separation, Contrast::new(best, &alternative.model, &experiment.rows)?))
-        })
-        .collect();
+fn rate(best: &CandidateModel, rivals: &[Rival], experiment: &CandidateExperiment) -> Vec<Next> {
+    let contrast = |rival: &Rival| {
+        let pair = (rival.pair.0.clone(), rival.pair.1.clone());
+        Some((pair, rival.separation, Contrast::new(best, rival, &experiment.rows)?))
+    };
+    let contrasts: Vec<_> = rivals.iter().filter_map(contrast).collect();
     let at = |repeats: usize| {
         let seen: Vec<_> =
             contrasts.iter().map(|(pair, before, c)| (pair.clone(), *before, c.distance(repeats))).collect();
@@ -89,18 +111,25 @@ struct Contrast {
 }
 
 impl Contrast {
-    fn new(best: &CandidateModel, alternative: &CandidateModel, experiment: &Rows) -> Option<Self> {
+    fn new(best: &CandidateModel, rival: &Rival, experiment: &Rows) -> Option<Self> {
+        let alternative = rival.model;
         let (mut one, mut other) = (best.objective.clone(), alternative.objective.clone());
         let sigma = experiment.observable.iter().map(|o| one.noise.usual(one.data, *o));
         let sigma = DVector::from_iterator(experiment.len(), sigma);
-        let jacobian = other.jacobian(&alternative.solution)?;
+        let mut jacobian = other.jacobian(&alternative.solution)?;
         // Residuals are measured less predicted, so that their derivatives have the opposite sign.
         let mut experiment_jacobian = -other.sensitivities(&alternative.solution.position, experiment)?;
         experiment_jacobian.column_iter_mut().for_each(|mut c| c.component_div_assign(&sigma));
         let ahead = one.predict_rows(&best.solution.position, experiment)?;
         let behind = other.predict_rows(&alternative.solution.position, experiment)?;
         let measured = best.solution.predicted.iter().zip(&alternative.solution.predicted).map(|(p, q)| p - q);
-        let measured = one.noise.whiten(measured).into_iter().chain(priors_apart(best, alternative)).collect();
+        if rival.has_free_zero {
+            let columns = jacobian.ncols();
+            jacobian = jacobian.insert_column(columns, 0.0);
+            experiment_jacobian = experiment_jacobian.insert_column(columns, 0.0);
+            experiment_jacobian.set_column(columns, &sigma.map(|s| 1.0 / s));
+        }
+        let measured = other.noise.whiten(measured).into_iter().chain(priors_apart(best, alternative)).collect();
         let experiment = (DVector::from_vec(ahead) - DVector::from_vec(behind)).component_div(&sigma);
         Some(Self { measured: DVector::from_vec(measured), jacobian, experiment, experiment_jacobian })
     }

@@ -129,7 +129,7 @@ impl Variance {
 /// What the variance of the rows is known from.
 pub fn variance(noise: &Noise, repeats: &Repeats) -> Variance {
     match noise.source {
-        NoiseSource::Column => Variance::Known,
+        NoiseSource::Column | NoiseSource::Covariance => Variance::Known,
         NoiseSource::Repeats => Variance::Repeats(repeats.effective_freedom()),
         NoiseSource::Estimated => Variance::Residual,
     }

@@ -15,7 +15,7 @@ use super::sensitivity::{self, CandidateEffect};
 use super::{Next, absent, unsolvable};
 use crate::fit::{Objective, Solution};
 use crate::model::Data;
-use crate::noise::{Noise, NoiseSource};
+use crate::noise::{Acts, Noise, NoiseSource, Term};
 use crate::process::{Description, Failure, Rows};
 
 /// Size at which effects are compared with each other, in standard uncertainties: each is plain to see.
@@ -34,6 +34,10 @@ pub struct Plan {
     pub alike: Vec<Alike>,
     /// Further experiment that tells most of them apart.
     pub next: Option<Next>,
+    /// Effects of the measurement that the noise of the rows has.
+    pub terms: Vec<Term>,
+    /// Those that are left aside, for their size is unknown.
+    pub unknown: Vec<Term>,
 }
 
 /// Two effects that would be confounded.
@@ -56,6 +60,7 @@ pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
     let model = design.model;
     let of_rows = |rows: &Rows| rows.observable.iter().map(|o| sigma[*o]).collect::<Vec<f64>>();
     let known = design.uncertainty.clone().unwrap_or_else(|| of_rows(&design.rows));
+    let (unknown, terms): (Vec<Term>, Vec<Term>) = design.terms.iter().cloned().partition(is_unknown);
     let expected = Noise::independent(known.clone(), NoiseSource::Column);
     let absent = absent(model);
     let now = Assessment::of(&absent, design, known.clone())?;
@@ -85,7 +90,13 @@ pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
     let rated: Vec<Next> = experiments.into_par_iter().flat_map_iter(rate).collect();
     let next = rated.into_iter().max_by_key(|n| (n.pairs.len(), std::cmp::Reverse(n.observations())));
     let typical = design.observables.iter().map(|s| expected.usual(design, s.position)).collect();
-    Ok(Plan { rows: design.len(), sigma: typical, effects: absent.into_iter().zip(now.visible).collect(), alike, next })
+    let effects = absent.into_iter().zip(now.visible).collect();
+    Ok(Plan { rows: design.len(), sigma: typical, effects, alike, next, terms, unknown })
+}
+
+/// Whether the size of a term is unknown, so that it can act in no plan.
+fn is_unknown(term: &Term) -> bool {
+    term.size.is_nan() && (term.effect.acts.is_estimated() || matches!(term.effect.acts, Acts::Rounds))
 }
 
 /// Detection limits and separations of all effects in a design.
@@ -98,7 +109,8 @@ struct Assessment {
 impl Assessment {
     fn of(absent: &[Description], design: &Data, sigma: Vec<f64>) -> Result<Self, Failure> {
         let mut objective = Objective::new(design)?;
-        objective.noise = Noise::independent(sigma, NoiseSource::Column);
+        let terms = design.terms.iter().filter(|term| !is_unknown(term)).cloned().collect();
+        objective.noise = Noise::independent(sigma, NoiseSource::Column).with(terms, design);
         let first = objective.variables.iter().map(|a| a.position(a.starts.first().copied().unwrap_or(0.0)));
         let position = DVector::from_iterator(objective.variables.len(), first);
         let predicted = objective.predict(&position).ok_or_else(unsolvable)?;

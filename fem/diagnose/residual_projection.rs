@@ -27,7 +27,8 @@ impl ProjectedResidual {
         let jacobian = objective.jacobian(solution)?;
         let tangent = orthonormal(&with_blind(objective, jacobian));
         let residual = objective.residuals(&solution.position, &solution.predicted);
-        let freedom = (residual.len() - tangent.ncols()) as f64;
+        let fixed = tangent.ncols() + objective.noise.free_directions();
+        let freedom = residual.len().saturating_sub(fixed) as f64;
         let residual = project(&tangent, residual);
         Some(Self { tangent, residual, freedom })
     }

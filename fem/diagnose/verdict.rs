@@ -103,7 +103,9 @@ pub fn is_explained(trial: &CandidateModel, repeats: &Repeats) -> bool {
 fn excess(trial: &CandidateModel, features: &[Feature]) -> f64 {
     let chi2 = trial.solution.chi2;
     match trial.objective.noise.source {
-        NoiseSource::Column | NoiseSource::Repeats => (chi2 - trial.objective.freedom()).max(0.0),
+        NoiseSource::Column | NoiseSource::Covariance | NoiseSource::Repeats => {
+            (chi2 - trial.objective.freedom()).max(0.0)
+        }
         NoiseSource::Estimated => chi2 * features.iter().map(|f| f.share).fold(0.0, f64::max),
     }
 }

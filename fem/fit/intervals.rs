@@ -39,6 +39,7 @@ pub struct Interval {
 }
 
 /// Minimum with its profile intervals: along no profile does a deeper minimum lie.
+#[derive(Clone)]
 pub struct ProfiledMinimum {
     /// The minimum.
     pub solution: Solution,
@@ -288,7 +289,7 @@ struct Point {
 fn quantile(objective: &Objective) -> f64 {
     let freedom = objective.freedom().max(1.0);
     match objective.noise.source {
-        NoiseSource::Column => QUANTILE,
+        NoiseSource::Column | NoiseSource::Covariance => QUANTILE,
         NoiseSource::Repeats | NoiseSource::Estimated => {
             FisherSnedecor::new(1.0, freedom).map_or(QUANTILE, |f| f.inverse_cdf(0.95))
         }

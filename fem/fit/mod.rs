@@ -6,6 +6,7 @@ mod intervals;
 mod least_squares;
 mod objective;
 mod search_variable;
+mod sizes;
 mod starts;
 mod write;
 
@@ -14,6 +15,7 @@ pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
 pub use least_squares::{StoppingCriterion, minimise};
 pub use objective::{Objective, Solution};
 pub use search_variable::SearchVariable;
+pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
 pub use write::{fitted_text, uncertain};
 
@@ -22,8 +24,8 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use crate::compare::{SIGNIFICANCE, rms};
 use crate::measure::{Repeats, repeats};
-use crate::model::Data;
-use crate::noise::{Noise, NoiseSource};
+use crate::model::{Data, Model};
+use crate::noise::{Noise, NoiseSource, Restricted};
 use crate::process::Failure;
 
 /// Correlation beyond which two parameters can hardly be told apart.
@@ -34,6 +36,8 @@ const CORRELATED: f64 = 0.95;
 pub struct Fit {
     /// Estimate of each parameter that was not exactly known, in the order of the model.
     pub estimates: Vec<Estimate>,
+    /// Sizes of effects of the measurement that the model leaves unknown.
+    pub sizes: Vec<EstimatedSize>,
     /// Prediction of every row with the fitted values.
     pub predicted: Vec<f64>,
     /// Noise by which the rows were weighted.
@@ -63,13 +67,19 @@ impl Fit {
     }
 }
 
-/// Fits the parameters that the model marks `+-` (with a prior) and `?` (free).
+/// Whether a model leaves nothing open: no parameter, and no size of an effect of the measurement.
+pub fn has_nothing_to_fit(model: &Model) -> bool {
+    model.parameters.is_empty() && !model.measurement.iter().any(|term| model.is_unknown(term))
+}
+
+/// Fits the parameters that the model marks `+-` (with a prior) and `?` (free), and estimates the sizes of
+/// effects of the measurement that it leaves unknown.
 ///
 /// # Errors
 /// There is nothing to fit, the data are fewer than the free parameters, or the model cannot be computed at
 /// all.
 pub fn fit(data: &Data) -> Result<Fit, Failure> {
-    if data.model.parameters.is_empty() {
+    if has_nothing_to_fit(data.model) {
         return Err(Failure {
             message: "the model has nothing to fit".into(),
             help: "mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"".into(),
@@ -94,7 +104,11 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
         }
     }
     let settled = profile_intervals(&mut objective, solution)?;
-    Ok(report(&objective, settled, &within))
+    let fit = report(&objective, settled.clone(), &within);
+    let mean = objective.mean(&settled.solution).unwrap_or_else(|| DMatrix::zeros(data.len(), 0));
+    let residuals = data.residuals(&fit.predicted);
+    let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
+    Ok(Fit { sizes: sizes::estimated(data, &restricted, &fit.noise), ..fit })
 }
 
 /// Makes the report of a minimum.
@@ -110,6 +124,7 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     Fit {
         correlated: strong.collect(),
         estimates,
+        sizes: Vec::new(),
         predicted: solution.predicted,
         noise: objective.noise.clone(),
         rms,
@@ -125,7 +140,7 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
 pub fn reduced_chi2(objective: &Objective, solution: &Solution, repeats: &Repeats) -> (f64, Option<f64>) {
     let freedom = objective.freedom();
     match objective.noise.source {
-        NoiseSource::Column => {
+        NoiseSource::Column | NoiseSource::Covariance => {
             let p = ChiSquared::new(freedom).ok().map(|d| d.sf(solution.chi2));
             (solution.chi2 / freedom, p)
         }

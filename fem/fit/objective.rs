@@ -146,7 +146,7 @@ impl<'a> Objective<'a> {
 
     /// Degrees of freedom: rows and priors less parameters and datum directions.
     pub fn freedom(&self) -> f64 {
-        self.data.freedom() - (self.variables.len() - self.priors()) as f64
+        self.data.freedom() - self.noise.free_directions() as f64 - (self.variables.len() - self.priors()) as f64
     }
 
     /// χ² of the priors alone.

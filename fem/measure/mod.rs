@@ -27,6 +27,7 @@ pub use vocabulary::{MeasuredObservable, is_column};
 
 use std::collections::HashMap;
 
+use crate::input::name_and_unit;
 use crate::process::{Process, Rows};
 use crate::units::Kind;
 
@@ -183,6 +184,12 @@ impl Measurements {
         let own =
             |s: &MeasuredObservable| (0..self.len()).filter(|row| self.rows.observable[*row] == s.position).collect();
         self.observables.iter().map(own).collect()
+    }
+
+    /// Whether nothing was observed yet: the file has no column of any observable.
+    pub fn is_planned(&self) -> bool {
+        let is_of = |cell: &String| self.observables.iter().any(|o| name_and_unit(cell).0 == o.name);
+        !self.header.iter().any(is_of)
     }
 
     /// Number of observations.

@@ -78,18 +78,29 @@ fn with_measurement_effect(
     let observed = measurement::observed(model.process, only);
     let keys = measurement::keys(effect);
     let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
-    let size = effect.size.key();
-    let is_number = matches!(effect.size, Size::Number(..));
-    check_settings(name, &names, settings, |Setting { key, value }| match key == size {
+    let sizes = measurement::size_keys(effect);
+    let is_file = matches!(effect.size, Size::File(..));
+    let is_size = |key: &str| !is_file && sizes.contains(&key);
+    check_settings(name, &names, settings, |Setting { key, value }| match is_size(key) {
         true => measurement::size(effect, &observed, value).map(drop),
         false => Ok(()),
     })?;
+    let is_number = match effect.size {
+        Size::Number(..) => true,
+        Size::Quantity(_, kind, _) => kind.unit.is_empty(),
+        Size::OfObservable(..) | Size::File(..) => false,
+    };
+    // Of a quantity of its own kind the unit is known.
+    let own = match effect.size {
+        Size::Quantity(_, kind, _) => vec![(0, kind)],
+        _ => observed.clone(),
+    };
     with_table(&model.source.text, "measurement", name, |table| {
         for key in names {
             let value = match set(key) {
-                Some(value) => written(value, is_number && key == size),
-                None if key != size || matches!(effect.acts, Acts::Weighs) => continue,
-                None => Value::from(unknown(is_number, &observed)),
+                Some(value) => written(value, is_number && is_size(key)),
+                None if !is_size(key) || matches!(effect.acts, Acts::Weighs) => continue,
+                None => Value::from(unknown(is_number, &own)),
             };
             table.insert(key, Item::Value(value));
         }

@@ -1,14 +1,12 @@
 //! The one door by which measurements reach what compares, fits, diagnoses, plans and compensates.
 
 use std::ops::Deref;
-use std::path::Path;
+use std::sync::Arc;
 
-use toml_edit::Item;
-
-use super::Model;
+use super::{Model, instrument, measurement, terms};
 use crate::input::{InputError, Problem, Source};
 use crate::measure::Measurements;
-use crate::noise::{Acts, Size, Term, effects};
+use crate::noise::{Acts, Term};
 use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows};
 
 /// Most misplaced rows that are reported.
@@ -25,9 +23,13 @@ pub struct Data<'m> {
     /// Effects of the measurement that the model states, with the rows on which they act; a size that is not
     /// a number is unknown.
     pub terms: Vec<Term>,
+    /// Cautions about these effects in these rows.
+    pub cautions: Vec<String>,
     measurements: Measurements,
     /// Observed values as they were read, where datum directions were taken out of them.
     as_read: Option<Vec<f64>>,
+    /// Standard uncertainties as they were read, where a known covariance takes their place.
+    u_as_read: Option<Option<Vec<f64>>>,
 }
 
 impl<'m> Data<'m> {
@@ -36,11 +38,15 @@ impl<'m> Data<'m> {
     /// # Errors
     /// Rows lie off the model's body or beyond its programme; each is named with its line.
     pub fn of(model: &'m Model, measurements: Measurements) -> Result<Self, InputError> {
-        let misplaced = model.system.misplaced(&measurements.rows);
+        let time = measurement::time_of(model.process);
+        let rows = instrument::at_true_times(&measurements.rows, &model.measurement, time);
+        let misplaced = model.system.misplaced(&rows);
         if misplaced.is_empty() {
-            let terms =
-                resolved(model, &measurements).map_err(|problem| InputError::one(model.source.clone(), problem))?;
-            return Ok(Self { terms, ..Self::within(model, measurements) });
+            let data = Self::within(model, measurements);
+            let refused = |problems| InputError::new(model.source.clone(), problems);
+            let own = terms::resolved(model, &data, data.as_read()).map_err(refused)?;
+            let cautions = terms::cautions(model, &own, &data);
+            return Ok(Self { cautions, ..data }.with_terms(own));
         }
         let problem = |m: &Misplaced| {
             Problem::new(format!("{}: {}", measurements.place(m.row), m.message))
@@ -50,9 +56,20 @@ impl<'m> Data<'m> {
         Err(InputError { source, problems: misplaced.iter().take(MOST_PROBLEMS).map(problem).collect() })
     }
 
-    /// Makes a design of rows that the model itself proposes, which need no check.
+    /// Makes a design of rows that the model itself proposes, which need no check. Of its effects of the
+    /// measurement those are at work that name no rows.
     pub(crate) fn proposed(model: &'m Model, name: &str, rows: Rows) -> Self {
-        Self::within(model, Measurements::planned(model.process, name, rows))
+        let data = Self::within(model, Measurements::planned(model.process, name, rows));
+        let own = terms::of_design(model, &data);
+        data.with_terms(own)
+    }
+
+    /// The data with the effects of the measurement on its rows; a known covariance is their uncertainty.
+    fn with_terms(mut self, terms: Vec<Term>) -> Self {
+        if let Some(given) = terms.iter().find_map(|t| t.covariance.as_ref()) {
+            self.u_as_read = Some(self.measurements.uncertainty.replace(given.sigma()));
+        }
+        Self { terms, ..self }
     }
 
     /// Makes a design of the model's own programme, thinned to what a person would measure.
@@ -85,7 +102,8 @@ impl<'m> Data<'m> {
         let datum_directions = model.system.datum_directions(&measurements.rows);
         let as_read = (!datum_directions.is_empty()).then(|| measurements.observed.clone());
         datum_directions.iter().for_each(|direction| direction.take_out(&mut measurements.observed));
-        Self { model, datum_directions, terms: Vec::new(), measurements, as_read }
+        let (terms, cautions) = (Vec::new(), Vec::new());
+        Self { model, datum_directions, terms, cautions, measurements, as_read, u_as_read: None }
     }
 
     /// Selects the rows whose numbers `keep` accepts. Their datum directions are others, and are taken out
@@ -93,6 +111,7 @@ impl<'m> Data<'m> {
     #[must_use]
     pub fn some(&self, keep: impl Fn(usize) -> bool) -> Self {
         let mut some = self.measurements.some(&keep);
+        let kept: Vec<usize> = (0..self.len()).filter(|row| keep(*row)).collect();
         if let Some(observed) = &self.as_read {
             some.observed = (0..self.len()).filter(|row| keep(*row)).map(|row| observed[row]).collect();
         }
@@ -104,14 +123,31 @@ impl<'m> Data<'m> {
                 Acts::Shared(_) => term.rows.iter().filter_map(|r| numbers.range(r..).next().map(|n| *n.1)).collect(),
                 _ => term.rows.iter().filter_map(|r| numbers.get(r).copied()).collect(),
             };
-            Term { rows, ..term.clone() }
+            let covariance = term.covariance.as_ref().and_then(|given| given.some(&kept)).map(Arc::new);
+            Term { rows, covariance, ..term.clone() }
         };
-        Self { terms: self.terms.iter().map(of).collect(), ..Self::within(self.model, some) }
+        let terms = self.terms.iter().map(of).collect();
+        Self { terms, cautions: self.cautions.clone(), ..Self::within(self.model, some) }
+    }
+
+    /// The data with one effect of the measurement more at work.
+    #[must_use]
+    pub fn and_term(mut self, term: Term) -> Self {
+        self.terms.push(term);
+        self
+    }
+
+    /// Observed values as they were read, with what lies along datum directions.
+    pub fn as_read(&self) -> &[f64] {
+        self.as_read.as_ref().unwrap_or(&self.observed)
     }
 
     /// Gives the measurements back as they were read, for another model.
     pub fn into_measurements(self) -> Measurements {
-        let Self { mut measurements, as_read, .. } = self;
+        let Self { mut measurements, as_read, u_as_read, .. } = self;
+        if let Some(uncertainty) = u_as_read {
+            measurements.uncertainty = uncertainty;
+        }
         if let Some(observed) = as_read {
             measurements.observed = observed;
         }
@@ -141,70 +177,8 @@ impl<'m> Data<'m> {
 
     /// Mark by which the comment of a fitted model tells these rows from others.
     pub fn mark(&self) -> String {
-        let digest = Measurements::digest(self.as_read.as_ref().unwrap_or(&self.observed));
+        let digest = Measurements::digest(self.as_read());
         format!("{} rows, mark {digest:016x}", self.len())
-    }
-}
-
-/// The effects of a model with the rows of a file in the place of its records.
-///
-/// # Errors
-/// A record that the file does not have, or an effect that could act on any of several observables.
-fn resolved(model: &Model, measurements: &Measurements) -> Result<Vec<Term>, Problem> {
-    let is_in_file = |o: usize| measurements.observables.iter().any(|s| s.position == o);
-    let several = measurements.observables.len() > 1;
-    let acting = model.measurement.iter().filter(|term| term.observable.is_none_or(is_in_file));
-    let resolve = |term: &Term| {
-        let name = term.effect.name;
-        let place = model.document.get("measurement").and_then(|m| m.get(name)).and_then(Item::span);
-        if several && term.observable.is_none() && matches!(term.effect.size, Size::OfObservable(..)) {
-            let names: Vec<&str> = measurements.observables.iter().map(|s| s.name).collect();
-            let problem = Problem::new(format!("`measurement.{name}` does not say on which observable it acts"));
-            let listed = format!("{} has {}", measurements.name, names.join(" and "));
-            return Err(problem.help(format!("{listed}: add observable = \"{}\"", names[0])).at(place));
-        }
-        let file = file(term, measurements).map_err(|problem| problem.at(place.clone()))?;
-        let before = file.map_or(0, |number| measurements.files[number].first_record);
-        let mut rows = Vec::new();
-        for record in &term.rows {
-            let is_first = *term.effect == effects::JUMP;
-            let is_meant = |row: &usize| {
-                let own = measurements.records_of[*row] + 1;
-                let is_there = file.is_none_or(|number| measurements.file_number(*row) == number);
-                let at = before + record;
-                is_there && term.is_of(measurements, *row) && if is_first { own >= at } else { own == at }
-            };
-            let own: Vec<usize> = (0..measurements.len()).filter(is_meant).collect();
-            if own.is_empty() {
-                let problem = Problem::new(format!("`measurement.{name}` names row {record}"));
-                let of = file.map_or(&measurements.name, |number| &measurements.files[number].name);
-                return Err(problem.help(format!("{of} has no such row")).at(place));
-            }
-            rows.extend(own.into_iter().take(if is_first { 1 } else { usize::MAX }));
-        }
-        // Of the only observable nothing need be said.
-        Ok(Term { rows, file: None, observable: term.observable.filter(|_| several), ..term.clone() })
-    };
-    acting.map(resolve).collect()
-}
-
-/// The number of the file whose rows a term counts; `None` where it counts them through all files.
-///
-/// # Errors
-/// No file has that name.
-fn file(term: &Term, measurements: &Measurements) -> Result<Option<usize>, Problem> {
-    let Some(name) = &term.file else { return Ok(None) };
-    // The file may have been named from another folder.
-    let is_named = |file: &str| file == name || Path::new(file).file_name().is_some_and(|own| own == name.as_str());
-    let mut meant = (0..measurements.files.len()).filter(|number| is_named(&measurements.files[*number].name));
-    match (meant.next(), meant.next()) {
-        (Some(number), None) => Ok(Some(number)),
-        (found, _) => {
-            let none = if found.is_some() { "several files have this name" } else { "no file has this name" };
-            let problem = Problem::new(format!("`measurement.{}` counts rows of {name}: {none}", term.effect.name));
-            let files: Vec<&str> = measurements.files.iter().map(|file| &*file.name).collect();
-            Err(problem.help(format!("the measurements are {}", files.join(", "))))
-        }
     }
 }
 

@@ -3,13 +3,18 @@
 mod add;
 mod data;
 mod formula_effect;
+mod instrument;
 mod measurement;
+mod require;
 mod run;
 mod schema;
+mod terms;
 
 pub use add::{Setting, add_effect};
 pub use data::Data;
-pub use measurement::{Key, effect_named as measurement_effect, keys as measurement_keys};
+pub use measurement::{
+    Key, effect_named as measurement_effect, keys as measurement_keys, size_keys as measurement_size_keys,
+};
 pub use run::{Contribution, Run};
 pub use schema::schema;
 
@@ -25,7 +30,6 @@ use crate::input::{
 };
 use crate::noise::{self, Term};
 use crate::process::{self, Active, Description, Failure, ForwardModel, Process, System};
-use crate::units::Knowledge;
 
 /// Largest model file, bytes; people write models by hand.
 const LARGEST: u64 = 4_000_000;
@@ -97,19 +101,19 @@ impl Model {
     /// # Errors
     /// The values make no model.
     pub fn forward_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn ForwardModel>, Failure> {
-        if let Some(mut effects) = self.effects_at(values) {
+        if let Some((mut effects, terms)) = self.effects_at(values) {
             effects.extend_from_slice(added);
-            return Ok(self.system.with_effects(&effects));
+            return Ok(self.behind(self.system.with_effects(&effects), &terms));
         }
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
-        let ((_, system, mut effects, _), found) =
+        let ((_, system, mut effects, terms), found) =
             Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, trial, |model| {
                 read(model, self.process)
             });
         match (system, found.problems.first()) {
             (Some(system), None) => {
                 effects.extend_from_slice(added);
-                Ok(system.with_effects(&effects))
+                Ok(self.behind(system.with_effects(&effects), &terms))
             }
             (_, problem) => Err(Failure {
                 message: problem.map_or("the values make no model".into(), |p| p.message.clone()),
@@ -118,9 +122,14 @@ impl Model {
         }
     }
 
-    /// Forward model as it is written.
+    /// A forward model as the instrument of these terms shows it.
+    fn behind(&self, part: Box<dyn ForwardModel>, terms: &[Term]) -> Box<dyn ForwardModel> {
+        instrument::behind(part, terms, self.process, measurement::time_of(self.process))
+    }
+
+    /// Forward model as it is written, with what its instrument shows of measured rows.
     pub fn forward(&self) -> Box<dyn ForwardModel> {
-        self.system.with_effects(&self.effects)
+        self.behind(self.system.with_effects(&self.effects), &self.measurement)
     }
 
     /// Name of the table in which an effect of the measurement is added to the model: its own, or where that
@@ -163,14 +172,19 @@ impl Model {
         text
     }
 
-    /// Effects with other values, if nothing else is unknown; the system then need not be read again.
-    fn effects_at(&self, values: &[f64]) -> Option<Vec<Active>> {
-        let mut effects = self.effects.clone();
+    /// Effects, of the machine and of the measurement, with other values, if nothing else is unknown; the
+    /// system then need not be read again.
+    fn effects_at(&self, values: &[f64]) -> Option<(Vec<Active>, Vec<Term>)> {
+        let (mut effects, mut terms) = (self.effects.clone(), self.measurement.clone());
         for (parameter, value) in self.parameters.iter().zip(values) {
+            if let Some(term) = self.measurement.iter().position(|t| instrument::is_of(&parameter.path, t)) {
+                terms[term].size = *value;
+                continue;
+            }
             let (effect, place) = self.place(&parameter.path)?;
             effects[effect].values[place] = *value;
         }
-        Some(effects)
+        Some((effects, terms))
     }
 
     /// Effect to which a parameter belongs, and its position there, by its path.
@@ -195,22 +209,6 @@ impl Model {
     /// Catalogue entry of a parameter of an effect, by its path.
     pub fn catalogue(&self, path: &str) -> Option<&crate::process::Parameter> {
         self.effect_parameter(path).filter(|_| !self.is_of_formula(path))
-    }
-
-    /// Refuses a model with parameters that are still unknown (`?`).
-    ///
-    /// # Errors
-    /// Parameters are unknown; the error names each of them.
-    pub fn require_values(&self) -> Result<(), InputError> {
-        let free = self.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free);
-        let problem = |p: &Parameter| {
-            let example = p.kind.example();
-            Problem::new(format!("`{}` is unknown (`?`)", p.path))
-                .help(format!("give it a value such as \"{example}\", or let `fem fit` find it from measurements"))
-                .at(p.span.clone())
-        };
-        let problems: Vec<Problem> = free.map(problem).collect();
-        if problems.is_empty() { Ok(()) } else { Err(InputError::new(self.source.clone(), problems)) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Acts, Noise, NoiseSource, Term};
+use super::{Acts, Noise, Term};
 use crate::measure::Measurements;
 
 /// Steps of the search for one size, and rounds over all of them.
@@ -40,7 +40,7 @@ impl Restricted<'_> {
             .filter(|c| c.norm_squared() > 0.0)
             .collect();
         if columns.is_empty() {
-            return (z.norm_squared(), 0.0, z.len() as f64);
+            return (z.norm_squared(), 0.0, (z.len() - noise.free_directions()) as f64);
         }
         let x = DMatrix::from_columns(&columns);
         // Columns may depend on each other: directions without length are left out.
@@ -50,7 +50,8 @@ impl Restricted<'_> {
         let told = || eigen.eigenvalues.iter().zip(along.iter()).filter(|(value, _)| **value > least);
         let taken: f64 = told().map(|(value, a)| a * a / value).sum();
         let of_mean = told().map(|(value, _)| value.ln()).sum();
-        ((z.norm_squared() - taken).max(0.0), of_mean, (z.len() - told().count()) as f64)
+        let freedom = (z.len() - told().count()).saturating_sub(noise.free_directions());
+        ((z.norm_squared() - taken).max(0.0), of_mean, freedom as f64)
     }
 
     /// The noise with the sizes of the last `free` of `terms` at their most likely values, beside `own`; the
@@ -58,11 +59,12 @@ impl Restricted<'_> {
     pub fn estimate(&self, own: &Noise, terms: &[Term], free: usize) -> Noise {
         let mut terms = terms.to_vec();
         let first = terms.len() - free;
+        let is_flat: Vec<bool> = terms.iter().map(Term::is_flat).collect();
         let level = self.measurements.observables.iter().map(|s| own.usual(self.measurements, s.position));
         let level = level.fold(f64::INFINITY, f64::min);
         let mut noise = self.scaled(own.with(terms.clone(), self.measurements));
         for _ in 0..if free > 1 { ROUNDS } else { 1 } {
-            for i in first..terms.len() {
+            for i in (first..terms.len()).filter(|i| !is_flat[*i]) {
                 let (low, high) = match terms[i].effect.acts {
                     Acts::Shared(_) => {
                         let usual = terms[i].observable.map_or(level, |o| own.usual(self.measurements, o));
@@ -71,7 +73,7 @@ impl Restricted<'_> {
                     // Correlations from e^-5 to 0.95 between neighbours.
                     Acts::Neighbours => (0.2, 20.0),
                     Acts::Scales => (0.1, 100.0),
-                    Acts::Weighs => continue,
+                    Acts::Weighs | Acts::Rounds | Acts::Reads | Acts::Given => continue,
                 };
                 let mut at = |log_size: f64| {
                     terms[i].size = log_size.exp();
@@ -112,7 +114,7 @@ impl Restricted<'_> {
 
     /// Noise whose level is what the residuals ask for, where it comes from no column.
     fn scaled(&self, noise: Noise) -> Noise {
-        if noise.source == NoiseSource::Column {
+        if noise.source.is_known() {
             return noise;
         }
         let (square, _, freedom) = self.parts(&noise);

@@ -3,11 +3,18 @@
 
 mod covariance;
 pub mod effects;
+mod flat;
+mod given;
+mod grid;
+mod level;
 mod likelihood;
 mod term;
 
+pub use given::GivenCovariance;
+pub use grid::step_of;
+pub use level::NoiseLevel;
 pub use likelihood::Restricted;
-pub use term::{Acts, Column, MeasurementEffect, Size, Term};
+pub use term::{Acts, Along, Column, MeasurementEffect, Size, Term};
 
 use std::sync::Arc;
 
@@ -21,6 +28,8 @@ use covariance::Covariance;
 pub struct Noise {
     /// Standard uncertainty of each row, without what it shares with others.
     pub sigma: Vec<f64>,
+    /// The same before any term changes it.
+    own: Vec<f64>,
     /// Source of the standard uncertainty.
     pub source: NoiseSource,
     /// Effects of the measurement that are at work.
@@ -29,34 +38,24 @@ pub struct Noise {
     shared: Option<Arc<Covariance>>,
 }
 
-/// Size of the noise of a file. SI units.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NoiseLevel {
-    /// Root mean square of each of the file's observables.
-    pub of: Vec<f64>,
-    /// Source of the standard uncertainty.
-    pub source: NoiseSource,
-}
-
-impl NoiseLevel {
-    /// Noise on the scale of the errors of all rows: SI, or 1 where there are several observables.
-    pub fn together(&self) -> f64 {
-        match self.of[..] {
-            [one] => one,
-            _ => 1.0,
-        }
-    }
-}
-
 /// Source of the noise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoiseSource {
     /// The column `u`.
     Column,
+    /// A covariance of the rows that is known.
+    Covariance,
     /// Rows that repeat each other (pure error).
     Repeats,
     /// Scatter of neighbouring residuals, which a smooth failing of the model hardly changes.
     Estimated,
+}
+
+impl NoiseSource {
+    /// Whether the standard uncertainties are known, and not from the rows themselves.
+    pub fn is_known(self) -> bool {
+        matches!(self, Self::Column | Self::Covariance)
+    }
 }
 
 impl Noise {
@@ -96,6 +95,9 @@ impl Noise {
         let is_out = |row: usize| terms.iter().any(|t| matches!(t.effect.acts, Acts::Weighs) && t.rows.contains(&row));
         let repeats = if terms.is_empty() { repeats.clone() } else { repeats.within(measurements, &levels, &is_out) };
         let mut noise = Self::of(measurements, &repeats, residuals);
+        if terms.iter().any(|t| matches!(t.effect.acts, Acts::Given)) {
+            noise.source = NoiseSource::Covariance;
+        }
         let neighbours = terms.iter().any(|t| matches!(t.effect.acts, Acts::Neighbours));
         if noise.source == NoiseSource::Repeats && neighbours {
             // Repeats that follow each other share what they are off by.
@@ -117,7 +119,8 @@ impl Noise {
         if terms.is_empty() {
             return (own, within);
         }
-        let (free, known): (Vec<Term>, Vec<Term>) = terms.iter().cloned().partition(|t| t.size.is_nan());
+        let is_free = |t: &Term| t.size.is_nan() && t.effect.acts.is_estimated();
+        let (free, known): (Vec<Term>, Vec<Term>) = terms.iter().cloned().partition(is_free);
         let count = free.len();
         let terms: Vec<Term> = known.into_iter().chain(free.into_iter().map(|t| Term { size: 1.0, ..t })).collect();
         let restricted = Restricted { measurements, residuals, mean };
@@ -132,52 +135,69 @@ impl Noise {
 
     /// Noise that the rows do not share.
     pub fn independent(sigma: Vec<f64>, source: NoiseSource) -> Self {
-        Self { sigma, source, terms: Vec::new(), shared: None }
+        Self { own: sigma.clone(), sigma, source, terms: Vec::new(), shared: None }
     }
 
-    /// Noise of rows of these uncertainties, with what the terms make them share.
-    fn shared(sigma: Vec<f64>, source: NoiseSource, terms: Vec<Term>, measurements: &Measurements) -> Self {
-        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
-        Self { sigma, source, terms, shared }
-    }
-
-    /// The same noise with other terms; `self` has none that change the rows' own uncertainties.
+    /// The same noise with other terms.
     #[must_use]
     pub fn with(&self, terms: Vec<Term>, measurements: &Measurements) -> Self {
-        let mut sigma = self.sigma.clone();
+        let mut sigma = self.own.clone();
         for term in &terms {
-            match term.effect.acts {
-                Acts::Scales => sigma.iter_mut().for_each(|s| *s *= term.size),
-                Acts::Weighs => term.rows.iter().for_each(|row| sigma[*row] *= term.size),
-                Acts::Shared(_) | Acts::Neighbours => {}
+            if matches!(term.effect.acts, Acts::Scales) {
+                sigma.iter_mut().for_each(|s| *s *= term.size);
             }
         }
-        Self::shared(sigma, self.source, terms, measurements)
+        self.round(&mut sigma, &terms, measurements);
+        for term in terms.iter().filter(|t| matches!(t.effect.acts, Acts::Weighs)) {
+            term.rows.iter().for_each(|row| sigma[*row] *= term.size);
+        }
+        let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
+        Self { sigma, own: self.own.clone(), source: self.source, terms, shared }
+    }
+
+    /// Adds what rounding by the instrument makes to known uncertainties, and raises others to it.
+    fn round(&self, sigma: &mut [f64], terms: &[Term], measurements: &Measurements) {
+        for term in terms.iter().filter(|t| matches!(t.effect.acts, Acts::Rounds)) {
+            let variance = term.size * term.size / 12.0;
+            for (_, s) in sigma.iter_mut().enumerate().filter(|(row, _)| term.is_of(measurements, *row)) {
+                *s = if self.source.is_known() { (*s * *s + variance).sqrt() } else { s.max(variance.sqrt()) };
+            }
+        }
     }
 
     /// The same noise, all of it larger by a factor.
     #[must_use]
     pub fn times(&self, factor: f64, measurements: &Measurements) -> Self {
-        let sigma: Vec<f64> = self.sigma.iter().map(|s| (factor * s).max(1e-15)).collect();
+        let mut own = self.own.clone();
+        if !self.source.is_known() {
+            self.round(&mut own, &self.terms, measurements);
+        }
+        own.iter_mut().for_each(|s| *s = (factor * *s).max(1e-15));
         let scaled = |term: &Term| match term.effect.acts {
             Acts::Shared(_) => Term { size: factor * term.size, ..term.clone() },
             _ => term.clone(),
         };
         let terms: Vec<Term> = self.terms.iter().map(scaled).collect();
-        Self::shared(sigma, self.source, terms, measurements)
+        Self { own, ..self.clone() }.with(terms, measurements)
     }
 
     /// The same noise with another size of one term.
     #[must_use]
     pub fn resized(&self, number: usize, size: f64, measurements: &Measurements) -> Self {
         let mut terms = self.terms.clone();
-        let ratio = size / terms[number].size;
         terms[number].size = size;
-        let sigma = match terms[number].effect.acts {
-            Acts::Scales => self.sigma.iter().map(|s| s * ratio).collect(),
-            _ => self.sigma.clone(),
-        };
-        Self::shared(sigma, self.source, terms, measurements)
+        self.with(terms, measurements)
+    }
+
+    /// Number of directions that terms leave free, each of which costs a degree of freedom.
+    pub fn free_directions(&self) -> usize {
+        self.shared.as_ref().map_or(0, |shared| shared.free())
+    }
+
+    /// Degrees of freedom that these directions cost the means of groups of rows: the trace of their projection
+    /// there.
+    pub fn free_between(&self, group: &[usize]) -> f64 {
+        self.shared.as_ref().map_or(0.0, |shared| shared.free_between(group))
     }
 
     /// Whitens values of every row (SI): divided by the standard uncertainties and freed of what the rows
@@ -194,8 +214,7 @@ impl Noise {
     fn shares(&self, residuals: &[f64]) -> Vec<Vec<f64>> {
         let mut of_terms = vec![vec![0.0; residuals.len()]; self.terms.len()];
         if let Some(shared) = &self.shared {
-            let own: Vec<f64> = residuals.iter().zip(&self.sigma).map(|(r, s)| r / s).collect();
-            for (term, column) in shared.amplitudes(&own) {
+            for (term, column) in shared.amplitudes(residuals, &self.sigma) {
                 column.into_iter().for_each(|(row, v)| of_terms[term][row] += v);
             }
         }
@@ -215,40 +234,6 @@ impl Noise {
     pub fn log_determinant(&self) -> f64 {
         let own: f64 = self.sigma.iter().map(|s| 2.0 * s.ln()).sum();
         own + self.shared.as_ref().map_or(0.0, |s| s.log_determinant)
-    }
-
-    /// Whether the uncertainties of all rows agree within a ratio.
-    pub fn is_about(&self, other: &Self, ratio: f64) -> bool {
-        let mut ratios = self.sigma.iter().zip(&other.sigma).map(|(a, b)| a / b);
-        ratios.all(|r| (1.0 / ratio..ratio).contains(&r))
-    }
-
-    /// Size of the noise of each observable.
-    pub fn level(&self, measurements: &Measurements) -> NoiseLevel {
-        let own = measurements.observables.iter().map(|s| self.usual(measurements, s.position));
-        NoiseLevel { of: own.collect(), source: self.source }
-    }
-
-    /// Root mean square over the rows that are not weighed down.
-    pub fn rms(&self) -> f64 {
-        self.rms_of(|_| true).unwrap_or(f64::NAN)
-    }
-
-    /// Root mean square over the rows of an observable, by its position in the process's list, without those
-    /// that are weighed down; over all rows where none observes it.
-    pub fn usual(&self, measurements: &Measurements, observable: usize) -> f64 {
-        self.rms_of(|row| measurements.rows.observable[row] == observable).unwrap_or_else(|| self.rms())
-    }
-
-    fn rms_of(&self, is_of: impl Fn(usize) -> bool) -> Option<f64> {
-        let own = || (0..self.sigma.len()).filter(|row| is_of(*row) && !self.is_weighed_down(*row));
-        let count = own().count();
-        (count > 0).then(|| (own().map(|row| self.sigma[row].powi(2)).sum::<f64>() / count as f64).sqrt())
-    }
-
-    /// Whether a row counts for less than its uncertainty says.
-    pub fn is_weighed_down(&self, row: usize) -> bool {
-        self.terms.iter().any(|t| matches!(t.effect.acts, Acts::Weighs) && t.rows.contains(&row))
     }
 }
 

@@ -1,5 +1,8 @@
 //! A measurement effect and the term of the covariance that it makes.
 
+use std::sync::Arc;
+
+use super::given::GivenCovariance;
 use crate::measure::Measurements;
 use crate::units::{Kind, NUMBER};
 
@@ -38,28 +41,36 @@ pub enum Size {
     OfObservable(&'static str, &'static str),
     /// A plain number.
     Number(&'static str, &'static str),
+    /// A quantity of a kind of its own, which a model may know roughly (`+-`).
+    Quantity(&'static str, Kind, &'static str),
+    /// None, but a file.
+    File(&'static str, &'static str),
 }
 
 impl Size {
     /// The key.
     pub fn key(self) -> &'static str {
         match self {
-            Self::OfObservable(key, _) | Self::Number(key, _) => key,
+            Self::OfObservable(key, _) | Self::Number(key, _) | Self::Quantity(key, ..) | Self::File(key, _) => key,
         }
     }
 
     /// What it is.
     pub fn about(self) -> &'static str {
         match self {
-            Self::OfObservable(_, about) | Self::Number(_, about) => about,
+            Self::OfObservable(_, about)
+            | Self::Number(_, about)
+            | Self::Quantity(.., about)
+            | Self::File(_, about) => about,
         }
     }
 }
 
-/// How a measurement effect enters the covariance of the rows.
+/// How a measurement effect enters the covariance of the rows, or their prediction.
 #[derive(Clone, Copy, Debug)]
 pub enum Acts {
-    /// Columns, each with an amplitude of its own from N(0, size²): adds size²·Z·Zᵀ.
+    /// Columns, each with an amplitude of its own from N(0, size²): adds size²·Z·Zᵀ. An infinite size is a
+    /// flat prior: the amplitudes are free.
     Shared(fn(&Term, &Measurements) -> Vec<Column>),
     /// Correlates a row with the one before it: exp(−1/size).
     Neighbours,
@@ -67,6 +78,28 @@ pub enum Acts {
     Scales,
     /// Multiplies the standard uncertainty of the term's rows.
     Weighs,
+    /// Adds size²/12 to the variance of every row where it is stated, and is a floor of it where it is not.
+    Rounds,
+    /// Changes what the instrument shows of a prediction; it is no noise.
+    Reads,
+    /// Takes the place of the standard uncertainties: the covariance is known.
+    Given,
+}
+
+impl Acts {
+    /// Whether its size follows from the likelihood of the residuals.
+    pub fn is_estimated(self) -> bool {
+        matches!(self, Self::Shared(_) | Self::Neighbours | Self::Scales)
+    }
+}
+
+/// The coordinate along which a term changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Along {
+    /// Position in the process's list of coordinates.
+    pub coordinate: usize,
+    /// Whether it is an angle, around which a part is off its centre rather than askew.
+    pub is_angle: bool,
 }
 
 /// A measurement effect at work in a file.
@@ -74,23 +107,39 @@ pub enum Acts {
 pub struct Term {
     /// The effect.
     pub effect: &'static MeasurementEffect,
+    /// Name of its table in the model's file; empty where it stands in none.
+    pub table: String,
     /// Coordinates whose levels group the rows, by their positions in the process's list, or
     /// [`FILE`](crate::measure::FILE).
     pub by: Vec<usize>,
+    /// The coordinate along which it changes, if it does.
+    pub along: Option<Along>,
     /// The observable on which it acts, by its position in the process's list; `None` for all.
     pub observable: Option<usize>,
     /// Rows, from 0: those that are outlying, or the first after a step.
     pub rows: Vec<usize>,
     /// The file in which the rows were counted before they were found in the measurements; `None` for all.
     pub file: Option<String>,
-    /// Value of its parameter, SI.
+    /// Value of its parameter, SI; not a number where it is unknown, infinite where its amplitudes are free.
     pub size: f64,
+    /// Covariance of the rows, where it is known.
+    pub covariance: Option<Arc<GivenCovariance>>,
 }
 
 impl Term {
     /// Term of an effect on all rows, without a size yet.
     pub fn new(effect: &'static MeasurementEffect) -> Self {
-        Self { effect, by: Vec::new(), observable: None, rows: Vec::new(), file: None, size: 0.0 }
+        Self {
+            effect,
+            table: String::new(),
+            by: Vec::new(),
+            along: None,
+            observable: None,
+            rows: Vec::new(),
+            file: None,
+            size: 0.0,
+            covariance: None,
+        }
     }
 
     /// Whether it acts on a row.
@@ -103,8 +152,14 @@ impl Term {
         let own = || measurements.observables.iter().find(|s| Some(s.position) == self.observable);
         match self.effect.size {
             Size::OfObservable(..) => own().unwrap_or(&measurements.observables[0]).kind,
-            Size::Number(..) => NUMBER,
+            Size::Number(..) | Size::File(..) => NUMBER,
+            Size::Quantity(_, kind, _) => kind,
         }
+    }
+
+    /// Whether its amplitudes are free: a flat prior.
+    pub fn is_flat(&self) -> bool {
+        matches!(self.effect.acts, Acts::Shared(_)) && self.size.is_infinite()
     }
 
     /// Level of each row by the groups that the term sets apart, if it does.
@@ -115,12 +170,13 @@ impl Term {
                 let first = self.rows.first()?;
                 Some((0..measurements.len()).map(|row| usize::from(row >= *first)).collect())
             }
-            Acts::Neighbours | Acts::Scales | Acts::Weighs => None,
+            _ => None,
         }
     }
 
-    /// Whether it is the same term, whatever its size.
+    /// Whether it is the same term, whatever its size and its table.
     pub fn is_like(&self, other: &Self) -> bool {
-        Self { size: 0.0, ..self.clone() } == Self { size: 0.0, ..other.clone() }
+        let bare = |term: &Self| Self { size: 0.0, table: String::new(), ..term.clone() };
+        bare(self) == bare(other)
     }
 }

@@ -44,16 +44,18 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
         "files": files(data),
         "observations": data.len(),
         "noise": super::comparison::noise(&fit.noise.level(data), kind),
-        "measurement": super::measurement::json(&fit.noise.terms, data.model.process, data),
+        "measurement": super::measurement::json(&fit.noise.terms, data.model.process, Some(data)),
         "rms": kind.from_si(fit.rms),
         "unit": kind.unit,
         "chi2_per_dof": finite(fit.reduced_chi2),
         "p_value": fit.p_value,
         "adequate": adequate(fit),
         "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
+        "sizes": fit.sizes.iter().map(|s| estimate(&s.estimate)).collect::<Vec<_>>(),
         "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
         "failed_trials": fit.failures,
         "evaluations": fit.evaluations,
+        "cautions": data.cautions,
     })
 }
 
@@ -71,28 +73,18 @@ pub fn text(data: &Data, fit: &Fit) -> String {
         data.name,
         data.len(),
         super::comparison::noise_text(&fit.noise.level(data), data),
-        super::measurement::at_work(&data.model.source.name, &fit.noise.terms, data.model.process, data),
+        super::measurement::at_work(&data.model.source.name, &fit.noise.terms, data.model.process, Some(data)),
     );
-    let width = fit.estimates.iter().map(|e| e.parameter.path.chars().count()).max().unwrap_or(0);
+    for caution in &data.cautions {
+        text.push_str(&format!("caution: {caution}\n\n"));
+    }
+    let sizes = fit.sizes.iter().map(|s| (&s.estimate, true));
+    let all: Vec<(&Estimate, bool)> = fit.estimates.iter().map(|e| (e, false)).chain(sizes).collect();
+    let width = all.iter().map(|(e, _)| e.parameter.path.chars().count()).max().unwrap_or(0);
     // Writing to a String does not fail, here and below.
     let _ = writeln!(text, "  {:<width$} {:>24}   95 % interval", "parameter", "value");
-    for e in &fit.estimates {
-        let k = e.parameter.kind;
-        let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.5}", Short(k.from_si(v))));
-        let (value, std) = (k.from_si(e.value), e.std / k.canonical().factor);
-        let value =
-            if std.is_finite() { crate::fit::uncertain(value, std) } else { format!("{:.4} +- ?", Short(value)) };
-        let _ = writeln!(
-            text,
-            "  {:<width$} {value:>24}   {} to {} {}",
-            e.parameter.path,
-            end(e.interval.low),
-            end(e.interval.high),
-            k.unit
-        );
-        for warning in &e.warnings {
-            let _ = writeln!(text, "  {:<width$} {:>24}   {warning}", "", "");
-        }
+    for (e, is_size) in all {
+        line(&mut text, e, is_size, width);
     }
     for (i, j, c) in &fit.correlated {
         let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
@@ -115,6 +107,23 @@ pub fn text(data: &Data, fit: &Fit) -> String {
             writeln!(text, "  the model could not be computed at {} of {} trial values", fit.failures, fit.evaluations);
     }
     text
+}
+
+/// Writes an estimate; the size of an effect of the measurement has an interval, and no `+-` in a file.
+fn line(text: &mut String, e: &Estimate, is_size: bool, width: usize) {
+    let k = e.parameter.kind;
+    let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.5}", Short(k.from_si(v))));
+    let (value, std) = (k.from_si(e.value), e.std / k.canonical().factor);
+    let value = match (is_size, std.is_finite()) {
+        (true, _) => format!("{:.5}", Short(value)),
+        (false, true) => crate::fit::uncertain(value, std),
+        (false, false) => format!("{:.4} +- ?", Short(value)),
+    };
+    let interval = format!("{} to {} {}", end(e.interval.low), end(e.interval.high), k.unit);
+    let _ = writeln!(text, "  {:<width$} {value:>24}   {}", e.parameter.path, interval);
+    for warning in &e.warnings {
+        let _ = writeln!(text, "  {:<width$} {:>24}   {warning}", "", "");
+    }
 }
 
 /// Number that is written with as many significant digits as its precision asks for.

@@ -50,6 +50,7 @@ fn run(model: &Model, run: &Run) -> Value {
         "title": model.title,
         "process": model.process.name(),
         "effects": model.effects.iter().map(|e| e.description.name).collect::<Vec<_>>(),
+        "measurement": measurement::json(&model.measurement, model.process, None),
         "findings": findings,
         "shares": run.contributions.iter().map(share).collect::<Vec<_>>(),
         "warnings": run.report.warnings,

@@ -5,9 +5,10 @@ use std::fmt::Write;
 use serde_json::{Value as Json, json};
 
 use crate::measure::{Measurements, grouping_name};
-use crate::model::{Key, measurement_keys};
-use crate::noise::{MeasurementEffect, Size, Term};
+use crate::model::{Key, measurement_keys, measurement_size_keys};
+use crate::noise::{MeasurementEffect, Size, Term, effects};
 use crate::process::Process;
+use crate::units::{Kind, NUMBER};
 
 /// The word by which all of them are asked for.
 pub const MEASUREMENT: &str = "measurement";
@@ -40,11 +41,20 @@ pub fn page(effect: &MeasurementEffect) -> String {
 }
 
 fn is_size(effect: &MeasurementEffect, key: &Key) -> bool {
-    key.name == effect.size.key()
+    measurement_size_keys(effect).contains(&key.name)
+}
+
+/// Unit of a key, where it is known without a file.
+fn unit(effect: &MeasurementEffect, key: &Key) -> Option<&'static str> {
+    match effect.size {
+        Size::Number(..) if is_size(effect, key) => Some(""),
+        Size::Quantity(_, kind, _) if is_size(effect, key) => Some(kind.unit),
+        _ => None,
+    }
 }
 
 fn is_number(effect: &MeasurementEffect, key: &Key) -> bool {
-    is_size(effect, key) && matches!(effect.size, Size::Number(..))
+    unit(effect, key) == Some("")
 }
 
 fn described(effect: &MeasurementEffect, key: &Key) -> String {
@@ -57,10 +67,9 @@ fn described(effect: &MeasurementEffect, key: &Key) -> String {
 /// The entry of an effect in `fem effects --json`, with the keys of the others.
 pub fn entry(effect: &MeasurementEffect) -> Json {
     let parameter = |key: &Key| {
-        let unit = if is_number(effect, key) { Some("") } else { None };
         json!({
             "name": key.name, "about": described(effect, key), "example": key.example,
-            "unit": unit, "neutral": null, "range": null, "default": null,
+            "unit": unit(effect, key), "neutral": null, "range": null, "default": null,
         })
     };
     json!({
@@ -76,7 +85,8 @@ pub fn entry(effect: &MeasurementEffect) -> Json {
 }
 
 /// The line that says which effects of the measurement a model has at work; empty where there are none.
-pub fn at_work(model: &str, terms: &[Term], process: &dyn Process, measurements: &Measurements) -> String {
+/// Where no file is meant, rows are its records.
+pub fn at_work(model: &str, terms: &[Term], process: &dyn Process, measurements: Option<&Measurements>) -> String {
     if terms.is_empty() {
         return String::new();
     }
@@ -85,21 +95,27 @@ pub fn at_work(model: &str, terms: &[Term], process: &dyn Process, measurements:
 }
 
 /// A term in words: `zero-shift by run, size 0.712 um`.
-pub fn words(term: &Term, process: &dyn Process, measurements: &Measurements) -> String {
+pub fn words(term: &Term, process: &dyn Process, measurements: Option<&Measurements>) -> String {
     let mut text = term.effect.name.to_string();
     text.push_str(&grouped(&coordinates(term, process)));
+    if let Some(along) = term.along {
+        let _ = write!(text, " along {}", process.coordinates()[along.coordinate].name);
+    }
     if let Some(observable) = term.observable {
         let _ = write!(text, " of {}", process.observables()[observable].name);
     }
-    match &term.rows[..] {
-        [] => {}
-        [row] => drop(write!(text, ", {}", measurements.place(*row))),
-        rows => drop(write!(text, ", {} rows", rows.len())),
+    match (&term.rows[..], measurements) {
+        ([], _) => {}
+        ([row], Some(measurements)) => drop(write!(text, ", {}", measurements.place(*row))),
+        ([record], None) => drop(write!(text, ", row {record}")),
+        (rows, _) => drop(write!(text, ", {} rows", rows.len())),
     }
-    let size = term.kind(measurements).shown(term.size);
-    match term.size.is_nan() {
-        true => drop(write!(text, ", {} estimated", term.effect.size.key())),
-        false => drop(write!(text, ", {} {size:.3}", term.effect.size.key())),
+    let key = term.effect.size.key();
+    match (&term.covariance, term.size) {
+        (Some(given), _) => drop(write!(text, " of {} rows", given.rows())),
+        (None, size) if size.is_nan() => drop(write!(text, ", {key} estimated")),
+        (None, size) if size.is_infinite() => drop(write!(text, ", {key} free")),
+        (None, size) => drop(write!(text, ", {key} {:.3}", kind(term, process, measurements).shown(size))),
     }
     text
 }
@@ -107,6 +123,16 @@ pub fn words(term: &Term, process: &dyn Process, measurements: &Measurements) ->
 /// Names of the files of measurements.
 pub fn files(measurements: &Measurements) -> Vec<&str> {
     measurements.files.iter().map(|file| &*file.name).collect()
+}
+
+/// Kind of the size of a term: without a file that of the observable that it names, or of the first.
+fn kind(term: &Term, process: &dyn Process, measurements: Option<&Measurements>) -> Kind {
+    match (measurements, term.effect.size) {
+        (Some(measurements), _) => term.kind(measurements),
+        (None, Size::OfObservable(..)) => process.observables()[term.observable.unwrap_or(0)].error_kind(),
+        (None, Size::Quantity(_, kind, _)) => kind,
+        (None, Size::Number(..) | Size::File(..)) => NUMBER,
+    }
 }
 
 /// The coordinates that group rows, in words: ` by run and direction`.
@@ -119,18 +145,32 @@ fn coordinates(term: &Term, process: &dyn Process) -> Vec<&'static str> {
 }
 
 /// The effects of the measurement at work, beside the noise in JSON; rows are records, counted from 1.
-pub fn json(terms: &[Term], process: &dyn Process, measurements: &Measurements) -> Json {
+pub fn json(terms: &[Term], process: &dyn Process, measurements: Option<&Measurements>) -> Json {
+    let record = |row: &usize| measurements.map_or(*row, |m| m.records_of[*row] + 1);
     let one = |term: &Term| {
-        let kind = term.kind(measurements);
+        let kind = kind(term, process, measurements);
+        let is_file = matches!(term.effect.size, Size::File(..));
+        let size = match term.size {
+            size if term.is_flat() && size.is_infinite() => json!("free"),
+            size if size.is_finite() && !is_file => json!(kind.from_si(size)),
+            _ => Json::Null,
+        };
         json!({
             "effect": term.effect.name,
+            "table": Some(&term.table).filter(|table| !table.is_empty()),
             "by": coordinates(term, process),
+            "along": term.along.map(|a| process.coordinates()[a.coordinate].name),
             "observable": term.observable.map(|o| process.observables()[o].name),
-            "rows": term.rows.iter().map(|row| measurements.records_of[*row] + 1).collect::<Vec<_>>(),
+            "rows": term.rows.iter().map(record).collect::<Vec<_>>(),
             "parameter": term.effect.size.key(),
-            "size": Some(kind.from_si(term.size)).filter(|size| size.is_finite()),
+            "size": size,
             "unit": kind.unit,
         })
     };
     terms.iter().map(one).collect()
+}
+
+/// The entry of the catalogue by its name, if it is one of the measurement.
+pub fn entry_named(name: &str) -> Option<&'static MeasurementEffect> {
+    effects::ALL.iter().copied().find(|effect| effect.name == name)
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value as Json, json};
 
 use super::diagnosis::{bound, next as next_json};
+use super::measurement;
 use crate::diagnose::Plan;
 use crate::measure::MeasuredObservable;
 use crate::model::Data;
@@ -29,6 +30,9 @@ pub fn json(design: &Data, plan: &Plan) -> Json {
         "model": &*design.model.source.name,
         "design": design.name,
         "observations": plan.rows,
+        "measurement": measurement::json(&plan.terms, design.model.process, Some(design)),
+        "left_aside": measurement::json(&plan.unknown, design.model.process, Some(design)),
+        "cautions": design.cautions,
         "noise": if noise.len() == 1 { noise.remove(0) } else { json!(noise) },
         "effects": plan.effects.iter().map(effect).collect::<Vec<_>>(),
         "alike": plan.alike.iter().map(|a| json!({ "effects": [a.one.name, a.other.name], "separation": a.separation })).collect::<Vec<_>>(),
@@ -46,6 +50,15 @@ pub fn text(design: &Data, plan: &Plan) -> String {
     let noise: Vec<String> = design.observables.iter().zip(&plan.sigma).map(noise).collect();
     let mut text =
         format!("{}: {} rows of {}, noise {}\n", design.model.source.name, plan.rows, design.name, noise.join(" and "));
+    let model = &design.model.source.name;
+    text.push_str(&measurement::at_work(model, &plan.terms, design.model.process, Some(design)));
+    if !plan.unknown.is_empty() {
+        let names: Vec<&str> = plan.unknown.iter().map(|t| t.effect.name).collect();
+        let _ = writeln!(text, "{} left aside, for no size is known", names.join(", "));
+    }
+    for caution in &design.cautions {
+        let _ = writeln!(text, "caution: {caution}");
+    }
     let visible = || plan.effects.iter().filter_map(|(d, v)| v.as_ref().filter(|v| v.detectable).map(|v| (d, v)));
     let width = plan.effects.iter().map(|e| e.0.name.len()).max().unwrap_or(0);
     let _ = writeln!(text, "\nwould be seen, nine times in ten at a usual shape, from");

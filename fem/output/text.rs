@@ -45,6 +45,10 @@ fn run(model: &Model, run: &Run) -> String {
         let lines = figure.lines.join(&format!("\n{:27}", ""));
         let _ = writeln!(text, "  {:<24} {lines}", figure.label);
     }
+    let own = measurement::at_work(&model.source.name, &model.measurement, model.process, None);
+    if !own.is_empty() {
+        let _ = writeln!(text, "\n{own}a run predicts the part, and leaves the instrument aside");
+    }
     let observables = model.process.observables();
     for shares in run.contributions.chunk_by(|a, b| a.observable == b.observable) {
         changes(&mut text, observables, shares);

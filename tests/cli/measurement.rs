@@ -42,6 +42,7 @@ fn the_catalogue_has_a_section_of_them() {
         }
         // What the page shows as a table of a model file is read as one.
         let table = page.split("in a model file\n").nth(1).unwrap();
+        place.write("covariance.csv", "4, 1\n1, 9\n");
         place.write("shown.toml", format!("{}\n{table}", model("zeros/axis.toml")));
         assert_eq!(place.fem(&["run", "shown.toml"]).status, 0, "{table}");
     }
@@ -61,7 +62,21 @@ fn tables_are_added_behind_what_is_there() {
         (&["correlated-noise", "length=2"], "[measurement.correlated-noise]\nlength = 2.0\n"),
         (&["uncertainty-scale"], "[measurement.uncertainty-scale]\nfactor = \"?\"\n"),
         (&["drift-2"], "[measurement.drift-2]\nsize = \"? um\"\n"),
+        (&["zero-shift", "by=run", "size=free"], "[measurement.zero-shift]\nby = \"run\"\nsize = \"free\"\n"),
+        (&["resolution"], "[measurement.resolution]\nstep = \"? um\"\n"),
+        (&["gain"], "[measurement.gain]\nfactor = \"?\"\n"),
+        (&["gain", "factor=1.02"], "[measurement.gain]\nfactor = 1.02\n"),
+        (&["clock", "delay=-2 +- 1 min"], "[measurement.clock]\ndelay = \"-2 +- 1 min\"\n"),
+        (
+            &["alignment", "by=run", "along=position", "offset=0 um"],
+            "[measurement.alignment]\nby = \"run\"\nalong = \"position\"\noffset = \"0 um\"\nslope = \"? um\"\n",
+        ),
+        (
+            &["covariance", "file=covariance.csv", "unit=um"],
+            "[measurement.covariance]\nfile = \"covariance.csv\"\nunit = \"um\"\n",
+        ),
     ];
+    place.write("covariance.csv", "row,column,covariance\n1,1,4\n2,2,9\n1,2,1\n");
     for (words, expected) in cases {
         let answer = place.fem(&[&["add", AXIS], *words, &["-o", "new.toml"]].concat());
         assert_eq!(answer.status, if expected.is_empty() { 2 } else { 0 }, "{}", answer.err);
@@ -69,9 +84,10 @@ fn tables_are_added_behind_what_is_there() {
             let new = place.read("new.toml");
             assert_eq!(new.strip_prefix(&model("zeros/axis.toml")).unwrap(), format!("\n{expected}"));
             assert_eq!(answer.err.contains("unknown (`?`)"), expected.contains('?'), "{}", answer.err);
-            // A run predicts the part, and what the instrument does to it is no part of that.
+            // A run predicts the part, and what the instrument does to it is no part of that; it says so.
             let [with, without] = ["new.toml", AXIS].map(|name| place.fem(&["run", name]));
-            assert_eq!((with.status, with.out.lines().count()), (0, without.out.lines().count()));
+            assert_eq!((with.status, with.out.lines().count()), (0, without.out.lines().count() + 3), "{}", with.out);
+            assert!(with.out.contains("new.toml has, of the measurement: "), "{}", with.out);
         }
     }
 }
@@ -107,6 +123,19 @@ fn what_cannot_be_added_is_refused() {
         (AXIS, &["outliers"], "not listed", "rows = \"12, 40\""),
         (AXIS, &["outliers", "rows=12", "factor=?"], "cannot be estimated", "leave it out"),
         (AXIS, &["jump", "from=0"], "`0` is no row", "counted from 1"),
+        (AXIS, &["zero-shift", "size=1 +- 0.1 um"], "has no `+-`", "have it estimated"),
+        (AXIS, &["gain", "factor=0"], "must be above zero", "leave the table out"),
+        (AXIS, &["gain", "factor=2 um"], "measures a length", "the number alone"),
+        (AXIS, &["outliers", "rows=12", "factor=-1"], "must be above zero", "it is 10"),
+        (AXIS, &["correlated-noise", "length=0"], "must be above zero", "leave the table out"),
+        (AXIS, &["resolution", "step=0 um"], "must be above zero", "leave the table out"),
+        (AXIS, &["clock", "delay=3 um"], "measures a length", "s"),
+        (AXIS, &["alignment", "by=run"], "not said along what", "add along"),
+        (AXIS, &["alignment", "along=direction"], "is no length, angle or time", "position"),
+        (AXIS, &["alignment", "along=positon"], "`positon` is no coordinate", "did you mean \"position\"?"),
+        (AXIS, &["alignment", "along=position", "offset=0 um", "slope=0 um"], "neither an offset nor a slope", "leave"),
+        (AXIS, &["covariance", "unit=um"], "`file` is missing", "add file ="),
+        (AXIS, &["covariance", "file=none.csv", "unit=um"], "none.csv", "relative to the folder"),
         ("shifted.toml", &["zero-shift"], "has the effect `zero-shift` already", "`zero-shift-2`"),
     ];
     for (model, words, message, remedy) in cases {
@@ -157,6 +186,184 @@ fn wrong_tables_are_told_with_their_place() {
     let answer = place.fem(&["compare", AXIS, "--with", DATA]);
     assert_eq!(answer.status, 2);
     assert!(answer.err.contains("names row 500") && answer.err.contains(":22:1"), "{}", answer.err);
+}
+
+/// Every run has a mean of its own taken out, and costs a degree of freedom; the squares are added up here.
+#[test]
+fn free_zeros_are_taken_out_exactly() {
+    let place = place();
+    let rows: Vec<Vec<f64>> = model("zeros/measured.csv")
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(0.0)).collect())
+        .collect();
+    let mut square = 0.0;
+    for run in 1..=5 {
+        let own: Vec<f64> = rows.iter().filter(|row| row[0] == f64::from(run)).map(|row| row[4]).collect();
+        let mean = own.iter().sum::<f64>() / own.len() as f64;
+        square += own.iter().map(|y| ((y - mean) / 0.5).powi(2)).sum::<f64>();
+    }
+    for size in ["free", "1 m"] {
+        assert_eq!(
+            place.fem(&["add", AXIS, "zero-shift", "by=run", &format!("size={size}"), "-o", "new.toml"]).status,
+            0
+        );
+        let compared = parsed(&place.fem(&["compare", "new.toml", "--with", DATA, "--json"]).out);
+        let freedom = if size == "free" { 85.0 } else { 90.0 };
+        let found = compared["models"][0]["chi2_per_dof"].as_f64().unwrap();
+        assert!((found * freedom / square - 1.0).abs() < 1e-6, "{size}: {found}");
+    }
+}
+
+#[test]
+fn a_fit_writes_the_sizes_that_it_finds() {
+    let place = place();
+    let tables = "[measurement.zero-shift]\nby = \"run\"\nsize = \"? nm\" # of the datum\n[measurement.outliers]\nrows = \"38, 71\"\n";
+    let left_out = "[measurement.zero-shift-2]\nby = \"direction\"\n";
+    place.write("open.toml", format!("{}\n{tables}{left_out}", model("zeros/axis.toml")));
+    let answer = place.fem(&["fit", "open.toml", "--with", DATA, "--json", "--add-to", "fitted.toml"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let sizes = parsed(&answer.out)["sizes"].clone();
+    let names: Vec<&str> = sizes.as_array().unwrap().iter().map(|s| s["parameter"].as_str().unwrap()).collect();
+    assert_eq!(names, ["measurement.zero-shift.size", "measurement.zero-shift-2.size"]);
+    let value = |i: usize| sizes[i]["value"].as_f64().unwrap();
+    let fitted = place.read("fitted.toml");
+    assert!(fitted.contains(&format!("size = \"{:.1} nm\" # of the datum", 1e3 * value(0))), "{fitted}");
+    assert!(fitted.contains(&format!("[measurement.zero-shift-2]\nsize = \"{:.4} um\"\nby", value(1))), "{fitted}");
+    // What was written is what a second look finds, and nothing is left to fit.
+    let again = parsed(&place.fem(&["compare", "fitted.toml", "--with", DATA, "--json"]).out);
+    let first = parsed(&place.fem(&["compare", "open.toml", "--with", DATA, "--json"]).out);
+    let [again, first] = [again, first].map(|c| c["models"][0]["chi2_per_dof"].as_f64().unwrap());
+    assert!((again / first - 1.0).abs() < 1e-3, "{again} {first}");
+    let nothing = place.fem(&["fit", "fitted.toml", "--with", DATA]);
+    assert!(nothing.status == 2 && nothing.err.contains("nothing to fit"), "{}", nothing.err);
+    let told = place.fem(&["fit", "open.toml", "--with", DATA]).out;
+    assert!(told.contains("measurement.zero-shift.size "), "{told}");
+}
+
+/// The readings are those of the model itself, 3 % too large and half a minute late.
+#[test]
+fn gain_and_clock_are_fitted_as_parameters() {
+    let place = Place::new();
+    let rod = "process = \"thermal\"\nbody = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"20 mm\" }] }\n\
+        source = [{ at = \"200 mm\", power = \"15 W\", on = [[\"0 min\", \"90 min\"]] }]\ntime = { end = \"60 min\", step = \"30 s\" }\n";
+    place.write("true.toml", format!("{rod}measurement.gain.factor = 1.03\nmeasurement.clock.delay = \"30 s\"\n"));
+    place.write("open.toml", format!("{rod}measurement.gain.factor = \"?\"\nmeasurement.clock.delay = \"?\"\n"));
+    let rows = |shown: &[f64]| -> String {
+        let row = |(i, y): (usize, &f64)| format!("{},150,{y:.6},0.01\n", 2 * i + 2);
+        "time [min],x [mm],temperature [degC],u [K]\n".to_string()
+            + &shown.iter().enumerate().map(row).collect::<String>()
+    };
+    place.write(DATA, rows(&[0.0; 25]));
+    place.fem(&["compare", "true.toml", "--with", DATA, "-o", "out"]);
+    let residuals = place.read("out/residuals.csv");
+    let predicted: Vec<f64> =
+        residuals.lines().skip(1).map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect();
+    place.write(DATA, rows(&predicted));
+    let answer = place.fem(&["fit", "open.toml", "--with", DATA, "--json", "--add-to", "fitted.toml"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let found = parsed(&answer.out)["parameters"].clone();
+    assert!((found[0]["value"].as_f64().unwrap() - 1.03).abs() < 1e-4, "{found}");
+    assert!((found[1]["value"].as_f64().unwrap() - 30.0).abs() < 0.1, "{found}");
+    assert!(place.read("fitted.toml").contains("measurement.gain.factor = \"1.0"), "{}", place.read("fitted.toml"));
+    let unsaid = place.fem(&["compare", "open.toml", "--with", DATA]);
+    assert!(unsaid.status == 2 && unsaid.err.contains("`measurement.gain.factor` is unknown"), "{}", unsaid.err);
+    // A shaft in a fixture has no time that could be late.
+    place.write("part.toml", format!("{}\nmeasurement.clock.delay = \"1 s\"\n", model("stiffness.toml")));
+    let refused = place.fem(&["run", "part.toml"]);
+    assert!(refused.status == 2 && refused.err.contains("has a time"), "{}", refused.err);
+}
+
+#[test]
+fn a_covariance_takes_the_place_of_the_uncertainties() {
+    let place = Place::new();
+    let base = model("stiffness.toml");
+    place.write("plain.toml", &base);
+    let rows = "force [N],displacement [um],u [um]\n100,1.5,2\n200,2,2\n300,5,2\n";
+    place.write(DATA, rows);
+    place.write("new.toml", format!("{base}\n[measurement.covariance]\nfile = \"v.csv\"\nunit = \"um\"\n"));
+    let chi2 = |model: &str| {
+        let answer = place.fem(&["compare", model, "--with", DATA, "--json"]);
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        let compared = parsed(&answer.out);
+        (compared["models"][0]["chi2_per_dof"].as_f64().unwrap(), compared["noise"]["source"].clone())
+    };
+    // The same as the column u; four times it in 0.5 um; the pairs alone.
+    let (plain, _) = chi2("plain.toml");
+    for (v, factor) in [
+        ("# mine\n4,0,0\n0,4,0\n0,0,4\n", 1.0),
+        ("16,0,0\n0,16,0\n0,0,16\n", 0.25),
+        ("row,column,covariance\n1,1,4\n2,2,4\n3,3,4\n", 1.0),
+    ] {
+        place.write("v.csv", v);
+        let (found, source) = chi2("new.toml");
+        assert!((found / plain - factor).abs() < 1e-9, "{v}: {found} {plain}");
+        assert_eq!(source, json!("covariance"));
+    }
+    for (v, message, remedy) in [
+        ("4,1,0\n0,4,0\n0,0,4\n", "not symmetric: 0 of rows 2 and 1, 1 of 1 and 2", "the same number"),
+        ("1,2,0\n2,1,0\n0,0,1\n", "not positive definite", "check signs"),
+        ("4,0\n0,4\n", "covariance of 2 rows, and measured.csv has 3", "one row and one column"),
+        ("4,0,0\n0,4\n0,0,4\n", "line 2 has 2 numbers", "square"),
+        ("4,0,0\n0,x,0\n0,0,4\n", "line 2: `x`", "number"),
+        ("row,column,covariance\n1,1,4\n0,2,4\n", "line 3: `0` is no row", "counted from 1"),
+        ("row,column,covariance\n1,1,4\n1,1,4\n", "line 3: the entry of rows 1 and 1 stands twice", "keep one"),
+    ] {
+        place.write("v.csv", v);
+        let answer = place.fem(&["compare", "new.toml", "--with", DATA]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(answer.status == 2 && told.contains(message) && told.contains(remedy), "{v}: {}", answer.err);
+    }
+}
+
+#[test]
+fn what_cannot_be_meant_in_a_file_is_cautioned() {
+    let place = place();
+    let plain =
+        "run,position [mm],direction,deviation [um]\n1,10,+,1\n1,20,+,2\n1,30,+,1\n1,40,+,0\n1,50,+,2\n1,60,+,1\n";
+    place.write("plain.csv", plain);
+    for (table, file, caution) in [
+        ("outliers]\nrows = \"1, 2\"", "plain.csv", "weighs down 2 of 6 rows: more than a fifth"),
+        ("zero-shift]\nby = \"run\"\nsize = \"1 um\"", "plain.csv", "one zero: they are all of one group"),
+        ("zero-shift]\nby = \"time\"\nsize = \"1 um\"", "plain.csv", "one zero: plain.csv has no column `time`"),
+        ("correlated-noise]\nlength = 500", DATA, "has a length beyond the 90 rows"),
+        ("uncertainty-scale]\nfactor = 2", "plain.csv", "has no effect: plain.csv has no column u"),
+        ("clock]\ndelay = \"1 min\"", "plain.csv", "has no effect: plain.csv has no column of times"),
+        ("jump]\nfrom = 1\nsize = \"1 um\"", "plain.csv", "gives all rows one zero"),
+        (
+            "alignment]\nalong = \"time\"\noffset = \"0 um\"\nslope = \"1 um\"",
+            "plain.csv",
+            "nothing in plain.csv differs",
+        ),
+    ] {
+        place.write("new.toml", format!("{}\n[measurement.{table}\n", model("zeros/axis.toml")));
+        for command in ["compare", "diagnose"] {
+            let answer = place.fem(&[command, "new.toml", "--with", file]);
+            assert!(answer.status == 0 && answer.out.contains(caution), "{table}: {}{}", answer.out, answer.err);
+            let json = parsed(&place.fem(&[command, "new.toml", "--with", file, "--json"]).out);
+            let own = if command == "compare" { &json["models"][0]["cautions"] } else { &json["cautions"] };
+            assert!(own[0].as_str().unwrap().contains(caution), "{own}");
+        }
+    }
+}
+
+#[test]
+fn plans_and_compensations_say_what_is_at_work() {
+    let place = place();
+    let tables = "[measurement.zero-shift]\nby = \"run\"\nsize = \"1 um\"\n[measurement.drift]\n[measurement.outliers]\nrows = \"38, 71\"\n";
+    place.write("new.toml", format!("{}\n{tables}", model("zeros/axis.toml")));
+    let planned = place.fem(&["plan", "new.toml"]).out;
+    assert!(planned.contains("new.toml has, of the measurement: zero-shift by run, size 1.000 um\n"), "{planned}");
+    assert!(!planned.contains("drift left aside") && !planned.contains("outliers"), "{planned}");
+    let compensated = place.fem(&["compensate", "new.toml", "--with", DATA]).out;
+    for said in [
+        "zero-shift by run, size 1.000 um; drift, size estimated; outliers, 2 rows",
+        "line 41 ",
+        "the model weighs it down",
+    ] {
+        assert!(compensated.contains(said), "{compensated}");
+    }
 }
 
 #[test]
@@ -245,4 +452,63 @@ fn the_commands_that_are_shown_do_the_same() {
     // A fit weighs the rows by the same covariance, and says so.
     let fitted = place.fem(&["fit", last, "--with", DATA]).out;
     assert!(fitted.contains("has, of the measurement: outliers, 2 rows"), "{fitted}");
+}
+
+/// Every part is 0.6 um larger than the one before it, and the rows stand in the order in which they were taken:
+/// the tool wears, or the zero of the instrument drifts.
+#[test]
+fn a_trend_over_the_parts_is_a_wear_or_a_drift() {
+    let place = Place::new();
+    let shaft = "process = \"turning\"\nworkpiece = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"60 mm\" }] }\n\
+        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"1 N\" }\n";
+    place.write("shaft.toml", shaft);
+    let mut rows = "part,x [mm],diameter_error [um],u [um]\n".to_string();
+    for row in 0..60u32 {
+        // Noise that is even from -0.5 to 0.5 um, from the digits of a multiplicative generator.
+        let noise = f64::from((row + 1) * 7919 % 101) / 101.0 - 0.5;
+        let (part, x) = (row / 5 + 1, 20 + 40 * (row % 5));
+        rows.push_str(&format!("{part},{x},{:.3},0.3\n", 0.6 * f64::from(part) + noise));
+    }
+    place.write(DATA, rows);
+    let found = parsed(&place.fem(&["diagnose", "shaft.toml", "--with", DATA, "--json"]).out);
+    let cause = &found["missing"][0];
+    let others = cause["indistinguishable_from"].as_array().unwrap().iter().map(|o| o.as_str().unwrap());
+    let class: Vec<&str> = others.chain([cause["effect"].as_str().unwrap()]).collect();
+    assert!(class.contains(&"drift") && class.contains(&"tool-wear"), "{cause}");
+    assert!(!found["next_measurement"].is_null(), "{found}");
+    let separated = found["separated_by"].as_array().unwrap();
+    assert!(separated.iter().any(|s| s["text"].as_str().unwrap().contains("master")), "{separated:?}");
+    let told = place.fem(&["diagnose", "shaft.toml", "--with", DATA]).out;
+    assert!(told.contains("these data cannot tell; in general: ") && told.contains("measure next"), "{told}");
+}
+
+/// Steps of 2.5 um are coarse beside the 0.2 um that the column u says.
+#[test]
+fn a_coarse_step_is_read_off_the_values() {
+    let place = Place::new();
+    let shaft = "process = \"turning\"\nworkpiece = { material = \"steel\", segments = [{ length = \"600 mm\", diameter = \"30 mm\" }] }\n\
+        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"200 N\" }\n";
+    place.write("shaft.toml", shaft);
+    let rows = |shown: &dyn Fn(usize) -> f64| -> String {
+        // Places that are no multiples of each other, so that the rounding follows nothing.
+        let row = |i: usize| format!("1,{:.1},{:.1},0.2\n", 5.0 + (i * 7919 % 5900) as f64 / 10.0, shown(i));
+        "part,x [mm],diameter_error [um],u [um]\n".to_string() + &(0..80).map(row).collect::<String>()
+    };
+    place.write(DATA, rows(&|_| 0.0));
+    place.fem(&["compare", "shaft.toml", "--with", DATA, "-o", "out"]);
+    let residuals = place.read("out/residuals.csv");
+    let predicted: Vec<f64> =
+        residuals.lines().skip(1).map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect();
+    place.write(DATA, rows(&|i| 2.5 * (predicted[i] / 2.5).round()));
+    let answer = place.fem(&["diagnose", "shaft.toml", "--with", DATA, "--json", "--add-to", "better.toml"]);
+    let found = parsed(&answer.out);
+    assert_eq!(found["missing"].as_array().unwrap().len(), 1, "{}", found["missing"]);
+    assert_eq!(found["missing"][0]["effect"], json!("resolution"));
+    assert!((found["missing"][0]["parameters"]["step"]["value"].as_f64().unwrap() - 2.5).abs() < 1e-9);
+    assert!(place.read("better.toml").contains("[measurement.resolution]\nstep = \"2.5000 um\""));
+    assert!(place.fem(&["compare", "better.toml", "--with", DATA]).out.contains("adequate"));
+    // A fit reads it off too, and writes it.
+    place.fem(&["add", "shaft.toml", "resolution", "-o", "open.toml"]);
+    place.fem(&["fit", "open.toml", "--with", DATA, "--add-to", "fitted.toml"]);
+    assert!(place.read("fitted.toml").contains("step = \"2.5000 um\""), "{}", place.read("fitted.toml"));
 }

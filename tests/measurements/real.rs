@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use fem::compare::compare;
+use fem::compensate::compensate;
 use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -50,6 +51,19 @@ fn readings_that_contradict_their_repeats_are_told_and_blame_nobody() {
     assert_eq!(diagnosis.outliers.iter().map(|o| o.line).collect::<Vec<_>>(), [10, 11]);
     assert_eq!(physical(&diagnosis), Vec::<&str>::new());
     assert!(matches!(diagnosis.verdict, Verdict::PartlyExplained | Verdict::Unexplained));
+}
+
+/// Those two readings alone make R 204.8 um instead of 58.3, and would corrupt the table where they stand.
+#[test]
+fn a_table_is_made_without_readings_that_contradict_their_repeats() {
+    let found = with("axis-mcu1025", |data| compensate(data, data.model.system.positioning().unwrap()).unwrap());
+    assert_eq!(
+        found.wrong_readings.iter().map(|w| (w.line, w.is_stated)).collect::<Vec<_>>(),
+        [(10, false), (11, false)]
+    );
+    let quantities = found.evaluation.quantities();
+    let r = quantities.iter().find(|q| q.symbol == "R").and_then(|q| q.value).unwrap();
+    assert!((1e6 * r - 58.3).abs() < 0.05, "{r}");
 }
 
 /// A slack of 0.3 mm and a spring: no contact whose constant stands at its bound, and no clearance beyond

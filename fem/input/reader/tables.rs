@@ -52,7 +52,7 @@ impl<'a> Reader<'a> {
 
     fn read_child<T>(
         &self,
-        key: &'static str,
+        key: &str,
         about: &str,
         ground: Ground<'a>,
         required: bool,
@@ -148,19 +148,21 @@ impl<'a> Reader<'a> {
 
     /// Tables with names of a list within a table that may hold other keys too, which somebody else reads
     /// ([`Reader::part`] was called before): `[measurement.NAME]`, and further ones as `[measurement.NAME-2]`.
+    /// Each is read with the name of the list, and its own.
     pub fn tables_within<T>(
         &self,
         key: &'static str,
         about: &'static str,
         known: &[&'static str],
-        read: impl Fn(&'static str, &Reader<'a>) -> T,
+        read: impl Fn(&'static str, &str, &Reader<'a>) -> T,
     ) -> Vec<T> {
         let is_read = self.asked.borrow().contains(&key);
         let mut values = Vec::new();
         if matches!(self.ground, Ground::Described) {
             let parent = self.child(Ground::Described, key);
             for name in known {
-                parent.read_child(name, about, Ground::Described, false, |reader| values.push(read(name, reader)));
+                parent
+                    .read_child(name, about, Ground::Described, false, |reader| values.push(read(name, name, reader)));
             }
             let own = parent.shape.take().into_schema(about);
             let mut shape = self.shape.borrow_mut();
@@ -186,8 +188,8 @@ impl<'a> Reader<'a> {
                 parent.refuse(problem.help(format!("{meant}known are {}", known.join(", "))).at(span));
                 continue;
             };
-            let ground = parent.ground_of(known, item, "a table");
-            parent.read_child(known, about, ground, false, |reader| values.push(read(known, reader)));
+            let ground = parent.ground_of(name, item, "a table");
+            parent.read_child(name, about, ground, false, |reader| values.push(read(known, name, reader)));
         }
         values
     }

@@ -1,24 +1,46 @@
 //! The catalogue of measurement effects: what instrument, datum and surroundings do to data, the same in
 //! every process.
 
+mod alignment;
+mod clock;
 mod correlated_noise;
+mod covariance;
 mod discrepancy;
 mod drift;
+mod gain;
 mod jump;
 mod outliers;
+mod resolution;
 mod uncertainty_scale;
 mod zero_shift;
 
+pub use alignment::{ALIGNMENT, ALIGNMENT_OFFSET};
+pub use clock::CLOCK;
 pub use correlated_noise::CORRELATED_NOISE;
+pub use covariance::COVARIANCE;
 pub use discrepancy::DISCREPANCY;
 pub use drift::DRIFT;
+pub use gain::GAIN;
 pub use jump::JUMP;
 pub use outliers::{OUTLIERS, OUTLYING};
+pub use resolution::RESOLUTION;
 pub use uncertainty_scale::UNCERTAINTY_SCALE;
 pub use zero_shift::ZERO_SHIFT;
 
 use super::term::MeasurementEffect;
 
 /// All of them, in the order in which people meet them.
-pub static ALL: &[&MeasurementEffect] =
-    &[&ZERO_SHIFT, &OUTLIERS, &CORRELATED_NOISE, &UNCERTAINTY_SCALE, &DRIFT, &JUMP, &DISCREPANCY];
+pub static ALL: &[&MeasurementEffect] = &[
+    &ZERO_SHIFT,
+    &OUTLIERS,
+    &CORRELATED_NOISE,
+    &UNCERTAINTY_SCALE,
+    &RESOLUTION,
+    &DRIFT,
+    &JUMP,
+    &GAIN,
+    &ALIGNMENT,
+    &CLOCK,
+    &COVARIANCE,
+    &DISCREPANCY,
+];

@@ -25,6 +25,7 @@ impl NoiseSource {
     pub fn word(self) -> &'static str {
         match self {
             Self::Column => "column u",
+            Self::Covariance => "covariance",
             Self::Repeats => "repeats",
             Self::Estimated => "estimated",
         }
@@ -36,7 +37,7 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     let kind = measurements.kind();
     let first = comparisons.first();
     let noise = first.map(|c| noise(&c.noise.level(measurements), kind));
-    let terms = |c: &Comparison| measurement::json(&c.noise.terms, process, measurements);
+    let terms = |c: &Comparison| measurement::json(&c.noise.terms, process, Some(measurements));
     let model = |c: &Comparison| {
         json!({
             "model": c.model,
@@ -56,7 +57,8 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
             "features": c.features.iter().map(feature).collect::<Vec<_>>(),
             "observables": observables(measurements, |s| c.agreement(measurements, s)),
             "measurement": terms(c),
-            "suspects": measurement::json(&c.suspects, process, measurements),
+            "cautions": c.cautions,
+            "suspects": measurement::json(&c.suspects, process, Some(measurements)),
         })
     };
     json!({

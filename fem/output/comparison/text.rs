@@ -18,7 +18,10 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         let _ = writeln!(text, ", noise {}", noise(&first.noise.level(measurements), measurements));
     }
     for c in comparisons {
-        text.push_str(&measurement::at_work(&c.model, &c.noise.terms, process, measurements));
+        text.push_str(&measurement::at_work(&c.model, &c.noise.terms, process, Some(measurements)));
+    }
+    for (c, caution) in comparisons.iter().flat_map(|c| c.cautions.iter().map(move |caution| (c, caution))) {
+        let _ = writeln!(text, "\ncaution: {}: {caution}", c.model);
     }
     let width = comparisons.iter().map(|c| c.model.chars().count()).max().unwrap_or(0).max(5);
     let _ = writeln!(
@@ -55,6 +58,7 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
 pub(in crate::output) fn noise(noise: &NoiseLevel, measurements: &Measurements) -> String {
     let source = match noise.source {
         NoiseSource::Column => "from the column u",
+        NoiseSource::Covariance => "from a covariance that is known",
         NoiseSource::Repeats => "from repeated rows",
         NoiseSource::Estimated => "estimated from what is left",
     };
@@ -75,7 +79,7 @@ pub(in crate::output) fn told(features: &[Feature]) -> impl Iterator<Item = &Fea
 fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {
     let _ = writeln!(text, "\nwhere {} fails", c.model);
     if !c.suspects.is_empty() {
-        let all: Vec<String> = c.suspects.iter().map(|t| measurement::words(t, process, measurements)).collect();
+        let all: Vec<String> = c.suspects.iter().map(|t| measurement::words(t, process, Some(measurements))).collect();
         let asked = all.join("; ");
         let _ = writeln!(text, "  the rows ask for {asked}\n  `fem diagnose` weighs it against effects of the machine");
     } else if c.features.is_empty() {

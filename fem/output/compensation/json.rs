@@ -2,9 +2,9 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::compensate::{Compensation, LostMotion, Rules, Scheme};
+use crate::compensate::{Compensation, LostMotion, Rules, Scheme, WrongReading};
 use crate::model::Data;
-use crate::output::measurement::files;
+use crate::output::measurement::{self, files};
 use crate::positioning::{Check, EDITION, Evaluation, PitchErrors, Quantity, Side, Step, Target};
 
 /// Makes the JSON: lengths along the axis in mm, everything else in um; unknown values are null.
@@ -41,6 +41,20 @@ pub fn json(data: &Data, c: &Compensation) -> Json {
         "causes": c.causes.iter().map(|c| json!({ "cause": c.key, "finding": c.finding, "remedy": c.remedy })).collect::<Vec<_>>(),
         "agreement": { "rms": um(c.model.rms), "adequate": c.model.adequate, "fitted": c.model.fitted },
         "cautions": c.cautions,
+        "wrong_readings": c.wrong_readings.iter().map(wrong).collect::<Vec<_>>(),
+        "measurement": measurement::json(&data.terms, data.model.process, Some(data)),
+    })
+}
+
+fn wrong(w: &WrongReading) -> Json {
+    json!({
+        "row": w.record,
+        "line": w.line,
+        "position": mm(w.approach.position),
+        "direction": w.approach.direction.sign(),
+        "value": um(w.value),
+        "others": w.others.map(um),
+        "because": if w.is_stated { "model" } else { "repeats" },
     })
 }
 

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::compensate::{Compensation, Feasibility, LostMotion, Rules};
 use crate::model::Data;
+use crate::output::measurement;
 use crate::positioning::{Check, EDITION, Evaluation, Quantity};
 
 /// Most targets that are listed; all are in the files.
@@ -23,9 +24,14 @@ pub fn text(data: &Data, c: &Compensation) -> String {
     for cause in &c.causes {
         let _ = writeln!(text, "  {}\n    {}", cause.finding, cause.remedy);
     }
+    let own = measurement::at_work(&data.model.source.name, &data.terms, data.model.process, Some(data));
+    if !own.is_empty() {
+        let _ = write!(text, "\n{own}");
+    }
     for caution in &c.cautions {
         let _ = writeln!(text, "\ncaution: {caution}");
     }
+    wrong_readings(&mut text, c);
     standard(&mut text, c);
     let _ = writeln!(
         text,
@@ -38,6 +44,23 @@ pub fn text(data: &Data, c: &Compensation) -> String {
     modelled(&mut text, c);
     entries(&mut text, c);
     text
+}
+
+/// Lists the readings that are left out of means and tables.
+fn wrong_readings(text: &mut String, c: &Compensation) {
+    if c.wrong_readings.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "\nleft out of means and tables, as wrong");
+    for wrong in &c.wrong_readings {
+        let (x, sign) = (1e3 * wrong.approach.position, wrong.approach.direction.sign());
+        let why = match (wrong.is_stated, wrong.others) {
+            (true, _) => "the model weighs it down".to_string(),
+            (false, Some(mean)) => format!("the other approaches have {:.4} in the mean", 1e6 * mean),
+            (false, None) => "it contradicts the other approaches".to_string(),
+        };
+        let _ = writeln!(text, "  line {:<5} {:.4} um at {x:.3} mm, {sign}: {why}", wrong.line, 1e6 * wrong.value);
+    }
 }
 
 fn verdict(c: &Compensation) -> &'static str {

@@ -17,7 +17,7 @@ pub fn text(data: &Data, diagnosis: &Diagnosis) -> String {
     let noise = comparison::noise_text(&d.noise, data);
     let mut text =
         format!("{} against {}: {} observations, noise {noise}\n", data.model.source.name, data.name, data.len());
-    text.push_str(&measurement::at_work(&data.model.source.name, &data.terms, data.model.process, data));
+    text.push_str(&measurement::at_work(&data.model.source.name, &data.terms, data.model.process, Some(data)));
     for caution in &d.cautions {
         let _ = writeln!(text, "\ncaution: {caution}");
     }
@@ -144,7 +144,18 @@ fn outlying(text: &mut String, records: &[usize], data: &Data, d: &Diagnosis) {
 /// Finds what would separate two effects by the catalogue.
 pub fn separated(one: &Description, other: &Description) -> Option<&'static str> {
     let said = |a: &Description, b: &str| a.look_alikes.iter().find(|l| l.0 == b).map(|l| l.1);
-    said(one, other.name).or_else(|| said(other, one.name))
+    let of_measurement = |d: &Description| measurement::entry_named(d.name).map(|effect| effect.separates);
+    let of_one = said(one, other.name).or_else(|| said(other, one.name));
+    of_one.or_else(|| of_measurement(one)).or_else(|| of_measurement(other))
+}
+
+/// Pairs of a cause and what cannot be told from it of which one is the measurement's, with what the catalogue
+/// says would separate them.
+pub fn separated_pairs(d: &Diagnosis) -> Vec<(&'static str, &'static str, &'static str)> {
+    let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |other| (&m.effect, other)));
+    let is_one =
+        |(a, b): &(&Description, &Description)| [a, b].iter().any(|d| measurement::entry_named(d.name).is_some());
+    pairs.filter(is_one).filter_map(|(a, b)| Some((a.name, b.name, separated(a, b)?))).collect()
 }
 
 /// Writes the p-value of an effect.
@@ -258,7 +269,13 @@ fn not_seen(text: &mut String, d: &Diagnosis) {
 }
 
 fn measure_next(text: &mut String, d: &Diagnosis) {
-    let Some(next) = &d.next else { return };
+    let said = separated_pairs(d);
+    let Some(next) = &d.next else {
+        if !said.is_empty() {
+            let _ = writeln!(text, "\nmeasure next");
+        }
+        return say_separated(text, &said);
+    };
     let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();
     let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
     let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
@@ -270,4 +287,12 @@ fn measure_next(text: &mut String, d: &Diagnosis) {
         pairs.join(", "),
         next.separation
     );
+    say_separated(text, &said);
+}
+
+/// Writes what separates effects of the machine from those of the measurement.
+fn say_separated(text: &mut String, said: &[(&str, &str, &str)]) {
+    for (one, other, by) in said {
+        let _ = writeln!(text, "  {one} from {other}: {by}");
+    }
 }

@@ -1,0 +1,183 @@
+//! Look-alikes across the two catalogues: an effect of the measurement in the place of one of the machine, and
+//! the reverse. To name one of them alone would be a wrong answer.
+//!
+//! Both are weighed by −2 ln L, with the prices by which terms and effects are weighed against each other and
+//! without: what is no more than the margin of confounded effects behind in either cannot be told apart.
+
+use nalgebra::DVector;
+use rayon::prelude::*;
+
+use super::candidate_model::CandidateModel;
+use super::confounding::{EQUAL_FIT, priors_apart};
+use super::instrument::{self, criterion};
+use super::lead::{fit_with, starts, without};
+use super::residual_projection::{ProjectedResidual, length_outside};
+use super::search::SearchResult;
+use super::sensitivity;
+use crate::fit::{StoppingCriterion, minimise};
+use crate::measure::Repeats;
+use crate::noise::{Acts, Noise, Term, effects};
+use crate::process::Description;
+
+/// Rise of −2 ln L to first order beyond which an effect is not fitted in the place of a term.
+const HOPELESS: f64 = 40.0;
+/// Part of a gain's column, squared, below which the free parameters imitate all of it.
+const UNSEEN: f64 = 1e-9;
+/// Largest part by which the scale of an instrument can be off, to be believed.
+const LARGEST_GAIN: f64 = 0.2;
+
+/// Something that fits as well in the place of a cause.
+pub struct LookAlike<'a> {
+    /// The cause: an effect of the machine, or a term by its effect.
+    pub cause: Description,
+    /// What fits as well.
+    pub other: Description,
+    /// The model with it, where it was fitted, and its squared separation from the best.
+    pub model: Option<(CandidateModel<'a>, f64)>,
+}
+
+/// Finds what stands in for each cause of the best model across the catalogues, the nearest first.
+pub fn look_alikes<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, repeats: &Repeats) -> Vec<LookAlike<'a>> {
+    let of_members = best.members.par_iter().flat_map_iter(|member| terms_instead(found, best, *member, repeats));
+    let mut all: Vec<LookAlike<'a>> = of_members.collect();
+    let data = best.objective.data;
+    for (number, term) in best.objective.noise.terms.iter().enumerate() {
+        let is_new = data.terms.iter().all(|t| !t.is_like(term));
+        if is_new && matches!(term.effect.acts, Acts::Shared(_)) && *term.effect != effects::DISCREPANCY {
+            all.extend(effects_instead(found, best, number, repeats));
+        }
+    }
+    all
+}
+
+/// −2 ln L of a fitted model, with prices and without.
+fn weights(trial: &CandidateModel) -> [f64; 2] {
+    [criterion(trial), trial.solution.chi2 + trial.objective.noise.log_determinant()]
+}
+
+/// How far a model is behind the best, by the kinder of the two.
+fn behind(trial: &CandidateModel, best: &CandidateModel) -> f64 {
+    let (trial, best) = (weights(trial), weights(best));
+    (trial[0] - best[0]).min(trial[1] - best[1])
+}
+
+/// Terms in the place of a member of the best model.
+fn terms_instead<'a>(
+    found: &SearchResult<'a>,
+    best: &CandidateModel<'a>,
+    member: usize,
+    repeats: &Repeats,
+) -> Vec<LookAlike<'a>> {
+    let Some(rest) = without(&found.base, &found.candidates, best, member) else { return Vec::new() };
+    let cause = &found.candidates[member].effect;
+    let mut all: Vec<(f64, LookAlike<'a>)> = Vec::new();
+    for proposal in instrument::proposals(&rest, repeats) {
+        let Some(term) = proposal.noise.terms.last().cloned() else { continue };
+        let is_known = all.iter().any(|(_, own)| own.other.name == term.effect.name);
+        if is_known || !matches!(term.effect.acts, Acts::Shared(_)) {
+            continue;
+        }
+        let mut trial = rest.clone();
+        trial.objective.noise = proposal.noise;
+        let fitted = minimise(&mut trial.objective, &rest.solution.position, &[], StoppingCriterion::FULL);
+        let Some(solution) = fitted else { continue };
+        trial.solution = solution;
+        let rise = behind(&trial, best);
+        if rise <= EQUAL_FIT {
+            let other = instrument::description(&term, best.objective.data);
+            let model = separation(best, &mut trial).map(|apart| (trial, apart));
+            all.push((rise, LookAlike { cause: cause.clone(), other, model }));
+        }
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let gain = gain_instead(&rest, best).map(|other| LookAlike { cause: cause.clone(), other, model: None });
+    all.into_iter().map(|(_, own)| own).chain(gain).collect()
+}
+
+/// The gain of the instrument in the place of a member, to first order: its column is the prediction without
+/// that member.
+fn gain_instead(rest: &CandidateModel, best: &CandidateModel) -> Option<Description> {
+    let data = rest.objective.data;
+    let [seen] = &data.observables[..] else { return None };
+    let zero = data.model.process.observables()[seen.position].kind.to_si(0.0);
+    let projected = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution)?;
+    let shown = rest.solution.predicted.iter().map(|p| p - zero);
+    let priors = std::iter::repeat_n(0.0, rest.objective.priors());
+    let column = DVector::from_vec(rest.objective.noise.whiten(shown).into_iter().chain(priors).collect());
+    let whole = column.norm_squared();
+    let own = projected.project(column);
+    let square = own.norm_squared();
+    if square <= UNSEEN * whole || whole == 0.0 {
+        return None;
+    }
+    let factor_less_one = own.dot(&projected.residual) / square;
+    let fall = factor_less_one * factor_less_one * square;
+    let ([priced, plain], own) = (weights(best), weights(rest));
+    let rise = (own[0] - fall + (data.len() as f64).ln() - priced).min(own[1] - fall - plain);
+    let is_believable = factor_less_one.abs() <= LARGEST_GAIN;
+    (rise <= EQUAL_FIT && is_believable).then(|| instrument::description(&Term::new(&effects::GAIN), data))
+}
+
+/// Effects of the machine in the place of a term of the best model's noise.
+fn effects_instead<'a>(
+    found: &SearchResult<'a>,
+    best: &CandidateModel<'a>,
+    number: usize,
+    repeats: &Repeats,
+) -> Vec<LookAlike<'a>> {
+    let data = best.objective.data;
+    let term = &best.objective.noise.terms[number];
+    let Some(rest) = without_term(best, number, repeats) else { return Vec::new() };
+    let is_absent = |i: &usize| !best.members.contains(i);
+    let absent: Vec<Description> =
+        (0..found.candidates.len()).filter(is_absent).map(|i| found.candidates[i].effect.clone()).collect();
+    let candidates = sensitivity::candidates(&rest.objective, &rest.solution, &absent);
+    let Some(projected) = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution) else {
+        return Vec::new();
+    };
+    let lost = behind(&rest, best);
+    let stand_in = |candidate: usize| {
+        let starts = starts(&projected, &candidates[candidate]);
+        let fall = starts.first().map_or(0.0, |s| s.1.delta_chi2);
+        if lost - fall > HOPELESS + 0.25 * lost {
+            return None;
+        }
+        // Its number means nothing to the search that was made under another noise: it is no member.
+        let mut trial = fit_with(&rest, candidate, &candidates[candidate], &starts)?;
+        trial.members.truncate(best.members.len());
+        if let Some((noise, _)) =
+            instrument::settled(&trial, repeats).filter(|_| !rest.objective.noise.source.is_known())
+        {
+            trial.objective.noise = noise;
+            let start = trial.solution.position.clone();
+            trial.solution = minimise(&mut trial.objective, &start, &[], StoppingCriterion::FULL)?;
+        }
+        let rise = behind(&trial, best);
+        let model = separation(best, &mut trial).map(|apart| (trial, apart));
+        let cause = instrument::description(term, data);
+        (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause, other: candidates[candidate].effect.clone(), model }))
+    };
+    let mut all: Vec<(f64, LookAlike<'a>)> = (0..candidates.len()).into_par_iter().filter_map(stand_in).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.into_iter().map(|(_, own)| own).collect()
+}
+
+/// The best model under its noise less one term, fitted again.
+fn without_term<'a>(best: &CandidateModel<'a>, number: usize, repeats: &Repeats) -> Option<CandidateModel<'a>> {
+    let data = best.objective.data;
+    let terms: Vec<Term> =
+        best.objective.noise.terms.iter().enumerate().filter(|(i, _)| *i != number).map(|(_, t)| t.clone()).collect();
+    let mut rest = best.clone();
+    rest.objective.noise = Noise::beside(&terms, data, repeats, &best.residuals()).0.with(terms, data);
+    rest.solution = minimise(&mut rest.objective, &best.solution.position, &[], StoppingCriterion::FULL)?;
+    Some(rest)
+}
+
+/// Squared distance between the predictions of two models that neither the parameters nor the noise of the
+/// second can bridge, in standard uncertainties.
+fn separation(best: &CandidateModel, trial: &mut CandidateModel) -> Option<f64> {
+    let jacobian = trial.objective.jacobian(&trial.solution)?;
+    let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).map(|(p, q)| p - q);
+    let apart = trial.objective.noise.whiten(rows).into_iter().chain(priors_apart(best, trial));
+    Some(length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2))
+}

@@ -1,0 +1,112 @@
+//! What an instrument shows of a prediction: its scale may be off, and its clock late.
+
+use crate::noise::{Acts, Term, effects};
+use crate::process::{Failure, ForwardModel, Process, Rows, RunReport};
+use crate::progress::Progress;
+
+/// A forward model behind an instrument. What is measured passes through the instrument; what a run predicts
+/// is the part itself.
+struct Instrument {
+    part: Box<dyn ForwardModel>,
+    process: &'static dyn Process,
+    /// Gains and clocks, with their values.
+    terms: Vec<Term>,
+    /// The coordinate that is a time, by its position.
+    time: Option<usize>,
+}
+
+/// Whether a parameter, by its path, is the size of an effect of the measurement.
+pub fn is_of(path: &str, term: &Term) -> bool {
+    let own = path.strip_prefix("measurement.").and_then(|rest| rest.split_once('.'));
+    own == Some((&term.table, term.effect.size.key()))
+}
+
+/// Puts a forward model behind the instrument that some of `terms` describe, if any do.
+pub fn behind(
+    part: Box<dyn ForwardModel>,
+    terms: &[Term],
+    process: &'static dyn Process,
+    time: Option<usize>,
+) -> Box<dyn ForwardModel> {
+    let terms: Vec<Term> = terms.iter().filter(|t| matches!(t.effect.acts, Acts::Reads)).cloned().collect();
+    if terms.is_empty() { part } else { Box::new(Instrument { part, process, terms, time }) }
+}
+
+/// The rows at the times at which they were really taken, by a clock of the model; before the start nothing
+/// changes.
+pub fn at_true_times(rows: &Rows, terms: &[Term], time: Option<usize>) -> Rows {
+    let mut rows = rows.clone();
+    let Some(times) = time.and_then(|time| rows.columns.get_mut(time)) else { return rows };
+    for clock in terms.iter().filter(|t| *t.effect == effects::CLOCK && t.size.is_finite()) {
+        let is_own = |row: &usize| clock.observable.is_none_or(|own| own == rows.observable[*row]);
+        for row in (0..times.len()).filter(is_own) {
+            if times[row].is_finite() {
+                times[row] = (times[row] - clock.size).max(times[row].min(0.0));
+            }
+        }
+    }
+    rows
+}
+
+impl ForwardModel for Instrument {
+    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
+        self.part.predict(progress)
+    }
+
+    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        let mut values = self.part.observe(&at_true_times(rows, &self.terms, self.time))?;
+        for gain in self.terms.iter().filter(|t| *t.effect == effects::GAIN) {
+            let own = values.iter_mut().zip(&rows.observable);
+            for (value, observable) in own.filter(|(_, o)| gain.observable.is_none_or(|own| own == **o)) {
+                // The scale of a thermometer begins at 0 degC.
+                let zero = self.process.observables()[*observable].kind.to_si(0.0);
+                *value = zero + gain.size * (*value - zero);
+            }
+        }
+        Ok(values)
+    }
+
+    fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure> {
+        self.part.report(prediction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::input::Source;
+    use crate::measure::Measurements;
+    use crate::model::Model;
+
+    const ROD: &str = r#"
+        process = "thermal"
+        body = { material = "steel", segments = [{ length = "200 mm", diameter = "20 mm" }] }
+        source = [{ at = "200 mm", power = "15 W", on = [["0 min", "90 min"]] }]
+        time = { end = "180 min", step = "30 s" }
+    "#;
+
+    /// Predictions, degC, at these times (min).
+    fn shown(instrument: &str, times: &[f64]) -> Vec<f64> {
+        let model = Model::parse(Source::new("rod.toml", format!("{ROD}\n{instrument}"))).unwrap();
+        let rows: String = times.iter().map(|t| format!("{t},100,20\n")).collect();
+        let file = Source::new("rod.csv", format!("time [min],x [mm],temperature [degC]\n{rows}"));
+        let rows = Measurements::parse(file, model.process).unwrap();
+        model.forward().observe(&rows.rows).unwrap().iter().map(|kelvin| kelvin - 273.15).collect()
+    }
+
+    #[test]
+    fn a_gain_multiplies_and_a_late_clock_shows_what_was_before() {
+        let plain = shown("", &[0.0, 10.0, 30.0]);
+        let more = shown("measurement.gain.factor = 1.02", &[0.0, 10.0, 30.0]);
+        for (plain, more) in plain.iter().zip(&more) {
+            assert!((more - 1.02 * plain).abs() < 1e-9, "{more} {plain}");
+        }
+        let late = shown("measurement.clock.delay = \"5 min\"", &[2.0, 15.0, 35.0]);
+        for (plain, late) in plain.iter().zip(&late) {
+            assert!((plain - late).abs() < 1e-9, "{late} {plain}");
+        }
+        assert_eq!(
+            shown("measurement.clock = { delay = \"5 min\", observable = \"elongation\" }", &[10.0])[0],
+            plain[1]
+        );
+    }
+}

@@ -1,0 +1,221 @@
+//! The tables `[measurement.NAME]`: what the model says of its instrument, datum and surroundings.
+
+mod covariance;
+mod keys;
+mod size;
+
+pub use keys::{Key, keys, size_keys};
+pub(super) use size::{observed, size};
+
+use std::path::PathBuf;
+
+use crate::input::{Cache, Reader, did_you_mean, is_one_of};
+use crate::measure::{FILE, FILE_WORD};
+use crate::noise::{Acts, Along, GivenCovariance, MeasurementEffect, Size, Term, effects};
+use crate::process::{Holds, Process};
+use crate::units::{ANGLE, TIME, Unit};
+use keys::{ALONG, BY, FROM, IN_FILE, OBSERVABLE, ROWS, UNIT};
+
+/// The covariances of a model, by their files and the factors of their units.
+type Covariances = Cache<(PathBuf, u64), GivenCovariance, 4>;
+
+/// Finds an effect of the measurement by the name of its table, which may be a further one: `zero-shift-2`.
+pub fn effect_named(name: &str) -> Option<&'static MeasurementEffect> {
+    effects::ALL.iter().copied().find(|e| is_one_of(name, e.name))
+}
+
+/// Reads every measurement effect of a model. A size that is unknown (`?`) is not a number; rows are records
+/// of the file, counted from 1.
+pub fn read(model: &Reader, process: &'static dyn Process) -> Vec<Term> {
+    let names: Vec<&'static str> = effects::ALL.iter().map(|e| e.name).collect();
+    let about = "what instrument, datum or surroundings do to the measurements";
+    let read = |known: &'static str, name: &str, table: &Reader| match effect_named(known) {
+        Some(effect) => terms(effect, name, table, process),
+        None => Vec::new(),
+    };
+    model.tables_within("measurement", about, &names, read).into_iter().flatten().collect()
+}
+
+/// The terms of a table: one, but for an alignment, which has an offset and a slope.
+fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
+    let mut term = Term { table: name.to_string(), ..Term::new(effect) };
+    let keys = keys(effect);
+    if keys.contains(&BY) {
+        term.by = coordinates(table, process);
+    }
+    if keys.contains(&OBSERVABLE) {
+        term.observable = observable(table, process);
+    }
+    if keys.contains(&ROWS) {
+        term.rows = numbers(table, &ROWS);
+        if !table.has(ROWS.name) {
+            table.problem(ROWS.name, "the rows that are wrong are not listed", "add rows = \"12, 40\"");
+        }
+    }
+    if keys.contains(&FROM) {
+        term.rows = numbers(table, &FROM);
+        if !table.has(FROM.name) || term.rows.len() > 1 {
+            table.problem(FROM.name, "a step begins at one row", "add from = \"46\"");
+        }
+    }
+    if keys.contains(&IN_FILE) {
+        term.file = table.text(IN_FILE.name, IN_FILE.about);
+    }
+    if *effect == effects::ALIGNMENT {
+        return alignment(term, table, process);
+    }
+    match (effect.acts, effect.size) {
+        (Acts::Reads, Size::Quantity(key, kind, about)) => {
+            let field = table.quantity(key, kind, about);
+            let field = if kind.unit.is_empty() { field.positive() } else { field };
+            check_time(effect, table, process);
+            vec![Term { size: field.required(), ..term }]
+        }
+        (Acts::Given, _) => given(term, table).into_iter().collect(),
+        _ => sized(term, table, process).into_iter().collect(),
+    }
+}
+
+/// The term with the size that its table says.
+fn sized(mut term: Term, table: &Reader, process: &dyn Process) -> Option<Term> {
+    let effect = term.effect;
+    let key = effect.size.key();
+    let Some(text) = table.text_or_number(key, effect.size.about()) else {
+        term.size = if matches!(effect.acts, Acts::Weighs) { effects::OUTLYING } else { f64::NAN };
+        return Some(term);
+    };
+    match size(effect, &observed(process, term.observable), &text) {
+        Ok((value, of)) => {
+            term.size = value;
+            // A unit that only one of several observables has tells on which the effect acts.
+            let is_of_observable = matches!(effect.size, Size::OfObservable(..));
+            if let ([only], true) = (&of[..], of.len() < process.observables().len() && is_of_observable) {
+                term.observable = Some(*only);
+            }
+            Some(term)
+        }
+        Err(problem) => {
+            table.problem(key, format!("`{key}`: {}", problem.message), problem.help.unwrap_or_default());
+            None
+        }
+    }
+}
+
+/// Offset and slope of an alignment; one that is zero is left out.
+fn alignment(term: Term, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
+    let names = || process.coordinates().iter().map(|c| c.name);
+    let along = table.text(ALONG.name, ALONG.about);
+    let position = along.as_ref().and_then(|along| names().position(|name| name == along));
+    let holds = position.map(|i| process.coordinates()[i].holds);
+    let listed = || {
+        let is_quantity = |c: &&crate::process::Coordinate| matches!(c.holds, Holds::Quantity(_));
+        let all = process.coordinates().iter().filter(is_quantity).map(|c| c.name);
+        format!("known are {}", all.collect::<Vec<_>>().join(", "))
+    };
+    match (&along, holds) {
+        (None, _) => table.problem(
+            ALONG.name,
+            "it is not said along what the part lies askew",
+            format!("add along; {}", listed()),
+        ),
+        (Some(_), Some(Holds::Quantity(_))) => {}
+        (Some(name), Some(_)) => table.problem(ALONG.name, format!("`{name}` is no length, angle or time"), listed()),
+        (Some(name), None) => {
+            let meant = did_you_mean(name, names(), '"');
+            table.problem(ALONG.name, format!("`{name}` is no coordinate"), format!("{meant}{}", listed()));
+        }
+    }
+    let along = position.map(|coordinate| Along { coordinate, is_angle: holds.and_then(Holds::kind) == Some(ANGLE) });
+    let offset = sized(Term { effect: &effects::ALIGNMENT_OFFSET, ..term.clone() }, table, process);
+    let slope = sized(Term { along, ..term }, table, process);
+    let all: Vec<Term> = offset.into_iter().chain(slope).filter(|t| t.size != 0.0).collect();
+    if all.is_empty() && !table.is_described() && table.is_sound() {
+        table.problem("slope", "neither an offset nor a slope is at work", "leave the table out, or write \"?\"");
+    }
+    all
+}
+
+/// The covariance that a file gives; `None` where there is none, and the problem is noted.
+fn given(term: Term, table: &Reader) -> Option<Term> {
+    let key = term.effect.size.key();
+    let file = table.required_file(key, term.effect.size.about(), covariance::LARGEST);
+    let unit = table.text(UNIT.name, UNIT.about);
+    if !table.has(UNIT.name) {
+        table.problem(UNIT.name, "the unit of the covariance is not said", "add unit = \"um\": its square is meant");
+    }
+    let (file, unit) = (file?, unit?);
+    let factor = match Unit::parse(&unit) {
+        Ok(unit) => unit.factor,
+        Err(e) => {
+            table.problem(UNIT.name, format!("`unit`: {}", e.message), e.hint.unwrap_or_default());
+            return None;
+        }
+    };
+    let asked = (file.path.clone(), factor.to_bits());
+    match table.kept::<Covariances>().get_or(asked, |_| covariance::read(&file, factor)) {
+        Ok(covariance) => Some(Term { covariance: Some(covariance), size: f64::NAN, ..term }),
+        Err(problem) => {
+            let message = format!("{}: {}", file.path.display(), problem.message);
+            table.problem(key, message, problem.help.unwrap_or_default());
+            None
+        }
+    }
+}
+
+/// Refuses a clock where nothing has a time.
+fn check_time(effect: &MeasurementEffect, table: &Reader, process: &dyn Process) {
+    if *effect == effects::CLOCK && time_of(process).is_none() && !table.is_described() {
+        let message = format!("nothing in `{}` has a time", process.name());
+        table.problem("", message, "leave the table out");
+    }
+}
+
+/// The coordinate that is a time, by its position in the process's list.
+pub fn time_of(process: &dyn Process) -> Option<usize> {
+    process.coordinates().iter().position(|c| c.holds.kind() == Some(TIME))
+}
+
+fn coordinates(table: &Reader, process: &dyn Process) -> Vec<usize> {
+    let names = || process.coordinates().iter().map(|c| c.name).chain([FILE_WORD]);
+    let mut all = Vec::new();
+    for name in table.text(BY.name, BY.about).iter().flat_map(|by| by.split(',')).map(str::trim) {
+        match names().position(|n| n == name) {
+            Some(last) if last == process.coordinates().len() => all.push(FILE),
+            Some(coordinate) => all.push(coordinate),
+            None => {
+                let meant = did_you_mean(name, names(), '"');
+                let known = names().collect::<Vec<_>>().join(", ");
+                table.problem(BY.name, format!("`{name}` is no coordinate"), format!("{meant}known are {known}"));
+            }
+        }
+    }
+    all
+}
+
+fn observable(table: &Reader, process: &dyn Process) -> Option<usize> {
+    let name = table.text(OBSERVABLE.name, OBSERVABLE.about)?;
+    let names = || process.observables().iter().map(|o| o.name);
+    let position = names().position(|n| n == name);
+    if position.is_none() {
+        let meant = did_you_mean(&name, names(), '"');
+        let known = names().collect::<Vec<_>>().join(", ");
+        table.problem(OBSERVABLE.name, format!("`{name}` is not observed"), format!("{meant}known are {known}"));
+    }
+    position
+}
+
+fn numbers(table: &Reader, key: &Key) -> Vec<usize> {
+    let text = table.text_or_number(key.name, key.about);
+    let mut rows = Vec::new();
+    for word in text.iter().flat_map(|text| text.split(',')).map(str::trim) {
+        match word.parse::<usize>() {
+            Ok(row) if row > 0 => rows.push(row),
+            _ => table.problem(
+                key.name,
+                format!("`{word}` is no row"),
+                format!("rows are counted from 1: \"{}\"", key.example),
+            ),
+        }
+    }
+    rows
+}

@@ -1,0 +1,36 @@
+//! What must be known of a model before it predicts.
+
+use super::{Model, instrument};
+use crate::input::{InputError, Parameter, Problem};
+use crate::units::Knowledge;
+
+impl Model {
+    /// Refuses a model with parameters that are still unknown (`?`).
+    ///
+    /// # Errors
+    /// Parameters are unknown; the error names each of them.
+    pub fn require_values(&self) -> Result<(), InputError> {
+        self.require(|_| true)
+    }
+
+    /// Refuses a model that cannot predict the part itself, whatever its instrument shows of it.
+    ///
+    /// # Errors
+    /// Parameters are unknown; the error names each of them.
+    pub fn require_part(&self) -> Result<(), InputError> {
+        self.require(|parameter| self.measurement.iter().all(|t| !instrument::is_of(&parameter.path, t)))
+    }
+
+    fn require(&self, is_needed: impl Fn(&Parameter) -> bool) -> Result<(), InputError> {
+        let is_free = |p: &&Parameter| p.quantity.knowledge == Knowledge::Free && is_needed(p);
+        let free = self.parameters.iter().filter(is_free);
+        let problem = |p: &Parameter| {
+            let example = p.kind.example();
+            Problem::new(format!("`{}` is unknown (`?`)", p.path))
+                .help(format!("give it a value such as \"{example}\", or let `fem fit` find it from measurements"))
+                .at(p.span.clone())
+        };
+        let problems: Vec<Problem> = free.map(problem).collect();
+        if problems.is_empty() { Ok(()) } else { Err(InputError::new(self.source.clone(), problems)) }
+    }
+}

@@ -1,0 +1,18 @@
+//! The instrument's scale is off.
+
+use super::super::term::{Acts, MeasurementEffect, Size};
+use crate::units::Kind;
+
+/// Kind of the factor: the example is a scale that shows two per cent too much.
+const FACTOR: Kind = Kind { name: "a pure number", unit: "", usual: "1.02" };
+
+/// The instrument shows a multiple of what there is.
+pub static GAIN: MeasurementEffect = MeasurementEffect {
+    name: "gain",
+    about: "the scale of the instrument is off: it shows a multiple of what there is",
+    law: "y = factor * prediction",
+    source: "JCGM 200:2012 (VIM), 4.12 and 4.20: sensitivity and systematic error of a measuring system",
+    separates: "measure a master of known size with the same instrument",
+    size: Size::Quantity("factor", FACTOR, "what the instrument shows over what there is"),
+    acts: Acts::Reads,
+};
