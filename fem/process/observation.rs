@@ -38,12 +38,14 @@ pub struct Coordinate {
     pub absent: Absent,
     /// Whether rows that differ in it alone repeat each other.
     pub repeats: bool,
+    /// What a curve along it that no law has is called in the field, and what that is.
+    pub curve: Option<(&'static str, &'static str)>,
 }
 
 impl Coordinate {
     /// A coordinate in which rows that repeat each other agree.
     pub const fn new(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Self {
-        Self { name, about, holds, absent, repeats: false }
+        Self { name, about, holds, absent, repeats: false, curve: None }
     }
 }
 

@@ -12,7 +12,7 @@ mod trouble;
 
 use std::path::Path;
 
-use generator::{Case, Process, RING, THERMAL, TURNING, Trouble};
+use generator::{AXIS, Case, Process, RING, STIFFNESS, THERMAL, TURNING, Trouble};
 use score::{Score, score};
 use table::Table;
 use trouble::Tally;
@@ -114,6 +114,18 @@ fn the_whole_of_thermal() {
     whole(&THERMAL, 12);
 }
 
+#[test]
+#[ignore = "minutes long; prints the table of README.md"]
+fn the_whole_of_axis() {
+    whole(&AXIS, 8);
+}
+
+#[test]
+#[ignore = "minutes long; prints the table of README.md"]
+fn the_whole_of_stiffness() {
+    whole(&STIFFNESS, 12);
+}
+
 /// Every trouble of real measurements, with nothing and with every effect hidden.
 fn troubled(process: &Process, seeds: std::ops::Range<u64>) -> Vec<(Trouble, Tally)> {
     println!("{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}", "trouble", "none", "adequate", "one", "told", "rows");
@@ -174,12 +186,22 @@ fn a_sample_of_thermal() {
     sample(&THERMAL, [4, 2, 2]);
 }
 
+#[test]
+fn a_sample_of_axis() {
+    sample(&AXIS, [12, 4, 5]);
+}
+
+#[test]
+fn a_sample_of_stiffness() {
+    sample(&STIFFNESS, [12, 4, 5]);
+}
+
 /// What the program predicts of the revealed model and what the generator made differ by less than the
 /// noise could ever show: 0.5 standard uncertainties in the length of all rows together, at the largest
 /// effects of the suite.
 #[test]
 fn the_program_and_the_generator_agree() {
-    for process in [&TURNING, &RING, &THERMAL] {
+    for process in [&TURNING, &RING, &THERMAL, &AXIS, &STIFFNESS] {
         for (name, case) in singles(process, 40.0, 0..2).chain(numbered(0..6, |s| process.several(3, 40.0, s))) {
             let apart = score::apart(&case);
             println!("{name}: {apart:.3}");

@@ -15,20 +15,13 @@ pub const BRANCH: usize = 1;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    Coordinate {
-        name: "force",
-        about: "force on the joint",
-        holds: Holds::Quantity(FORCE),
-        absent: Absent::Refused,
-        repeats: false,
-    },
-    Coordinate {
-        name: "branch",
-        about: "whether the force rises from nothing or falls from the largest",
-        holds: Holds::Word(&["load", "unload"]),
-        absent: Absent::Value(0.0),
-        repeats: false,
-    },
+    Coordinate::new("force", "force on the joint", Holds::Quantity(FORCE), Absent::Refused),
+    Coordinate::new(
+        "branch",
+        "whether the force rises from nothing or falls from the largest",
+        Holds::Word(&["load", "unload"]),
+        Absent::Value(0.0),
+    ),
 ];
 
 /// The branch of a row.
@@ -82,7 +75,10 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let [step, end] = [0.005, 0.1].map(|part| FORCE.shown(part * setup.max_force));
     let words = format!("load once more in steps of {step:.1} up to {end:.0}");
     let again = "load and unload once more in steps of a fiftieth of the largest force".to_string();
+    let zeros = vec![0.0; 5];
+    let unloaded = along(zeros.clone(), Branch::Load);
     let mut experiments = vec![
+        experiment("read the gauge five times without force, before loading".into(), FORCE_OF_ROW, zeros, unloaded),
         experiment(words, FORCE_OF_ROW, fine.clone(), along(fine, Branch::Load)),
         experiment(again, FORCE_OF_ROW, whole.clone(), up_and_down(&whole)),
     ];
