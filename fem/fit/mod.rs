@@ -7,6 +7,7 @@ mod least_squares;
 mod objective;
 mod search_variable;
 mod starts;
+mod validation;
 mod write;
 
 pub use estimates::Estimate;
@@ -15,6 +16,7 @@ pub use least_squares::{StoppingCriterion, minimise};
 pub use objective::{Objective, Solution};
 pub use search_variable::SearchVariable;
 pub use starts::best;
+pub use validation::cases as validation;
 pub use write::{fitted_text, uncertain};
 
 use nalgebra::DMatrix;
