@@ -167,6 +167,13 @@ impl Noise {
         Self::shared(sigma, self.source, terms, measurements)
     }
 
+    /// The same noise, what every row has to itself larger by a factor; what rows share stays.
+    #[must_use]
+    fn levelled(&self, factor: f64, measurements: &Measurements) -> Self {
+        let sigma: Vec<f64> = self.sigma.iter().map(|s| (factor * s).max(1e-15)).collect();
+        Self::shared(sigma, self.source, self.terms.clone(), measurements)
+    }
+
     /// The same noise with another size of one term.
     #[must_use]
     pub fn resized(&self, number: usize, size: f64, measurements: &Measurements) -> Self {

@@ -7,6 +7,7 @@ mod compare;
 mod diagnose;
 mod fit;
 mod limits;
+mod noise;
 mod real;
 
 use std::path::{Path, PathBuf};
