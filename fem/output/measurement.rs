@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 
 use crate::measure::Measurements;
 use crate::model::{Key, measurement_keys};
-use crate::noise::{MeasurementEffect, Size, Term};
+use crate::noise::{MeasurementEffect, Size, Term, effects};
 use crate::process::Process;
 
 /// The word by which all of them are asked for.
@@ -107,6 +107,12 @@ pub fn words(term: &Term, process: &dyn Process, measurements: &Measurements) ->
 /// The coordinates that group rows, in words: ` by run and direction`.
 pub fn grouped(by: &[&str]) -> String {
     if by.is_empty() { String::new() } else { format!(" by {}", by.join(" and ")) }
+}
+
+/// What a curve along these coordinates that no law has is called in the field, and what that is.
+pub fn curve(effect: &MeasurementEffect, by: &[&str], process: &dyn Process) -> Option<(&'static str, &'static str)> {
+    let own = process.coordinates().iter().filter(|c| by.contains(&c.name));
+    own.filter_map(|c| c.curve).next().filter(|_| *effect == effects::DISCREPANCY)
 }
 
 fn coordinates(term: &Term, process: &dyn Process) -> Vec<&'static str> {
