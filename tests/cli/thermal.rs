@@ -459,7 +459,7 @@ const EDGE_RECORDS: &[Mistake] = &[
     ("end = \"60 min\"", "end = \"90 min\"", "the record of `ambient` reaches from 0 min to 60 min", "record it"),
     ("end = \"60 min\"", "end = \"90 min\"", "the record of `flux` reaches from 0 min to 60 min", "record it"),
     ("value = \"air\"", "value = \"heir\"", "there is no column `heir`", "did you mean `air`?"),
-    ("\"50 W/m^2/K\"", "{ file = \"bath.csv\" }", "`convection` is no film coefficient", "write convection ="),
+    ("\"50 W/m^2/K\"", "{ file = \"bath.csv\" }", "`convection` is no heat transfer coefficient", "write convection ="),
 ];
 
 #[test]

@@ -11,12 +11,7 @@ use crate::process::{Case, Tolerance};
 use problems::{ALL, Parameter, Problem};
 
 /// A model of which the formula is all: the ideal axis goes where it is told.
-const MODEL: &str = r#"
-process = "axis"
-axis = { travel = "1e9 m", from = "-1e8 m" }
-screw = { material = "steel", diameter = "1 m", lead = "1 m" }
-[effects.nist]
-"#;
+const MODEL: &str = include_str!("nist/model.toml");
 
 /// More than five certified digits of a value, and more than four of a standard deviation: the search ends
 /// where χ² falls no more by 1e-10 of itself, and derivatives are differences over 1e-4 of a start.
