@@ -154,7 +154,7 @@ impl crate::job::Job for Job {
                 "a wave that is no turn of the screw" => (TAU * periods * part + phase).sin(),
                 "a step along the travel" => f64::from(part > at),
                 "one target is off" => f64::from(row.x == target),
-                "every other run is off" => f64::from(row.run % 2 == 0),
+                "every other run is off" => f64::from(row.run.is_multiple_of(2)),
                 _ => f64::from(row.backward && part > at),
             }
         };

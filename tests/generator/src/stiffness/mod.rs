@@ -115,7 +115,7 @@ impl crate::job::Job for Job {
             let part = row.force / self.max_force;
             match name {
                 "ripple over the force" => (TAU * periods * part + phase).sin(),
-                "a slip" => f64::from(!row.unload && part > at || row.unload),
+                "a slip" => f64::from(row.unload || part > at),
                 "a slip back" => f64::from(row.unload && part < at),
                 "a drift of the gauge" => (number as f64 / count).powi(2),
                 _ => f64::from(number == row_at),
