@@ -15,7 +15,7 @@ use fem::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Quad4, Q
 use fem::input::Source;
 use fem::mesh::{Grading, Mesh, RectangleMesh, RingMesh};
 use fem::model::Model;
-use fem::solve::conduction::{Condition, History, Run, Scheme, ThermalSystem};
+use fem::solve::conduction::{Condition, History, Power, Run, Scheme, ThermalSystem};
 use fem::solve::elastic::{ElasticSystem, Loads};
 use fem::solve::ring::{Bore, ContactArc, add_jaws};
 use fem::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
@@ -176,7 +176,7 @@ fn heat(cells: [usize; 2]) -> Result<(), Box<dyn Error>> {
         let start = Instant::now();
         let mut clock = Clock(start);
         let mesh = RectangleMesh::uniform([0.10, 0.05], cells, &Quad4).build()?;
-        let mut conditions = vec![Condition::Flux { sides: "left".to_owned(), flux: 5e4, on: vec![] }];
+        let mut conditions = vec![Condition::Flux { sides: "left".to_owned(), flux: Power::switched(5e4, &[]) }];
         for side in ["bottom", "right", "top"] {
             let ambient = History::Constant(20.0);
             conditions.push(Condition::Convection { sides: side.to_owned(), coefficient: 100.0, ambient });

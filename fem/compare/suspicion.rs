@@ -156,8 +156,12 @@ impl Suspicion<'_> {
             })
         };
         let present = &self.noise.terms;
-        let trials = all.flat_map(with).map(|term| present.iter().cloned().chain([term]).collect());
-        trials.collect()
+        let alone = all.flat_map(with).map(|term| vec![term]);
+        // A curve that is the same in every direction, and what differs from one direction to the other: the
+        // mean difference of directions is told by neither.
+        let nested = places().flat_map(|i| words().map(move |j| [vec![i], vec![i, j]])).filter(|by| is_curve(&by[1]));
+        let nested = nested.flat_map(|[whole, own]| with(whole).zip(with(own)).map(|(a, b)| vec![a, b]));
+        alone.chain(nested).map(|terms| present.iter().cloned().chain(terms).collect()).collect()
     }
 
     /// The terms with outlying rows that contradict the rows that they repeat; `None` where there are none, or

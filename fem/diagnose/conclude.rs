@@ -60,7 +60,7 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     let is_curve = best.objective.noise.terms.iter().any(|t| *t.effect == effects::DISCREPANCY);
     if is_curve && found.base.objective.data.terms.iter().all(|t| *t.effect != effects::DISCREPANCY) {
         // A curve that no law has describes; it explains nothing.
-        let alone = best.members.is_empty() && told.len() == 1;
+        let alone = best.members.is_empty() && told.iter().all(|m| m.effect.name == effects::DISCREPANCY.name);
         verdict = if alone { Verdict::Unexplained } else { Verdict::PartlyExplained };
         missing.splice(0..0, told);
     } else if !told.is_empty() {
@@ -138,12 +138,29 @@ fn cautions(found: &SearchResult, repeats: &Repeats, verdict: Verdict, conflicts
         cautions
             .push("rows that repeat each other are identical, as if copied: the noise cannot be judged by them".into());
     }
+    cautions.extend(few_places(found.best()));
     let left = matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained);
     if left && found.steps.len() == found.most && found.most < found.candidates.len() {
         let most = found.most;
         cautions.push(format!("no more than {most} effects were looked for together; --max-effects looks for more"));
     }
     cautions
+}
+
+/// Says that causes stand on few places of a coordinate along which a curve could be anything: with hardly
+/// more places than parameters a few laws imitate any curve.
+fn few_places(best: &CandidateModel) -> Option<String> {
+    /// Places beyond the parameters from which a curve contradicts wrong laws.
+    const MORE: usize = 3;
+    let data = best.objective.data;
+    let coordinates = data.model.process.coordinates();
+    let (at, (name, _)) = data.given.iter().find_map(|i| Some((*i, coordinates[*i].curve?)))?;
+    let places = data.levels(&[at]).into_iter().max().map_or(0, |most| most + 1);
+    let free = best.objective.variables.len() - best.objective.priors();
+    (!best.members.is_empty() && places < free + MORE).then(|| {
+        let along = coordinates[at].name;
+        format!("{places} values of `{along}` hardly tell these causes from a {name}: measure at further ones between")
+    })
 }
 
 /// Lists the effects of the best model, the most needed first, each with its alternatives.

@@ -3,7 +3,7 @@
 
 use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
-use super::hypothesis::Hypothesis;
+use super::hypothesis::{Hypothesis, is_greedy};
 use super::instrument::{self, Proposal};
 use super::search::{Breadth, Extent, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
@@ -55,6 +55,19 @@ impl Exploration<'_> {
             let without = self.under(&first.found, wrong)?;
             path.push(without);
         }
+        self.grow(&mut path, |_| true)?;
+        if path.last().is_some_and(|h| h.is_greedy() && !h.explains) {
+            // What could swallow everything and does not is no reason to overlook the others.
+            while path.len() > 1 && path.last().is_some_and(Hypothesis::is_greedy) {
+                path.pop();
+            }
+            self.grow(&mut path, |proposal| !is_greedy(&proposal.noise.terms))?;
+        }
+        self.last_resort(path)
+    }
+
+    /// Adds terms that are wanted to the last hypothesis, one after another, as long as they are worth it.
+    fn grow<'a>(&self, path: &mut Vec<Hypothesis<'a>>, is_wanted: impl Fn(&Proposal) -> bool) -> Result<(), Failure> {
         for _ in 0..MOST_TERMS {
             let Some(here) = path.last() else { break };
             let mut proposals = instrument::proposals(here.found.best(), self.repeats);
@@ -63,13 +76,11 @@ impl Exploration<'_> {
                 let instead = instrument::proposals(&here.found.base, self.repeats);
                 proposals.extend(instead.into_iter().filter(|p| p.criterion < here.criterion + INSTEAD));
             }
+            proposals.retain(&is_wanted);
             let Some(better) = self.further(here, proposals, PROMISING)? else { break };
             path.push(better);
         }
-        while path.len() > 1 && path.last().is_some_and(|h| h.is_greedy() && !h.explains) {
-            path.pop();
-        }
-        self.last_resort(path)
+        Ok(())
     }
 
     /// Searches widely where structure remains, and beside a curve over places that no law here has, by which
@@ -78,6 +89,8 @@ impl Exploration<'_> {
         let Some(last) = path.pop() else { return Err(unsolvable()) };
         let mut last = self.widened(last)?;
         if !last.explains {
+            // What cannot be believed must not leave its own share of the curve out.
+            last.leave_out_the_unbelievable();
             let curves = instrument::curves(last.found.best(), self.repeats);
             let bare = instrument::curves(&last.found.base, self.repeats);
             let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < last.criterion + INSTEAD).collect();

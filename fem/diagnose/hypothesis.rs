@@ -5,7 +5,7 @@ use super::search::SearchResult;
 use super::verdict::is_explained;
 use super::{instrument, lead};
 use crate::measure::Repeats;
-use crate::noise::Acts;
+use crate::noise::{Acts, Term, effects};
 
 /// Ratio of held-out errors from which an effect misleads.
 const WORSE: f64 = 1.1;
@@ -31,10 +31,11 @@ impl<'a> Hypothesis<'a> {
     }
 
     /// Leaves out effects of the machine that cannot be believed: at a bound of what can be computed, or,
-    /// where structure remains, larger than is plausible, or such that what is held out is predicted worse
-    /// with them.
+    /// where structure remains or stands as a curve in the noise, larger than is plausible, or such that what is
+    /// held out is predicted worse with them.
     pub fn leave_out_the_unbelievable(&mut self) {
-        while let Some(member) = self.found.best().unbelievable(!self.explains).or_else(|| self.misleading()) {
+        let is_strict = |this: &Self| !this.explains || this.describes();
+        while let Some(member) = self.found.best().unbelievable(is_strict(self)).or_else(|| self.misleading()) {
             let (base, candidates) = (&self.found.base, &self.found.candidates);
             match lead::without(base, candidates, self.found.best(), member) {
                 Some(rest) if !rest.members.is_empty() => {
@@ -44,6 +45,7 @@ impl<'a> Hypothesis<'a> {
                 _ => self.found.steps.clear(),
             }
             self.explains = is_explained(self.found.best(), &self.repeats);
+            self.criterion = instrument::criterion(self.found.best());
         }
     }
 
@@ -65,9 +67,18 @@ impl<'a> Hypothesis<'a> {
         best.members.iter().copied().find(misleads)
     }
 
+    /// Whether a curve that no law has stands in its noise.
+    fn describes(&self) -> bool {
+        self.found.best().objective.noise.terms.iter().any(|t| *t.effect == effects::DISCREPANCY)
+    }
+
     /// Whether its noise could swallow what a model lacks: it is believed only where it explains everything.
     pub fn is_greedy(&self) -> bool {
-        let terms = &self.found.best().objective.noise.terms;
-        terms.iter().any(|t| matches!(t.effect.acts, Acts::Neighbours | Acts::Scales))
+        is_greedy(&self.found.best().objective.noise.terms)
     }
+}
+
+/// Whether one of these terms could swallow what a model lacks.
+pub fn is_greedy(terms: &[Term]) -> bool {
+    terms.iter().any(|t| matches!(t.effect.acts, Acts::Neighbours | Acts::Scales))
 }

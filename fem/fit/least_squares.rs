@@ -19,7 +19,7 @@ pub struct StoppingCriterion {
 
 impl StoppingCriterion {
     /// Full convergence.
-    pub const FULL: Self = Self { steps: 90, tolerance: 1e-10, differences: Differences::Central };
+    pub const FULL: Self = Self { steps: 200, tolerance: 1e-10, differences: Differences::Central };
 
     /// Convergence that is enough to go on from.
     pub const fn rough(steps: usize, tolerance: f64) -> Self {

@@ -8,6 +8,7 @@ mod objective;
 mod search_variable;
 mod sizes;
 mod starts;
+mod validation;
 mod write;
 
 pub use estimates::Estimate;
@@ -17,6 +18,7 @@ pub use objective::{Objective, Solution};
 pub use search_variable::SearchVariable;
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
+pub use validation::cases as validation;
 pub use write::{fitted_text, uncertain};
 
 use nalgebra::DMatrix;
@@ -145,12 +147,20 @@ pub fn reduced_chi2(objective: &Objective, solution: &Solution, repeats: &Repeat
             (solution.chi2 / freedom, p)
         }
         NoiseSource::Repeats => {
-            // In units of its own variance the pure error is its degrees of freedom.
-            let pure = repeats.freedom() as f64;
-            let freedom = freedom - pure;
-            let f = (solution.chi2 - pure).max(0.0) / freedom;
+            // In units of its own variance the pure error is its degrees of freedom; the level of the noise may
+            // be another beside effects of the measurement.
+            let (own, pure) = (repeats.freedom() as f64, pure_error(objective, repeats));
+            let freedom = freedom - own;
+            let f = (solution.chi2 - pure).max(0.0) / freedom * own / pure;
             (f, FisherSnedecor::new(freedom, repeats.effective_freedom()).ok().map(|d| d.sf(f)))
         }
         NoiseSource::Estimated => (solution.chi2 / freedom, None),
     }
+}
+
+/// Sum of squares by which rows differ from those that they repeat, in units of the noise.
+fn pure_error(objective: &Objective, repeats: &Repeats) -> f64 {
+    let data = objective.data;
+    let level = |number: usize| objective.noise.usual(data, data.observables[number].position);
+    repeats.scatter.iter().enumerate().map(|(i, scatter)| scatter.sum_of_squares / level(i).powi(2)).sum()
 }

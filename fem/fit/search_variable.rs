@@ -76,6 +76,8 @@ impl SearchVariable {
         }
         let unit = match scale {
             Scale::Logarithm => 1.0,
+            // Where a search is told to begin it is told a size, too.
+            Scale::Plain if prior.is_none() && written.abs() > 0.0 => written.abs(),
             Scale::Plain => prior.map_or(usual.abs(), |p| p.1).max(f64::MIN_POSITIVE),
             Scale::Reciprocal => 1.0 / usual,
         };

@@ -93,16 +93,51 @@ impl Record {
     }
 }
 
+impl Varying {
+    /// The value at a coordinate; beyond the ends of a record that of the end.
+    pub fn at(&self, x: f64) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Record(record) => record.at(x),
+        }
+    }
+
+    /// Last coordinate at which it is known: infinite without a record.
+    pub fn known_until(&self) -> f64 {
+        match self {
+            Self::Constant(_) => f64::INFINITY,
+            Self::Record(record) => record.span()[1],
+        }
+    }
+
+    /// The smallest value that it takes, SI; not a number while that is unknown.
+    pub fn least(&self) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Record(record) => record.points.iter().fold(f64::INFINITY, |least, point| least.min(point[1])),
+        }
+    }
+}
+
 impl Field<'_, '_> {
     /// The quantity, or the record of it that a table in its place names: `file`, the coordinate's column
     /// under the coordinate's name, and the quantity's own column under `value`. An absent key is a problem.
     pub fn varying(self, along: Along) -> Varying {
         self.describe(true);
+        self.recorded(along).unwrap_or_else(|| Varying::Constant(self.required()))
+    }
+
+    /// The same, or `None` where the key is absent.
+    pub fn optional_varying(self, along: Along) -> Option<Varying> {
+        self.describe(false);
+        self.recorded(along).or_else(|| self.optional().map(Varying::Constant))
+    }
+
+    /// What a table in the place of the quantity names; not a number where that is no record.
+    fn recorded(&self, along: Along) -> Option<Varying> {
         let read = |table: &Reader| self.record(table, along);
-        match self.reader.table_instead(self.key, self.about, read) {
-            Some(record) => record.map_or(Varying::Constant(f64::NAN), Varying::Record),
-            None => Varying::Constant(self.required()),
-        }
+        let record = self.reader.table_instead(self.key, self.about, read)?;
+        Some(record.map_or(Varying::Constant(f64::NAN), Varying::Record))
     }
 
     /// Reads a record; `None` where there is none, and the problem is noted.

@@ -94,10 +94,10 @@ impl Restricted<'_> {
         const QUANTILE: f64 = 3.841_458_820_694_124;
         /// Largest ratio of an end to the size, and halvings of it.
         const FAR: f64 = 1e4;
-        const HALVINGS: usize = 30;
+        const HALVINGS: usize = 20;
         let size = noise.terms[number].size;
         let least = self.minus_two_log(noise);
-        let rise = |at: f64| self.minus_two_log(&noise.resized(number, at, self.measurements)) - least;
+        let rise = |at: f64| self.profile(noise, number, at) - least;
         [1.0 / FAR, FAR].map(|far| {
             if rise(size * far) < QUANTILE {
                 return None;
@@ -110,6 +110,19 @@ impl Restricted<'_> {
             }
             Some(size * f64::exp(inside))
         })
+    }
+
+    /// −2 ln L with another size of a term; the level of the rows' own noise follows where it comes from no
+    /// column.
+    fn profile(&self, noise: &Noise, number: usize, size: f64) -> f64 {
+        /// Largest ratio by which the level follows.
+        const FOLLOWS: f64 = 1e3;
+        let resized = noise.resized(number, size, self.measurements);
+        if noise.source.is_known() {
+            return self.minus_two_log(&resized);
+        }
+        let at = |log_ratio: f64| self.minus_two_log(&resized.levelled(log_ratio.exp(), self.measurements));
+        at(golden(-FOLLOWS.ln(), FOLLOWS.ln(), at))
     }
 
     /// Noise whose level is what the residuals ask for, where it comes from no column.

@@ -181,6 +181,13 @@ impl Noise {
         Self { own, ..self.clone() }.with(terms, measurements)
     }
 
+    /// The same noise, what every row has to itself larger by a factor; what rows share stays.
+    #[must_use]
+    fn levelled(&self, factor: f64, measurements: &Measurements) -> Self {
+        let own = self.own.iter().map(|s| (factor * s).max(1e-15)).collect();
+        Self { own, ..self.clone() }.with(self.terms.clone(), measurements)
+    }
+
     /// The same noise with another size of one term.
     #[must_use]
     pub fn resized(&self, number: usize, size: f64, measurements: &Measurements) -> Self {

@@ -40,12 +40,14 @@ pub struct Coordinate {
     pub repeats: bool,
     /// The observable, by its position, that is the actual value of the coordinate less this commanded one.
     pub actual: Option<usize>,
+    /// What a curve along it that no law has is called in the field, and what that is.
+    pub curve: Option<(&'static str, &'static str)>,
 }
 
 impl Coordinate {
     /// A coordinate in which rows that repeat each other agree.
     pub const fn new(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Self {
-        Self { name, about, holds, absent, repeats: false, actual: None }
+        Self { name, about, holds, absent, repeats: false, actual: None, curve: None }
     }
 }
 

@@ -76,7 +76,12 @@ const CASES: &[Mistake] = &[
         "name the other end",
     ),
     ("friction = \"450 +- 100 N\"", "", "`friction` is missing", "add friction"),
-    ("gap = \"8 +- 2 um\"", "gap = \"-8 um\"", "`gap` is -8 um", "zero or more"),
+    (
+        "[effects.backlash]\ngap = \"8 +- 2 um\"",
+        "[effects.worn-screw]\ndepth = \"-8 um\"",
+        "`depth` is -8 um",
+        "zero or more",
+    ),
 ];
 
 #[test]
@@ -85,6 +90,99 @@ fn bad_input_is_told_with_its_remedy() {
     let place = Place::new();
     place.refuses(("run", "axis.toml"), &good, CASES);
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
+}
+
+/// A screw whose temperature was recorded.
+const SCREW: &str = r#"process = "axis"
+[axis]
+travel = "500 mm"
+[screw]
+material = "steel"
+diameter = "32 mm"
+lead = "10 mm"
+temperature = { file = "screw.csv", value = "nut side" }
+[test]
+positions = 6
+runs = 3
+reading = "30 s"
+"#;
+const RECORD: &str = "time [min],nut side [degC]\n0,20\n10,24\n30,25\n";
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const SCREWS: &[Mistake] = &[
+    ("runs = 3", "runs = 6", "from 0 min to 30 min, and is needed from 0 min to 36 min", "record it as far as that"),
+    (
+        "lead = \"10 mm\"",
+        "lead = \"10 mm\"\nalso_fixed_at = \"600 mm\"",
+        "held at either end",
+        "leave `temperature` out",
+    ),
+    ("{ file = \"screw.csv\", value = \"nut side\" }", "\"-300 degC\"", "nothing is that cold", "-273.15"),
+];
+
+#[test]
+fn a_screw_grows_with_its_recorded_temperature() {
+    let place = Place::new();
+    place.write("screw.csv", RECORD);
+    place.refuses(("run", "axis.toml"), SCREW, SCREWS);
+    place.write("axis.toml", SCREW);
+    assert_eq!(place.fem(&["run", "axis.toml", "-o", "out"]).status, 0);
+    // The first reading stands at the bearing; the sixth, at 500 mm after 3 min, has grown by 1.2 K.
+    let deviation = |row: usize| {
+        let profile = place.read("out/profile.csv");
+        profile.lines().nth(row).unwrap().rsplit(',').next().unwrap().parse::<f64>().unwrap()
+    };
+    assert_eq!(deviation(1), 0.0);
+    assert!((deviation(6) - 11.5 * 1.2 * 0.5).abs() < 1e-9, "{}", deviation(6));
+    place.write("late.csv", "position [mm],direction,time [min],deviation [um]\n0,+,31,1\n");
+    let answer = place.fem(&["compare", "axis.toml", "--with", "late.csv"]);
+    assert!(answer.status == 2 && answer.err.contains("temperature ends at 30 min"), "{}", answer.err);
+}
+
+/// Noise of a standard deviation of about one, drawn once.
+const NOISE: [f64; 12] = [0.4, -1.3, 0.7, 1.6, -0.2, -0.9, 1.1, 0.3, -1.7, 0.8, -0.5, -0.3];
+
+/// Deviations of four runs to nine targets there and back: what the way back has at a part of the travel.
+fn tested(back: impl Fn(f64) -> f64) -> String {
+    let mut text = String::from("run,position [mm],direction,deviation [um],u [um]\n");
+    let places: Vec<f64> = (0..9).map(|i| 37.0 * f64::from(i) + 3.0 * f64::from(i % 4)).collect();
+    let mut drawn = (0..).map(|i: usize| NOISE[(i * 7 + i / 12) % 12]);
+    for run in 1..=4 {
+        for x in &places {
+            text += &format!("{run},{x},+,{:.3},1\n", drawn.next().unwrap());
+        }
+        for x in places.iter().rev() {
+            text += &format!("{run},{x},-,{:.3},1\n", back(x / 310.0) + drawn.next().unwrap());
+        }
+    }
+    text
+}
+
+#[test]
+fn play_of_either_sign_and_play_that_differs_are_named() {
+    let place = Place::new();
+    place.write(
+        "axis.toml",
+        "process = \"axis\"\naxis = { travel = \"310 mm\" }\n\
+         screw = { material = \"steel\", diameter = \"32 mm\", lead = \"10 mm\" }\n",
+    );
+    let named = |back: &dyn Fn(f64) -> f64| -> Vec<(String, Json)> {
+        place.write("m.csv", tested(back));
+        let told = place.fem(&["diagnose", "axis.toml", "--with", "m.csv", "--json"]);
+        let json: Json = serde_json::from_str(&told.out).unwrap();
+        assert_eq!(json["verdict"], "missing-effect", "{}", told.out);
+        let one = |m: &Json| (m["effect"].as_str().unwrap().to_string(), m["parameters"].clone());
+        json["missing"].as_array().unwrap().iter().map(one).collect()
+    };
+    let near = |parameter: &Json, value: f64| (parameter["value"].as_f64().unwrap() - value).abs() < 1.5;
+    let ahead = named(&|_| -25.0);
+    assert!(ahead.len() == 1 && ahead[0].0 == "backlash" && near(&ahead[0].1["gap"], -25.0), "{ahead:?}");
+    let uneven = named(&|s| 8.0 - 14.0 * (s - 0.5));
+    assert_eq!(uneven.iter().map(|m| m.0.as_str()).collect::<Vec<_>>(), ["backlash", "uneven-backlash"]);
+    assert!(near(&uneven[0].1["gap"], 8.0) && near(&uneven[1].1["change"], -14.0), "{uneven:?}");
+    let worn = named(&|s| 4.0 + 20.0 * 4.0 * s * (1.0 - s));
+    assert_eq!(worn.len(), 2, "{worn:?}");
+    assert!(worn.iter().any(|(name, of)| name == "worn-screw" && near(&of["depth"], 20.0)), "{worn:?}");
 }
 
 /// (header and rows, part of what is told)

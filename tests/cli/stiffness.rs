@@ -60,6 +60,40 @@ fn bad_input_is_told_with_its_remedy() {
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
 }
 
+/// A joint of 80 N/um that settles by 3 um, read by a gauge that is 2 um off.
+#[test]
+fn settling_and_a_gauge_that_is_off_are_named() {
+    let place = Place::new();
+    place.write(
+        "joint.toml",
+        "process = \"stiffness\"\njoint = { stiffness = \"80 N/um\" }\ntest = { max_force = \"1000 N\" }\n",
+    );
+    // Noise of a standard deviation of about 0.1, drawn once.
+    let noise = [0.08, -0.13, 0.05, 0.16, -0.02, -0.09, 0.11, 0.03, -0.17, 0.06, -0.05];
+    let mut rows = String::from("force [N],branch,displacement [um],u [um]\n");
+    for i in 0..=20 {
+        let force = 50.0 * f64::from(i);
+        rows +=
+            &format!("{force},load,{:.3},0.1\n", force / 80.0 + 3.0 * force / 1000.0 + 2.0 + noise[i as usize % 11]);
+    }
+    for i in (0..=20).rev() {
+        let force = 50.0 * f64::from(i);
+        rows += &format!("{force},unload,{:.3},0.1\n", force / 80.0 + 3.0 + 2.0 + noise[(3 * i as usize + 4) % 11]);
+    }
+    place.write("m.csv", rows);
+    let told = place.fem(&["diagnose", "joint.toml", "--with", "m.csv", "--json"]).out;
+    let json: serde_json::Value = serde_json::from_str(&told).unwrap();
+    assert_eq!(json["verdict"], "missing-effect", "{told}");
+    let missing = json["missing"].as_array().unwrap();
+    let value = |effect: &str, parameter: &str| {
+        let own = missing.iter().find(|m| m["effect"] == effect).unwrap_or_else(|| panic!("{told}"));
+        own["parameters"][parameter]["value"].as_f64().unwrap()
+    };
+    assert_eq!(missing.len(), 2, "{told}");
+    assert!((value("settling", "depth") - 3.0).abs() < 0.15, "{told}");
+    assert!((value("datum-offset", "offset") - 2.0).abs() < 0.15, "{told}");
+}
+
 #[test]
 fn what_friction_holds_is_warned_of() {
     let place = Place::new();

@@ -390,6 +390,92 @@ fn records_that_cannot_be_are_told_with_their_remedy() {
     insta::assert_snapshot!("a_record_that_does_not_rise", place.fem(&["run", "m.toml"]).err);
 }
 
+/// A plate whose edges are recorded: a bath below, air above, and a heater on its end.
+const EDGES: &str = r#"process = "thermal"
+body = { material = "steel", rectangle = { length = "100 mm", height = "20 mm", width = "30 mm" } }
+environment = { temperature = "20 degC" }
+time = { end = "60 min", step = "60 s" }
+mesh = { element_size = "10 mm" }
+measurement = { interval = "10 min" }
+[[boundary]]
+edge = "bottom"
+temperature = { file = "bath.csv", value = "bath" }
+[[boundary]]
+edge = "top"
+convection = "50 W/m^2/K"
+ambient = { file = "bath.csv", value = "air" }
+[[boundary]]
+edge = "right"
+flux = { file = "heater.csv" }
+on = [["0 min", "30 min"]]
+"#;
+const BATH: &str = "time [min],bath [degC],air [degC]\n0,20,20\n30,26,21\n60,24,23\n";
+const HEATER: &str = "time [min],flux [kW/m^2]\n0,10\n60,12\n";
+
+/// A plate with the records of its edges.
+fn edged() -> Place {
+    let place = Place::new();
+    place.write("bath.csv", BATH);
+    place.write("heater.csv", HEATER);
+    place.write("m.toml", EDGES);
+    place
+}
+
+#[test]
+fn edges_follow_their_records() {
+    let place = edged();
+    let ran = |model: &str| {
+        let answer = place.fem(&["run", model, "-o", "out"]);
+        assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+        place.read("out/profile.csv")
+    };
+    let varying = ran("m.toml");
+    // Records that never change are the constants.
+    place.write("bath.csv", "time [min],bath [degC],air [degC]\n0,26,21\n60,26,21\n");
+    place.write("heater.csv", "time [min],flux [kW/m^2]\n0,10\n60,10\n");
+    let still = ran("m.toml");
+    let constant = EDGES
+        .replace("{ file = \"bath.csv\", value = \"bath\" }", "\"26 degC\"")
+        .replace("{ file = \"bath.csv\", value = \"air\" }", "\"21 degC\"")
+        .replace("{ file = \"heater.csv\" }", "\"10 kW/m^2\"");
+    place.write("constant.toml", constant);
+    assert_ne!(varying, still);
+    assert_eq!(place.fem(&["run", "constant.toml", "-o", "constant"]).status, 0);
+    let compared = place.fem(&["compare", "m.toml", "--with", "constant/profile.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&compared.out).unwrap();
+    for seen in json["models"][0]["observables"].as_array().unwrap() {
+        assert!(seen["rms"].as_f64().unwrap() < 1e-9, "{seen}");
+    }
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const EDGE_RECORDS: &[Mistake] = &[
+    (
+        "end = \"60 min\"",
+        "end = \"90 min\"",
+        "the record of `temperature` reaches from 0 min to 60 min, and is needed from 0 min to 90 min",
+        "record it as far as that",
+    ),
+    ("end = \"60 min\"", "end = \"90 min\"", "the record of `ambient` reaches from 0 min to 60 min", "record it"),
+    ("end = \"60 min\"", "end = \"90 min\"", "the record of `flux` reaches from 0 min to 60 min", "record it"),
+    ("value = \"air\"", "value = \"heir\"", "there is no column `heir`", "did you mean `air`?"),
+    ("\"50 W/m^2/K\"", "{ file = \"bath.csv\" }", "`convection` is no heat transfer coefficient", "write convection ="),
+];
+
+#[test]
+fn records_of_edges_that_cannot_be_are_told() {
+    let place = edged();
+    place.refuses(("run", "m.toml"), EDGES, EDGE_RECORDS);
+    place.write("m.toml", EDGES);
+    place.write("bath.csv", BATH.replace("30,26", "30,-300"));
+    let answer = place.fem(&["run", "m.toml"]);
+    assert!(answer.status == 2 && answer.err.contains("nothing is that cold"), "{}", answer.err);
+    place.write("bath.csv", BATH);
+    place.write("late.csv", "time [min],elongation [um]\n61,4\n");
+    let answer = place.fem(&["compare", "m.toml", "--with", "late.csv"]);
+    assert!(answer.err.contains("a record that the model names ends at 60 min"), "{}", answer.err);
+}
+
 /// What a source's own heater, factors and a start of its own must be.
 const INPUTS: &[Mistake] = &[
     (

@@ -8,6 +8,7 @@ mod diagnose;
 mod fit;
 mod import;
 mod limits;
+mod noise;
 mod real;
 
 use std::path::{Path, PathBuf};

@@ -3,12 +3,12 @@
 
 use fem::element::plane::{Capacity, Conduction, Quad4};
 use fem::mesh::RectangleMesh;
-use fem::solve::conduction::{Condition, History, Run, Scheme, ThermalSystem};
+use fem::solve::conduction::{Condition, History, Power, Run, Scheme, ThermalSystem};
 
 #[test]
 fn temperatures_are_those_of_other_codes() {
     let mesh = RectangleMesh::uniform([0.10, 0.05], [200, 100], &Quad4).build().unwrap();
-    let mut conditions = vec![Condition::Flux { sides: "left".to_owned(), flux: 5e4, on: vec![] }];
+    let mut conditions = vec![Condition::Flux { sides: "left".to_owned(), flux: Power::switched(5e4, &[]) }];
     for side in ["bottom", "right", "top"] {
         let ambient = History::Constant(20.0);
         conditions.push(Condition::Convection { sides: side.to_owned(), coefficient: 100.0, ambient });

@@ -16,7 +16,7 @@ fn convection(sides: &str, coefficient: f64, ambient: f64) -> Condition {
 }
 
 fn flux(sides: &str, flux: f64, on: Vec<[f64; 2]>) -> Condition {
-    Condition::Flux { sides: sides.to_owned(), flux, on }
+    Condition::Flux { sides: sides.to_owned(), flux: Power::switched(flux, &on) }
 }
 
 fn rectangle(size: [f64; 2], cells: [usize; 2], element: &'static dyn PlaneElement) -> Mesh {

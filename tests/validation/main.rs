@@ -9,9 +9,9 @@ fn cases(process: &str) -> Vec<Case> {
     fem::process::validation().find(|(name, _)| *name == process).map(|(_, cases)| cases).unwrap_or_default()
 }
 
-/// Every table: those of the processes, and that of budgets.
+/// Every table: those of the processes, of budgets, and of the least squares.
 fn tables() -> Vec<(&'static str, Vec<Case>)> {
-    fem::process::validation().chain([("budget", fem::budget::validation())]).collect()
+    fem::process::validation().chain([("budget", fem::budget::validation()), ("fit", fem::fit::validation())]).collect()
 }
 
 /// The same row with an expected value that is off by three tolerances (or by the smallest difference that

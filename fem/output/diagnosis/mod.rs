@@ -11,7 +11,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::falling::Falling;
 use super::fit::finite;
-use super::measurement::files;
+use super::measurement::{curve, files};
 use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
@@ -59,7 +59,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "before": goodness(&d.before, kind),
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
         "verdict": d.verdict.word(),
-        "missing": d.missing.iter().map(|m| missing(m, kind)).collect::<Vec<_>>(),
+        "missing": d.missing.iter().map(|m| missing(m, data)).collect::<Vec<_>>(),
         "outliers": d.outliers.iter().map(|o| outlier(o, data)).collect::<Vec<_>>(),
         "after": after(d, kind),
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
@@ -104,7 +104,8 @@ fn outlier(outlier: &Outlier, data: &Data) -> Json {
     })
 }
 
-fn missing(missing: &Missing, kind: Kind) -> Json {
+fn missing(missing: &Missing, data: &Data) -> Json {
+    let kind = data.kind();
     let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
     let measurement = match &missing.cause {
         Cause::Physical => None,
@@ -120,6 +121,7 @@ fn missing(missing: &Missing, kind: Kind) -> Json {
         "rows": measurement.map(|m| m.3),
         "from_line": measurement.map(|m| m.4),
         "separated_by": measurement.map(|m| m.0.separates),
+        "known_as": measurement.and_then(|m| curve(m.0, m.1, data.model.process)).map(|c| c.0),
         "rms_after": kind.from_si(missing.goodness.rms),
         "chi2_per_dof_after": finite(missing.goodness.reduced_chi2),
         "held_out_after": missing.goodness.cross_validation.filter(|h| h.is_finite()),

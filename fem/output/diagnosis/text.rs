@@ -113,7 +113,10 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
         let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.name);
     }
-    if let Cause::Measurement { effect, records, from, .. } = &missing.cause {
+    if let Cause::Measurement { effect, by, records, from, .. } = &missing.cause {
+        if let Some((name, about)) = measurement::curve(effect, by, data.model.process) {
+            let _ = writeln!(text, "  in this process a {name}: {about}");
+        }
         if let Some(place) = from {
             let _ = writeln!(text, "  from {place} on");
         } else {

@@ -20,13 +20,18 @@ pub struct Lost {
 /// Deviation (m) at a commanded position (m) and a time since the test began (s), the same from either side.
 pub type Error = Box<dyn Fn(f64, f64) -> f64 + Send + Sync>;
 
+/// Clearance (m) at a position (m).
+type Play = Box<dyn Fn(f64) -> f64 + Send + Sync>;
+
 /// An axis with its effects. Effects act by play, by friction on the elastic drive, or by adding a
 /// deviation.
 pub struct Machine {
     /// The tables of the model.
     pub setup: Arc<Setup>,
-    /// Kinematic clearance δ, m.
+    /// Kinematic clearance δ that is the same all along, m; below zero where more is compensated.
     pub gap: f64,
+    /// Kinematic clearance that depends on the place.
+    plays: Vec<Play>,
     /// Elastic clearance.
     pub lost: Option<Lost>,
     /// Deviations that add up.
@@ -36,12 +41,22 @@ pub struct Machine {
 impl Machine {
     /// The ideal axis: it goes where it is told.
     pub fn ideal(setup: Arc<Setup>) -> Self {
-        Self { setup, gap: 0.0, lost: None, errors: Vec::new() }
+        Self { setup, gap: 0.0, plays: Vec::new(), lost: None, errors: Vec::new() }
     }
 
     /// Adds a deviation.
     pub fn add(&mut self, error: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) {
         self.errors.push(Box::new(error));
+    }
+
+    /// Adds clearance that depends on the place.
+    pub fn add_play(&mut self, play: impl Fn(f64) -> f64 + Send + Sync + 'static) {
+        self.plays.push(Box::new(play));
+    }
+
+    /// Kinematic clearance in all at a position (m), m.
+    pub fn play(&self, position: f64) -> f64 {
+        self.gap + self.plays.iter().map(|play| play(position)).sum::<f64>()
     }
 
     /// How far friction holds the slide back with the nut at `position` (m): F/C, 1/C = 1/stiffness + the

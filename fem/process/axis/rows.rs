@@ -23,6 +23,10 @@ pub const TIME_OF_ROW: usize = 3;
 pub const COORDINATES: &[Coordinate] = &[
     Coordinate {
         actual: Some(0),
+        curve: Some((
+            "pitch-profile",
+            "what screw and scale are off by at every target; a pitch table can take it out",
+        )),
         ..Coordinate::new("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused)
     },
     Coordinate::new("direction", "of approach, + or -", Holds::Word(DIRECTIONS), Absent::Refused),
@@ -55,8 +59,13 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let [from, to] = [setup.from, setup.from + setup.travel];
     let slack = 1e-9 * setup.travel;
     let check = |row: usize| {
-        if rows.columns[TIME_OF_ROW][row] < 0.0 {
+        let (time, known) = (rows.columns[TIME_OF_ROW][row], setup.known_until());
+        if time < 0.0 {
             return Some(Misplaced { row, coordinate: TIME_OF_ROW, message: "`time` is below zero".into() });
+        }
+        if time > known * (1.0 + 1e-9) {
+            let message = format!("the record of the screw's temperature ends at {}", TIME.told(known));
+            return Some(Misplaced { row, coordinate: TIME_OF_ROW, message });
         }
         let at = rows.columns[POSITION][row];
         let message = || format!("the axis travels from {} to {}", LENGTH.from_si(from), LENGTH.told(to));
@@ -92,9 +101,8 @@ fn there_and_back(
 /// The model's own test: in every run all targets forwards, then all backwards.
 pub fn programme(setup: &Setup) -> Rows {
     let (targets, test) = (&setup.targets(), setup.test);
-    let lasts = (2 * targets.len()) as f64 * test.reading + test.pause;
     rows((0..test.runs).flat_map(|run| {
-        there_and_back(targets, (run + 1) as f64, move |i| run as f64 * lasts + (i + 1) as f64 * test.reading)
+        there_and_back(targets, (run + 1) as f64, move |i| run as f64 * test.round() + (i + 1) as f64 * test.reading)
     }))
 }
 
@@ -171,6 +179,8 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
         let rows = at_once(&ends, last);
         experiments.push(experiment("measure from end to end of the travel, there and back", POSITION, ends, rows));
     }
+    // What a recorded screw does beyond its record is not known.
+    experiments.retain(|e| e.rows.columns[TIME_OF_ROW].iter().all(|time| *time <= setup.known_until()));
     experiments
 }
 

@@ -1,11 +1,11 @@
 //! The tables of an axis model.
 
 use crate::element::Round;
-use crate::input::Reader;
+use crate::input::{Along, Reader, Varying};
 use crate::material::Material;
 use crate::positioning::Tolerance;
 use crate::solve::Bar;
-use crate::units::{LENGTH, MICRO, TIME};
+use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
 
 /// Most rows of a test: more than any test has.
 const MOST_ROWS: usize = 1_000_000;
@@ -37,6 +37,15 @@ pub struct Test {
     pub pause: f64,
 }
 
+/// How warm the screw is over time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warmth {
+    /// Temperature of the screw, K over s.
+    pub temperature: Varying,
+    /// Temperature at which its lead is right, K.
+    pub reference: f64,
+}
+
 /// Everything an axis model says but its effects. SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
@@ -54,6 +63,8 @@ pub struct Setup {
     pub fixed_at: f64,
     /// Position of a second fixed bearing, m.
     pub also_fixed_at: Option<f64>,
+    /// How warm it is, where that is measured.
+    pub warmth: Option<Warmth>,
     /// The test.
     pub test: Test,
     /// Deviations that the axis is allowed.
@@ -74,20 +85,26 @@ impl Setup {
             let travel = t.quantity("travel", LENGTH, "length of the travel").positive().required();
             (t.quantity("from", LENGTH, "position at which the travel begins").or(0.0), travel)
         });
-        let (material, [diameter, lead, fixed_at], also_fixed_at) = model.table("screw", "the ball screw", |t| {
-            let material = Material::read(t, "material");
-            let diameter = t.quantity("diameter", LENGTH, "diameter of the screw").positive().required();
-            let lead = t.quantity("lead", LENGTH, "travel a turn").positive().required();
-            let fixed_at = t.quantity("fixed_at", LENGTH, "position of the fixed bearing").or(0.0);
-            let about = "position of a second fixed bearing; the far end is free along itself if left out";
-            let also = t.quantity("also_fixed_at", LENGTH, about).optional();
-            if also == Some(fixed_at) {
-                let help = "leave `also_fixed_at` out, or name the other end of the screw";
-                t.problem("also_fixed_at", "both bearings stand at one place", help);
-            }
-            (material, [diameter, lead, fixed_at], also)
-        });
-        let test = model.optional_table("test", "the positioning test", read_test);
+        let test = model.optional_table("test", "the positioning test", read_test).unwrap_or(USUAL);
+        let (material, [diameter, lead, fixed_at], also_fixed_at, warmth) =
+            model.table("screw", "the ball screw", |t| {
+                let material = Material::read(t, "material");
+                let diameter = t.quantity("diameter", LENGTH, "diameter of the screw").positive().required();
+                let lead = t.quantity("lead", LENGTH, "travel a turn").positive().required();
+                let fixed_at = t.quantity("fixed_at", LENGTH, "position of the fixed bearing").or(0.0);
+                let about = "position of a second fixed bearing; the far end is free along itself if left out";
+                let also = t.quantity("also_fixed_at", LENGTH, about).optional();
+                if also == Some(fixed_at) {
+                    let help = "leave `also_fixed_at` out, or name the other end of the screw";
+                    t.problem("also_fixed_at", "both bearings stand at one place", help);
+                }
+                let warmth = Warmth::read(t, &test);
+                if also.is_some() && warmth.is_some() {
+                    let help = "leave `temperature` out: between two fixed bearings it stretches and does not grow";
+                    t.problem("temperature", "a screw that is held at either end cannot follow its temperature", help);
+                }
+                (material, [diameter, lead, fixed_at], also, warmth)
+            });
         let tolerance =
             model.optional_table("tolerance", "what the axis is allowed, for `fem compensate`", read_tolerance);
         let resolution =
@@ -104,7 +121,8 @@ impl Setup {
             lead,
             fixed_at,
             also_fixed_at,
-            test: test.unwrap_or(USUAL),
+            warmth,
+            test,
             tolerance: tolerance.unwrap_or_default(),
             resolution: resolution.unwrap_or(0.0),
         }
@@ -115,6 +133,18 @@ impl Setup {
         let area = Round { diameter: self.diameter, bore: 0.0 }.area();
         let held = std::iter::once(self.fixed_at).chain(self.also_fixed_at);
         Bar { axial_rigidity: self.material.youngs_modulus * area, held: held.collect() }
+    }
+
+    /// How far the screw has grown at a position (m) and a time (s), m: expansion·(T − reference)·(position −
+    /// fixed_at), nothing where its temperature is not told.
+    pub fn growth(&self, position: f64, time: f64) -> f64 {
+        let rise = self.warmth.as_ref().map_or(0.0, |w| w.temperature.at(time) - w.reference);
+        self.material.expansion * rise * (position - self.fixed_at)
+    }
+
+    /// Last time (s) up to which the temperature of the screw is known.
+    pub fn known_until(&self) -> f64 {
+        self.warmth.as_ref().map_or(f64::INFINITY, |warmth| warmth.temperature.known_until())
     }
 
     /// The targets of the model's own test, rising, m.
@@ -133,6 +163,36 @@ impl Setup {
             }
         };
         (0..self.test.positions).map(at).collect()
+    }
+}
+
+impl Warmth {
+    /// Reads the temperature of the screw; a record must reach over the test.
+    fn read(t: &Reader, test: &Test) -> Option<Self> {
+        /// ISO 1.
+        const USUAL: f64 = 293.15;
+        let run = Along { name: "time", kind: TIME, needed: [0.0, test.lasts()] };
+        let about = "of the screw, which grows with it from its fixed bearing; none if left out";
+        let temperature = t.quantity("temperature", TEMPERATURE, about).optional_varying(run);
+        let reference =
+            t.quantity("reference_temperature", TEMPERATURE, "of the screw at which its lead is right").or(USUAL);
+        let temperature = temperature?;
+        if temperature.least() < 0.0 {
+            t.problem("temperature", "nothing is that cold", "it must be above -273.15 degC");
+        }
+        Some(Self { temperature, reference })
+    }
+}
+
+impl Test {
+    /// Time of one run there and back, with the pause behind it, s.
+    pub fn round(&self) -> f64 {
+        (2 * self.positions) as f64 * self.reading + self.pause
+    }
+
+    /// Time of the last reading, s.
+    pub fn lasts(&self) -> f64 {
+        self.runs as f64 * self.round() - self.pause
     }
 }
 

@@ -19,8 +19,8 @@ impl Branch {
     }
 }
 
-/// A joint. Friction comes first: of the force F it leaves S to the spring, and the laws of spring, preload
-/// and contact are laws of S. Only clearance asks for F itself.
+/// A joint. Friction comes first: of the force F it leaves S to the spring, and the laws of spring, preload,
+/// contact and settling are laws of S. Only clearance asks for F itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// Stiffness k of the spring, N/m.
@@ -35,13 +35,26 @@ pub struct Curve {
     pub preload: f64,
     /// Contacts in series, under S.
     pub contacts: Joint,
+    /// What settles for good under the largest force, m.
+    pub settles: f64,
+    /// What the gauge shows before any force, m.
+    pub offset: f64,
 }
 
 impl Curve {
     /// The ideal joint: a spring.
     pub fn ideal(setup: &Setup) -> Self {
         let Setup { stiffness, max_force, .. } = *setup;
-        Self { stiffness, max_force, friction: 0.0, gap: 0.0, preload: 0.0, contacts: Joint::default() }
+        Self {
+            stiffness,
+            max_force,
+            friction: 0.0,
+            gap: 0.0,
+            preload: 0.0,
+            contacts: Joint::default(),
+            settles: 0.0,
+            offset: 0.0,
+        }
     }
 
     /// S, the force on the spring under F, N. Friction holds the first f of the load; when the force turns
@@ -56,7 +69,17 @@ impl Curve {
     /// y under the force F, m.
     pub fn displacement(&self, force: f64, branch: Branch) -> f64 {
         let clearance = if force > 0.0 { self.gap } else { 0.0 };
-        self.bend(self.spring_force(force, branch)) + clearance
+        self.bend(self.spring_force(force, branch)) + self.settled(force, branch) + clearance + self.offset
+    }
+
+    /// What has settled under the F of a branch, m: in proportion to S while it rises, and as much all the way
+    /// back.
+    fn settled(&self, force: f64, branch: Branch) -> f64 {
+        let largest = match branch {
+            Branch::Load => self.spring_force(force, Branch::Load),
+            Branch::Unload => self.spring_force(self.max_force, Branch::Load),
+        };
+        self.settles * largest / self.max_force
     }
 
     /// How far spring, preload and contacts give way under S, m. Of two springs both resist until one is
@@ -83,24 +106,32 @@ impl Curve {
         };
         let springs = if s < 2.0 * self.preload { 2.0 } else { 1.0 };
         let (_, contact) = self.contacts.yield_under(s);
-        moves.then(|| 1.0 / (1.0 / (springs * self.stiffness) + contact))
+        let settling = if branch == Branch::Load { self.settles / self.max_force } else { 0.0 };
+        moves.then(|| 1.0 / (1.0 / (springs * self.stiffness) + contact + settling))
     }
 
-    /// Work of friction ∮F dy over loading and unloading, J: the area between the curves.
+    /// Work ∮F dy that friction and settling take up over loading and unloading, J: the area between the
+    /// curves.
     ///
     /// While the joint moves F = S ± f, so that the area is ∫(S + f)dy up to the largest S₁ less ∫(S − f)dy
-    /// from what is left at no force, S₀, on.
+    /// from what is left at no force, S₀, on. What settles moves on loading alone.
     pub fn loop_area(&self) -> f64 {
         let most = self.spring_force(self.max_force, Branch::Load);
         let left = self.spring_force(0.0, Branch::Unload);
         let f = self.friction;
-        self.work_at(left) + 2.0 * f * self.bend(most) - f * self.bend(left)
+        self.work_at(left) + 2.0 * f * self.bend(most) - f * self.bend(left) + self.work_of_settling()
     }
 
     /// Work put in while loading, ∫F dy, J.
     pub fn work_of_loading(&self) -> f64 {
         let most = self.spring_force(self.max_force, Branch::Load);
-        self.work_at(most) + self.friction * self.bend(most)
+        self.work_at(most) + self.friction * self.bend(most) + self.work_of_settling()
+    }
+
+    /// Work ∫(S + f)dy that goes into what settles while loading, J.
+    fn work_of_settling(&self) -> f64 {
+        let most = self.spring_force(self.max_force, Branch::Load);
+        (0.5 * most + self.friction) * self.settled(self.max_force, Branch::Load)
     }
 
     /// The same joint with another preload, N.

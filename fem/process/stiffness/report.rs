@@ -23,9 +23,9 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         tables: vec![("tangent", tangents(machine, forward)?)],
         figures: vec![
             largest(forward),
-            stiffness(curve, up[up.len() - 1]),
+            stiffness(curve, up[up.len() - 1] - up[0]),
             friction(curve),
-            left(down[down.len() - 1]),
+            left(down[down.len() - 1] - up[0]),
             work(curve),
             preload(curve, forward),
         ],
@@ -144,13 +144,14 @@ fn left(displacement: f64) -> Figure {
         .line(format!("{:+.3} after unloading", MICRO.shown(displacement)))
 }
 
-/// The work that friction takes up, of the joint's own curve: mechanics, as an area between readings would
+/// The work that friction and settling take up, of the joint's own curve: mechanics, as an area between readings would
 /// not be where a formula effect adds to them.
 fn work(curve: &Curve) -> Figure {
     let (area, work) = (curve.loop_area(), curve.work_of_loading());
     let share = if work > 0.0 { area / work } else { 0.0 };
     let [area_shown, work_shown] = [area, work].map(|work| WORK.shown(work));
-    Figure::new("loop", "work of friction")
+    let label = if curve.settles > 0.0 { "work of friction and settling" } else { "work of friction" };
+    Figure::new("loop", label)
         .quantity("area", WORK, area)
         .quantity("work", WORK, work)
         .entry("share", share)

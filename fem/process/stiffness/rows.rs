@@ -75,7 +75,10 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let [step, end] = [0.005, 0.1].map(|part| FORCE.shown(part * setup.max_force));
     let words = format!("load once more in steps of {step:.1} up to {end:.0}");
     let again = "load and unload once more in steps of a fiftieth of the largest force".to_string();
+    let zeros = vec![0.0; 5];
+    let unloaded = along(zeros.clone(), Branch::Load);
     let mut experiments = vec![
+        experiment("read the gauge five times without force, before loading".into(), FORCE_OF_ROW, zeros, unloaded),
         experiment(words, FORCE_OF_ROW, fine.clone(), along(fine, Branch::Load)),
         experiment(again, FORCE_OF_ROW, whole.clone(), up_and_down(&whole)),
     ];

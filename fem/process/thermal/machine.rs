@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::setup::{Boundary, Condition, Setup, Time};
+use super::boundary::{Boundary, Condition};
+use super::setup::{Setup, Time};
 use crate::process;
 use crate::solve::rod::{History, PointSource};
 

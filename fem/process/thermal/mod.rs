@@ -8,6 +8,7 @@
 //! may be records.
 
 mod body;
+mod boundary;
 mod effects;
 mod follow;
 mod forward;

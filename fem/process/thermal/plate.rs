@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use super::body::Plane;
+use super::boundary;
 use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
-use super::setup::{self, Setup};
+use super::setup::Setup;
 use crate::element::plane::{Capacity, Conduction, Elasticity, PlaneState};
 use crate::mesh::Mesh;
 use crate::process::Failure;
@@ -50,19 +51,18 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch
 fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
     let setup = &machine.setup;
     let around = machine.around();
+    let rise = |own: &History| History::Sum(vec![own.clone(), History::Constant(-setup.start)]);
     let mut all = Vec::new();
     for boundary in &setup.boundaries {
         let sides = boundary.edge.clone();
         all.push(match &boundary.condition {
-            setup::Condition::Flux { flux, on } => Condition::Flux { sides, flux: *flux, on: on.clone() },
-            setup::Condition::Convection { coefficient, ambient } => {
-                let ambient = ambient.map_or(around.clone(), |own| History::Constant(own - setup.start));
+            boundary::Condition::Flux(flux) => Condition::Flux { sides, flux: flux.clone() },
+            boundary::Condition::Convection { coefficient, ambient } => {
+                let ambient = ambient.as_ref().map_or(around.clone(), rise);
                 Condition::Convection { sides, coefficient: *coefficient, ambient }
             }
-            setup::Condition::Temperature(own) => {
-                Condition::Temperature { sides, temperature: History::Constant(own - setup.start) }
-            }
-            setup::Condition::Moving { speed, width, flux, from } => {
+            boundary::Condition::Temperature(own) => Condition::Temperature { sides, temperature: rise(own) },
+            boundary::Condition::Moving { speed, width, flux, from } => {
                 Condition::MovingFlux { sides, flux: *flux, width: *width, start: *from, speed: *speed }
             }
         });

@@ -3,13 +3,14 @@
 use std::sync::OnceLock;
 
 use super::body::Body;
+use super::boundary::{Boundary, refuse_impossible};
 use super::source;
 use crate::input::{Along, Reader};
 use crate::material::Material;
 use crate::process::Failure;
 use crate::solve::conduction::Scheme;
 use crate::solve::rod::{History, PointSource};
-use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, SPEED, TEMPERATURE, TEMPERATURE_RISE, TIME};
+use crate::units::{LENGTH, TEMPERATURE, TEMPERATURE_RISE, TIME};
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 200_000.0;
@@ -18,30 +19,6 @@ const USUAL_TIMES: f64 = 100.0;
 const MOST_TIMES: f64 = 20_000.0;
 /// Places at which it looks where nobody says, evenly from end to end.
 const USUAL_PLACES: usize = 5;
-
-/// An edge of a plane body with its condition.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Boundary {
-    /// Name of the edge.
-    pub edge: String,
-    /// Its condition.
-    pub condition: Condition,
-}
-
-/// A condition on an edge.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Condition {
-    /// Heat flux (W/m²) that flows in during intervals (s); none means always.
-    Flux { flux: f64, on: Vec<[f64; 2]> },
-    /// Loss by a film coefficient (W/(m² K)) to the environment, which may drift, or to surroundings at a
-    /// temperature of their own (K).
-    Convection { coefficient: f64, ambient: Option<f64> },
-    /// A temperature that is held, K.
-    Temperature(f64),
-    /// A strip of heat flux (W/m²) that moves along the edge toward growing x or y: speed (m/s), width (m),
-    /// and the place of its middle at the start (m).
-    Moving { speed: f64, width: f64, flux: f64, from: f64 },
-}
 
 /// How time is stepped through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +71,7 @@ impl Setup {
             let (material, body) = (Material::read(t, "material"), Body::read(t));
             let start = t.quantity("temperature", TEMPERATURE, "at the start; that of the surroundings if left out");
             let start = start.optional();
-            refuse_impossible(t, start.unwrap_or(0.0));
+            refuse_impossible(t, "temperature", start.unwrap_or(0.0));
             (material, body, start.map(|start| (start, t.is_uncertain("temperature"))))
         });
         let length = body.length();
@@ -104,16 +81,12 @@ impl Setup {
         let sources =
             model.list("source", "a source of heat, spread over the section", |t, _| source::read(t, &body, run));
         let boundaries =
-            model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body));
+            model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body, run));
         let ambient = model.table("environment", "what is around the body", |t| {
             let about = "of the surroundings, and of a body that has none of its own at the start";
-            let ambient = History::from(t.quantity("temperature", TEMPERATURE, about).varying(run));
-            let coldest = match &ambient {
-                History::Record(record) => record.points().iter().fold(f64::INFINITY, |least, p| least.min(p[1])),
-                constant => constant.at(0.0),
-            };
-            refuse_impossible(t, coldest);
-            (ambient, t.is_uncertain("temperature"))
+            let ambient = t.quantity("temperature", TEMPERATURE, about).varying(run);
+            refuse_impossible(t, "temperature", ambient.least());
+            (History::from(ambient), t.is_uncertain("temperature"))
         });
         let (ambient, ambient_is_uncertain) = ambient;
         let start = own_start.map_or(ambient.at(0.0), |(start, _)| start);
@@ -158,7 +131,8 @@ impl Setup {
     /// Last time (s) up to which all records reach.
     pub fn known_until(&self) -> f64 {
         let powers = self.sources.iter().map(|source| source.power.level.known_until());
-        powers.fold(self.ambient.known_until(), f64::min)
+        let edges = self.boundaries.iter().map(Boundary::known_until);
+        powers.chain(edges).fold(self.ambient.known_until(), f64::min)
     }
 
     /// Whether effects on sections can act.
@@ -170,54 +144,6 @@ impl Setup {
             true => Ok(()),
             false => Err("is known of rods and rectangles, whose sections it acts on, not of meshes from files".into()),
         }
-    }
-}
-
-/// Nothing is below the absolute zero; a temperature (K) that is still unknown passes.
-fn refuse_impossible(t: &Reader, temperature: f64) {
-    if temperature < 0.0 {
-        t.problem("temperature", "nothing is that cold", "it must be above -273.15 degC");
-    }
-}
-
-impl Boundary {
-    fn read(t: &Reader, body: &Body) -> Self {
-        let edge = t.text("edge", "left, right, top or bottom, or the name of a physical group").unwrap_or_default();
-        let names = body.edges();
-        if !t.is_described() && !names.contains(&edge) {
-            let help = match names.is_empty() {
-                true => "a rod has no edges: heat it with [[source]], cool it with effects".into(),
-                false => format!("its edges are {}", names.join(", ")),
-            };
-            t.problem("edge", format!("`{edge}` is no edge of the body"), help);
-        }
-        let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").optional();
-        let on = source::read_on(t, &[]).iter().map(|pulse| [pulse.from, pulse.to]).collect();
-        let convection = t.quantity("convection", CONVECTION, "film coefficient of a loss").not_negative().optional();
-        let ambient =
-            t.quantity("ambient", TEMPERATURE, "of what it is lost to; the environment if left out").optional();
-        let temperature = t.quantity("temperature", TEMPERATURE, "that the edge is held at").optional();
-        let moving = t.optional_table("moving", "a strip of flux that moves along the edge", |t| Condition::Moving {
-            speed: t.quantity("speed", SPEED, "of the strip, toward growing x or y").required(),
-            width: t.quantity("width", LENGTH, "of the strip").positive().required(),
-            flux: t.quantity("flux", HEAT_FLUX, "heat that flows in under it").required(),
-            from: t.quantity("from", LENGTH, "where its middle is at the start").or(0.0),
-        });
-        let given = [flux.is_some(), convection.is_some(), temperature.is_some(), moving.is_some()];
-        if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
-            t.problem(
-                "",
-                "an edge has one condition",
-                "give one of flux, convection, temperature and moving; another [[boundary]] adds another",
-            );
-        }
-        let condition = match (flux, convection, temperature, moving) {
-            (Some(flux), ..) => Condition::Flux { flux, on },
-            (_, Some(coefficient), ..) => Condition::Convection { coefficient, ambient },
-            (_, _, Some(temperature), _) => Condition::Temperature(temperature),
-            (.., moving) => moving.unwrap_or(Condition::Flux { flux: 0.0, on: Vec::new() }),
-        };
-        Self { edge, condition }
     }
 }
 

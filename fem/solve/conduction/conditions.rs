@@ -6,14 +6,12 @@ use crate::mesh::{Mesh, Side};
 /// One condition on a body. Sides without any are insulated.
 #[derive(Clone, Debug)]
 pub enum Condition {
-    /// Heat flows in through the sides `sides` while it is on.
+    /// Heat flows in through the sides `sides`.
     Flux {
         /// Name of the sides.
         sides: String,
         /// Heat flux, W/m², positive into the body.
-        flux: f64,
-        /// Intervals (s) in which it is on; none means always.
-        on: Vec<[f64; 2]>,
+        flux: Power,
     },
     /// A strip of flux that moves along straight sides, in the direction of growing x (or y where the sides
     /// are upright) for a positive speed.
@@ -65,8 +63,7 @@ impl Condition {
     /// Times (s) at which the condition jumps.
     pub fn switches(&self) -> Vec<f64> {
         match self {
-            Self::Flux { on, .. } => on.as_flattened().to_vec(),
-            Self::Source { power, .. } => power.switches().collect(),
+            Self::Flux { flux: power, .. } | Self::Source { power, .. } => power.switches().collect(),
             _ => Vec::new(),
         }
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::conditions::{Amplitude, MovingStrip, Supply, side_shares};
-use super::{Condition, History, Power, ThermalError};
+use super::{Condition, History, ThermalError};
 use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square};
 use crate::mesh::{Mesh, Side};
 use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
@@ -243,10 +243,11 @@ fn supplies(
     let (mut supplies, mut strips) = (Vec::new(), Vec::new());
     for condition in conditions {
         match condition {
-            Condition::Flux { sides, flux, on } => {
-                ThermalError::check(flux.is_finite(), "flux (W/m²)", "finite", *flux)?;
+            Condition::Flux { sides, flux } => {
+                let wrong = flux.infinite();
+                ThermalError::check(wrong.is_none(), "flux (W/m²)", "finite", wrong.unwrap_or(0.0))?;
                 let shares = side_shares(mesh, mesh.sides(sides)?, law.thickness);
-                supplies.push(Supply { shares, amplitude: Amplitude::Switched(Power::switched(*flux, on)) });
+                supplies.push(Supply { shares, amplitude: Amplitude::Switched(flux.clone()) });
             }
             Condition::Source { shares, power } => {
                 let wrong = power.infinite();

@@ -1,17 +1,19 @@
 //! Practice cases with a hidden physical effect, made by other code and other numerics than the program
-//! under test: see [`turning`], [`ring`] and [`thermal`]. Laws, signs and units are those that `fem
+//! under test: see [`turning`], [`ring`], [`thermal`], [`axis`] and [`stiffness`]. Laws, signs and units are those that `fem
 //! effects` states.
 //!
 //! Every case is decided by its seed. lambda is the length of an effect's signature, in standard
 //! deviations, after projection onto the tangent of all `+-` parameters of the written model with their
 //! prior rows appended.
 
+pub mod axis;
 pub mod dense;
 pub mod foreign;
 pub mod job;
 pub mod law;
 pub mod random;
 pub mod ring;
+pub mod stiffness;
 pub mod thermal;
 pub mod trouble;
 mod tuning;
@@ -19,9 +21,11 @@ pub mod turning;
 pub mod visibility;
 pub mod writing;
 
+pub use axis::AXIS;
 pub use job::NoiseKind;
 pub use law::Cause as Hidden;
 pub use ring::RING;
+pub use stiffness::STIFFNESS;
 pub use thermal::THERMAL;
 pub use trouble::Trouble;
 pub use turning::{TURNING, story};

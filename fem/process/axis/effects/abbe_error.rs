@@ -15,7 +15,7 @@ pub static ABBE_ERROR: Effect<1> = Effect {
     law: "deviation += 4*height*s*(1 - s), s = position/travel",
     source: "Abbe's principle, with a pitch that changes quadratically",
     parameters: [Parameter::signed("height", MICRO, "at the middle of the travel", (-100.0, 100.0))],
-    look_alikes: &[],
+    look_alikes: &[("worn-screw", "approaches from both sides: play errs from one of them")],
     needs: nothing,
     act: |[height], machine| {
         let (from, travel) = (machine.setup.from, machine.setup.travel);

@@ -1,8 +1,11 @@
 //! Kinematic clearance: play in the nut and the bearings that a reversal has to take up.
 //!
 //! On the way forwards the slide stands where it should, on the way back it lags by δ = gap (m): y = x − δ
-//! [seed 000, fig. 2a]. The same all along the screw. Left out: play that wear has made larger in the middle
-//! of the screw.
+//! [seed 000, fig. 2a]. The same all along the screw. A controller adds its compensation at every reversal;
+//! where that is more than the play the slide runs ahead on the way back, and δ, which is what is left of
+//! the two, is below zero. A lost motion by a play angle φ of the guideways at a lever arm L is the same law,
+//! δ = L·φ: tests on one line cannot tell the two. Left out: play that differs along the travel
+//! (`uneven-backlash`, `worn-screw`).
 
 use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};
@@ -11,13 +14,15 @@ use crate::units::MICRO;
 /// `backlash`.
 pub static BACKLASH: Effect<1> = Effect {
     name: "backlash",
-    about: "play in nut and bearings that each reversal takes up",
+    about: "play that each reversal takes up; below zero where the controller compensates more than there is",
     law: "deviation += gap, approaching in -",
     source: "seed 000, fig. 2a",
-    parameters: [Parameter::amplitude("gap", MICRO, "clearance in all", (0.5, 200.0))],
+    parameters: [Parameter::signed("gap", MICRO, "clearance in all, less what is compensated", (-100.0, 200.0))],
     look_alikes: &[
         ("elastic-lost-motion", "targets from end to end of the screw: elastic clearance grows away from the bearing"),
         ("thermal-growth", "the order of approaches: + always before - lets drift pass for play"),
+        ("uneven-backlash", "targets from end to end of the travel, from both sides"),
+        ("worn-screw", "targets from end to end of the travel, from both sides"),
     ],
     needs: nothing,
     act: |[gap], machine| machine.gap += gap,
@@ -30,5 +35,10 @@ mod tests {
     #[test]
     fn only_the_way_back_lags() {
         assert_eq!(both("backlash", &[8.0], 300.0), [0.0, 8.0]);
+    }
+
+    #[test]
+    fn a_compensation_of_too_much_lets_the_way_back_run_ahead() {
+        assert_eq!(both("backlash", &[-25.0], 300.0), [0.0, -25.0]);
     }
 }

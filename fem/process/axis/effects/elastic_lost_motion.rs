@@ -23,7 +23,10 @@ pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
         Parameter::amplitude("friction", FORCE, "of the slide", (10.0, 10_000.0)),
         Parameter::shape("stiffness", STIFFNESS, "of nut and bearing together", SPRING),
     ],
-    look_alikes: &[("backlash", "targets from end to end of the screw: play is the same all along")],
+    look_alikes: &[
+        ("backlash", "targets from end to end of the screw: play is the same all along"),
+        ("uneven-backlash", "the way forwards: elastic clearance lags there too, play does not"),
+    ],
     needs: nothing,
     act: |[friction, stiffness], machine| machine.lost = Some(Lost { friction, stiffness }),
 };

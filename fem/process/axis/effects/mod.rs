@@ -7,6 +7,8 @@ mod periodic_error;
 mod reference_shift;
 mod scale_error;
 mod thermal_growth;
+mod uneven_backlash;
+mod worn_screw;
 
 use super::machine::Machine;
 use super::setup::Setup;
@@ -17,6 +19,8 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &scale_error::SCALE_ERROR,
     &periodic_error::PERIODIC_ERROR,
     &backlash::BACKLASH,
+    &uneven_backlash::UNEVEN_BACKLASH,
+    &worn_screw::WORN_SCREW,
     &elastic_lost_motion::ELASTIC_LOST_MOTION,
     &thermal_growth::THERMAL_GROWTH,
     &abbe_error::ABBE_ERROR,

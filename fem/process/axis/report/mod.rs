@@ -85,22 +85,30 @@ fn quantity(all: &[Quantity], (letter, key, label): (&str, &'static str, &'stati
 /// Which clearance of the drive rules [seed 000]: the kinematic one of light machines, or the elastic one of
 /// heavy machines. Mechanics: what a formula effect adds to the deviation is neither.
 fn lost_motion(machine: &Machine) -> Figure {
-    let elastic = machine.setup.targets().into_iter().map(|x| 2.0 * machine.wind_up(x));
-    let (low, high) = elastic.fold((f64::INFINITY, 0.0f64), |(low, high), e| (low.min(e), high.max(e)));
-    let (kinematic, typical) = (machine.gap, 0.5 * (low + high));
-    let (rules, verdict) = match (kinematic, typical) {
+    let range = |of: &dyn Fn(f64) -> f64| {
+        let all = machine.setup.targets().into_iter().map(of);
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)))
+    };
+    let (low, high) = range(&|x| 2.0 * machine.wind_up(x));
+    let (tight, loose) = range(&|x| machine.play(x));
+    let [kinematic, typical] = [0.5 * (tight + loose), 0.5 * (low + high)];
+    let (rules, verdict) = match (tight.abs().max(loose.abs()), typical) {
         (k, e) if k.max(e) < NONE => ("none", ""),
         (k, e) if k >= RULES * e => ("kinematic", "the kinematic gap rules, as in light machines"),
         (k, e) if e >= RULES * k => ("elastic", "the elastic gap rules, as in heavy machines"),
         _ => ("both", "neither rules"),
     };
     let (gap, least, most) = (MICRO.shown(kinematic), MICRO.from_si(low), MICRO.shown(high));
+    let [from, to] = [MICRO.from_si(tight), MICRO.from_si(loose)];
+    let gap = if loose - tight < NONE { format!("{gap:.3}") } else { format!("{from:.3} to {to:.3}") };
+    let ahead = if kinematic < -NONE { "; more play is compensated than there is" } else { "" };
     let text = match rules {
         "none" => "none".into(),
-        _ => format!("kinematic {gap:.3}, elastic {least:.3} to {most:.3}: {verdict}"),
+        _ => format!("kinematic {gap}, elastic {least:.3} to {most:.3}: {verdict}{ahead}"),
     };
     Figure::new("lost_motion", "lost motion")
         .quantity("kinematic", MICRO, kinematic)
+        .entry("kinematic_range", Datum::Quantities(MICRO, vec![tight, loose]))
         .entry("elastic", Datum::Quantities(MICRO, vec![low, high]))
         .entry("rules", rules)
         .line(text)

@@ -8,10 +8,15 @@ pub fn cases() -> Vec<Case> {
     let scale = axis("[scale-error]\nslope = \"25 um/m\"");
     let periodic = axis("[periodic-error]\namplitude = \"3 um\"\nphase = \"-40 deg\"");
     let gap = axis("[backlash]\ngap = \"7 um\"");
+    let ahead = axis("[backlash]\ngap = \"-7 um\"");
+    let uneven = axis("[backlash]\ngap = \"7 um\"\n[uneven-backlash]\nchange = \"-4 um\"");
+    let worn = axis("[worn-screw]\ndepth = \"12 um\"");
     let elastic = axis("[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"");
     let growth = axis("[thermal-growth]\nslope = \"40 um/m\"\ntime_constant = \"15 min\"");
     let abbe = axis("[abbe-error]\nheight = \"-9 um\"");
     let shift = axis("[reference-shift]\noffset = \"-4.5 um\"");
+    let warm = axis_with("temperature = \"24 degC\"", "");
+    let cold = axis_with("temperature = \"21 degC\", reference_temperature = \"22 degC\"", "");
     let all = axis(
         "[backlash]\ngap = \"7 um\"\n[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"\n\
          [scale-error]\nslope = \"25 um/m\"",
@@ -31,6 +36,13 @@ pub fn cases() -> Vec<Case> {
         um("turn's error a quarter on", 3.0 * degrees(50.0).sin(), deviation(&periodic, 252.5, Backward, 0.0), sine),
         um("play, forwards", 0.0, deviation(&gap, 300.0, Forward, 0.0), kinematic),
         um("play, backwards", 7.0, deviation(&gap, 300.0, Backward, 0.0), kinematic),
+        um("too much compensated, forwards", 0.0, deviation(&ahead, 300.0, Forward, 0.0), kinematic),
+        um("too much compensated, backwards", -7.0, deviation(&ahead, 300.0, Backward, 0.0), kinematic),
+        um("play that falls along the travel, begin", 9.0, deviation(&uneven, 0.0, Backward, 0.0), "d + c(s - 1/2)"),
+        um("play that falls along the travel, 600 mm", 6.0, deviation(&uneven, 600.0, Backward, 0.0), "d + c(s - 1/2)"),
+        um("play that falls along the travel, forwards", 0.0, deviation(&uneven, 0.0, Forward, 0.0), "d + c(s - 1/2)"),
+        um("worn screw, a quarter", 9.0, deviation(&worn, 200.0, Backward, 0.0), "4 h s(1 - s)"),
+        um("worn screw, the same forwards", 0.0, deviation(&worn, 200.0, Forward, 0.0), "4 h s(1 - s)"),
         um("wind-up at the bearing, forwards", -3.0, deviation(&elastic, 50.0, Forward, 0.0), spring),
         um("wind-up at the bearing, backwards", 3.0, deviation(&elastic, 50.0, Backward, 0.0), spring),
         um("wind-up at 800 mm, forwards", -3.0 - stretch(0.75), deviation(&elastic, 800.0, Forward, 0.0), spring),
@@ -50,6 +62,13 @@ pub fn cases() -> Vec<Case> {
             -0.05 * warmed(60.0),
             deviation(&growth, 0.0, Backward, 60.0),
             "1 - exp(-t/tau)",
+        ),
+        um("screw at 24 degC, 800 mm", 0.75 * 11.5 * 4.0, deviation(&warm, 800.0, Forward, 9.0), "alpha*dT*(x - x0)"),
+        um(
+            "screw 1 K too cold, before the bearing",
+            0.05 * 11.5,
+            deviation(&cold, 0.0, Backward, 0.0),
+            "alpha*dT*(x - x0)",
         ),
         um("pitching slide, middle", -9.0, deviation(&abbe, 400.0, Forward, 0.0), "4 h s(1 - s)"),
         um("pitching slide, a quarter", -6.75, deviation(&abbe, 200.0, Backward, 0.0), "4 h s(1 - s)"),

@@ -16,7 +16,10 @@ pub static DRY_FRICTION: Effect<1> = Effect {
     law: "load: S = F - f, 0 while F <= f; unload: S = F + f, at most F_max - f",
     source: "seed 000, fig. 5",
     parameters: [Parameter::amplitude("force", FORCE, "friction f", (1.0, 500.0))],
-    look_alikes: &[],
+    look_alikes: &[(
+        "settling",
+        "the loop near both ends: friction opens it at once, what settles opens it towards no force",
+    )],
     needs: nothing,
     act: |[force], machine| machine.curve.friction += force,
 };

@@ -15,7 +15,10 @@ pub static GAP: Effect<1> = Effect {
     law: "y += gap for F > 0",
     source: "seed 000, fig. 5",
     parameters: [Parameter::amplitude("gap", MICRO, "clearance of the joint", (0.5, 100.0))],
-    look_alikes: &[("contact-joint", "small forces: a contact closes little by little")],
+    look_alikes: &[
+        ("contact-joint", "small forces: a contact closes little by little"),
+        ("datum-offset", "a reading without force before loading: clearance is not taken up there"),
+    ],
     needs: nothing,
     act: |[gap], machine| machine.curve.gap += gap,
 };

@@ -1,17 +1,25 @@
 //! The effects of a joint under test. One file and one line each.
 
 mod contact_joint;
+mod datum_offset;
 mod dry_friction;
 mod gap;
 mod preload;
+mod settling;
 
 use super::machine::Machine;
 use super::setup::Setup;
 use crate::process::CatalogueEffect;
 
 /// The registry.
-pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] =
-    &[&gap::GAP, &contact_joint::CONTACT_JOINT, &dry_friction::DRY_FRICTION, &preload::PRELOAD];
+pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
+    &gap::GAP,
+    &contact_joint::CONTACT_JOINT,
+    &dry_friction::DRY_FRICTION,
+    &preload::PRELOAD,
+    &settling::SETTLING,
+    &datum_offset::DATUM_OFFSET,
+];
 
 #[cfg(test)]
 mod bench {

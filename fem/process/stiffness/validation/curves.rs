@@ -9,6 +9,9 @@ pub const CONTACT: &str = "[contact-joint]\nc = \"0.2 um/N^n\"\nn = 0.5\n";
 pub const FRICTION: &str = "[dry-friction]\nforce = \"80 N\"\n";
 pub const PRELOAD: &str = "[preload]\nforce = \"200 N\"\n";
 
+pub const SETTLING: &str = "[settling]\ndepth = \"4 um\"\n";
+pub const OFFSET: &str = "[datum-offset]\noffset = \"-3 um\"\n";
+
 pub fn cases() -> Vec<Case> {
     [alone(), together(), tangents()].concat()
 }
@@ -48,6 +51,8 @@ fn alone() -> Vec<Case> {
     ];
     add("friction", FRICTION, &friction);
     add("preload", PRELOAD, &[(false, 160.0, 1.0), (false, 400.0, 2.5), (false, 1000.0, 10.0), (true, 160.0, 1.0)]);
+    add("settling", SETTLING, &[(false, 0.0, 0.0), (false, 500.0, 8.25), (true, 500.0, 10.25), (true, 0.0, 4.0)]);
+    add("gauge off zero", OFFSET, &[(false, 0.0, -3.0), (false, 400.0, 2.0), (true, 400.0, 2.0), (true, 0.0, -3.0)]);
     // Friction beyond half of the largest force: nothing comes back. Beyond all of it nothing moves.
     add("friction of 600 N", "[dry-friction]\nforce = \"600 N\"", &[(false, 1000.0, 5.0), (true, 0.0, 5.0)]);
     add("friction of 1200 N", "[dry-friction]\nforce = \"1200 N\"", &[(false, 1000.0, 0.0), (true, 0.0, 0.0)]);
@@ -66,6 +71,12 @@ fn together() -> Vec<Case> {
         displacement("contact and friction", &[CONTACT, FRICTION].concat(), false, 480.0, 5.0 + 4.0),
         displacement("contact and friction", &[CONTACT, FRICTION].concat(), true, 320.0, 5.0 + 4.0),
         displacement("preload and contact", &[PRELOAD, CONTACT].concat(), false, 900.0, 8.75 + 6.0),
+        // S is 400 N of the 1000 N under which 4 um settle, and 920 N at the most.
+        displacement("settling and friction", &[SETTLING, FRICTION].concat(), false, 480.0, 5.0 + 1.6),
+        displacement("settling and friction", &[SETTLING, FRICTION].concat(), true, 480.0, 7.0 + 3.68),
+        displacement("settling and friction", &[SETTLING, FRICTION].concat(), true, 0.0, 1.0 + 3.68),
+        displacement("gauge off zero and gap", &[OFFSET, GAP].concat(), false, 0.0, -3.0),
+        displacement("gauge off zero and gap", &[OFFSET, GAP].concat(), true, 80.0, 1.0 + 5.0 - 3.0),
         displacement("all four", &all, false, 480.0, expected(400.0)),
         displacement("all four", &all, false, 1000.0, expected(920.0)),
         displacement("all four", &all, true, 500.0, expected(580.0)),
@@ -90,6 +101,8 @@ fn tangents() -> Vec<Case> {
     vec![
         by_hand("spring", 80.0, tangent("", 300.0, Branch::Load)),
         by_hand("contact under 400 N", 1.0 / (1.0 / 80.0 + 0.1 / 20.0), tangent(CONTACT, 400.0, Branch::Load)),
+        by_hand("settling, loading", 1.0 / (1.0 / 80.0 + 4e-3), tangent(SETTLING, 300.0, Branch::Load)),
+        by_hand("settling, unloading", 80.0, tangent(SETTLING, 300.0, Branch::Unload)),
         by_hand("preload, both springs", 160.0, tangent(PRELOAD, 300.0, Branch::Load)),
         by_hand("preload, one spring relaxed", 80.0, tangent(PRELOAD, 500.0, Branch::Load)),
         by_hand("friction, unloading", 80.0, tangent(FRICTION, 300.0, Branch::Unload)),

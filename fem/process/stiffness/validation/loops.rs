@@ -1,6 +1,6 @@
 //! Areas between loading and unloading.
 
-use super::curves::{CONTACT, FRICTION, GAP, PRELOAD};
+use super::curves::{CONTACT, FRICTION, GAP, OFFSET, PRELOAD, SETTLING};
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 
@@ -31,6 +31,8 @@ fn polygons() -> Vec<Case> {
     // 2k up to S = 400 N.
     let preloaded = [(0.0, 0.0), (0.0, 80.0), (2.5, 480.0), (9.0, 1000.0), (9.0, 840.0), (2.5, 320.0), (0.5, 0.0)];
     let held = [(0.0, 0.0), (0.0, 600.0), (5.0, 1000.0), (5.0, 0.0)];
+    let settled = [(0.0, 0.0), (16.5, 1000.0), (4.0, 0.0)];
+    let both = [(0.0, 0.0), (0.0, 80.0), (15.18, 1000.0), (15.18, 840.0), (4.68, 0.0)];
     let none = |name: &str, effects: &str| {
         row(name, "work of friction", (0.0, area(effects), "uJ"), Tolerance::Absolute(0.0), "elastic: no work is lost")
     };
@@ -39,6 +41,8 @@ fn polygons() -> Vec<Case> {
         case("friction and gap", &[FRICTION, GAP].concat(), &soft),
         case("friction and preload", &[FRICTION, PRELOAD].concat(), &preloaded),
         case("friction of 600 N, which holds all", "[dry-friction]\nforce = \"600 N\"", &held),
+        case("settling, and a gauge off zero", &[SETTLING, OFFSET].concat(), &settled),
+        case("settling and friction", &[SETTLING, FRICTION].concat(), &both),
         none("gap, contact and preload without friction", &[GAP, CONTACT, PRELOAD].concat()),
     ]
 }

@@ -4,10 +4,11 @@ mod scene;
 
 use self::scene::{Hottest, Scene};
 use super::body::Body;
+use super::boundary::Condition;
 use super::forward;
 use super::machine::Machine;
 use super::rows::{COORDINATES, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
-use super::setup::{Condition, Setup};
+use super::setup::Setup;
 use crate::process::{Column, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
 use crate::solve::conduction::Energy;
 use crate::units::{ENERGY, HEAT, LENGTH, MICRO, SECONDS, TEMPERATURE, TEMPERATURE_RISE, TIME};

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use super::super::boundary::Condition;
 use super::super::forward::{follow, observe};
 use super::super::machine::Machine;
 use super::super::rows::{elongations, temperatures};
@@ -11,10 +12,10 @@ use super::rig::*;
 use crate::input::Record;
 use crate::process::{Case, Rows, Tolerance};
 use crate::solve::conduction::{Energy, Run};
-use crate::solve::rod::History;
+use crate::solve::rod::{History, Power};
 
 pub fn cases() -> Vec<Case> {
-    [rooms(), powers(), pulses(), heaters()].concat()
+    [rooms(), powers(), edges(), pulses(), heaters()].concat()
 }
 
 /// A record of points (s, SI).
@@ -82,6 +83,66 @@ fn powers() -> Vec<Case> {
         one("power by record, ramps and a drop, 60 min", rod(""), &ramps, heat),
         one("power by record, teeth of 3 s in steps of 10 s", rod(""), &teeth, 15.0 * 3600.0),
         one("the same teeth into the end of a plate", bar, &teeth, 15.0 * 3600.0),
+    ]
+}
+
+/// An edge as a record acts on it.
+fn with_edge(body: Heated, condition: Option<Condition>) -> Option<Machine> {
+    let mut machine = body?.machine().clone();
+    let mut setup = (*machine.setup).clone();
+    setup.boundaries.first_mut()?.condition = condition?;
+    machine.setup = Arc::new(setup);
+    Some(machine)
+}
+
+/// Edges of a bar 200 mm long: a flux into its end, a room of its own about its end, and an end whose
+/// temperature rises steadily for long, so that the bar follows with the parabola b/2κ·(x² − 2·L·x) behind it.
+fn edges() -> Vec<Case> {
+    let bar = |edge: &str, time: &str| {
+        let text = r#"
+            body = { material = "steel", rectangle = { length = "200 mm", height = "20 mm", width = "10 mm" } }
+            environment = { temperature = "20 degC" }
+        "#;
+        body(&format!("{text}boundary = [{{ {edge} }}]\ntime = {{ {time} }}"), "")
+    };
+    let usual = "end = \"180 min\", step = \"10 s\"";
+    let ramps = [[0.0, 0.0], [333.3, 8e4], [1001.0, 8e4], [1007.0, 2e4], [4000.0, 2e4]];
+    let level = |level| Condition::Flux(Power { level, on: Vec::new() });
+    let heated = with_edge(bar("edge = \"right\", flux = \"1 W/m^2\"", usual), record(&ramps).map(level));
+    let heat = 333.3 * 4e4 + (1001.0 - 333.3) * 8e4 + 6.0 * 5e4 + (3600.0 - 1007.0) * 2e4;
+    let grown = 1e6 * seen(&heated, &elongations(&[3600.0]));
+    let rate = 1e-3;
+    let ramp = |from: f64| record(&[[0.0, from], [1e5, from + rate * 1e5]]);
+    let long = "end = \"1000 min\", step = \"60 s\"";
+    let held =
+        with_edge(bar("edge = \"left\", temperature = \"20 degC\"", long), ramp(293.15).map(Condition::Temperature));
+    let lag = rate * RHO_C / K * 0.5 * LENGTH * LENGTH;
+    let film = |ambient| Condition::Convection { coefficient: 200.0, ambient: Some(ambient) };
+    let blown = with_edge(
+        bar("edge = \"left\", convection = \"200 W/m^2/K\", ambient = \"20 degC\"", long),
+        ramp(293.15).map(film),
+    );
+    let through = rate * RHO_C * LENGTH / 200.0;
+    let behind = |machine: &Option<Machine>| rate * 6e4 - (seen(machine, &temperatures(&[[0.2, 0.01]], 6e4)) - 293.15);
+    // The slowest wave has died: e^(−20) with the end held, e^(−14) behind the film.
+    let settled = Tolerance::Relative(1e-5);
+    let source = "a body behind a steady ramp: b*rho*c/k*L^2/2, and b*rho*c*L/h through a film";
+    vec![
+        row(
+            "flux by record into the end of a bar, 60 min",
+            "elongation",
+            (1e6 * ALPHA * heat / RHO_C, grown, "um"),
+            Tolerance::Relative(1e-9),
+            "all heat stays inside",
+        ),
+        row("end held at a rising record", "lag of the other end", (lag, behind(&held), "K"), settled, source),
+        row(
+            "end in a room of its own by record",
+            "lag of the other end",
+            (lag + through, behind(&blown), "K"),
+            settled,
+            source,
+        ),
     ]
 }
 

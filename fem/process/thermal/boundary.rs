@@ -1,0 +1,101 @@
+//! The table of what holds on an edge of a plane body.
+
+use super::body::Body;
+use super::source;
+use crate::input::{Along, Reader};
+use crate::solve::rod::{History, Power};
+use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, SPEED, TEMPERATURE};
+
+/// An edge of a plane body with its condition.
+#[derive(Clone, Debug)]
+pub struct Boundary {
+    /// Name of the edge.
+    pub edge: String,
+    /// Its condition.
+    pub condition: Condition,
+}
+
+/// A condition on an edge.
+#[derive(Clone, Debug)]
+pub enum Condition {
+    /// Heat flux that flows in, W/m².
+    Flux(Power),
+    /// Loss by a film coefficient (W/(m² K)) to the environment, which may drift, or to surroundings at a
+    /// temperature of their own (K).
+    Convection { coefficient: f64, ambient: Option<History> },
+    /// A temperature that is held, K.
+    Temperature(History),
+    /// A strip of heat flux (W/m²) that moves along the edge toward growing x or y: speed (m/s), width (m),
+    /// and the place of its middle at the start (m).
+    Moving { speed: f64, width: f64, flux: f64, from: f64 },
+}
+
+impl Boundary {
+    /// Reads an edge and its condition; records of flux and temperatures must reach over the `run`.
+    pub fn read(t: &Reader, body: &Body, run: Along) -> Self {
+        let edge = t.text("edge", "left, right, top or bottom, or the name of a physical group").unwrap_or_default();
+        let names = body.edges();
+        if !t.is_described() && !names.contains(&edge) {
+            let help = match names.is_empty() {
+                true => "a rod has no edges: heat it with [[source]], cool it with effects".into(),
+                false => format!("its edges are {}", names.join(", ")),
+            };
+            t.problem("edge", format!("`{edge}` is no edge of the body"), help);
+        }
+        Self { edge, condition: Condition::read(t, run) }
+    }
+
+    /// Last time (s) up to which a record of it reaches; infinite without one.
+    pub fn known_until(&self) -> f64 {
+        match &self.condition {
+            Condition::Flux(Power { level: history, .. })
+            | Condition::Convection { ambient: Some(history), .. }
+            | Condition::Temperature(history) => history.known_until(),
+            Condition::Convection { ambient: None, .. } | Condition::Moving { .. } => f64::INFINITY,
+        }
+    }
+}
+
+impl Condition {
+    fn read(t: &Reader, run: Along) -> Self {
+        let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").optional_varying(run).map(History::from);
+        let on = source::read_on(t, &[]);
+        let coefficient = t.quantity("convection", CONVECTION, "film coefficient of a loss").not_negative().optional();
+        let ambient = temperature(t, "ambient", "of what it is lost to; the environment if left out", run);
+        let held = temperature(t, "temperature", "that the edge is held at", run);
+        let moving = t.optional_table("moving", "a strip of flux that moves along the edge", |t| Self::Moving {
+            speed: t.quantity("speed", SPEED, "of the strip, toward growing x or y").required(),
+            width: t.quantity("width", LENGTH, "of the strip").positive().required(),
+            flux: t.quantity("flux", HEAT_FLUX, "heat that flows in under it").required(),
+            from: t.quantity("from", LENGTH, "where its middle is at the start").or(0.0),
+        });
+        let given = [flux.is_some(), coefficient.is_some(), held.is_some(), moving.is_some()];
+        if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
+            t.problem(
+                "",
+                "an edge has one condition",
+                "give one of flux, convection, temperature and moving; another [[boundary]] adds another",
+            );
+        }
+        match (flux, coefficient, held, moving) {
+            (Some(level), ..) => Self::Flux(Power { level, on }),
+            (_, Some(coefficient), ..) => Self::Convection { coefficient, ambient },
+            (_, _, Some(held), _) => Self::Temperature(held),
+            (.., moving) => moving.unwrap_or(Self::Flux(Power::switched(0.0, &[]))),
+        }
+    }
+}
+
+/// A temperature (K) of an edge or beside it, constant or recorded.
+fn temperature(t: &Reader, key: &'static str, about: &'static str, run: Along) -> Option<History> {
+    let given = t.quantity(key, TEMPERATURE, about).optional_varying(run)?;
+    refuse_impossible(t, key, given.least());
+    Some(History::from(given))
+}
+
+/// Nothing is below the absolute zero; a temperature (K) that is still unknown passes.
+pub fn refuse_impossible(t: &Reader, key: &'static str, temperature: f64) {
+    if temperature < 0.0 {
+        t.problem(key, "nothing is that cold", "it must be above -273.15 degC");
+    }
+}

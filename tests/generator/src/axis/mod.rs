@@ -1,0 +1,171 @@
+//! Feed axes under a positioning test. The laws are short; they are written down once more here, in mm and
+//! um, so that a slip of the program in sign, unit or origin shows.
+
+pub mod catalogue;
+pub mod design;
+pub mod writing;
+
+use std::f64::consts::{PI, TAU};
+
+use catalogue::LAWS;
+
+use crate::Process;
+use crate::job::{NoiseKind, Shown};
+use crate::law::{Cause, Law, value};
+use crate::random::Random;
+
+/// Deviations (um) of feed axes.
+pub const AXIS: Process = Process {
+    name: "axis ",
+    laws: LAWS,
+    draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
+    never_together: &[],
+};
+
+/// Young's modulus of the screw, N/mm².
+const YOUNGS_MODULUS: f64 = 210_000.0;
+
+/// Structure outside the catalogue.
+const SHAPES: &[&str] = &[
+    "a wave that is no turn of the screw",
+    "a step along the travel",
+    "one target is off",
+    "every other run is off",
+    "play in one half of the travel",
+];
+
+/// One reading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Number of the run.
+    pub run: usize,
+    /// Target, mm.
+    pub x: f64,
+    /// Approached on the way back.
+    pub backward: bool,
+    /// min since the cold start; 0 where nobody looked at a clock.
+    pub time: f64,
+}
+
+/// An axis with its test.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    /// mm.
+    pub travel: f64,
+    /// Where it begins, mm.
+    pub from: f64,
+    /// mm.
+    pub lead: f64,
+    /// Of the screw, mm.
+    pub diameter: f64,
+    /// Of the bearing, mm.
+    pub fixed_at: f64,
+    /// Readings in their order.
+    pub rows: Vec<Row>,
+    /// Whether the file has times.
+    pub own_clock: bool,
+    /// Where the noise is to be learnt from.
+    pub noise: NoiseKind,
+    /// What the model shows with `+-`.
+    pub shown: Vec<Shown>,
+}
+
+impl crate::job::Job for Job {
+    fn process(&self) -> &'static str {
+        "axis"
+    }
+
+    fn laws(&self) -> &'static [Law] {
+        LAWS
+    }
+
+    fn shown(&self) -> &[Shown] {
+        &self.shown
+    }
+
+    fn noise(&self) -> NoiseKind {
+        self.noise
+    }
+
+    fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn groups(&self) -> Vec<usize> {
+        self.rows.iter().map(|row| row.run - 1).collect()
+    }
+
+    fn noise_range(&self) -> (f64, f64) {
+        (0.05, 4.0)
+    }
+
+    fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
+        effect != "thermal-growth" || self.own_clock
+    }
+
+    fn length(&self) -> f64 {
+        self.travel
+    }
+
+    fn draws(&self, effect: &str) -> usize {
+        match effect {
+            "periodic-error" | "thermal-growth" | "elastic-lost-motion" => 8,
+            _ => 2,
+        }
+    }
+
+    fn predict(&self, causes: &[Cause]) -> Vec<f64> {
+        let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
+        let area = 0.25 * PI * self.diameter * self.diameter;
+        // um per N: 1000 times mm per N.
+        let give = |x: f64| {
+            let seat = value(causes, "elastic-lost-motion", "stiffness").map_or(0.0, |k| 1.0 / k);
+            seat + 1e3 * (x - self.fixed_at).abs() / (YOUNGS_MODULUS * area)
+        };
+        let warmed = |time: f64| {
+            let tau = value(causes, "thermal-growth", "time_constant").unwrap_or(1.0);
+            size("thermal-growth", "slope") * (1.0 - (-time / tau).exp())
+        };
+        let one = |row: &Row| {
+            let part = (row.x - self.from) / self.travel;
+            let bow = 1.0 - (2.0 * part - 1.0).powi(2);
+            let turn = TAU * row.x / self.lead + size("periodic-error", "phase").to_radians();
+            let both = 1e-3 * row.x * size("scale-error", "slope")
+                + size("periodic-error", "amplitude") * turn.sin()
+                + 1e-3 * (row.x - self.fixed_at) * warmed(row.time)
+                + size("abbe-error", "height") * bow
+                + size("reference-shift", "offset");
+            let wound = size("elastic-lost-motion", "friction") * give(row.x);
+            let play = size("backlash", "gap")
+                + size("uneven-backlash", "change") * (part - 0.5)
+                + size("worn-screw", "depth") * bow;
+            if row.backward { both + wound + play } else { both - wound }
+        };
+        self.rows.iter().map(one).collect()
+    }
+
+    fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {
+        let name = random.pick(SHAPES);
+        let (periods, phase, at) = (random.uniform(1.7, 3.4), random.uniform(0.0, TAU), random.uniform(0.3, 0.7));
+        let target = random.pick(&self.rows).x;
+        let shape = |row: &Row| {
+            let part = (row.x - self.from) / self.travel;
+            match name {
+                "a wave that is no turn of the screw" => (TAU * periods * part + phase).sin(),
+                "a step along the travel" => f64::from(part > at),
+                "one target is off" => f64::from(row.x == target),
+                "every other run is off" => f64::from(row.run.is_multiple_of(2)),
+                _ => f64::from(row.backward && part > at),
+            }
+        };
+        (name, self.rows.iter().map(shape).collect())
+    }
+
+    fn tables(&self) -> String {
+        writing::tables(self)
+    }
+
+    fn data(&self, observed: &[f64], sigma: f64) -> String {
+        writing::data(self, observed, sigma)
+    }
+}
