@@ -57,7 +57,10 @@ fn readings_that_contradict_their_repeats_are_told_and_blame_nobody() {
 #[test]
 fn a_table_is_made_without_readings_that_contradict_their_repeats() {
     let found = with("axis-mcu1025", |data| compensate(data, data.model.system.positioning().unwrap()).unwrap());
-    assert_eq!(found.wrong_readings.iter().map(|w| (w.line, w.is_stated)).collect::<Vec<_>>(), [(10, false), (11, false)]);
+    assert_eq!(
+        found.wrong_readings.iter().map(|w| (w.line, w.is_stated)).collect::<Vec<_>>(),
+        [(10, false), (11, false)]
+    );
     let quantities = found.evaluation.quantities();
     let r = quantities.iter().find(|q| q.symbol == "R").and_then(|q| q.value).unwrap();
     assert!((1e6 * r - 58.3).abs() < 0.05, "{r}");
