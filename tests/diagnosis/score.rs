@@ -114,7 +114,7 @@ fn coverage(case: &Case, diagnosis: &Diagnosis) -> (usize, usize) {
 
 fn said(case: &Case, diagnosis: &Diagnosis, hidden: &[&str], classes: &[Vec<&str>]) -> String {
     let source = match diagnosis.noise.source {
-        NoiseSource::Column => "u",
+        NoiseSource::Column | NoiseSource::Covariance => "u",
         NoiseSource::Repeats => "repeats",
         NoiseSource::Estimated => "neither",
     };
