@@ -13,7 +13,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{instrument, look_alike, next, sensitivity};
+use super::{look_alike, next, sensitivity, told};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::{Repeats, repeats};
 use crate::noise::effects;
@@ -48,8 +48,8 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     let fit = fit::report(&best.objective, settled, repeats);
     let confoundings = if best.members.is_empty() { Vec::new() } else { confounding::confoundings(&found) };
     let mut missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
-    let told = instrument::told(&found.base, &best, plain.map(|h| &h.found.base), repeats);
-    let outliers = instrument::outliers(&best);
+    let told = told::told(&found.base, &best, plain.map(|h| &h.found.base), repeats);
+    let outliers = told::outliers(&best);
     let (before, features) = match plain {
         None => (before, features),
         Some(plain) => {
@@ -179,7 +179,12 @@ fn missing(
             .members
             .iter()
             .filter_map(|m| lead::without(&found.base, &found.candidates, &rest, *m).map(|t| (*m, t)));
-        let Some((last, next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else { break };
+        let Some((last, mut next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else {
+            break;
+        };
+        if let Some(full) = minimise(&mut next.objective, &next.solution.position, &[], StoppingCriterion::FULL) {
+            next.solution = full;
+        }
         let own = confoundings.iter().find(|p| p.candidate == last);
         let gained = own.map_or(0.0, |p| p.chi2_without - best.solution.chi2);
         let measured = variance.statistic(gained, best.solution.chi2, best.objective.freedom());

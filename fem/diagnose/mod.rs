@@ -27,6 +27,7 @@ mod residual_projection;
 mod search;
 mod sensitivity;
 mod settle;
+mod told;
 mod verdict;
 
 pub use detection_limit::DetectionLimit;

@@ -81,6 +81,7 @@ mod tests {
         process = "thermal"
         body = { material = "steel", segments = [{ length = "200 mm", diameter = "20 mm" }] }
         source = [{ at = "200 mm", power = "15 W", on = [["0 min", "90 min"]] }]
+        environment = { temperature = "20 degC" }
         time = { end = "180 min", step = "30 s" }
     "#;
 

@@ -247,7 +247,7 @@ fn a_fit_writes_the_sizes_that_it_finds() {
 fn gain_and_clock_are_fitted_as_parameters() {
     let place = Place::new();
     let rod = "process = \"thermal\"\nbody = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"20 mm\" }] }\n\
-        source = [{ at = \"200 mm\", power = \"15 W\", on = [[\"0 min\", \"90 min\"]] }]\ntime = { end = \"60 min\", step = \"30 s\" }\n";
+        source = [{ at = \"200 mm\", power = \"15 W\", on = [[\"0 min\", \"90 min\"]] }]\nenvironment = { temperature = \"20 degC\" }\ntime = { end = \"60 min\", step = \"30 s\" }\n";
     place.write("true.toml", format!("{rod}measurement.gain.factor = 1.03\nmeasurement.clock.delay = \"30 s\"\n"));
     place.write("open.toml", format!("{rod}measurement.gain.factor = \"?\"\nmeasurement.clock.delay = \"?\"\n"));
     let rows = |shown: &[f64]| -> String {
@@ -460,7 +460,7 @@ fn the_commands_that_are_shown_do_the_same() {
 fn a_trend_over_the_parts_is_a_wear_or_a_drift() {
     let place = Place::new();
     let shaft = "process = \"turning\"\nworkpiece = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"60 mm\" }] }\n\
-        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"1 N\" }\n";
+        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"1 N\" }\nbatch = { parts = 12 }\n";
     place.write("shaft.toml", shaft);
     let mut rows = "part,x [mm],diameter_error [um],u [um]\n".to_string();
     for row in 0..60u32 {

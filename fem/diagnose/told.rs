@@ -1,0 +1,85 @@
+//! Tells the effects of the measurement that a diagnosis has found.
+
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::candidate_model::CandidateModel;
+use super::diagnosis::{Cause, Missing, Outlier};
+use super::instrument;
+use super::verdict::GoodnessOfFit;
+use crate::fit::{StoppingCriterion, minimise, size_estimate};
+use crate::measure::{Repeats, grouping_name};
+use crate::model::Data;
+use crate::noise::{Acts, Restricted, Term, effects};
+
+/// The rows that are weighed down.
+pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
+    let (data, noise) = (best.objective.data, &best.objective.noise);
+    let residuals = best.residuals();
+    let left = noise.unshared(&residuals);
+    let weighed = noise.terms.iter().filter(|t| matches!(t.effect.acts, Acts::Weighs));
+    let outlier = |(row, factor): (usize, f64)| Outlier {
+        record: data.records_of[row] + 1,
+        observable: data.observable(row),
+        line: data.lines[row],
+        value: data.observed[row],
+        predicted: data.observed[row] - left[row],
+        weight: 1.0 / (factor * factor),
+    };
+    weighed.flat_map(|t| t.rows.iter().map(|row| (*row, t.size))).map(outlier).collect()
+}
+
+/// Tells the terms of the best model as missing effects, each with the goodness of the model with it and
+/// those before it.
+pub fn told(
+    base: &CandidateModel,
+    best: &CandidateModel,
+    plain: Option<&CandidateModel>,
+    repeats: &Repeats,
+) -> Vec<Missing> {
+    let Some(plain) = plain else { return Vec::new() };
+    let Some(mean) = best.objective.mean(&best.solution) else { return Vec::new() };
+    let (data, noise) = (best.objective.data, &best.objective.noise);
+    let residuals = best.residuals();
+    let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
+    let whole = restricted.minus_two_log(noise);
+    let tell = |(number, term): (usize, &Term)| {
+        let others: Vec<Term> =
+            noise.terms.iter().enumerate().filter(|(i, _)| *i != number).map(|(_, t)| t.clone()).collect();
+        let (own, _) = instrument::plain(best, repeats, &others);
+        let without = restricted.minus_two_log(&restricted.estimate(&own, &others, others.len()));
+        let mut grown = plain.clone();
+        grown.objective.noise =
+            instrument::plain(base, repeats, &noise.terms[..=number]).0.with(noise.terms[..=number].to_vec(), data);
+        let solution = minimise(&mut grown.objective, &plain.solution.position, &[], StoppingCriterion::FULL);
+        grown.solution = solution.unwrap_or_else(|| plain.solution.clone());
+        Missing {
+            cause: Cause::Measurement {
+                effect: term.effect,
+                by: term.by.iter().map(|i| grouping_name(data.model.process, *i)).collect(),
+                observable: term.observable.map(|o| data.model.process.observables()[o].name),
+                records: records(term, data),
+                from: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.place(*r))).flatten(),
+                from_line: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.lines[*r])).flatten(),
+            },
+            effect: instrument::description(term, data),
+            goodness: GoodnessOfFit::of(&grown, repeats, None),
+            // At the edge of its range the size of a term has half of χ² with one degree of freedom.
+            p_value: ChiSquared::new(1.0).map_or(1.0, |d| 0.5 * d.sf((without - whole).max(0.0))),
+            estimates: vec![size_estimate(term, data, &restricted, noise, number)],
+            indistinguishable_from: Vec::new(),
+        }
+    };
+    let is_new = |(_, term): &(usize, &Term)| data.terms.iter().all(|t| !t.is_like(term));
+    noise.terms.iter().enumerate().filter(is_new).map(tell).collect()
+}
+
+/// Records of the file on which a term acts, counted from 1; those that the model weighs down already are left
+/// out.
+fn records(term: &Term, data: &Data) -> Vec<usize> {
+    let is_weighed = |t: &Term| t.effect == term.effect && matches!(t.effect.acts, Acts::Weighs);
+    let is_known = |row: &usize| data.terms.iter().any(|t| is_weighed(t) && t.rows.contains(row));
+    let mut records: Vec<usize> =
+        term.rows.iter().filter(|row| !is_known(row)).map(|row| data.records_of[*row] + 1).collect();
+    records.dedup();
+    records
+}
