@@ -249,7 +249,7 @@ fn gain_and_clock_are_fitted_as_parameters() {
     let rod = "process = \"thermal\"\nbody = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"20 mm\" }] }\n\
         source = [{ at = \"200 mm\", power = \"15 W\", on = [[\"0 min\", \"90 min\"]] }]\nenvironment = { temperature = \"20 degC\" }\ntime = { end = \"60 min\", step = \"30 s\" }\n";
     place.write("true.toml", format!("{rod}measurement.gain.factor = 1.03\nmeasurement.clock.delay = \"30 s\"\n"));
-    place.write("open.toml", format!("{rod}measurement.gain.factor = \"?\"\nmeasurement.clock.delay = \"?\"\n"));
+    place.write("open.toml", format!("{rod}measurement.gain.factor = \"?\"\nmeasurement.clock.delay = \"? s\"\n"));
     let rows = |shown: &[f64]| -> String {
         let row = |(i, y): (usize, &f64)| format!("{},150,{y:.6},0.01\n", 2 * i + 2);
         "time [min],x [mm],temperature [degC],u [K]\n".to_string()
@@ -270,7 +270,7 @@ fn gain_and_clock_are_fitted_as_parameters() {
     let unsaid = place.fem(&["compare", "open.toml", "--with", DATA]);
     assert!(unsaid.status == 2 && unsaid.err.contains("`measurement.gain.factor` is unknown"), "{}", unsaid.err);
     // A shaft in a fixture has no time that could be late.
-    place.write("part.toml", format!("{}\nmeasurement.clock.delay = \"1 s\"\n", model("stiffness.toml")));
+    place.write("part.toml", format!("{}\n[measurement.clock]\ndelay = \"1 s\"\n", model("stiffness.toml")));
     let refused = place.fem(&["run", "part.toml"]);
     assert!(refused.status == 2 && refused.err.contains("has a time"), "{}", refused.err);
 }
@@ -460,14 +460,19 @@ fn the_commands_that_are_shown_do_the_same() {
 fn a_trend_over_the_parts_is_a_wear_or_a_drift() {
     let place = Place::new();
     let shaft = "process = \"turning\"\nworkpiece = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"60 mm\" }] }\n\
-        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"1 N\" }\nbatch = { parts = 12 }\n";
+        workholding = { type = \"centres\" }\ncut = { depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"1 N\" }\nbatch = { parts = 40 }\n\
+        effects.setting-error.offset = \"? um\"\n";
     place.write("shaft.toml", shaft);
     let mut rows = "part,x [mm],diameter_error [um],u [um]\n".to_string();
-    for row in 0..60u32 {
-        // Noise that is even from -0.5 to 0.5 um, from the digits of a multiplicative generator.
-        let noise = f64::from((row + 1) * 7919 % 101) / 101.0 - 0.5;
-        let (part, x) = (row / 5 + 1, 20 + 40 * (row % 5));
-        rows.push_str(&format!("{part},{x},{:.3},0.3\n", 0.6 * f64::from(part) + noise));
+    let mut state = 1u32;
+    for part in 1..=40 {
+        // Twelve even numbers of a congruential generator (Numerical Recipes), less their mean, are nearly normal.
+        let mut even = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state) / f64::from(u32::MAX)
+        };
+        let noise = (0..12).map(|_| even()).sum::<f64>() - 6.0;
+        rows.push_str(&format!("{part},100,{:.3},0.3\n", 0.3 * f64::from(part) + 0.3 * noise));
     }
     place.write(DATA, rows);
     let found = parsed(&place.fem(&["diagnose", "shaft.toml", "--with", DATA, "--json"]).out);

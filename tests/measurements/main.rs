@@ -7,6 +7,7 @@ mod compare;
 mod diagnose;
 mod fit;
 mod import;
+mod instrument;
 mod limits;
 mod noise;
 mod real;
