@@ -75,7 +75,7 @@ fn varies(evaluation: &Evaluation) -> bool {
 }
 
 /// Describes the scatter, which no table removes. Where most of it is a drift over the runs, its cause is
-/// warmth.
+/// warmth, of the axis or of the instrument.
 fn scatter(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation) -> Cause {
     let largest = evaluation.targets.iter().flat_map(Target::sides).filter_map(Side::repeatability).fold(0.0, f64::max);
     let drift = Drift::of(approaches, deviations);
@@ -88,7 +88,9 @@ fn scatter(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation)
             finding: format!(
                 "{found}; {percent:.0} % of it is a drift over the runs, {moved:+.3} um from first to last where most"
             ),
-            remedy: "the axis warms as it works: warm it up first, cool the screw, or compensate by temperature".into(),
+            remedy: "the axis warms as it works, or the instrument's zero wanders: measure a master between the runs; \
+                     then warm the axis up first, cool the screw, or compensate by temperature"
+                .into(),
         };
     }
     Cause { key: "scatter", finding: found, remedy: format!("look at {PLACES}") }

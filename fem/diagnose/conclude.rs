@@ -54,7 +54,11 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         None => (before, features),
         Some(plain) => {
             let base = &plain.found.base;
-            (GoodnessOfFit::of(base, &plain.repeats, folds.as_ref()), verdict::features(base))
+            let mut goodness = GoodnessOfFit::of(base, &plain.repeats, folds.as_ref());
+            // All of the table is told by one noise, that of the last hypothesis.
+            let level = |trial: &CandidateModel| trial.objective.noise.level(trial.objective.data).together();
+            goodness.cross_validation = goodness.cross_validation.map(|cv| cv * level(base) / level(&found.base));
+            (goodness, verdict::features(base))
         }
     };
     let is_curve = best.objective.noise.terms.iter().any(|t| *t.effect == effects::DISCREPANCY);

@@ -55,6 +55,13 @@ impl GoodnessOfFit {
     }
 }
 
+impl GoodnessOfFit {
+    /// Whether the noise is as large as what is left, if it is known; what is left may still have structure.
+    pub fn is_as_noise(&self) -> bool {
+        self.p_value.is_none_or(|p| p >= UNEXPLAINED)
+    }
+}
+
 /// Root mean square residual of the rows, SI; in standard uncertainties where there are several observables.
 pub fn rms(trial: &CandidateModel) -> f64 {
     let objective = &trial.objective;
@@ -90,7 +97,7 @@ pub fn verdict(
 
 /// Whether the noise explains the residuals.
 fn is_noise(goodness: &GoodnessOfFit, features: &[Feature]) -> bool {
-    goodness.p_value.is_none_or(|p| p >= UNEXPLAINED) && features.iter().all(|f| f.p_value >= UNEXPLAINED)
+    goodness.is_as_noise() && features.iter().all(|f| f.p_value >= UNEXPLAINED)
 }
 
 /// Whether the noise explains what a candidate model leaves.

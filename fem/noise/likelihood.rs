@@ -62,7 +62,7 @@ impl Restricted<'_> {
         let is_flat: Vec<bool> = terms.iter().map(Term::is_flat).collect();
         let level = self.measurements.observables.iter().map(|s| own.usual(self.measurements, s.position));
         let level = level.fold(f64::INFINITY, f64::min);
-        let mut noise = self.scaled(own.with(terms.clone(), self.measurements));
+        let mut noise = self.scaled(own.with(terms.clone(), self.measurements), first);
         for _ in 0..if free > 1 { ROUNDS } else { 1 } {
             for i in (first..terms.len()).filter(|i| !is_flat[*i]) {
                 let (low, high) = match terms[i].effect.acts {
@@ -77,7 +77,7 @@ impl Restricted<'_> {
                 };
                 let mut at = |log_size: f64| {
                     terms[i].size = log_size.exp();
-                    let noise = self.scaled(own.with(terms.clone(), self.measurements));
+                    let noise = self.scaled(own.with(terms.clone(), self.measurements), first);
                     (self.minus_two_log(&noise), noise)
                 };
                 let size = golden(low.ln(), high.ln(), |s| at(s).0);
@@ -115,23 +115,29 @@ impl Restricted<'_> {
     /// −2 ln L with another size of a term; the level of the rows' own noise follows where it comes from no
     /// column.
     fn profile(&self, noise: &Noise, number: usize, size: f64) -> f64 {
-        /// Largest ratio by which the level follows.
-        const FOLLOWS: f64 = 1e3;
         let resized = noise.resized(number, size, self.measurements);
-        if noise.source.is_known() {
-            return self.minus_two_log(&resized);
-        }
-        let at = |log_ratio: f64| self.minus_two_log(&resized.levelled(log_ratio.exp(), self.measurements));
-        at(golden(-FOLLOWS.ln(), FOLLOWS.ln(), at))
+        let level = if noise.source.is_known() { resized } else { self.levelled(&resized) };
+        self.minus_two_log(&level)
     }
 
-    /// Noise whose level is what the residuals ask for, where it comes from no column.
-    fn scaled(&self, noise: Noise) -> Noise {
+    /// Noise with the most likely level of what the rows have to themselves; what they share stays.
+    fn levelled(&self, noise: &Noise) -> Noise {
+        /// Largest ratio by which the level follows.
+        const FOLLOWS: f64 = 1e3;
+        let at = |log_ratio: f64| noise.levelled(log_ratio.exp(), self.measurements);
+        at(golden(-FOLLOWS.ln(), FOLLOWS.ln(), |log_ratio| self.minus_two_log(&at(log_ratio))))
+    }
+
+    /// Noise whose level is what the residuals ask for, where it comes from no column. Terms are counted in units
+    /// of the rows' own noise while the level is sought, unless some sizes, the first `known`, are stated.
+    fn scaled(&self, noise: Noise, known: usize) -> Noise {
         if noise.source.is_known() {
             return noise;
         }
+        if noise.terms.iter().take(known).any(|t| matches!(t.effect.acts, Acts::Shared(_))) {
+            return self.levelled(&noise);
+        }
         let (square, _, freedom) = self.parts(&noise);
-        // Terms are counted in units of the rows' own noise while the level is sought.
         let factor = (square / freedom.max(1.0)).sqrt();
         if factor > 0.0 { noise.times(factor, self.measurements) } else { noise }
     }

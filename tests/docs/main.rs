@@ -74,7 +74,7 @@ fn commands_print_what_the_pages_say() {
     let mut count = 0;
     for page in pages() {
         let place = tempfile::tempdir().unwrap();
-        for folder in ["models", "meshes"] {
+        for folder in ["models", "meshes", "tests/data/real"] {
             copy(&root.join(folder), &place.path().join(folder));
         }
         for step in steps(&std::fs::read_to_string(&page).unwrap()) {

@@ -67,7 +67,10 @@ fn where_it_fails(text: &mut String, d: &Diagnosis) {
     }
     let _ = writeln!(text, "\nwhere it fails, with what the model leaves open re-fitted");
     if d.features.is_empty() {
-        let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
+        let _ = match d.before.is_as_noise() {
+            true => writeln!(text, "  along no coordinate: the noise is not what it is taken for"),
+            false => writeln!(text, "  more is left than the noise explains, but along no coordinate"),
+        };
     }
     for feature in comparison::told(&d.features) {
         let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
@@ -198,6 +201,7 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
 /// Describes the structure that remains.
 pub fn unexplained(d: &Diagnosis) -> String {
     match &d.remaining[..] {
+        [] if d.after.is_as_noise() => "nothing but noise beside a curve that describes and explains nothing".into(),
         [] => "more is left than the noise explains, but along no coordinate".into(),
         features => features.iter().map(|f| f.text.clone()).collect::<Vec<_>>().join("; "),
     }
