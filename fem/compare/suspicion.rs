@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::contradiction::{FEW, contradicting};
+use super::contradiction::{FEW, contradicting, contradictions};
 use crate::measure::{FILE, Measurements, Repeats, of_neighbours};
 use crate::model::Data;
 use crate::noise::{Acts, MeasurementEffect, Noise, Restricted, Term, effects, step_of};
@@ -169,12 +169,9 @@ impl Suspicion<'_> {
     pub fn contradictions(&self) -> Option<Vec<Term>> {
         let noise = self.noise;
         let z: Vec<f64> = self.residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
-        let contradicts = contradicting(&self.repeats.group, &z);
-        let rows: Vec<usize> = (0..z.len()).filter(|row| contradicts[*row]).collect();
-        if rows.iter().all(|row| noise.is_weighed_down(*row)) || rows.len() as f64 > FEW * z.len() as f64 {
-            return None;
-        }
-        Some(self.with_outliers(rows))
+        let rows = contradictions(&self.repeats.group, &z);
+        let is_new = rows.iter().any(|row| !noise.is_weighed_down(*row));
+        is_new.then(|| self.with_outliers(rows))
     }
 
     /// The terms at work with these outlying rows in the place of any others.

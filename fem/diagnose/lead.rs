@@ -61,7 +61,12 @@ impl Start {
 impl<'a> Lead<'_, 'a> {
     /// Members of the set, in rising order.
     pub fn key(&self) -> Vec<usize> {
-        candidate_model::key(&[&self.parent.members[..], &[self.added]].concat())
+        candidate_model::key(&self.members())
+    }
+
+    /// Members of the set, the added effect last.
+    fn members(&self) -> Vec<usize> {
+        [&self.parent.members[..], &[self.added]].concat()
     }
 
     /// Starts the two effects of a pair together: the first, while alone, may have taken up what belongs to
@@ -122,8 +127,7 @@ pub fn refit<'a>(
 ) -> Option<CandidateModel<'a>> {
     let candidate = &candidates[lead.added];
     let mut objective = lead.parent.objective.with(&candidate.effect);
-    let members = [&lead.parent.members[..], &[lead.added]].concat();
-    let key = lead.key();
+    let (members, key) = (lead.members(), lead.key());
     let earlier = known.iter().find(|k| k.key() == key);
     if let Some(position) = earlier.map(|k| k.position_of(&members, candidates))
         && let Some(predicted) = objective.predict(&position)
