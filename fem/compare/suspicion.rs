@@ -251,7 +251,13 @@ fn groupings(data: &Data) -> Vec<Vec<usize>> {
     let conditions: Vec<usize> = given().filter(is_condition).collect();
     let pairs = numbers.iter().enumerate().flat_map(|(k, i)| numbers[k + 1..].iter().map(|j| vec![*i, *j]));
     let pass: Vec<usize> = numbers.iter().chain(&conditions).copied().collect();
-    let several = numbers.iter().chain(&conditions).map(|i| vec![*i]).chain(pairs);
+    // What is off by the same whenever an approach or a branch comes again is not set anew: it is the machine's.
+    let returns = |i: &usize| {
+        let stretches = 1 + data.levels(&[*i]).windows(2).filter(|two| two[0] != two[1]).count();
+        matches!(coordinates.get(*i).map(|c| c.holds), Some(Holds::Word(_))) && stretches > counts(&[*i])
+    };
+    let alone = numbers.iter().filter(|i| !returns(i)).chain(&conditions);
+    let several = alone.map(|i| vec![*i]).chain(pairs);
     let mut all: Vec<Vec<usize>> = given().filter(is_sensor).map(|i| vec![i]).collect();
     for by in several.chain((!conditions.is_empty()).then_some(pass)) {
         // What groups the rows as another does is not told twice.

@@ -1,5 +1,6 @@
 //! Makes the diagnosis of the result of a search.
 
+use super::bent_law;
 use super::candidate_model::CandidateModel;
 use super::confounding::{self, Confounding};
 use super::cross_validation::Folds;
@@ -85,6 +86,12 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         if let Some(named) = named.filter(|m| m.indistinguishable_from.iter().all(|o| o.name != own.other.name)) {
             named.indistinguishable_from.push(own.other.clone());
         }
+    }
+    if verdict == Verdict::PartlyExplained
+        && let Some(bend) = bent_law::bend(&found, &best)
+        && let Some(named) = missing.iter_mut().find(|m| m.effect.name == bend.effect)
+    {
+        named.bend = Some(bend);
     }
     let next = next::next(&found, &best, &confoundings, &look_alikes);
     let all = found.tried.iter().chain([&found.base, &best]);
@@ -203,6 +210,7 @@ fn missing(
             indistinguishable_from: own.map_or(Vec::new(), |p| {
                 p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()
             }),
+            bend: None,
         });
         rest = next;
     }

@@ -1,5 +1,6 @@
 //! The result of a diagnosis.
 
+use super::bent_law::Bend;
 use super::detection_limit::DetectionLimit;
 use super::next::Next;
 use super::verdict::{GoodnessOfFit, Verdict};
@@ -98,6 +99,8 @@ pub struct Missing {
     pub estimates: Vec<Estimate>,
     /// Confounded effects: those that fit as well in its place.
     pub indistinguishable_from: Vec<Description>,
+    /// How far and along what its law bends, where that describes much of what is left.
+    pub bend: Option<Bend>,
 }
 
 /// Evaluation of one effect that the model does not have.

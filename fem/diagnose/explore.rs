@@ -1,6 +1,7 @@
 //! Weighs effects of the measurement against those of the machine: a search under every noise that the
 //! residuals ask for.
 
+use super::bent_law;
 use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::hypothesis::{Hypothesis, is_greedy};
@@ -88,14 +89,20 @@ impl Exploration<'_> {
     fn last_resort<'a>(&self, mut path: Vec<Hypothesis<'a>>) -> Result<Vec<Hypothesis<'a>>, Failure> {
         let Some(last) = path.pop() else { return Err(unsolvable()) };
         let mut last = self.widened(last)?;
-        if !last.explains {
+        let explained = last.explains;
+        last.leave_out_decoration();
+        if !explained {
             // What cannot be believed must not leave its own share of the curve out.
             last.leave_out_the_unbelievable();
+            // A law that bends describes too, and a curve has to describe better.
+            let bent = bent_law::bend(&last.found, last.found.best()).map_or(0.0, |bend| bend.evidence);
             let curves = instrument::curves(last.found.best(), self.repeats);
             let bare = instrument::curves(&last.found.base, self.repeats);
-            let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < last.criterion + INSTEAD).collect();
-            if let Some(beside) = self.further(&last, curves, DESCRIBED)? {
+            let least = last.criterion - bent + INSTEAD;
+            let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < least).collect();
+            if let Some(beside) = self.further(&last, curves, DESCRIBED + bent)? {
                 path.push(std::mem::replace(&mut last, beside));
+                last.leave_out_decoration();
             }
         }
         last.leave_out_the_unbelievable();

@@ -1,9 +1,10 @@
 //! A hypothesis: a noise with what the search found under it.
 
+use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
 use super::search::SearchResult;
 use super::verdict::is_explained;
-use super::{instrument, lead};
+use super::{bent_law, instrument, lead};
 use crate::measure::Repeats;
 use crate::noise::{Acts, Term, effects};
 
@@ -37,16 +38,27 @@ impl<'a> Hypothesis<'a> {
         let is_strict = |this: &Self| !this.explains || this.describes();
         while let Some(member) = self.found.best().unbelievable(is_strict(self)).or_else(|| self.misleading()) {
             let (base, candidates) = (&self.found.base, &self.found.candidates);
-            match lead::without(base, candidates, self.found.best(), member) {
-                Some(rest) if !rest.members.is_empty() => {
-                    self.found.steps.pop();
-                    self.found.steps.push(rest);
-                }
-                _ => self.found.steps.clear(),
-            }
-            self.explains = is_explained(self.found.best(), &self.repeats);
-            self.criterion = instrument::criterion(self.found.best());
+            let rest = lead::without(base, candidates, self.found.best(), member);
+            self.replace(rest.filter(|rest| !rest.members.is_empty()));
         }
+    }
+
+    /// Leaves out effects of the machine that explain no more than if the law of another one bends.
+    pub fn leave_out_decoration(&mut self) {
+        if let Some(plainer) = bent_law::plainer(&self.found) {
+            self.replace(Some(plainer));
+        }
+    }
+
+    /// Puts another set in the place of the best one; none leaves the model alone.
+    fn replace(&mut self, set: Option<CandidateModel<'a>>) {
+        self.found.steps.pop();
+        match set {
+            Some(set) => self.found.steps.push(set),
+            None => self.found.steps.clear(),
+        }
+        self.explains = is_explained(self.found.best(), &self.repeats);
+        self.criterion = instrument::criterion(self.found.best());
     }
 
     /// Member with which a part, target, sensor or time that is held out is predicted worse than without it,

@@ -5,6 +5,7 @@
 //! while Δχ² is more than chance gives to a search as wide (look-elsewhere effect); and confounded effects
 //! are named beside those that are found. Structure that no effect explains is described, not explained.
 
+mod bent_law;
 mod candidate_model;
 mod conclude;
 mod confounding;
@@ -30,6 +31,7 @@ mod settle;
 mod told;
 mod verdict;
 
+pub use bent_law::Bend;
 pub use detection_limit::DetectionLimit;
 pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
 pub use next::Next;

@@ -67,6 +67,7 @@ pub fn told(
             p_value: ChiSquared::new(1.0).map_or(1.0, |d| 0.5 * d.sf((without - whole).max(0.0))),
             estimates: vec![size_estimate(term, data, &restricted, noise, number)],
             indistinguishable_from: Vec::new(),
+            bend: None,
         }
     };
     let is_new = |(_, term): &(usize, &Term)| data.terms.iter().all(|t| !t.is_like(term));

@@ -3,8 +3,9 @@
 //! V = D·(R + B·Bᵀ)·D with the rows' own standard uncertainties D, their correlation R, and the columns
 //! that are shared, in standard uncertainties. The R of neighbours has a bidiagonal inverse factor, one that
 //! is given is factored by Cholesky. The columns are dealt with by Woodbury's identity: with C = R^(−1/2)·B,
-//! (1 + C·Cᵀ)^(−1/2) = 1 + C·M·Cᵀ, where M follows from the eigenvalues of CᵀC. Columns with a flat prior
-//! are projected out at last, which is the limit of an infinite size; ln det V then holds ln det(FᵀV⁻¹F) of
+//! (1 + C·Cᵀ)^(−1/2) = 1 + C·M·Cᵀ, where M follows from the eigenvalues of CᵀC. They are dealt with in two
+//! stages: as many as touch no common row, for which CᵀC is diagonal, and the others, whitened by the first
+//! stage, after them. Columns with a flat prior are projected out at last, which is the limit of an infinite size; ln det V then holds ln det(FᵀV⁻¹F) of
 //! these columns F in its place, as the restricted likelihood does. But for a given R, whitening is linear in
 //! the number of rows.
 
@@ -25,8 +26,8 @@ pub struct Covariance {
     columns: Vec<Column>,
     /// The shared columns as the terms give them, SI, with the number of their term.
     given: Vec<(usize, Column)>,
-    /// M of the module's description, and (1 + CᵀC)⁻¹.
-    middle: Middle,
+    /// What whitens them, one after the other.
+    stages: Vec<Stage>,
     /// Columns with a flat prior.
     flat: Option<Flat>,
     /// ln det(R + B·Bᵀ), with the flat columns as the module's description says.
@@ -42,17 +43,20 @@ enum Correlation {
     Given(Arc<GivenCovariance>),
 }
 
+/// Whitens by some of the shared columns.
+#[derive(Clone, Debug)]
+struct Stage {
+    /// Shared columns, whitened by the stages before.
+    columns: Vec<Column>,
+    /// M of the module's description.
+    middle: Middle,
+}
+
 #[derive(Clone, Debug)]
 enum Middle {
     /// The columns touch no common row.
-    Diagonal {
-        whitening: Vec<f64>,
-        inverse: Vec<f64>,
-    },
-    Full {
-        whitening: DMatrix<f64>,
-        inverse: DMatrix<f64>,
-    },
+    Diagonal(Vec<f64>),
+    Full(DMatrix<f64>),
 }
 
 impl Covariance {
@@ -74,9 +78,9 @@ impl Covariance {
             return None;
         }
         let columns: Vec<Column> = given.iter().map(|(_, column)| correlation.freed(sigma, column)).collect();
-        let (middle, of_columns) = Middle::of(&columns, sigma.len());
+        let (stages, of_columns) = Stage::all(&columns, sigma.len());
         let log_determinant = correlation.log_determinant() + of_columns;
-        let mut all = Self { correlation, columns, given, middle, flat: None, log_determinant };
+        let mut all = Self { correlation, columns, given, stages, flat: None, log_determinant };
         let whitened = |(_, column): &(usize, Column)| {
             let mut dense = vec![0.0; sigma.len()];
             column.iter().for_each(|(row, w)| dense[*row] = w / sigma[*row]);
@@ -102,8 +106,7 @@ impl Covariance {
     /// Whitens values that are given in the rows' own standard uncertainties.
     pub fn whiten(&self, values: &mut [f64]) {
         self.correlation.free(values);
-        let along = self.along(values);
-        self.add(&self.middle.whitening(&along), values);
+        self.stages.iter().for_each(|stage| stage.whiten(values));
         if let Some(flat) = &self.flat {
             flat.take_out(values);
         }
@@ -117,30 +120,26 @@ impl Covariance {
         if let Some(flat) = &self.flat {
             let mut whitened = own(&left);
             self.correlation.free(&mut whitened);
-            let along = self.along(&whitened);
-            self.add(&self.middle.whitening(&along), &mut whitened);
+            self.stages.iter().for_each(|stage| stage.whiten(&mut whitened));
             all = flat.contributions(&whitened);
             all.iter().flat_map(|(_, column)| column).for_each(|(row, v)| left[*row] -= v);
         }
         let mut values = own(&left);
         self.correlation.free(&mut values);
-        let amplitudes = self.middle.inverse(&self.along(&values));
+        // Each stage is symmetric: there and back again they are (1 + C·Cᵀ)⁻¹.
+        self.stages.iter().chain(self.stages.iter().rev()).for_each(|stage| stage.whiten(&mut values));
+        let amplitudes = along(&self.columns, &values);
         let scaled = |(column, a): (&(usize, Column), &f64)| {
             (column.0, column.1.iter().map(|(row, w)| (*row, w * a)).collect::<Column>())
         };
         all.extend(self.given.iter().zip(&amplitudes).map(scaled));
         all
     }
+}
 
-    fn along(&self, values: &[f64]) -> Vec<f64> {
-        self.columns.iter().map(|column| column.iter().map(|(row, w)| w * values[*row]).sum()).collect()
-    }
-
-    fn add(&self, amplitudes: &[f64], values: &mut [f64]) {
-        for (column, amplitude) in self.columns.iter().zip(amplitudes) {
-            column.iter().for_each(|(row, w)| values[*row] += w * amplitude);
-        }
-    }
+/// Product of every column with the values of the rows.
+fn along(columns: &[Column], values: &[f64]) -> Vec<f64> {
+    columns.iter().map(|column| column.iter().map(|(row, w)| w * values[*row]).sum()).collect()
 }
 
 impl Correlation {
@@ -208,48 +207,60 @@ fn shrink(s: f64) -> f64 {
     -1.0 / (root * (1.0 + root))
 }
 
-impl Middle {
-    /// Of some columns over `rows` rows, with ln det(1 + C·Cᵀ).
-    fn of(columns: &[Column], rows: usize) -> (Self, f64) {
-        let mut owner = vec![usize::MAX; rows];
-        let mut apart = true;
-        for (number, column) in columns.iter().enumerate() {
-            for (row, _) in column {
-                apart &= owner[*row] == usize::MAX;
-                owner[*row] = number;
-            }
+impl Stage {
+    /// The stages of some columns over `rows` rows, with ln det(1 + C·Cᵀ).
+    fn all(columns: &[Column], rows: usize) -> (Vec<Self>, f64) {
+        let mut is_touched = vec![false; rows];
+        let mut apart = |column: &Column| {
+            let apart = column.iter().all(|(row, _)| !is_touched[*row]);
+            column.iter().filter(|_| apart).for_each(|(row, _)| is_touched[*row] = true);
+            apart
+        };
+        // The shortest first: of them there are most.
+        let mut rising = columns.to_vec();
+        rising.sort_by_key(Vec::len);
+        let (first, others): (Vec<Column>, Vec<Column>) = rising.into_iter().partition(|c| apart(c));
+        let (first, log_determinant) = Self::of_columns_apart(first);
+        if others.is_empty() {
+            return (vec![first], log_determinant);
         }
-        if apart {
-            let squares: Vec<f64> = columns.iter().map(|c| c.iter().map(|(_, w)| w * w).sum()).collect();
-            let log_determinant = squares.iter().map(|s: &f64| s.ln_1p()).sum();
-            let whitening = squares.iter().map(|s| shrink(*s)).collect();
-            let inverse = squares.iter().map(|s| 1.0 / (1.0 + s)).collect();
-            return (Self::Diagonal { whitening, inverse }, log_determinant);
+        let mut dense = DMatrix::zeros(rows, others.len());
+        for (mut own, column) in dense.column_iter_mut().zip(&others) {
+            let mut values = vec![0.0; rows];
+            column.iter().for_each(|(row, w)| values[*row] = *w);
+            first.whiten(&mut values);
+            own.copy_from_slice(&values);
         }
-        let mut dense = DMatrix::zeros(rows, columns.len());
-        for (number, column) in columns.iter().enumerate() {
-            column.iter().for_each(|(row, w)| dense[(*row, number)] = *w);
-        }
+        let (second, of_second) = Self::of_any(&dense);
+        (vec![first, second], log_determinant + of_second)
+    }
+
+    /// Of columns that touch no common row.
+    fn of_columns_apart(columns: Vec<Column>) -> (Self, f64) {
+        let squares: Vec<f64> = columns.iter().map(|c| c.iter().map(|(_, w)| w * w).sum()).collect();
+        let log_determinant = squares.iter().map(|s: &f64| s.ln_1p()).sum();
+        let middle = Middle::Diagonal(squares.iter().map(|s| shrink(*s)).collect());
+        (Self { columns, middle }, log_determinant)
+    }
+
+    fn of_any(dense: &DMatrix<f64>) -> (Self, f64) {
         let eigen = (dense.transpose() * dense).symmetric_eigen();
         let values = eigen.eigenvalues.map(|s| s.max(0.0));
-        let with = |f: fn(f64) -> f64| {
-            &eigen.eigenvectors * DMatrix::from_diagonal(&values.map(f)) * eigen.eigenvectors.transpose()
+        let middle = &eigen.eigenvectors * DMatrix::from_diagonal(&values.map(shrink)) * eigen.eigenvectors.transpose();
+        let sparse = |column: &[f64]| column.iter().copied().enumerate().filter(|(_, w)| *w != 0.0).collect();
+        let columns = dense.column_iter().map(|column| sparse(column.as_slice())).collect();
+        (Self { columns, middle: Middle::Full(middle) }, values.iter().map(|s| s.ln_1p()).sum())
+    }
+
+    /// Applies (1 + C·Cᵀ)^(−1/2) of its columns.
+    fn whiten(&self, values: &mut [f64]) {
+        let along = along(&self.columns, values);
+        let amplitudes: Vec<f64> = match &self.middle {
+            Middle::Diagonal(middle) => middle.iter().zip(&along).map(|(m, a)| m * a).collect(),
+            Middle::Full(middle) => (middle * DVector::from_column_slice(&along)).data.into(),
         };
-        let log_determinant = values.iter().map(|s| s.ln_1p()).sum();
-        (Self::Full { whitening: with(shrink), inverse: with(|s| 1.0 / (1.0 + s)) }, log_determinant)
-    }
-
-    fn whitening(&self, along: &[f64]) -> Vec<f64> {
-        match self {
-            Self::Diagonal { whitening, .. } => whitening.iter().zip(along).map(|(m, a)| m * a).collect(),
-            Self::Full { whitening, .. } => (whitening * DVector::from_column_slice(along)).data.into(),
-        }
-    }
-
-    fn inverse(&self, along: &[f64]) -> Vec<f64> {
-        match self {
-            Self::Diagonal { inverse, .. } => inverse.iter().zip(along).map(|(m, a)| m * a).collect(),
-            Self::Full { inverse, .. } => (inverse * DVector::from_column_slice(along)).data.into(),
+        for (column, amplitude) in self.columns.iter().zip(&amplitudes) {
+            column.iter().for_each(|(row, w)| values[*row] += w * amplitude);
         }
     }
 }

@@ -59,7 +59,8 @@ impl Tally {
             self.one[1] += usize::from(physical.len() == 1 && physical[0].contains(&hidden));
         }
         self.told[0] += 1;
-        self.told[1] += usize::from(names(&diagnosis).any(|name| trouble.names().contains(&name)));
+        let wanted = trouble.names();
+        self.told[1] += usize::from(wanted.is_empty() || names(&diagnosis).any(|name| wanted.contains(&name)));
         let rows: BTreeSet<usize> = diagnosis.outliers.iter().map(|o| o.record - 1).collect();
         let wrong: BTreeSet<usize> = case.truth.outliers.iter().copied().collect();
         self.outliers[0] += wrong.len();

@@ -128,6 +128,7 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "p_value": missing.p_value,
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| e.name).collect::<Vec<_>>(),
+        "bend": missing.bend.as_ref().map(|b| json!({ "along": b.along, "share": b.share })),
     })
 }
 

@@ -112,6 +112,11 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
         let _ = writeln!(text, "{}", line.trim_end());
     }
     let _ = writeln!(text, "  {}", chance(missing.p_value));
+    if let Some(bend) = &missing.bend {
+        let along = bend.along.map_or("with its own size".into(), |name| format!("along {name}"));
+        let share = 100.0 * bend.share;
+        let _ = writeln!(text, "  its shape is not wholly this law: it bends {along}, by up to {share:.0} % of itself");
+    }
     for alternative in &missing.indistinguishable_from {
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
         let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.name);

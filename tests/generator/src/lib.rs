@@ -255,13 +255,21 @@ fn finish(
     let mut exact = job.predict(&causes);
     let (shape, structure) = foreign.unwrap_or(("", vec![0.0; exact.len()]));
     exact.iter_mut().zip(structure).for_each(|(e, s)| *e += s);
+    for hidden in shown.len()..causes.len() {
+        let bend = trouble.map(|t| t.bend(&job.signature(&causes, hidden)));
+        exact.iter_mut().zip(bend.into_iter().flatten()).for_each(|(e, off)| *e += off);
+    }
     let mut measured = |trouble: Option<Trouble>| {
         let (noise, wrong) = match trouble {
             None => (job.scales().iter().map(|_| random.normal()).collect(), Vec::new()),
             Some(trouble) => trouble.noise(&job.groups(), random),
         };
-        let noise = job.scales().into_iter().zip(noise).map(|(scale, noise)| tuned.sigma * scale * noise);
-        let observed: Vec<f64> = exact.iter().zip(noise).map(|(e, noise)| e + noise).collect();
+        let read = |((exact, scale), noise): ((&f64, f64), f64)| {
+            let sigma = tuned.sigma * scale;
+            let value = exact + sigma * noise;
+            trouble.map_or(value, |t| t.shown(value, sigma))
+        };
+        let observed: Vec<f64> = exact.iter().zip(job.scales()).zip(noise).map(read).collect();
         (job.data(&observed, tuned.sigma * trouble.map_or(1.0, Trouble::stated)), wrong)
     };
     let (data, outliers) = measured(trouble);

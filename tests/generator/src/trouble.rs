@@ -15,20 +15,40 @@ pub enum Trouble {
     Zeros,
     /// From one row on everything is 4 standard deviations higher.
     Step,
+    /// Values are rounded to 2 standard deviations.
+    Rounded,
+    /// Zeros of 2 standard deviations, and one row of a hundred that is off by 8 to 15.
+    Mixed,
+    /// The hidden effect saturates: its law is 1.4 of itself where it is small and 0.7 where it is largest.
+    Bent,
 }
 
-/// Coefficient of the autoregression, part of the uncertainty that is stated, and sizes of zeros and of the
-/// step.
+/// Coefficient of the autoregression, part of the uncertainty that is stated, sizes of zeros, of the step, of
+/// what values are rounded to and of zeros among other troubles, and the largest share of a bend.
 const COEFFICIENT: f64 = 0.6;
 const STATED: f64 = 0.6;
 const ZERO: f64 = 3.0;
 const STEP: f64 = 4.0;
+const ROUNDED: f64 = 2.0;
+const SMALLER_ZERO: f64 = 2.0;
+const BEND: f64 = 0.4;
 
 impl Trouble {
     /// All of them.
-    pub const ALL: &[Self] = &[Self::Shared, Self::Outliers, Self::Understated, Self::Zeros, Self::Step];
+    pub const ALL: &[Self] = &[
+        Self::Shared,
+        Self::Outliers,
+        Self::Understated,
+        Self::Zeros,
+        Self::Step,
+        Self::Rounded,
+        Self::Mixed,
+        Self::Bent,
+    ];
 
-    /// The measurement effects that name it; a step at the border of groups is also one of their zeros.
+    /// The measurement effects that name it; a step at the border of groups is also one of their zeros. None
+    /// where there is nothing to name: a bent law is no effect of the measurement, and steps of the instrument
+    /// within the noise do no harm.
     pub fn names(self) -> &'static [&'static str] {
         match self {
             Self::Shared => &["correlated-noise"],
@@ -36,6 +56,8 @@ impl Trouble {
             Self::Understated => &["uncertainty-scale"],
             Self::Zeros => &["zero-shift"],
             Self::Step => &["jump", "drift", "zero-shift"],
+            Self::Mixed => &["zero-shift", "outliers"],
+            Self::Rounded | Self::Bent => &[],
         }
     }
 
@@ -56,21 +78,12 @@ impl Trouble {
                     noise[row] = COEFFICIENT * noise[row - 1] + own * noise[row];
                 }
             }
-            Self::Outliers => {
-                while wrong.len() < noise.len().div_ceil(50) {
-                    let row = random.whole(0, noise.len() - 1);
-                    if !wrong.contains(&row) {
-                        noise[row] += random.sign() * random.uniform(8.0, 15.0);
-                        wrong.push(row);
-                    }
-                }
-                wrong.sort_unstable();
-            }
-            Self::Understated => {}
-            Self::Zeros => {
-                let count = groups.iter().max().map_or(0, |g| g + 1);
-                let zeros: Vec<f64> = (0..count).map(|_| ZERO * random.normal()).collect();
-                noise.iter_mut().zip(groups).for_each(|(n, group)| *n += zeros[*group]);
+            Self::Outliers => wrong = spoil(&mut noise, 50, random),
+            Self::Understated | Self::Rounded | Self::Bent => {}
+            Self::Zeros => shift(&mut noise, groups, ZERO, random),
+            Self::Mixed => {
+                shift(&mut noise, groups, SMALLER_ZERO, random);
+                wrong = spoil(&mut noise, 100, random);
             }
             Self::Step => {
                 let first = random.whole(noise.len() / 5, noise.len() * 4 / 5);
@@ -79,4 +92,38 @@ impl Trouble {
         }
         (noise, wrong)
     }
+
+    /// What an instrument shows of a value that its noise of `sigma` is already in.
+    pub fn shown(self, value: f64, sigma: f64) -> f64 {
+        let step = ROUNDED * sigma;
+        if self == Self::Rounded { (value / step).round() * step } else { value }
+    }
+
+    /// What a law of this signature is off by.
+    pub fn bend(self, signature: &[f64]) -> Vec<f64> {
+        let largest = signature.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+        let off = |s: &f64| if largest > 0.0 { BEND * s * (2.5 * s.abs() / largest).cos() } else { 0.0 };
+        signature.iter().map(|s| if self == Self::Bent { off(s) } else { 0.0 }).collect()
+    }
+}
+
+/// Makes one row of so many wrong; also says which.
+fn spoil(noise: &mut [f64], one_of: usize, random: &mut Random) -> Vec<usize> {
+    let mut wrong = Vec::new();
+    while wrong.len() < noise.len().div_ceil(one_of) {
+        let row = random.whole(0, noise.len() - 1);
+        if !wrong.contains(&row) {
+            noise[row] += random.sign() * random.uniform(8.0, 15.0);
+            wrong.push(row);
+        }
+    }
+    wrong.sort_unstable();
+    wrong
+}
+
+/// Gives every group a zero of its own.
+fn shift(noise: &mut [f64], groups: &[usize], size: f64, random: &mut Random) {
+    let count = groups.iter().max().map_or(0, |g| g + 1);
+    let zeros: Vec<f64> = (0..count).map(|_| size * random.normal()).collect();
+    noise.iter_mut().zip(groups).for_each(|(n, group)| *n += zeros[*group]);
 }
