@@ -27,7 +27,7 @@ pub struct Tally {
 
 impl Tally {
     /// Diagnoses cases of a process, with nothing hidden and with one effect each.
-    pub fn of(process: &Process, trouble: Trouble, seeds: std::ops::Range<u64>) -> Self {
+    pub fn of(process: &Process, trouble: Trouble, seeds: impl Iterator<Item = u64> + Clone) -> Self {
         let mut tally = Self::default();
         for seed in seeds.clone() {
             tally.count(process.nothing_but(Some(trouble), seed), trouble);

@@ -41,8 +41,10 @@ pub struct Machine {
     pub hold: Hold,
     /// Exponent of the force in the depth actually cut; `None` where the force stays as set.
     pub feedback: Option<f64>,
-    /// Changes of diameter that add up.
+    /// Changes of diameter that add up: what moves the nose across, in the plane of the axis.
     pub shifts: Vec<Shift>,
+    /// What moves the nose up or down, out of that plane, m.
+    pub lifts: Vec<Shift>,
     /// Why an effect cannot be computed; the machine then predicts nothing.
     pub failure: Option<Failure>,
 }
@@ -53,7 +55,17 @@ impl Machine {
         let carriage = Joint { spring_compliance: setup.holder_compliance, contacts: Vec::new() };
         let hold = setup.hold();
         let (headstock, tailstock) = (Joint::default(), Joint::default());
-        Self { setup, headstock, tailstock, carriage, hold, feedback: None, shifts: Vec::new(), failure: None }
+        Self {
+            setup,
+            headstock,
+            tailstock,
+            carriage,
+            hold,
+            feedback: None,
+            shifts: Vec::new(),
+            lifts: Vec::new(),
+            failure: None,
+        }
     }
 
     /// Adds a change of diameter, m.
@@ -61,9 +73,20 @@ impl Machine {
         self.shifts.push(Box::new(shift));
     }
 
-    /// Everything but force that changes the diameter at a moment, m.
+    /// Moves the nose up, m.
+    pub fn add_lift(&mut self, lift: impl Fn(&Moment) -> f64 + Send + Sync + 'static) {
+        self.lifts.push(Box::new(lift));
+    }
+
+    /// Everything but force that changes the diameter at a moment, m: the nose stands at √(r² + z²) from the axis,
+    /// with all that moves it across in r and all that moves it up in z [seed 002 (2), (3)].
     pub fn shift_at(&self, moment: &Moment) -> f64 {
-        self.shifts.iter().map(|shift| shift(moment)).sum()
+        let all = |moves: &[Shift]| moves.iter().map(|by| by(moment)).sum::<f64>();
+        let (across, up) = (all(&self.shifts), 2.0 * all(&self.lifts));
+        let diameter = moment.diameter + across;
+        // √(D² + z²) − D without the loss of digits in the difference.
+        let raised = if up == 0.0 { 0.0 } else { up * up / (diameter.hypot(up) + diameter) };
+        across + raised
     }
 
     /// The same when the tool is at `x` on `part` by the schedule of the model.

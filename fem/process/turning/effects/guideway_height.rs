@@ -1,8 +1,9 @@
 //! The guideway rises or falls: a hyperboloid.
 //!
-//! Δz = slope·x lifts the tool nose off the axis plane; ΔD += √(D² + 4Δz²) − D, a hyperboloid of revolution
-//! [seed 002 (2), (3)]; the handbook's 2Δz²/D [seed 002 (7)] is its first term. slope in m/m, of either
-//! sign, with the same effect.
+//! Δz = slope·x lifts the tool nose off the axis plane; the diameter becomes √((D + ΔD)² + 4Δz²), with the sum
+//! ΔD of all that moves the nose across: a hyperboloid of revolution [seed 002 (2), (3)]; the handbook's
+//! 2Δz²/D [seed 002 (7)] is its first term. slope in m per m along the axis, of either sign, with the same
+//! effect.
 
 use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};
@@ -12,18 +13,12 @@ use crate::units::STEEP_SLOPE;
 pub static GUIDEWAY_HEIGHT: Effect<1> = Effect {
     name: "guideway-height",
     about: "the guideway rises or falls against the spindle axis; the shaft becomes a hyperboloid",
-    law: "dD += sqrt(D^2 + 4*dz^2) - D, dz = slope*x",
+    law: "dD = sqrt((D + dD)^2 + 4*dz^2) - D, dz = slope*x",
     source: "seed 002 (2), (3), (7)",
     parameters: [Parameter::signed("slope", STEEP_SLOPE, "rise of the guideway", (-5.0, 5.0))],
     look_alikes: &[("tailstock-compliance", "a second force: both grow with x squared, only one with the force")],
     needs: nothing,
-    act: |[slope], machine| {
-        machine.add_shift(move |at| {
-            let rise = 2.0 * slope * at.x;
-            // √(D² + r²) − D without the loss of digits in the difference.
-            rise * rise / (at.diameter.hypot(rise) + at.diameter)
-        });
-    },
+    act: |[slope], machine| machine.add_lift(move |at| slope * at.x),
 };
 
 #[cfg(test)]

@@ -44,20 +44,21 @@ fn hyperboloid() -> Vec<Case> {
     // y² over x is a parabola a·x² + 2d·x + f; a from its second difference. I₂ = −a < 0 says hyperbola.
     let y2 = |x: f64| (0.5 * (d + shift(&height, 1, x))).powi(2);
     let a = (y2(0.4) - 2.0 * y2(0.2) + y2(0.0)) / (2.0 * 0.2 * 0.2);
-    // Added up, the two lack the term in which the taper widens the diameter of the hyperboloid: 2Δy/D of
-    // 2Δz²/D.
-    let coupled = 2.0 * 0.2e-3 / d * (2.0 * z * z / d);
+    // Added up, and not joined under the root, these would be 0.3 um more.
+    let steep = uniform("centres", "[guideway-height]\nslope = \"5 mm/m\"\n[guideway-taper]\nslope = \"200 um/m\"");
+    let askew = 2.0 * ((0.5 * d + 60e-6).powi(2) + 1.5e-3f64.powi(2)).sqrt() - d;
     let at = |name: &str, pair: (f64, f64), tolerance, source| {
         row(name, "diameter error", (pair.0, pair.1, "m"), tolerance, source)
     };
     let (risen, first) = (shift(&height, 1, 0.4), 2.0 * z * z / d);
-    let (own, sum) = (Tolerance::Relative(z * z / (d * d)), Tolerance::Absolute(coupled));
+    let (own, exactly) = (Tolerance::Relative(z * z / (d * d)), Tolerance::Relative(1e-11));
     let (source, handbook) = ("seed 002 (3)-(5): I2 = -tan^2(beta)", "seed 002 (7); its own error is (dz/D)^2");
-    let added = "seed 002 (3); contributions add to first order";
+    let joined = "seed 002 (3): y^2 = (D/2 + x*tan(alpha))^2 + (x*tan(beta))^2";
     vec![
         at("guideway rises 2 mm/m, x = 0.4 m", (exact, risen), Tolerance::Relative(1e-11), "seed 002 (2)"),
         at("the same, handbook's first term", (first, risen), own, handbook),
-        at("guideway rises and tapers, x = 0.4 m", (tilted, shift(&both, 1, 0.4)), sum, added),
+        at("guideway rises and tapers, x = 0.4 m", (tilted, shift(&both, 1, 0.4)), exactly, joined),
+        at("guideway rises 5 mm/m and tapers 200 um/m, x = 0.3 m", (askew, shift(&steep, 1, 0.3)), exactly, joined),
         row("hyperboloid of revolution", "invariant I2", (-4e-6, -a, "-"), Tolerance::Relative(1e-9), source),
     ]
 }

@@ -1,4 +1,5 @@
-//! The causes that simply add to the diameter, each by its formula in the physics page's table.
+//! The causes that move the nose, each by its formula in the physics page's table: across they add up, and
+//! height joins them under the root.
 
 use super::heat::tool_temperature;
 use super::job::{Holding, Job};
@@ -34,11 +35,6 @@ pub fn additive_error(job: &Job, causes: &[Cause]) -> Vec<f64> {
                 2.0 * size("drift") * (1.0 - (-time / size("time_constant")).exp()) * place
             }),
             "guideway-taper" => Box::new(|_, x| 2.0 * size("slope") * x * 1e-3),
-            "guideway-height" => Box::new(|_, x| {
-                // The hyperboloid [002 (2)(3)(7)]: sqrt(D^2 + 4 dz^2) - D without the cancellation.
-                let (d, z) = (job.shaft.diameter(x), size("slope") * x * 1e-3);
-                1e3 * 4.0 * z * z / ((d * d + 4.0 * z * z).sqrt() + d)
-            }),
             "guideway-wear" => {
                 Box::new(|_, x| 2.0 * size("depth") * (-0.5 * ((x - size("centre")) / size("width")).powi(2)).exp())
             }
@@ -47,6 +43,13 @@ pub fn additive_error(job: &Job, causes: &[Cause]) -> Vec<f64> {
             _ => continue,
         };
         errors.iter_mut().zip(&job.rows).for_each(|(e, row)| *e += law(row.part, row.x));
+    }
+    if let Some(slope) = value(causes, "guideway-height", "slope") {
+        // The hyperboloid [002 (2)(3)(7)]: the nose at r across and z up cuts 2 sqrt(r^2 + z^2), mm.
+        for (error, row) in errors.iter_mut().zip(&job.rows) {
+            let (d, z) = (job.shaft.diameter(row.x) + 1e-3 * *error, slope * row.x * 1e-3);
+            *error += 1e3 * 4.0 * z * z / ((d * d + 4.0 * z * z).sqrt() + d);
+        }
     }
     errors
 }
