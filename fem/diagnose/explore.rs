@@ -92,16 +92,14 @@ impl Exploration<'_> {
         let explained = last.explains;
         last.leave_out_decoration();
         if !explained {
-            // What cannot be believed must not leave its own share of the curve out; what is rightly there must not
-            // swell it.
-            let beside_all = instrument::curves(last.found.best(), self.repeats);
+            // What cannot be believed must not leave its own share of the curve out.
             last.leave_out_the_unbelievable();
             // A law that bends describes too, and a curve has to describe better.
             let bent = bent_law::bend(&last.found, last.found.best()).map_or(0.0, |bend| bend.evidence);
             let curves = instrument::curves(last.found.best(), self.repeats);
             let bare = instrument::curves(&last.found.base, self.repeats);
             let least = last.criterion - bent + INSTEAD;
-            let curves = beside_all.into_iter().chain(curves).chain(bare).filter(|p| p.criterion < least).collect();
+            let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < least).collect();
             if let Some(beside) = self.further(&last, curves, DESCRIBED + bent)? {
                 path.push(std::mem::replace(&mut last, beside));
                 last.leave_out_decoration();
