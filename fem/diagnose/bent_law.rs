@@ -8,7 +8,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::candidate_model::CandidateModel;
+use super::candidate_model::{self, CandidateModel};
 use super::confounding::EQUAL_FIT;
 use super::instrument::criterion;
 use super::lead::{bare, without};
@@ -71,8 +71,11 @@ fn smaller<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>) -> Vec<Candi
         let mut smaller: Vec<CandidateModel> = Vec::new();
         for set in &sets {
             for member in &set.members {
-                let rest = without(&found.base, &found.candidates, set, *member);
-                smaller.extend(rest.filter(|rest| smaller.iter().all(|known| known.key() != rest.key())));
+                let others: Vec<usize> = set.members.iter().copied().filter(|m| m != member).collect();
+                let key = candidate_model::key(&others);
+                if smaller.iter().all(|known| known.key() != key) {
+                    smaller.extend(without(&found.base, &found.candidates, set, *member));
+                }
             }
         }
         all.extend(smaller.iter().cloned());
@@ -158,8 +161,7 @@ fn evidence(
         .column_iter()
         .map(|column| {
             let bent = column.iter().zip(signature).map(|(share, s)| SHARE * share * s);
-            let priors = std::iter::repeat_n(0.0, objective.priors());
-            projected.project(DVector::from_vec(objective.noise.whiten(bent).into_iter().chain(priors).collect()))
+            projected.project(objective.whiten(bent))
         })
         .collect();
     let columns = DMatrix::from_columns(&columns);

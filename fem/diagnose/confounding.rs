@@ -110,8 +110,7 @@ fn confounding<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, member: 
 /// Variants of another effect that come closest to the contribution of the member.
 fn imitations(best: &CandidateModel, bare: &CandidateModel, stranger: &CandidateEffect) -> Vec<(usize, Gain)> {
     let rows = best.solution.predicted.iter().zip(&bare.solution.predicted).map(|(p, q)| p - q);
-    let priors = std::iter::repeat_n(0.0, best.objective.priors());
-    let made = DVector::from_vec(best.objective.noise.whiten(rows).into_iter().chain(priors).collect());
+    let made = best.objective.whiten(rows);
     let imitation =
         |v: &Variant| gain(&(v.columns.transpose() * &v.columns), &(v.columns.transpose() * &made), &v.signed);
     promising(stranger.variants.iter().map(imitation).collect())

@@ -6,7 +6,8 @@ use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::hypothesis::{Hypothesis, is_greedy};
 use super::instrument::{self, Proposal};
-use super::search::{Breadth, Extent, SearchResult};
+use super::null_distribution::variance;
+use super::search::{Breadth, Extent, SIGNIFICANCE, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
 use crate::compare::{PROMISING, is_round_off};
 use crate::fit::{Objective, Solution};
@@ -98,20 +99,37 @@ impl Exploration<'_> {
             let bent = bent_law::bend(&last.found, last.found.best()).map_or(0.0, |bend| bend.evidence);
             let curves = instrument::curves(last.found.best(), self.repeats);
             let bare = instrument::curves(&last.found.base, self.repeats);
+            // A curve that is sized without a cause takes it up, and the cause is not seen beside it any more.
+            let singles = last.found.singles.iter().flatten();
+            let beside = singles.flat_map(|single| instrument::curves(single, self.repeats));
             let least = last.criterion - bent + INSTEAD;
-            let curves = curves.into_iter().chain(bare).filter(|p| p.criterion < least).collect();
+            let curves = curves.into_iter().chain(bare).chain(beside).filter(|p| p.criterion < least).collect();
             if let Some(beside) = self.further(&last, curves, DESCRIBED + bent)? {
                 path.push(std::mem::replace(&mut last, beside));
                 last.leave_out_decoration();
             }
         }
         last.leave_out_the_unbelievable();
-        path.push(last);
+        path.push(self.eliminated(last)?);
         Ok(path)
     }
 
-    /// The best hypothesis with one term more, of those that are worth a search; `None` where none is better by
-    /// more than `least`.
+    /// Leaves out terms that are not worth their price any more, beside what was found after them.
+    fn eliminated<'a>(&self, mut last: Hypothesis<'a>) -> Result<Hypothesis<'a>, Failure> {
+        loop {
+            let rest = instrument::with_a_term_less(last.found.best(), self.repeats);
+            let most = last.criterion + PROMISING;
+            let Some(rest) = rest.into_iter().find(|rest| rest.criterion < most) else { return Ok(last) };
+            let without = self.under(&last.found, rest)?;
+            if without.criterion > most || last.explains && !without.explains {
+                return Ok(last);
+            }
+            last = without;
+        }
+    }
+
+    /// The best hypothesis with one term more, of those that are worth a search and better by more than `least`;
+    /// else one that explains as much without effects of the machine; else `None`.
     fn further<'a>(
         &self,
         here: &Hypothesis<'a>,
@@ -119,7 +137,7 @@ impl Exploration<'_> {
         least: f64,
     ) -> Result<Option<Hypothesis<'a>>, Failure> {
         proposals.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
-        let mut best: Option<Hypothesis> = None;
+        let mut all: Vec<Hypothesis> = Vec::new();
         let mut looked: Vec<&MeasurementEffect> = Vec::new();
         for proposal in proposals {
             // The best of each effect is looked at: their neighbours would say the same.
@@ -128,16 +146,16 @@ impl Exploration<'_> {
                 continue;
             }
             looked.push(newest);
-            if best.as_ref().is_some_and(|b| b.explains && proposal.criterion > b.criterion + INSTEAD) {
+            if all.iter().any(|b| b.explains && proposal.criterion > b.criterion + INSTEAD) {
                 // What explains everything is not likely to be beaten from so far behind.
                 continue;
             }
-            let found = self.under(&here.found, proposal)?;
-            if best.as_ref().is_none_or(|b| found.criterion < b.criterion) {
-                best = Some(found);
-            }
+            all.push(self.under(&here.found, proposal)?);
         }
-        Ok(best.filter(|b| b.criterion < here.criterion - least))
+        all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
+        let is_better = |h: &Hypothesis| h.criterion < here.criterion - least;
+        let chosen = all.iter().position(is_better).or_else(|| all.iter().position(|h| h.is_plainer_than(here)));
+        Ok(chosen.map(|number| all.swap_remove(number)))
     }
 
     /// Searches widely where the usual search left structure: strong effects that are far from linear hide behind
@@ -174,7 +192,27 @@ impl Exploration<'_> {
                 break;
             }
         }
+        self.take_back(&mut found);
         Ok(Hypothesis::new(found, within))
+    }
+
+    /// Takes back effects that gain no more than chance gives once the noise is sized without them too: a
+    /// correlation that was sized beside an effect is too short to weigh that very effect.
+    fn take_back(&self, found: &mut SearchResult) {
+        while let Some((last, rest)) = found.steps.split_last() {
+            if !is_greedy(&last.objective.noise.terms) {
+                return;
+            }
+            let before = rest.last().unwrap_or(&found.base);
+            let Some(without) = instrument::resized(before, self.repeats) else { return };
+            let gained = instrument::minus_two_log(&without) - instrument::minus_two_log(last);
+            let variance = variance(&last.objective.noise, self.repeats);
+            let statistic = variance.statistic(gained, last.solution.chi2, last.objective.freedom());
+            if found.first_null_distribution.p_value(statistic) < SIGNIFICANCE {
+                return;
+            }
+            found.steps.pop();
+        }
     }
 
     fn extent<'k, 'a>(&'k self, known: &'k [CandidateModel<'a>]) -> Extent<'k, 'a> {

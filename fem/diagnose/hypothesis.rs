@@ -1,6 +1,7 @@
 //! A hypothesis: a noise with what the search found under it.
 
 use super::candidate_model::CandidateModel;
+use super::confounding::EQUAL_FIT;
 use super::cross_validation::Folds;
 use super::search::SearchResult;
 use super::verdict::is_explained;
@@ -77,6 +78,21 @@ impl<'a> Hypothesis<'a> {
             errors.into_iter().any(|(with, without)| with > WORSE * without)
         };
         best.members.iter().copied().find(misleads)
+    }
+
+    /// Whether a zero that was set anew, or a step of it, explains as much as effects of the machine, and takes no
+    /// more causes: then nothing shows that the machine is at fault. As much is told with the prices of the
+    /// causes, or without.
+    pub fn is_plainer_than(&self, other: &Self) -> bool {
+        let (own, others) = (self.found.best(), other.found.best());
+        let of_zero = own.objective.noise.terms.last();
+        if !self.explains || !of_zero.is_some_and(|t| [&effects::ZERO_SHIFT, &effects::JUMP].contains(&t.effect)) {
+            return false;
+        }
+        let causes = |trial: &CandidateModel| trial.members.len() + trial.objective.noise.terms.len();
+        let rise = self.criterion - other.criterion;
+        let plain = instrument::minus_two_log(own) - instrument::minus_two_log(others);
+        own.members.len() < others.members.len() && causes(own) <= causes(others) && rise.min(plain) <= EQUAL_FIT
     }
 
     /// Whether a curve that no law has stands in its noise.

@@ -1,5 +1,6 @@
 //! Effects of the measurement: which terms of the covariance the residuals of a model ask for.
 
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
@@ -21,6 +22,11 @@ pub fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Nois
 pub fn criterion(trial: &CandidateModel) -> f64 {
     let noise = &trial.objective.noise;
     trial.penalised_bic() + noise.log_determinant() + price(noise, trial.objective.data)
+}
+
+/// −2 ln L of a fitted model, less a constant.
+pub fn minus_two_log(trial: &CandidateModel) -> f64 {
+    trial.solution.chi2 + trial.objective.noise.log_determinant()
 }
 
 /// A term more, with the noise that it makes and the fall of the criterion.
@@ -54,7 +60,27 @@ fn proposed(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Suspicion)
     let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
     let (data, noise, residuals) = (trial.objective.data, &trial.objective.noise, trial.residuals());
     let sets = seek(&Suspicion { data, noise, repeats, residuals: &residuals, mean: &mean });
-    let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
+    let mut all = judged(trial, repeats, &mean, sets);
+    all.retain(|p| is_rough(&p.noise, &residuals));
+    all
+}
+
+/// The noise of a model less each of the terms that were found, the least needed first.
+pub fn with_a_term_less(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
+    let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
+    let (stated, terms) = (&trial.objective.data.terms, &trial.objective.noise.terms);
+    let found = (0..terms.len()).filter(|i| stated.iter().all(|t| !t.is_like(&terms[*i])));
+    let less = |left_out: usize| {
+        let others = terms.iter().enumerate().filter(|(i, _)| *i != left_out);
+        others.map(|(_, t)| t.clone()).collect()
+    };
+    judged(trial, repeats, &mean, found.map(less).collect())
+}
+
+/// Estimates the sizes of each of these sets of terms beside a model, and fits it again under each.
+fn judged(trial: &CandidateModel, repeats: &Repeats, mean: &DMatrix<f64>, sets: Vec<Vec<Term>>) -> Vec<Proposal> {
+    let residuals = trial.residuals();
+    let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean };
     let judge = |terms: Vec<Term>| {
         let (own, repeats) = plain(trial, repeats, &terms);
         let noise = restricted.estimate(&own, &terms, terms.len());
@@ -65,7 +91,7 @@ fn proposed(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Suspicion)
         Proposal { noise, repeats, criterion: criterion(&refitted) }
     };
     let mut all: Vec<Proposal> = sets.into_par_iter().map(judge).collect();
-    all.retain(|p| p.criterion.is_finite() && is_rough(&p.noise, &residuals));
+    all.retain(|p| p.criterion.is_finite());
     all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     all
 }
@@ -78,6 +104,15 @@ pub fn settled(trial: &CandidateModel, repeats: &Repeats) -> Option<(Noise, Repe
     let terms = trial.objective.noise.terms.clone();
     let (own, within) = plain(trial, repeats, &terms);
     Some((restricted.estimate(&own, &terms, terms.len()), within))
+}
+
+/// A model with the sizes of its terms estimated anew, fitted again.
+pub fn resized<'a>(trial: &CandidateModel<'a>, repeats: &Repeats) -> Option<CandidateModel<'a>> {
+    let mut resized = trial.clone();
+    resized.objective.noise = settled(trial, repeats)?.0;
+    let start = &trial.solution.position;
+    resized.solution = minimise(&mut resized.objective, start, &[], StoppingCriterion::FULL)?;
+    Some(resized)
 }
 
 /// A term as the catalogue of effects tells one.

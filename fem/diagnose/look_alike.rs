@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
 use super::confounding::{EQUAL_FIT, priors_apart};
-use super::instrument::{self, criterion};
+use super::instrument::{self, criterion, minus_two_log};
 use super::lead::{fit_with, starts, without};
 use super::residual_projection::{ProjectedResidual, length_outside};
 use super::search::SearchResult;
@@ -52,7 +52,7 @@ pub fn look_alikes<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, repe
 
 /// −2 ln L of a fitted model, with prices and without.
 fn weights(trial: &CandidateModel) -> [f64; 2] {
-    [criterion(trial), trial.solution.chi2 + trial.objective.noise.log_determinant()]
+    [criterion(trial), minus_two_log(trial)]
 }
 
 /// How far a model is behind the best, by the kinder of the two.
@@ -102,8 +102,7 @@ fn gain_instead(rest: &CandidateModel, best: &CandidateModel) -> Option<Descript
     let zero = data.model.process.observables()[seen.position].kind.to_si(0.0);
     let projected = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution)?;
     let shown = rest.solution.predicted.iter().map(|p| p - zero);
-    let priors = std::iter::repeat_n(0.0, rest.objective.priors());
-    let column = DVector::from_vec(rest.objective.noise.whiten(shown).into_iter().chain(priors).collect());
+    let column = rest.objective.whiten(shown);
     let whole = column.norm_squared();
     let own = projected.project(column);
     let square = own.norm_squared();
@@ -145,12 +144,8 @@ fn effects_instead<'a>(
         // Its number means nothing to the search that was made under another noise: it is no member.
         let mut trial = fit_with(&rest, candidate, &candidates[candidate], &starts)?;
         trial.members.truncate(best.members.len());
-        if let Some((noise, _)) =
-            instrument::settled(&trial, repeats).filter(|_| !rest.objective.noise.source.is_known())
-        {
-            trial.objective.noise = noise;
-            let start = trial.solution.position.clone();
-            trial.solution = minimise(&mut trial.objective, &start, &[], StoppingCriterion::FULL)?;
+        if !rest.objective.noise.source.is_known() {
+            trial = instrument::resized(&trial, repeats).unwrap_or(trial);
         }
         let rise = behind(&trial, best);
         let model = separation(best, &mut trial).map(|apart| (trial, apart));

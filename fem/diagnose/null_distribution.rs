@@ -14,7 +14,7 @@ use super::residual_projection::ProjectedResidual;
 use super::sensitivity::CandidateEffect;
 use crate::compare::Rng;
 use crate::measure::Repeats;
-use crate::noise::{Noise, NoiseSource};
+use crate::noise::{Acts, Noise, NoiseSource};
 
 /// Number of simulated searches.
 const SEARCHES: usize = 1000;
@@ -26,8 +26,8 @@ const FEW: usize = 10;
 pub enum Variance {
     /// σ is known.
     Known,
-    /// σ² comes from repeats with these degrees of freedom.
-    Repeats(f64),
+    /// σ² is estimated with these degrees of freedom.
+    Estimated(f64),
     /// σ² comes from the residuals.
     Residual,
 }
@@ -105,7 +105,7 @@ impl Variance {
         match self {
             Self::Known => 1.0,
             // Wilson and Hilferty 1931: χ²_ν/ν is nearly the cube of a normal; to 1 % for ν ≥ 5.
-            Self::Repeats(freedom) => {
+            Self::Estimated(freedom) => {
                 let a = 2.0 / (9.0 * freedom);
                 (1.0 - a + rng.normal() * a.sqrt()).max(0.0).powi(3).max(1e-3)
             }
@@ -120,7 +120,7 @@ impl Variance {
     /// of freedom.
     pub fn statistic(self, gain: f64, left: f64, freedom: f64) -> f64 {
         match self {
-            Self::Known | Self::Repeats(_) => gain,
+            Self::Known | Self::Estimated(_) => gain,
             Self::Residual => gain / (left / freedom.max(1.0)),
         }
     }
@@ -129,8 +129,21 @@ impl Variance {
 /// What the variance of the rows is known from.
 pub fn variance(noise: &Noise, repeats: &Repeats) -> Variance {
     match noise.source {
-        NoiseSource::Column | NoiseSource::Covariance => Variance::Known,
-        NoiseSource::Repeats => Variance::Repeats(repeats.effective_freedom()),
+        NoiseSource::Column | NoiseSource::Covariance => {
+            of_smooth_sums(noise).map_or(Variance::Known, Variance::Estimated)
+        }
+        NoiseSource::Repeats => Variance::Estimated(repeats.effective_freedom()),
         NoiseSource::Estimated => Variance::Residual,
     }
+}
+
+/// Degrees of freedom of the variance of smooth sums over rows that share noise with coefficient ρ; `None` where they
+/// do not.
+///
+/// That variance is proportional to (1 + ρ)/(1 − ρ), and ρ is estimated from n rows with variance (1 − ρ²)/n (Box,
+/// Jenkins and Reinsel 1994, section 7.2): its relative variance is 4/(n·(1 − ρ²)), which is 2/ν (Satterthwaite 1946).
+fn of_smooth_sums(noise: &Noise) -> Option<f64> {
+    let term = noise.terms.iter().find(|t| matches!(t.effect.acts, Acts::Neighbours))?;
+    let coefficient = (-1.0 / term.size).exp();
+    Some(0.5 * noise.sigma.len() as f64 * (1.0 - coefficient * coefficient))
 }

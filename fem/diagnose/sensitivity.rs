@@ -160,10 +160,7 @@ impl Probe<'_, '_> {
         let own = self.base.position.iter().copied();
         let there = DVector::from_iterator(own.len() + moved.len(), own.chain(moved));
         let predicted = self.trial.predict(&there)?;
-        let change = predicted.iter().zip(&self.base.predicted).map(|(p, q)| (p - q) / step);
-        let change = self.trial.noise.whiten(change).into_iter();
-        let priors = std::iter::repeat_n(0.0, self.trial.priors());
-        Some(DVector::from_vec(change.chain(priors).collect()))
+        Some(self.trial.whiten(predicted.iter().zip(&self.base.predicted).map(|(p, q)| (p - q) / step)))
     }
 }
 

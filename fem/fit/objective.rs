@@ -212,6 +212,12 @@ impl<'a> Objective<'a> {
         DVector::from_vec(rows.chain(self.variables.iter().zip(position.iter()).filter_map(prior)).collect())
     }
 
+    /// Whitens a difference of predictions of all rows, SI; zeros stand where residuals hold the priors.
+    pub fn whiten(&self, difference: impl IntoIterator<Item = f64>) -> DVector<f64> {
+        let priors = std::iter::repeat_n(0.0, self.priors());
+        DVector::from_vec(self.noise.whiten(difference).into_iter().chain(priors).collect())
+    }
+
     /// Jacobian of the residuals about a point by these differences; columns of variables that are `held` are
     /// zero.
     pub fn jacobian_about(
