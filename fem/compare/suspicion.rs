@@ -13,6 +13,8 @@ use crate::units::{LENGTH, TIME};
 
 /// Places at which a step of the zero is looked for.
 const STEPS: usize = 240;
+/// Fewest rows on either side of a step: fewer are wrong themselves.
+const LEAST_SIDE: usize = 3;
 /// Prior odds against an outlying row, as a term of −2 ln L: 2·ln(0.99/0.01).
 const ODDS: f64 = 9.2;
 /// Most groups whose zeros are sought.
@@ -205,8 +207,9 @@ impl Suspicion<'_> {
             (0..rows.len()).max_by(|a, b| gains[*a].total_cmp(&gains[*b])).map_or(0, |i| rows[i])
         };
         let stride = data.len().div_ceil(STEPS);
-        let coarse = best(&(1..data.len()).step_by(stride).collect::<Vec<_>>());
-        best(&(coarse.saturating_sub(stride).max(1)..(coarse + stride + 1).min(data.len())).collect::<Vec<_>>())
+        let (first, last) = (LEAST_SIDE, data.len() - LEAST_SIDE);
+        let coarse = best(&(first..=last).step_by(stride).collect::<Vec<_>>());
+        best(&(coarse.saturating_sub(stride).max(first)..=(coarse + stride).min(last)).collect::<Vec<_>>())
     }
 
     /// Rows that lie far outside of what the others scatter; `None` where there are none, or too many to be

@@ -81,18 +81,14 @@ impl<'a> Hypothesis<'a> {
     }
 
     /// Whether a zero that was set anew, or a step of it, explains as much as effects of the machine, and takes no
-    /// more causes: then nothing shows that the machine is at fault. As much is told with the prices of the
-    /// causes, or without.
+    /// more causes: then nothing shows that the machine is at fault.
     pub fn is_plainer_than(&self, other: &Self) -> bool {
         let (own, others) = (self.found.best(), other.found.best());
         let of_zero = own.objective.noise.terms.last();
-        if !self.explains || !of_zero.is_some_and(|t| [&effects::ZERO_SHIFT, &effects::JUMP].contains(&t.effect)) {
-            return false;
-        }
+        let is_of_zero = of_zero.is_some_and(|t| [&effects::ZERO_SHIFT, &effects::JUMP].contains(&t.effect));
         let causes = |trial: &CandidateModel| trial.members.len() + trial.objective.noise.terms.len();
-        let rise = self.criterion - other.criterion;
-        let plain = instrument::minus_two_log(own) - instrument::minus_two_log(others);
-        own.members.len() < others.members.len() && causes(own) <= causes(others) && rise.min(plain) <= EQUAL_FIT
+        let is_less = own.members.len() < others.members.len() && causes(own) <= causes(others);
+        is_of_zero && self.explains && is_less && self.criterion <= other.criterion + EQUAL_FIT
     }
 
     /// Whether a curve that no law has stands in its noise.

@@ -20,13 +20,19 @@ pub fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Nois
 
 /// −2 ln L of a fitted model with penalties on its parameters and on the terms of its noise.
 pub fn criterion(trial: &CandidateModel) -> f64 {
-    let noise = &trial.objective.noise;
-    trial.penalised_bic() + noise.log_determinant() + price(noise, trial.objective.data)
+    let penalties = trial.penalised_bic() - trial.solution.chi2;
+    minus_two_log(trial) + penalties + price(&trial.objective.noise, trial.objective.data)
 }
 
-/// −2 ln L of a fitted model, less a constant.
+/// −2 ln L of a fitted model, less a constant. Repeats that happen to scatter more than what is left do not tell the
+/// level of the noise any better than the other rows: it is the most likely one then, as it is beside terms.
 pub fn minus_two_log(trial: &CandidateModel) -> f64 {
-    trial.solution.chi2 + trial.objective.noise.log_determinant()
+    let (noise, rows) = (&trial.objective.noise, trial.objective.data.len() as f64);
+    let square = match trial.solution.chi2 / rows {
+        ratio if ratio < 1.0 && ratio > 0.0 && !noise.source.is_known() => rows * (1.0 + ratio.ln()),
+        _ => trial.solution.chi2,
+    };
+    square + noise.log_determinant()
 }
 
 /// A term more, with the noise that it makes and the fall of the criterion.
@@ -83,7 +89,7 @@ fn judged(trial: &CandidateModel, repeats: &Repeats, mean: &DMatrix<f64>, sets: 
     let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean };
     let judge = |terms: Vec<Term>| {
         let (own, repeats) = plain(trial, repeats, &terms);
-        let noise = restricted.estimate(&own, &terms, terms.len());
+        let noise = sized(&restricted, own, &terms);
         let mut refitted = trial.clone();
         refitted.objective.noise = noise.clone();
         let solution = minimise(&mut refitted.objective, &trial.solution.position, &[], QUICK);
@@ -103,7 +109,12 @@ pub fn settled(trial: &CandidateModel, repeats: &Repeats) -> Option<(Noise, Repe
     let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean: &mean };
     let terms = trial.objective.noise.terms.clone();
     let (own, within) = plain(trial, repeats, &terms);
-    Some((restricted.estimate(&own, &terms, terms.len()), within))
+    Some((sized(&restricted, own, &terms), within))
+}
+
+/// The noise with the sizes of its terms at their most likely values; without terms repeats tell its level.
+fn sized(restricted: &Restricted, own: Noise, terms: &[Term]) -> Noise {
+    if terms.is_empty() { own } else { restricted.estimate(&own, terms, terms.len()) }
 }
 
 /// A model with the sizes of its terms estimated anew, fitted again.

@@ -30,7 +30,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_as(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(Source::read(path, LARGEST_FILE)?, process, Purpose::Measured, said)
+        read(Source::read_exported(path, LARGEST_FILE)?, process, Purpose::Measured, said)
     }
 
     /// Reads a design, a file of planned rows in which nothing need have been observed yet.
@@ -38,7 +38,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_design(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(Source::read(path, LARGEST_FILE)?, process, Purpose::Design, said)
+        read(Source::read_exported(path, LARGEST_FILE)?, process, Purpose::Design, said)
     }
 
     /// Reads measurements from the text of a file.

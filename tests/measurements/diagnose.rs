@@ -1,5 +1,7 @@
 //! `diagnose` on practice cases that another program made; `truth.json` says what is hidden in each.
 
+use std::path::Path;
+
 use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
 use fem::input::Source;
 use fem::measure::Measurements;
@@ -108,4 +110,22 @@ fn play_beside_a_curve_that_no_law_has_is_no_zero() {
     // Backlash makes the axis lag; this one runs ahead by what is over-compensated.
     assert!((gap.value.abs() - 25e-6).abs() < 3e-6, "{}", gap.value);
     assert!(!names.contains(&"zero-shift") && names.contains(&"discrepancy"), "{names:?}");
+}
+
+/// Joints with nothing hidden, and a trouble of the measurement which two effects of the machine, or one by chance,
+/// would make up as well: a step of the zero two rows after the force turns, zeros of both branches beside a row
+/// that is wrong, and noise of which a row shares 0.6 with the row before it.
+#[test]
+fn what_the_measurement_explains_as_well_blames_no_joint() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/trouble/joint");
+    for (name, told) in
+        [("jump", &["jump"][..]), ("zeros", &["outliers", "zero-shift"]), ("memory", &["correlated-noise"])]
+    {
+        let model = Model::load(&folder.join(name).join("model.toml")).unwrap();
+        let measurements = Measurements::load(&folder.join(name).join("measured.csv"), model.process).unwrap();
+        let diagnosis = of(&model, measurements);
+        let names: Vec<&str> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
+        assert_eq!(names, told, "{name}");
+        assert_eq!(diagnosis.verdict_after, Verdict::Adequate, "{name}");
+    }
 }

@@ -286,3 +286,25 @@ fn dates_follow_the_calendar() {
         assert_eq!(found.rows.columns[0], [0.0, 86_400.0 * f64::from(days)], "{from} to {to}");
     }
 }
+
+/// What spreadsheets save as "Unicode text" and as CSV, and what is no text at all.
+#[test]
+fn files_in_other_encodings_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "x [mm],part,diameter_error [\u{b5}m]\n20.5,1,-29.737\n";
+    let little: Vec<u8> = "\u{feff}".chars().chain(text.chars()).flat_map(|c| (c as u16).to_le_bytes()).collect();
+    let big: Vec<u8> = "\u{feff}".chars().chain(text.chars()).flat_map(|c| (c as u16).to_be_bytes()).collect();
+    let page: Vec<u8> = text.chars().map(|c| c as u8).collect();
+    for (name, bytes) in
+        [("utf-8", text.as_bytes()), ("utf-16, low byte first", &little), ("high", &big), ("page", &page)]
+    {
+        let path = folder.path().join("measured.csv");
+        std::fs::write(&path, bytes).unwrap();
+        let read = Measurements::load(&path, process("turning")).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert_eq!(read.observed, [-29.737e-6], "{name}");
+    }
+    let path = folder.path().join("measured.xlsx");
+    std::fs::write(&path, b"PK\x03\x04\x14\x00\xff\xfe\x00").unwrap();
+    let error = Measurements::load(&path, process("turning")).unwrap_err().to_string();
+    assert!(error.contains("no text"), "{error}");
+}

@@ -50,7 +50,24 @@ fn readings_that_contradict_their_repeats_are_told_and_blame_nobody() {
     let diagnosis = diagnosed("axis-mcu1025");
     assert_eq!(diagnosis.outliers.iter().map(|o| o.line).collect::<Vec<_>>(), [10, 11]);
     assert_eq!(physical(&diagnosis), Vec::<&str>::new());
+    // A drift that was promising before the curve stood is not worth its price beside it.
+    assert_eq!(of_measurement(&diagnosis), ["outliers", "discrepancy"]);
     assert!(matches!(diagnosis.verdict, Verdict::PartlyExplained | Verdict::Unexplained));
+}
+
+/// A pitch profile of 60 um, a zero that falls by 9 um over the test, and a reversal of 25 um which differs by 5 um
+/// (standard deviation) from target to target: play, over-compensated or with the sensor's sign, beside a curve.
+#[test]
+fn play_is_named_beside_a_profile_that_differs_by_direction() {
+    let diagnosis = diagnosed("axis-b02");
+    assert_eq!(physical(&diagnosis), ["backlash"]);
+    let play = diagnosis.missing.iter().find(|m| m.effect.name == "backlash").unwrap();
+    // Mean of the nine reversals, by hand: -25.4 um, with a standard error of 5.6/3 um.
+    let gap = 1e6 * play.estimates[0].value;
+    assert!((gap + 25.4).abs() < 2.0 * 5.6 / 3.0, "{gap}");
+    assert!(of_measurement(&diagnosis).contains(&"drift"));
+    assert!(of_measurement(&diagnosis).contains(&"discrepancy"));
+    assert_eq!(diagnosis.verdict, Verdict::PartlyExplained);
 }
 
 /// Those two readings alone make R 204.8 um instead of 58.3, and would corrupt the table where they stand.
