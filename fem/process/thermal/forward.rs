@@ -31,17 +31,23 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let of_row: Vec<usize> = (0..rows.len()).map(position).collect();
     let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
     let run = Run { end, ..run(machine)? };
-    let Followed { mut track, .. } = follow(machine, &looks, &run, &mut |_, _| ())?;
-    for (look, values) in looks.iter().zip(&mut track.values) {
-        if machine.lag > 0.0 && *look != Look::Elongation {
-            *values = lagged(&track.times, values, machine.lag);
+    let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
+    let mut values = match &machine.setup.body {
+        Body::Rod(segments) => rod::read(machine, segments, &looks, &readings, &run)?,
+        Body::Plane(plane) => {
+            let Followed { mut track, .. } = plate::follow(machine, plane, &looks, &run, &mut |_, _| ())?;
+            for (look, values) in looks.iter().zip(&mut track.values) {
+                if machine.lag_of(*look) > 0.0 {
+                    *values = lagged(&track.times, values, machine.lag_of(*look));
+                }
+            }
+            readings.iter().map(|(look, time)| track.at(&track.values[*look], *time)).collect()
         }
-    }
-    let one = |row: usize| {
-        let value = track.at(&track.values[of_row[row]], rows.columns[TIME_OF_ROW][row]);
-        if rows.observable[row] == ELONGATION { value } else { machine.setup.start + value }
     };
-    Ok((0..rows.len()).map(one).collect())
+    for (value, observable) in values.iter_mut().zip(&rows.observable) {
+        *value += if *observable == ELONGATION { 0.0 } else { machine.setup.start };
+    }
+    Ok(values)
 }
 
 /// Follows a body from the start to the end of a run.
