@@ -110,8 +110,20 @@ impl Setup {
             .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
         let (element_size, chosen) = (element_size.unwrap_or(usual_size), OnceLock::new());
         let rods = model.kept();
-        let setup =
-            Self { material, body, sources, boundaries, ambient, start, time, element_size, places, times, chosen, rods };
+        let setup = Self {
+            material,
+            body,
+            sources,
+            boundaries,
+            ambient,
+            start,
+            time,
+            element_size,
+            places,
+            times,
+            chosen,
+            rods,
+        };
         let by_effect = ["extra-source", "ambient-drift"].iter().any(|effect| model.has_in("effects", effect));
         // A search may come upon values at which they are equal.
         let may_differ = own_start.is_some_and(|(_, is_uncertain)| is_uncertain || ambient_is_uncertain);

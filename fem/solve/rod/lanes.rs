@@ -64,6 +64,23 @@ impl Lanes {
         all
     }
 
+    /// Imaginary part of the sum of all products.
+    #[inline]
+    pub fn product_sum(&self, other: &Self) -> f64 {
+        let ([ar, ai], [br, bi]) = (&self.0, &other.0);
+        let mut sums = [0.0; LANES];
+        for i in 0..LANES {
+            sums[i] = ar[i] * bi[i] + ai[i] * br[i];
+        }
+        sums.iter().sum()
+    }
+
+    /// The sum of all.
+    pub fn sum(&self) -> Complex<f64> {
+        let [re, im] = self.0.map(|part| part.iter().sum());
+        Complex::new(re, im)
+    }
+
     #[must_use]
     pub fn power(&self, exponent: usize) -> Self {
         let (mut all, mut square, mut left) = (Self::ONE, *self, exponent);

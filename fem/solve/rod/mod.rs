@@ -15,6 +15,7 @@
 
 mod contour;
 mod lanes;
+mod laws;
 mod read;
 mod response;
 mod run;

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use super::contour::Reach;
-use super::lanes::LANES;
-use super::response::{Input, Laws, Programme};
+use super::lanes::{LANES, Lanes};
+use super::laws::{Laws, Programme};
+use super::response::{Input, Response};
 use super::transfer::{Body, Inlet};
 use super::{History, Power, Probe, RodError, RodSystem, Stepping, Track, lagged};
 use crate::input::Cache;
@@ -23,8 +24,8 @@ pub struct Sensor {
 #[derive(Debug, Default)]
 pub struct Known {
     laws: Cache<Arc<Programme>, Laws, 4>,
-    transfers: Cache<(Reach, Body), Vec<f64>, 8>,
-    responses: Cache<Input, Vec<f64>, 16>,
+    transfers: Cache<(Reach, Body), Vec<Lanes>, 8>,
+    responses: Cache<Input, Response, 16>,
 }
 
 /// A term of what comes in through an inlet, as the sensors of one lag read it.
@@ -97,27 +98,25 @@ impl RodSystem {
         let Stepping { scheme, step, end } = *stepping;
         let programme = Arc::new(Programme { scheme, step, intervals: self.intervals(end), reach, times });
         let laws = known.laws.get_or(programme.clone(), |programme| Ok(Laws::new(programme)))?;
-        let points = &laws.contour.points;
         let probes: Vec<Probe> = sensors.iter().map(|sensor| sensor.probe.clone()).collect();
         let body = Body::new(self, inlets, probes);
         let inlets = body.inlets();
-        let transfers = known.transfers.get_or((reach, body), |(_, body)| Ok(body.transfers(points)))?;
-        let mut lags: Vec<f64> = sensors.iter().map(|sensor| sensor.lag).collect();
-        lags.sort_by(f64::total_cmp);
-        lags.dedup();
-        let size = 2 * points.len();
-        let mut values = vec![0.0; readings.len()];
-        for (lag, term) in lags.iter().flat_map(|lag| terms.iter().map(move |term| (*lag, term))) {
-            let input = Input { programme: programme.clone(), unit: term.unit.clone(), lag };
-            let response = known.responses.get_or(input, |input| Ok(input.response(&laws)))?;
-            for ((value, (sensor, _)), place) in values.iter_mut().zip(readings).zip(&places) {
-                if sensors[*sensor].lag == lag {
-                    let transfer = &transfers[size * (sensor * inlets + term.inlet)..][..size];
-                    *value += term.factor * sum_of_products(&response[size * place..][..size], transfer);
-                }
+        let transfers = known.transfers.get_or((reach, body), |(_, body)| Ok(body.transfers(&laws.contour)))?;
+        let groups = laws.contour.points.len() / LANES;
+        let mut shown: Vec<Vec<f64>> = Vec::with_capacity(sensors.len());
+        for (sensor, own) in sensors.iter().zip(transfers.chunks_exact((groups * inlets).max(1))) {
+            let mut seen = Seen::new(&laws);
+            for term in &terms {
+                let input = Input { programme: programme.clone(), unit: term.unit.clone(), lag: sensor.lag };
+                let response = known.responses.get_or(input, |input| Ok(input.response(&laws)))?;
+                seen.add(&own[groups * term.inlet..][..groups], term.factor, &response);
             }
+            shown.push(seen.at_marks());
         }
-        Ok(values)
+        let one = |((sensor, _), place): (&(usize, f64), &usize)| {
+            laws.looks[*place].iter().map(|(mark, weight)| weight * shown[*sensor][*mark]).sum()
+        };
+        Ok(readings.iter().zip(&places).map(one).collect())
     }
 
     /// The inlets through which something comes, and what comes in through each.
@@ -166,13 +165,51 @@ impl RodSystem {
     }
 }
 
-/// Σ aᵢ·bᵢ in lanes side by side.
-fn sum_of_products(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
-        for i in 0..LANES {
-            sums[i] += a[i] * b[i];
+/// What a sensor shows at the marks.
+struct Seen<'l> {
+    laws: &'l Laws,
+    marks: Vec<f64>,
+    /// Of every stretch what the first z leaves.
+    first: Vec<Vec<Lanes>>,
+}
+
+impl<'l> Seen<'l> {
+    fn new(laws: &'l Laws) -> Self {
+        let first = vec![vec![Lanes::default(); laws.contour.points.len() / LANES]; laws.stretches.len()];
+        Self { laws, marks: vec![0.0; laws.marks.len()], first }
+    }
+
+    /// Adds a response through its transfer.
+    fn add(&mut self, transfer: &[Lanes], factor: f64, response: &Response) {
+        for (mark, shown) in &response.marks {
+            let sum: f64 = transfer.iter().zip(shown).map(|(a, b)| a.product_sum(b)).sum();
+            self.marks[*mark] += factor * sum;
+        }
+        let whole = |all: &[Lanes]| {
+            let mut sum = Lanes::default();
+            transfer.iter().zip(all).for_each(|(a, b)| sum.add(&a.times(b), factor));
+            sum.sum()
+        };
+        for ((closed, stretch), first) in response.stretches.iter().zip(&self.laws.stretches).zip(&mut self.first) {
+            for ((first, transfer), own) in first.iter_mut().zip(transfer).zip(&closed.first) {
+                first.add(&transfer.times(own), factor);
+            }
+            let waves: Vec<_> = closed.waves.iter().map(|wave| whole(wave)).collect();
+            let kept = whole(&closed.kept).im;
+            for (mark, (turns, left)) in self.marks[stretch.marks.clone()].iter_mut().zip(&closed.turns) {
+                let turned: f64 = waves.iter().zip(turns).map(|(wave, turn)| (wave * turn).im).sum();
+                *mark += turned + kept * left;
+            }
         }
     }
-    sums.iter().sum()
+
+    fn at_marks(mut self) -> Vec<f64> {
+        for (stretch, first) in self.laws.stretches.iter().zip(&self.first) {
+            let left = stretch.left.chunks_exact(first.len());
+            for (mark, left) in self.marks[stretch.marks.clone()].iter_mut().zip(left) {
+                *mark += first.iter().zip(left).map(|(a, b)| a.product_sum(b)).sum::<f64>();
+            }
+        }
+        self.marks
+    }
 }

@@ -1,7 +1,6 @@
 //! What a rod does at the points of a contour: (s·C + K)⁻¹ of what heats it, as probes see it.
 
-use nalgebra::Complex;
-
+use super::contour::Contour;
 use super::lanes::{LANES, Lanes};
 use super::tridiagonal::Tridiagonal;
 use super::{Heater, Probe, RodSystem};
@@ -46,16 +45,17 @@ impl Body {
         self.inlets.len()
     }
 
-    /// What every probe shows per unit of every inlet at every point: for each probe, for each inlet, groups
-    /// of [`LANES`] real and as many imaginary parts.
-    pub fn transfers(&self, points: &[Complex<f64>]) -> Vec<f64> {
+    /// What every probe shows per unit of every inlet, times the weight of each point: for each probe, for
+    /// each inlet, all points.
+    pub fn transfers(&self, contour: &Contour) -> Vec<Lanes> {
         let nodes = self.capacity.diagonal.len();
-        let groups = points.len() / LANES;
-        let mut all = vec![0.0; 2 * points.len() * self.probes.len() * self.inlets.len()];
+        let (points, weights) = (contour.points.as_chunks::<LANES>().0, contour.weights.as_chunks::<LANES>().0);
+        let groups = points.len();
+        let mut all = vec![Lanes::default(); groups * self.probes.len() * self.inlets.len()];
         let zeros = vec![Lanes::default(); nodes];
         let mut work = Work { carried: zeros.clone(), inverse: zeros.clone(), rises: zeros };
-        for (group, points) in points.as_chunks::<LANES>().0.iter().enumerate() {
-            let s = Lanes::new(*points);
+        for (group, (points, weights)) in points.iter().zip(weights).enumerate() {
+            let (s, weight) = (Lanes::new(*points), Lanes::new(*weights));
             let heaters: Vec<[Lanes; 2]> = self.heaters.iter().map(|(_, heater)| heater.at(&s)).collect();
             self.eliminate(&s, &heaters, &mut work);
             for (i, inlet) in self.inlets.iter().enumerate() {
@@ -65,8 +65,7 @@ impl Body {
                     for (node, weight) in &probe.weights {
                         seen.add(&work.rises[*node], *weight);
                     }
-                    let at = 2 * LANES * ((p * self.inlets.len() + i) * groups + group);
-                    all[at..at + 2 * LANES].copy_from_slice(seen.0.as_flattened());
+                    all[(p * self.inlets.len() + i) * groups + group] = seen.times(&weight);
                 }
             }
         }
