@@ -179,8 +179,9 @@ impl State {
 /// Parts of what was shown, of z before and of z after a step in what is shown after it: the terms of
 /// [`lagged`](super::lagged) by what they belong to.
 fn lag(length: f64, time_constant: f64) -> [f64; 3] {
-    let (left, slow) = ((-length / time_constant).exp(), time_constant / length);
-    [left, slow - left * (1.0 + slow), 1.0 - slow + left * slow]
+    let part = length / time_constant;
+    let (left, gone) = ((-part).exp(), -(-part).exp_m1() / part);
+    [left, gone - left, 1.0 - gone]
 }
 
 /// A history as a sum of waves, if it is one.
