@@ -31,17 +31,27 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let of_row: Vec<usize> = (0..rows.len()).map(position).collect();
     let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
     let run = Run { end, ..run(machine)? };
-    let Followed { mut track, .. } = follow(machine, &looks, &run, &mut |_, _| ())?;
+    let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
+    let mut values = read(machine, &looks, &readings, &run)?;
+    for (value, observable) in values.iter_mut().zip(&rows.observable) {
+        *value += if *observable == ELONGATION { 0.0 } else { machine.setup.start };
+    }
+    Ok(values)
+}
+
+/// What is seen, each reading by the position of its look and its time (s).
+fn read(machine: &Machine, looks: &[Look], readings: &[(usize, f64)], run: &Run) -> Result<Vec<f64>, Failure> {
+    let plane = match &machine.setup.body {
+        Body::Rod(segments) => return rod::read(machine, segments, looks, readings, run),
+        Body::Plane(plane) => plane,
+    };
+    let Followed { mut track, .. } = plate::follow(machine, plane, looks, run, &mut |_, _| ())?;
     for (look, values) in looks.iter().zip(&mut track.values) {
-        if machine.lag > 0.0 && *look != Look::Elongation {
-            *values = lagged(&track.times, values, machine.lag);
+        if machine.lag_of(*look) > 0.0 {
+            *values = lagged(&track.times, values, machine.lag_of(*look));
         }
     }
-    let one = |row: usize| {
-        let value = track.at(&track.values[of_row[row]], rows.columns[TIME_OF_ROW][row]);
-        if rows.observable[row] == ELONGATION { value } else { machine.setup.start + value }
-    };
-    Ok((0..rows.len()).map(one).collect())
+    Ok(readings.iter().map(|(look, time)| track.at(&track.values[*look], *time)).collect())
 }
 
 /// Follows a body from the start to the end of a run.
@@ -82,10 +92,10 @@ fn step(machine: &Machine) -> Result<f64, Failure> {
     let choose = || {
         let looks: Vec<Look> = setup.places.iter().map(|x| Look::Rise { x: *x, y: None }).collect();
         let Time { scheme, end, tolerance, .. } = setup.time;
-        let seen = |step: f64| -> Result<Vec<f64>, Failure> {
-            let Followed { track, .. } = follow(machine, &looks, &Run { scheme, step, end }, &mut |_, _| ())?;
-            Ok(setup.times.iter().flat_map(|t| track.values.iter().map(|v| track.at(v, *t))).collect())
-        };
+        let instant = Machine { lag: 0.0, ..machine.clone() };
+        let at = |time: &f64| (0..looks.len()).map(|look| (look, *time)).collect::<Vec<_>>();
+        let readings: Vec<(usize, f64)> = setup.times.iter().flat_map(at).collect();
+        let seen = |step: f64| read(&instant, &looks, &readings, &Run { scheme, step, end });
         let mut coarse = seen(FIRST * end)?;
         for halved in 1..=HALVINGS {
             let step = FIRST * end * 0.5f64.powi(halved);

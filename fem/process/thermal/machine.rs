@@ -3,23 +3,13 @@
 use std::sync::Arc;
 
 use super::boundary::{Boundary, Condition};
+use super::follow::Look;
 use super::setup::{Setup, Time};
 use crate::process;
-use crate::solve::rod::{History, PointSource};
+use crate::solve::rod::{History, PointSource, Swing};
 
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
-
-/// Surroundings whose temperature swings: a(t) = amplitude·[sin(ωt + phase) − sin phase].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drift {
-    /// Half of the swing, K.
-    pub amplitude: f64,
-    /// Angular frequency, rad/s.
-    pub omega: f64,
-    /// Phase at the start, rad.
-    pub phase: f64,
-}
 
 /// A thermal joint across the section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +31,7 @@ pub struct Machine {
     /// Conductance from x = 0 to the surroundings, W/K.
     pub base: f64,
     /// Drifts of the surroundings, one on top of the other.
-    pub drifts: Vec<Drift>,
+    pub drifts: Vec<Swing>,
     /// Sources of the model, then those of effects.
     pub sources: Vec<PointSource>,
     /// Joints of a rod.
@@ -70,10 +60,13 @@ impl Machine {
     /// and the drifts on top of it.
     pub fn around(&self) -> History {
         let Setup { ambient, start, .. } = &*self.setup;
-        let drifts = self.drifts.clone();
-        let rise = |d: &Drift, time: f64| d.amplitude * ((d.omega * time + d.phase).sin() - d.phase.sin());
-        let drifting = move |time: f64| drifts.iter().map(|d| rise(d, time)).sum();
-        History::Sum(vec![ambient.clone(), History::Constant(-start), History::Function(Arc::new(drifting))])
+        let parts = [ambient.clone(), History::Constant(-start)].into_iter();
+        History::Sum(parts.chain(self.drifts.iter().copied().map(History::Swing)).collect())
+    }
+
+    /// Time constant of what shows a look, s: only temperatures are late.
+    pub fn lag_of(&self, look: Look) -> f64 {
+        if matches!(look, Look::Rise { .. }) { self.lag } else { 0.0 }
     }
 
     /// Whether the body feels the temperature of its surroundings.

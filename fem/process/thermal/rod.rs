@@ -4,10 +4,10 @@ use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
 use crate::process::{Failure, Segment};
 use crate::solve::conduction::Run;
-use crate::solve::rod::{Joint, Probe, Rod, RodPiece, RodSystem, Stepping, Track};
+use crate::solve::rod::{Joint, Probe, Rod, RodPiece, RodSystem, Sensor, Stepping, Track};
 
 /// The rod of a machine.
-pub fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
+fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
     let material = &machine.setup.material;
     let piece = |s: &Segment| RodPiece {
         length: s.length,
@@ -44,16 +44,44 @@ pub fn follow(
     run: &Run,
     watch: Watch,
 ) -> Result<Followed, Failure> {
-    let rod = rod(machine, segments);
-    let system = RodSystem::new(&rod, machine.setup.element_size).map_err(|e| unsolvable(&e))?;
+    let system = system(machine, segments)?;
     let probes: Vec<Probe> = looks.iter().map(|look| probe(&system, machine, *look)).collect();
-    let stepping = Stepping { scheme: run.scheme, step: run.step, end: run.end };
     let mut track = Track::new(looks.len());
-    let energy = system.run(&stepping, &machine.around(), |time, nodes, switched| {
+    let energy = system.run(&stepping(run), &machine.around(), |time, nodes, switched| {
         track.push(time, switched, probes.iter().map(|p| p.read(nodes)));
         watch(time, &|| nodes.to_vec());
     });
     Ok(Followed { track, energy: energy.map_err(|e| unsolvable(&e))? })
+}
+
+/// What is seen, each reading by the position of its look and its time (s).
+///
+/// # Errors
+/// The rod cannot be computed.
+pub fn read(
+    machine: &Machine,
+    segments: &[Segment],
+    looks: &[Look],
+    readings: &[(usize, f64)],
+    run: &Run,
+) -> Result<Vec<f64>, Failure> {
+    let system = system(machine, segments)?;
+    let sensor = |look: &Look| Sensor { probe: probe(&system, machine, *look), lag: machine.lag_of(*look) };
+    let sensors: Vec<Sensor> = looks.iter().map(sensor).collect();
+    let values = system.read(&stepping(run), &machine.around(), &sensors, readings, &machine.setup.rods);
+    values.map_err(|e| unsolvable(&e))
+}
+
+/// The rod in elements.
+///
+/// # Errors
+/// It cannot be computed.
+pub fn system(machine: &Machine, segments: &[Segment]) -> Result<RodSystem, Failure> {
+    RodSystem::new(&rod(machine, segments), machine.setup.element_size).map_err(|e| unsolvable(&e))
+}
+
+fn stepping(run: &Run) -> Stepping {
+    Stepping { scheme: run.scheme, step: run.step, end: run.end }
 }
 
 fn probe(system: &RodSystem, machine: &Machine, look: Look) -> Probe {

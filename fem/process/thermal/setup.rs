@@ -1,6 +1,6 @@
 //! The tables of a thermal model.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::body::Body;
 use super::boundary::{Boundary, refuse_impossible};
@@ -9,7 +9,7 @@ use crate::input::{Along, Reader};
 use crate::material::Material;
 use crate::process::Failure;
 use crate::solve::conduction::Scheme;
-use crate::solve::rod::{History, PointSource};
+use crate::solve::rod::{History, Known, PointSource};
 use crate::units::{LENGTH, TEMPERATURE, TEMPERATURE_RISE, TIME};
 
 /// Most steps of a run.
@@ -58,6 +58,8 @@ pub struct Setup {
     pub times: Vec<f64>,
     /// Step that was chosen by the tolerance, once it has been, s.
     pub chosen: OnceLock<Result<f64, Failure>>,
+    /// Runs of rods that are known, kept by the model.
+    pub rods: Arc<Known>,
 }
 
 /// The default first.
@@ -107,8 +109,21 @@ impl Setup {
             .optional_table("measurement", "where and when a run looks", |t| read_measurement(t, length, &time))
             .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
         let (element_size, chosen) = (element_size.unwrap_or(usual_size), OnceLock::new());
-        let setup =
-            Self { material, body, sources, boundaries, ambient, start, time, element_size, places, times, chosen };
+        let rods = model.kept();
+        let setup = Self {
+            material,
+            body,
+            sources,
+            boundaries,
+            ambient,
+            start,
+            time,
+            element_size,
+            places,
+            times,
+            chosen,
+            rods,
+        };
         let by_effect = ["extra-source", "ambient-drift"].iter().any(|effect| model.has_in("effects", effect));
         // A search may come upon values at which they are equal.
         let may_differ = own_start.is_some_and(|(_, is_uncertain)| is_uncertain || ambient_is_uncertain);

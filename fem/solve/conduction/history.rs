@@ -1,5 +1,6 @@
 //! Quantities over time, and the power of what is switched on and off.
 
+use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 use std::sync::Arc;
 
@@ -10,12 +11,31 @@ use crate::input::{Record, Varying};
 pub enum History {
     /// Always the same.
     Constant(f64),
+    /// A swing from zero at t = 0.
+    Swing(Swing),
     /// Any continuous function of time.
     Function(Arc<dyn Fn(f64) -> f64 + Send + Sync>),
     /// Straight between measured points.
     Record(Arc<Record>),
     /// All of these together.
     Sum(Vec<History>),
+}
+
+/// size·[sin(ωt + phase) − sin phase].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swing {
+    /// Half of the swing.
+    pub size: f64,
+    /// Angular frequency ω, rad/s.
+    pub omega: f64,
+    /// Phase at the start, rad.
+    pub phase: f64,
+}
+
+impl Swing {
+    fn at(self, time: f64) -> f64 {
+        self.size * ((self.omega * time + self.phase).sin() - self.phase.sin())
+    }
 }
 
 impl History {
@@ -35,6 +55,7 @@ impl History {
     pub fn within(&self, time: f64, step: [f64; 2]) -> f64 {
         match self {
             Self::Constant(value) => *value,
+            Self::Swing(swing) => swing.at(time),
             Self::Function(function) => function(time),
             Self::Record(record) => record.straightened(time, step),
             Self::Sum(parts) => parts.iter().map(|part| part.within(time, step)).sum(),
@@ -44,9 +65,48 @@ impl History {
     /// Last time (s) at which it is known: infinite but for records.
     pub fn known_until(&self) -> f64 {
         match self {
-            Self::Constant(_) | Self::Function(_) => f64::INFINITY,
+            Self::Constant(_) | Self::Swing(_) | Self::Function(_) => f64::INFINITY,
             Self::Record(record) => record.span()[1],
             Self::Sum(parts) => parts.iter().map(Self::known_until).fold(f64::INFINITY, f64::min),
+        }
+    }
+
+    /// Histories of unit size with factors: the sum of them is this one. What differs from another history in
+    /// level, size and phase alone has the same units.
+    pub(in crate::solve) fn terms(&self) -> Vec<(f64, History)> {
+        let mut terms = match self {
+            Self::Constant(value) => vec![(*value, Self::Constant(1.0))],
+            Self::Swing(Swing { size, omega, phase }) => {
+                let unit = |phase| Self::Swing(Swing { size: 1.0, omega: *omega, phase });
+                vec![(size * phase.cos(), unit(0.0)), (size * phase.sin(), unit(FRAC_PI_2))]
+            }
+            Self::Function(_) | Self::Record(_) => vec![(1.0, self.clone())],
+            Self::Sum(parts) => {
+                let mut all: Vec<(f64, History)> = Vec::new();
+                for (factor, unit) in parts.iter().flat_map(Self::terms) {
+                    match all.iter_mut().find(|(_, known)| *known == unit) {
+                        Some((known, _)) => *known += factor,
+                        None => all.push((factor, unit)),
+                    }
+                }
+                all
+            }
+        };
+        terms.retain(|(factor, _)| *factor != 0.0);
+        terms
+    }
+}
+
+/// Functions and records are equal if they are the same one.
+impl PartialEq for History {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Constant(a), Self::Constant(b)) => a == b,
+            (Self::Swing(a), Self::Swing(b)) => a == b,
+            (Self::Function(a), Self::Function(b)) => Arc::ptr_eq(a, b),
+            (Self::Record(a), Self::Record(b)) => Arc::ptr_eq(a, b),
+            (Self::Sum(a), Self::Sum(b)) => a == b,
+            _ => false,
         }
     }
 }
@@ -64,6 +124,7 @@ impl fmt::Debug for History {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Constant(value) => write!(f, "{value}"),
+            Self::Swing(swing) => write!(f, "{swing:?}"),
             Self::Function(_) => f.write_str("a function of time"),
             Self::Record(record) => write!(f, "a record from {:?} s", record.span()),
             Self::Sum(parts) => f.debug_list().entries(parts).finish(),
@@ -83,7 +144,7 @@ pub struct Pulse {
 }
 
 /// What a source gives over time: its level while it is on.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Power {
     /// Level, W (of a flux W/m²).
     pub level: History,
@@ -101,11 +162,19 @@ impl Power {
     /// Value at a time (s) as a step between two times takes it. Whether it is on is asked for the middle of
     /// the step, so that both ends see the same side of a switch.
     pub fn within(&self, time: f64, step: [f64; 2]) -> f64 {
+        match self.factor(step) {
+            0.0 => 0.0,
+            factor => factor * self.level.within(time, step),
+        }
+    }
+
+    /// Part of the level that it gives in a step between two times.
+    pub(in crate::solve) fn factor(&self, step: [f64; 2]) -> f64 {
         let middle = 0.5 * (step[0] + step[1]);
         let now = self.on.iter().find(|pulse| (pulse.from..pulse.to).contains(&middle));
         match now {
-            Some(pulse) => pulse.factor * self.level.within(time, step),
-            None if self.on.is_empty() => self.level.within(time, step),
+            Some(pulse) => pulse.factor,
+            None if self.on.is_empty() => 1.0,
             None => 0.0,
         }
     }

@@ -15,7 +15,7 @@ mod transient;
 pub use conditions::Condition;
 pub use energy::Energy;
 pub use error::ThermalError;
-pub use history::{History, Power, Pulse};
+pub use history::{History, Power, Pulse, Swing};
 pub use scheme::Scheme;
 pub use system::ThermalSystem;
 pub use transient::{Instant, Run};

@@ -13,20 +13,27 @@
 //! A source may warm a heater first, which has a heat capacity of its own and passes heat on through its
 //! contact: C_H θ_H' = P − G_H (θ_H − θ), Q = G_H (θ_H − θ).
 
+mod contour;
+mod lanes;
+mod laws;
+mod read;
+mod response;
 mod run;
 mod system;
 #[cfg(test)]
 mod tests;
 mod track;
+mod transfer;
 mod tridiagonal;
 
+pub use read::{Known, Sensor};
 pub use run::Stepping;
 pub use system::RodSystem;
 pub use track::{Probe, Track, lagged};
 
 use std::fmt;
 
-pub use super::conduction::{Energy, History, Power, Pulse, Scheme};
+pub use super::conduction::{Energy, History, Power, Pulse, Scheme, Swing};
 pub use super::heat::RodPiece;
 
 /// A section across which heat flows as g times the difference of the temperatures on both sides.

@@ -30,42 +30,81 @@ impl RodSystem {
         ambient: &History,
         mut observe: impl FnMut(f64, &[f64], bool),
     ) -> Result<Energy, RodError> {
-        let Stepping { scheme, step, end } = *stepping;
+        let steps = Steps::new(self, stepping)?;
+        let nodes = self.x.len();
+        let mut state = vec![0.0; self.stores.len()];
+        let mut energy = Energy::default();
+        let mut stepper: Option<Stepper<'_>> = None;
+        observe(0.0, &state[..nodes], true);
+        for (i, length) in steps.lengths.iter().copied().enumerate() {
+            let mut own = match stepper.take() {
+                Some(own) if is_same(own.length, length) => own,
+                _ => Stepper::new(self, stepping.scheme, length),
+            };
+            own.step(steps.times[i], ambient, &mut state, &mut energy);
+            observe(steps.times[i + 1], &state[..nodes], steps.switches.binary_search(&(i + 1)).is_ok());
+            stepper = Some(own);
+        }
+        Ok(energy)
+    }
+
+    /// The times 0, of the switches, and of the end.
+    pub(super) fn intervals(&self, end: f64) -> Vec<f64> {
+        let mut times: Vec<f64> = self.switches().filter(|time| *time > 0.0 && *time < end).collect();
+        times.extend([0.0, end]);
+        times.sort_by(f64::total_cmp);
+        times.dedup_by(|b, a| *b - *a <= 1e-12 * end);
+        times
+    }
+}
+
+impl Stepping {
+    pub(super) fn check(&self) -> Result<(), RodError> {
+        let Self { step, end, .. } = *self;
         if !(step > 0.0 && step.is_finite()) {
             return Err(RodError::Value("the time step (s)", step));
         }
         if !(end >= 0.0 && end.is_finite()) {
             return Err(RodError::Value("the end of the run (s)", end));
         }
-        let nodes = self.x.len();
-        let mut state = vec![0.0; self.stores.len()];
-        let mut energy = Energy::default();
-        let mut stepper: Option<Stepper<'_>> = None;
-        observe(0.0, &state[..nodes], true);
-        for ends in self.intervals(end).windows(2) {
-            let (mut time, lengths) = (ends[0], lengths(ends[1] - ends[0], step));
-            let count = lengths.len();
-            for (i, length) in lengths.into_iter().enumerate() {
-                let mut own = match stepper.take() {
-                    Some(own) if (own.length - length).abs() <= 1e-12 * length => own,
-                    _ => Stepper::new(self, scheme, length),
-                };
-                own.step(time, ambient, &mut state, &mut energy);
-                time = if i + 1 == count { ends[1] } else { time + length };
-                observe(time, &state[..nodes], i + 1 == count);
-                stepper = Some(own);
-            }
-        }
-        Ok(energy)
+        Ok(())
+    }
+}
+
+/// The steps of a run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Steps {
+    /// Times of the start and of the end of every step, s.
+    pub times: Vec<f64>,
+    /// Length of every step, s.
+    pub lengths: Vec<f64>,
+    /// Positions in `times` between which all is smooth.
+    pub switches: Vec<usize>,
+}
+
+impl Steps {
+    /// Of a system with its switches.
+    pub fn new(system: &RodSystem, stepping: &Stepping) -> Result<Self, RodError> {
+        stepping.check()?;
+        Ok(Self::between(&system.intervals(stepping.end), stepping.step))
     }
 
-    /// The times 0, of the switches, and of the end.
-    fn intervals(&self, end: f64) -> Vec<f64> {
-        let mut times: Vec<f64> = self.switches().filter(|time| *time > 0.0 && *time < end).collect();
-        times.extend([0.0, end]);
-        times.sort_by(f64::total_cmp);
-        times.dedup_by(|b, a| *b - *a <= 1e-12 * end);
-        times
+    /// No longer than `step` (s), from each of these times to the next.
+    pub fn between(intervals: &[f64], step: f64) -> Self {
+        let mut all = Self { times: vec![0.0], switches: vec![0], ..Self::default() };
+        for ends in intervals.windows(2) {
+            let lengths = lengths(ends[1] - ends[0], step);
+            let mut time = ends[0];
+            for length in &lengths {
+                time += length;
+                all.times.push(time);
+            }
+            let last = all.times.len() - 1;
+            all.times[last] = ends[1];
+            all.switches.push(last);
+            all.lengths.extend(lengths);
+        }
+        all
     }
 }
 
@@ -77,6 +116,11 @@ fn lengths(whole: f64, step: f64) -> Vec<f64> {
     let halved = (1..=HALVINGS).rev().map(|k| length * 0.5f64.powi(k));
     let first = length * 0.5f64.powi(HALVINGS);
     std::iter::once(first).chain(halved).chain(std::iter::repeat_n(length, count as usize - 1)).collect()
+}
+
+/// Whether two steps have the same length but for rounding.
+pub(super) fn is_same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * b
 }
 
 /// Steps of one length.

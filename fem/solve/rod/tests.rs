@@ -2,9 +2,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::{
-    Energy, Heater, History, Joint, PointSource, Power, Rod, RodError, RodPiece, RodSystem, Scheme, Stepping, Track,
-    lagged,
+    Energy, Heater, History, Joint, Known, PointSource, Power, Pulse, Rod, RodError, RodPiece, RodSystem, Scheme,
+    Sensor, Stepping, Swing, Track, lagged,
 };
+use crate::input::Record;
 
 /// Rounding of flows between elements, kA/ℓ·θ, which are some hundred times what comes in, over some hundred
 /// steps.
@@ -166,6 +167,103 @@ fn a_lag_follows_a_ramp() {
     for (shown, t) in lagged(&times, &values, 130.0).iter().zip(&times) {
         assert!((shown - 0.02 * (t + 130.0 * (-t / 130.0).exp_m1())).abs() < 1e-12);
     }
+}
+
+/// Everything that a rod may have, two pieces, a heater, switches between steps.
+fn furnished(recorded: bool) -> (Rod, History) {
+    let pieces = vec![
+        RodPiece { length: 0.12, heat_capacity: 4000.0, conductance: 0.06, loss: 1.5 },
+        RodPiece { length: 0.08, heat_capacity: 1000.0, conductance: 0.015, loss: 0.7 },
+    ];
+    let pulse = |from, to, factor| Pulse { from, to, factor };
+    let on = vec![pulse(11.3, 1234.5, 1.0), pulse(2000.0, 2000.7, 3.0), pulse(2500.0, 4000.0, 0.8)];
+    let heater = Some(Heater { heat_capacity: 40.0, contact: 0.8 });
+    let record = |size: f64| {
+        let point = |i: u32| [37.0 * f64::from(i), size * (f64::from(i * i) * 0.37).sin()];
+        History::Record(Arc::new(Record::new((0..200).map(point).collect()).unwrap()))
+    };
+    let level = if recorded { record(5.0) } else { History::Constant(8.0) };
+    let sources = vec![
+        PointSource { at: 0.2, power: Power { level, on }, heater },
+        PointSource { at: 0.0623, power: Power::switched(2.0, &[]), heater: None },
+    ];
+    let swing = Swing { size: 3.0, omega: 2.0 * PI / 5000.0, phase: 0.7 };
+    let other = Swing { omega: 2.0 * PI / 900.0, ..swing };
+    let mut ambient = vec![History::Constant(-4.0), History::Swing(swing), History::Swing(other)];
+    ambient.extend(recorded.then(|| record(2.0)));
+    let joints = vec![Joint { at: 0.1, conductance: 0.3 }, Joint { at: 0.12, conductance: 30.0 }];
+    (Rod { pieces, base: 0.2, joints, sources }, History::Sum(ambient))
+}
+
+/// Summed up on the contour comes what is stepped to, whatever the scheme, the input and the instrument, to
+/// the error of the sum: 1e-10 of what the whole input would do to an insulated rod.
+#[test]
+fn a_sum_on_the_contour_is_what_steps_lead_to() {
+    for (scheme, recorded) in SCHEMES.into_iter().flat_map(|scheme| [(scheme, false), (scheme, true)]) {
+        let (rod, ambient) = furnished(recorded);
+        let system = RodSystem::new(&rod, 0.004).unwrap();
+        let stepping = Stepping { scheme, step: 10.0, end: 6000.0 };
+        let instant = |probe| Sensor { probe, lag: 0.0 };
+        let mut sensors: Vec<Sensor> = [0.0, 0.0777, 0.1, 0.15, 0.2].map(|x| instant(system.at(x))).into();
+        sensors.push(instant(system.integral_to(0.2)));
+        sensors.extend([3.0, 70.0, 2500.0].map(|lag| Sensor { probe: system.at(0.19), lag }));
+        // On steps, between them, among the halved ones, at switches, at both ends, and in no order.
+        let times = [6000.0, 0.0, 0.4, 3.7, 11.3, 12.0, 500.0, 777.7, 1234.5, 1235.0, 1300.0, 2000.3, 2503.0, 5000.0];
+        let readings: Vec<(usize, f64)> = times.iter().flat_map(|t| (0..sensors.len()).map(|i| (i, *t))).collect();
+        let known = Known::default();
+        let stepped = system.stepped(&stepping, &ambient, &sensors, &readings).unwrap();
+        // 9 W for as long as the run, in some 500 J/K.
+        let error = 1e-10 * 9.0 * 6000.0 / 500.0;
+        // The second time all is known.
+        for _ in 0..2 {
+            let summed = system.read(&stepping, &ambient, &sensors, &readings, &known).unwrap();
+            for ((a, b), reading) in summed.iter().zip(&stepped).zip(&readings) {
+                assert!((a - b).abs() < error, "{scheme:?}, {reading:?}: {a} and {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn without_heat_nothing_is_seen() {
+    let system = RodSystem::new(&steel(0.0), 0.01).unwrap();
+    let stepping = Stepping { scheme: Scheme::Sdirk2, step: 10.0, end: 3600.0 };
+    let sensors = [0.0, 0.1].map(|x| Sensor { probe: system.at(x), lag: 0.0 });
+    let ambient = History::Constant(5.0);
+    let seen = system.read(&stepping, &ambient, &sensors, &[(0, 60.0), (1, 0.0)], &Known::default());
+    assert_eq!(seen.unwrap(), [0.0, 0.0]);
+}
+
+/// The same against the series, which knows of no elements and no steps.
+#[test]
+fn a_sum_on_the_contour_follows_the_series() {
+    let rod = Rod { sources: at_end(8.0, vec![]), ..steel(0.0) };
+    let system = RodSystem::new(&rod, 0.001).unwrap();
+    let stepping = Stepping { scheme: Scheme::Sdirk2, step: 10.0, end: 3600.0 };
+    let places = [0.0, 0.04, 0.1234, 0.19, 0.2];
+    let sensors = places.map(|x| Sensor { probe: system.at(x), lag: 0.0 });
+    for time in [300.0, 617.3, 1800.0, 3600.0] {
+        let readings: Vec<(usize, f64)> = (0..places.len()).map(|i| (i, time)).collect();
+        let found = system.read(&stepping, &NONE, &sensors, &readings, &Known::default()).unwrap();
+        for (place, found) in places.iter().zip(found) {
+            let exact = heated_end(*place, time, 8.0);
+            assert!((found - exact).abs() < 5e-4, "x = {place}, t = {time}: {found} and {exact}");
+        }
+    }
+}
+
+/// Every rate of a system is below its bound: the fastest wave of n equal elements with this capacity has
+/// 4kA/ℓ² over ⅔ρcA, and at a free end with a heater or a joint more.
+#[test]
+fn rates_are_below_their_bound() {
+    let (size, plain) = (0.01, 0.06 / 4000.0);
+    let bound = |rod: &Rod| RodSystem::new(rod, size).unwrap().fastest();
+    let own = bound(&steel(0.0));
+    assert!((own / (6.0 * plain / (size * size)) - 1.0).abs() < 1e-9, "{own}");
+    let heater = Some(Heater { heat_capacity: 0.01, contact: 2.0 });
+    let sources = vec![PointSource { heater, ..at_end(8.0, vec![]).remove(0) }];
+    assert!(bound(&Rod { sources, ..steel(0.0) }) >= 2.0 / 0.01, "a small heater follows at once");
+    assert!(bound(&Rod { joints: vec![Joint { at: 0.1, conductance: 1e6 }], ..steel(0.0) }) > 1e6 / 40.0);
 }
 
 #[test]

@@ -45,14 +45,43 @@ impl Track {
     /// Values (one for every time) at a time between: by the cubic through four times of the same smooth
     /// stretch. Before the first and after the last they stay what they are there.
     pub fn at(&self, values: &[f64], time: f64) -> f64 {
-        let (Some(first), Some(last)) = (self.times.first(), self.times.last()) else { return f64::NAN };
-        let time = time.clamp(*first, *last);
-        let stretch = self.switches.partition_point(|s| self.times[*s] < time).max(1);
-        let (from, to) =
-            (self.switches[stretch - 1], *self.switches.get(stretch).unwrap_or(&self.switches[stretch - 1]));
-        let times = &self.times[from..=to];
-        cubic(time, times.partition_point(|t| *t < time), times.len(), |i| (times[i], values[from + i]))
+        if self.times.is_empty() {
+            return f64::NAN;
+        }
+        let Smooth { from, times, time, cell } = Smooth::of(&self.times, &self.switches, time);
+        cubic(time, cell, times.len(), |i| (times[i], values[from + i]))
     }
+}
+
+/// The smooth stretch about a time.
+struct Smooth<'t> {
+    /// Position of its start in all times.
+    from: usize,
+    times: &'t [f64],
+    /// The time, not beyond the ends.
+    time: f64,
+    /// The first of `times` that is not before it.
+    cell: usize,
+}
+
+impl<'t> Smooth<'t> {
+    /// Of times with the positions between which all is smooth; there must be one.
+    fn of(times: &'t [f64], switches: &[usize], time: f64) -> Self {
+        let time = time.clamp(times[0], times[times.len() - 1]);
+        let stretch = switches.partition_point(|s| times[*s] < time).max(1);
+        let (from, to) = (switches[stretch - 1], *switches.get(stretch).unwrap_or(&switches[stretch - 1]));
+        let times = &times[from..=to];
+        Self { from, times, time, cell: times.partition_point(|t| *t < time) }
+    }
+}
+
+/// Positions in `times`, of which there must be one, with the weights by which [`Track::at`] reads them.
+pub(super) fn weights(times: &[f64], switches: &[usize], time: f64) -> impl Iterator<Item = (usize, f64)> {
+    let Smooth { from, times, time, cell } = Smooth::of(times, switches, time);
+    let weight = move |own: usize| cubic(time, cell, times.len(), |i| (times[i], f64::from(u8::from(i == own))));
+    // The four are among these.
+    let near = cell.saturating_sub(4)..times.len().min(cell + 4);
+    near.map(move |i| (from + i, weight(i))).filter(|(_, weight)| *weight != 0.0)
 }
 
 /// Values over time as an instrument with this time constant (s) shows them: τ y' = v − y, y = v at the

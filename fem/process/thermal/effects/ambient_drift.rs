@@ -5,8 +5,9 @@
 //! It is felt only through what loses heat: convection, the base, edges of a plane body that lose to the
 //! environment.
 
-use super::super::machine::{Drift, Effect};
+use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};
+use crate::solve::rod::Swing;
 use crate::units::{ANGLE, PERIOD, TEMPERATURE_RISE};
 
 /// `ambient-drift`.
@@ -23,7 +24,7 @@ pub static AMBIENT_DRIFT: Effect<3> = Effect {
     look_alikes: &[("extra-source", "another run, at another time of day")],
     needs: nothing,
     act: |[amplitude, period, phase], machine| {
-        machine.drifts.push(Drift { amplitude, omega: std::f64::consts::TAU / period, phase });
+        machine.drifts.push(Swing { size: amplitude, omega: std::f64::consts::TAU / period, phase });
     },
 };
 

@@ -14,7 +14,6 @@ use crate::mesh::Mesh;
 use crate::process::{Animation, Cell, Failure, Field, Forward, Frame, Grid};
 use crate::solve::conduction::Energy;
 use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
-use crate::solve::rod::RodSystem;
 
 /// Frames of a run beside its start.
 const FRAMES: usize = 60;
@@ -79,10 +78,7 @@ impl Scene {
     pub fn new(machine: &Machine, forward: &Forward) -> Result<Self, Failure> {
         let setup = machine.setup.clone();
         let shape = match &setup.body {
-            Body::Rod(segments) => {
-                let system = RodSystem::new(&rod::rod(machine, segments), setup.element_size);
-                Shape::Rod(system.map_err(|e| unsolvable(&e))?.x)
-            }
+            Body::Rod(segments) => Shape::Rod(rod::system(machine, segments)?.x),
             Body::Plane(plane) => Shape::Plane(Box::new(Flat::new(&setup, plane)?)),
         };
         let nodes = shape.nodes();

@@ -1,0 +1,220 @@
+//! What sensors on a rod show at some times: by stepping through them all, or summed up on a contour.
+
+use std::sync::Arc;
+
+use super::contour::Reach;
+use super::lanes::{LANES, Lanes};
+use super::laws::{Laws, Programme};
+use super::response::{Input, Response};
+use super::transfer::{Body, Inlet};
+use super::{History, Power, Probe, RodError, RodSystem, Stepping, Track, lagged};
+use crate::input::Cache;
+
+/// A probe, and the instrument that shows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensor {
+    /// What is looked at.
+    pub probe: Probe,
+    /// Time constant of the instrument, s; zero if it is instant.
+    pub lag: f64,
+}
+
+/// Instruments whose time constants are more steps than this lose too many digits in closed form.
+const SLOWEST: f64 = 1e5;
+
+/// What the last few runs share: a search asks again for the same rod under other inputs, and for the same
+/// inputs to another rod.
+#[derive(Debug, Default)]
+pub struct Known {
+    laws: Cache<Arc<Programme>, Laws, 8>,
+    transfers: Cache<(Reach, Body), Vec<Lanes>, 8>,
+    responses: Cache<Input, Response, 32>,
+}
+
+/// A term of what comes in through an inlet.
+struct Term {
+    inlet: usize,
+    factor: f64,
+    unit: Power,
+}
+
+impl RodSystem {
+    /// What sensors show, each reading with the position of its sensor and its time (s), as [`Self::run`]
+    /// and [`Track::at`] give it. A run of more steps than the contour has points is summed up there.
+    ///
+    /// # Errors
+    /// A step or an end out of range.
+    pub fn read(
+        &self,
+        stepping: &Stepping,
+        ambient: &History,
+        sensors: &[Sensor],
+        readings: &[(usize, f64)],
+        known: &Known,
+    ) -> Result<Vec<f64>, RodError> {
+        stepping.check()?;
+        let reach = Reach::new(stepping.end, self.fastest());
+        let is_long = stepping.end / stepping.step > reach.count() as f64;
+        let is_shown = sensors.iter().all(|sensor| sensor.lag < SLOWEST * stepping.step);
+        match is_long && is_shown {
+            true => self.summed(stepping, ambient, sensors, readings, (reach, known)),
+            false => self.stepped(stepping, ambient, sensors, readings),
+        }
+    }
+
+    /// The same by steps, however many.
+    ///
+    /// # Errors
+    /// A step or an end out of range.
+    pub fn stepped(
+        &self,
+        stepping: &Stepping,
+        ambient: &History,
+        sensors: &[Sensor],
+        readings: &[(usize, f64)],
+    ) -> Result<Vec<f64>, RodError> {
+        let mut track = Track::new(sensors.len());
+        self.run(stepping, ambient, |time, nodes, switched| {
+            track.push(time, switched, sensors.iter().map(|sensor| sensor.probe.read(nodes)));
+        })?;
+        for (sensor, values) in sensors.iter().zip(&mut track.values) {
+            if sensor.lag > 0.0 {
+                *values = lagged(&track.times, values, sensor.lag);
+            }
+        }
+        Ok(readings.iter().map(|(sensor, time)| track.at(&track.values[*sensor], *time)).collect())
+    }
+
+    /// Sums up on a contour.
+    fn summed(
+        &self,
+        stepping: &Stepping,
+        ambient: &History,
+        sensors: &[Sensor],
+        readings: &[(usize, f64)],
+        (reach, known): (Reach, &Known),
+    ) -> Result<Vec<f64>, RodError> {
+        let (inlets, terms) = self.terms(ambient);
+        let mut times: Vec<f64> = readings.iter().map(|reading| reading.1).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let places: Vec<usize> = readings.iter().map(|(_, time)| times.partition_point(|t| t < time)).collect();
+        let Stepping { scheme, step, end } = *stepping;
+        let programme = Arc::new(Programme { scheme, step, intervals: self.intervals(end), reach, times });
+        let laws = known.laws.get_or(programme.clone(), |programme| Ok(Laws::new(programme)))?;
+        let probes: Vec<Probe> = sensors.iter().map(|sensor| sensor.probe.clone()).collect();
+        let body = Body::new(self, inlets, probes);
+        let inlets = body.inlets();
+        let transfers = known.transfers.get_or((reach, body), |(_, body)| Ok(body.transfers(&laws.contour)))?;
+        let groups = laws.contour.points.len() / LANES;
+        let mut shown: Vec<Vec<f64>> = Vec::with_capacity(sensors.len());
+        for (i, sensor) in sensors.iter().enumerate() {
+            let own = &transfers[groups * inlets * i..];
+            let mut seen = Seen::new(&laws);
+            for term in &terms {
+                let input = Input { programme: programme.clone(), unit: term.unit.clone(), lag: sensor.lag };
+                let response = known.responses.get_or(input, |input| Ok(input.response(&laws)))?;
+                seen.add(&own[groups * term.inlet..][..groups], term.factor, &response);
+            }
+            shown.push(seen.at_marks());
+        }
+        let one = |((sensor, _), place): (&(usize, f64), &usize)| {
+            laws.looks[*place].iter().map(|(mark, weight)| weight * shown[*sensor][*mark]).sum()
+        };
+        Ok(readings.iter().zip(&places).map(one).collect())
+    }
+
+    /// The inlets through which something comes, and what comes in through each.
+    fn terms(&self, ambient: &History) -> (Vec<Inlet>, Vec<Term>) {
+        let around = Power { level: ambient.clone(), on: Vec::new() };
+        let sources = self.sources.iter().enumerate().map(|(i, (_, power))| (Inlet::Source(i), power));
+        let surroundings = (self.loss > 0.0).then_some((Inlet::Surroundings, &around));
+        let (mut inlets, mut terms) = (Vec::new(), Vec::new());
+        for (inlet, power) in sources.chain(surroundings) {
+            let own = power.level.terms();
+            if own.is_empty() {
+                continue;
+            }
+            let unit = |level| Power { level, on: power.on.clone() };
+            terms.extend(own.into_iter().map(|(factor, level)| Term {
+                inlet: inlets.len(),
+                factor,
+                unit: unit(level),
+            }));
+            inlets.push(inlet);
+        }
+        (inlets, terms)
+    }
+
+    /// A bound of the rates at which temperatures even out, 1/s: of each row of K the sizes of its entries
+    /// over what C has on its diagonal more than beside it.
+    pub(super) fn fastest(&self) -> f64 {
+        let nodes = self.x.len();
+        let mut rows: Vec<[f64; 2]> = (0..nodes)
+            .map(|i| {
+                let beside = |all: &[f64]| {
+                    let before = i.checked_sub(1).map_or(0.0, |i| all[i].abs());
+                    before + all.get(i).map_or(0.0, |entry| entry.abs())
+                };
+                [
+                    self.conductance.diagonal[i].abs() + beside(&self.conductance.beside),
+                    self.capacity.diagonal[i] - beside(&self.capacity.beside),
+                ]
+            })
+            .collect();
+        for (node, heater) in &self.heaters {
+            rows[*node][0] += 2.0 * heater.contact;
+            rows.push([2.0 * heater.contact, heater.heat_capacity]);
+        }
+        rows.into_iter().map(|[flow, store]| flow / store).fold(0.0, f64::max)
+    }
+}
+
+/// What a sensor shows at the marks.
+struct Seen<'l> {
+    laws: &'l Laws,
+    marks: Vec<f64>,
+    /// Of every stretch what the first z leaves.
+    first: Vec<Vec<Lanes>>,
+}
+
+impl<'l> Seen<'l> {
+    fn new(laws: &'l Laws) -> Self {
+        let first = vec![vec![Lanes::default(); laws.contour.points.len() / LANES]; laws.stretches.len()];
+        Self { laws, marks: vec![0.0; laws.marks.len()], first }
+    }
+
+    /// Adds a response through its transfer.
+    fn add(&mut self, transfer: &[Lanes], factor: f64, response: &Response) {
+        for (mark, shown) in &response.marks {
+            let sum: f64 = transfer.iter().zip(shown).map(|(a, b)| a.product_sum(b)).sum();
+            self.marks[*mark] += factor * sum;
+        }
+        let whole = |all: &[Lanes]| {
+            let mut sum = Lanes::default();
+            transfer.iter().zip(all).for_each(|(a, b)| sum.add(&a.times(b), factor));
+            sum.sum()
+        };
+        for ((closed, stretch), first) in response.stretches.iter().zip(&self.laws.stretches).zip(&mut self.first) {
+            for ((first, transfer), own) in first.iter_mut().zip(transfer).zip(&closed.first) {
+                first.add(&transfer.times(own), factor);
+            }
+            let waves: Vec<_> = closed.waves.iter().map(|wave| whole(wave)).collect();
+            let kept = whole(&closed.kept).im;
+            for (mark, (turns, left)) in self.marks[stretch.marks.clone()].iter_mut().zip(&closed.turns) {
+                let turned: f64 = waves.iter().zip(turns).map(|(wave, turn)| (wave * turn).im).sum();
+                *mark += turned + kept * left;
+            }
+        }
+    }
+
+    fn at_marks(mut self) -> Vec<f64> {
+        for (stretch, first) in self.laws.stretches.iter().zip(&self.first) {
+            let left = stretch.left.chunks_exact(first.len());
+            for (mark, left) in self.marks[stretch.marks.clone()].iter_mut().zip(left) {
+                *mark += first.iter().zip(left).map(|(a, b)| a.product_sum(b)).sum::<f64>();
+            }
+        }
+        self.marks
+    }
+}

@@ -1,0 +1,199 @@
+//! What steps through time make of an input, at the points of a contour: the same for every rod.
+//!
+//! Constant inputs and swings are sums of waves e^(rate·t). Under these n equal steps have a closed form, z =
+//! Σ own·ρⁿ with ρ of each wave and of what the first z leaves; other inputs are stepped through.
+
+use std::sync::Arc;
+
+use nalgebra::Complex;
+
+use super::lanes::{LANES, Lanes};
+use super::laws::{Law, Laws, Programme, STAGES, Stretch};
+use super::{History, Power, Swing};
+
+/// Everything on which a response depends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    pub programme: Arc<Programme>,
+    /// What comes in, per unit.
+    pub unit: Power,
+    /// Time constant of what shows it, s.
+    pub lag: f64,
+}
+
+/// What is shown of an input, for each z = 1/(s + A).
+#[derive(Debug, Default)]
+pub struct Response {
+    /// Marks that were stepped to, with what is shown there at all points.
+    pub marks: Vec<(usize, Vec<Lanes>)>,
+    /// Of every stretch in closed form; none where all was stepped through.
+    pub stretches: Vec<Closed>,
+}
+
+/// What is shown in a stretch, in closed form.
+#[derive(Debug, Default)]
+pub struct Closed {
+    /// Of what the first z leaves.
+    pub first: Vec<Lanes>,
+    /// Of every wave.
+    pub waves: Vec<Vec<Lanes>>,
+    /// Of what was shown first.
+    pub kept: Vec<Lanes>,
+    /// At every mark how far the waves have turned, and what is left of what was shown first.
+    pub turns: Vec<(Vec<Complex<f64>>, f64)>,
+}
+
+/// Size and rate (1/s) of a wave.
+type Wave = (Complex<f64>, Complex<f64>);
+
+/// z, and what an instrument shows of it.
+#[derive(Clone, Copy, Default)]
+struct State {
+    own: Lanes,
+    shown: Lanes,
+}
+
+impl Input {
+    pub fn response(&self, laws: &Laws) -> Response {
+        let groups = laws.contour.points.len() / LANES;
+        let lags: Vec<[f64; 3]> = laws.lengths.iter().map(|length| lag(*length, self.lag)).collect();
+        let waves = waves(&self.unit.level);
+        let mut state = vec![State::default(); groups];
+        let mut response = Response::default();
+        let (mut step, mut stretches) = (0, laws.stretches.iter());
+        let mut stretch = stretches.next();
+        // At the start nothing has come in yet.
+        let mut mark = laws.marks.partition_point(|mark| *mark == 0);
+        while let Some(of_step) = laws.of_step.get(step).copied() {
+            let (own, lag) = (&laws.laws[of_step], lags[of_step]);
+            match (&waves, stretch) {
+                (Some(waves), Some(equal)) if equal.from == step => {
+                    let span = Span { laws: own, lag, length: laws.lengths[of_step], time: laws.steps.times[step] };
+                    let end = laws.steps.times[step + equal.steps];
+                    let on = self.unit.factor([span.time, end]);
+                    let waves: Vec<Wave> = waves.iter().map(|(size, rate)| (size * on, *rate)).collect();
+                    response.stretches.push(self.closed(&span, equal, &laws.marks, &waves, &mut state));
+                    (step, mark, stretch) = (step + equal.steps, equal.marks.end, stretches.next());
+                }
+                _ => {
+                    let inputs = self.stages(laws.steps.times[step], laws.lengths[of_step]);
+                    state.iter_mut().zip(own).for_each(|(state, law)| state.step(law, lag, &inputs));
+                    step += 1;
+                    if laws.marks.get(mark) == Some(&step) {
+                        response.marks.push((mark, state.iter().map(|state| state.shown).collect()));
+                        mark += 1;
+                    }
+                }
+            }
+        }
+        response
+    }
+
+    /// The input at the stages of a step.
+    fn stages(&self, time: f64, length: f64) -> [f64; STAGES] {
+        let mut stages = [0.0; STAGES];
+        for (stage, place) in stages.iter_mut().zip(self.programme.scheme.places()) {
+            *stage = self.unit.within(time + place * length, [time, time + length]);
+        }
+        stages
+    }
+
+    /// Equal steps under waves, and the state behind them.
+    fn closed(&self, span: &Span, stretch: &Stretch, marks: &[usize], waves: &[Wave], state: &mut [State]) -> Closed {
+        let turned = |step: usize| {
+            let past = span.length * (step - stretch.from) as f64;
+            let turns: Vec<_> = waves.iter().map(|(_, rate)| (rate * past).exp()).collect();
+            (turns, (-past / self.lag).exp())
+        };
+        let mut closed = Closed {
+            turns: marks[stretch.marks.clone()].iter().map(|mark| turned(*mark)).collect(),
+            waves: vec![Vec::new(); waves.len()],
+            ..Closed::default()
+        };
+        let (turns, left) = turned(stretch.from + stretch.steps);
+        let [passed, was, is] = span.lag;
+        for ((law, remains), state) in span.laws.iter().zip(&stretch.left_in_the_end).zip(state) {
+            let (mut first, mut kept, mut end) = (state.own, state.shown, State::default());
+            for ((wave, turn), shown) in waves.iter().zip(&turns).zip(&mut closed.waves) {
+                let (own, seen) = span.wave(law, self.programme.scheme.places(), *wave);
+                first.add(&own, -1.0);
+                kept.add(&seen, -1.0);
+                end.own.add(&own.scaled(*turn), 1.0);
+                end.shown.add(&seen.scaled(*turn), 1.0);
+                shown.push(seen);
+            }
+            let ratio = law.kept.scaled(is.into()).plus(was).times(&law.kept.plus(-passed).inverse());
+            let shown = first.times(&ratio);
+            kept.add(&shown, -1.0);
+            end.own.add(&first.times(remains), 1.0);
+            end.shown.add(&shown.times(remains), 1.0);
+            end.shown.add(&kept, left);
+            closed.first.push(shown);
+            closed.kept.push(kept);
+            *state = end;
+        }
+        closed
+    }
+}
+
+/// The steps of a stretch.
+struct Span<'l> {
+    /// Of all points.
+    laws: &'l [Law],
+    lag: [f64; 3],
+    /// Length of a step, s.
+    length: f64,
+    /// Time of the start, s.
+    time: f64,
+}
+
+impl Span<'_> {
+    /// What a wave makes of z at the start, and what is shown of it; it turns with the wave.
+    fn wave(&self, law: &Law, places: &[f64], (size, rate): Wave) -> (Lanes, Lanes) {
+        let turn = (rate * self.length).exp();
+        let mut driven = Lanes::default();
+        for (stage, place) in law.driven.iter().zip(places) {
+            driven.add(&stage.scaled((rate * (place * self.length)).exp()), 1.0);
+        }
+        let mut behind = Lanes::new([turn; LANES]);
+        behind.add(&law.kept, -1.0);
+        let own = driven.times(&behind.inverse()).scaled(size * (rate * self.time).exp());
+        let [left, was, is] = self.lag;
+        (own, own.scaled((turn * is + was) / (turn - left)))
+    }
+}
+
+impl State {
+    fn step(&mut self, law: &Law, [left, was, is]: [f64; 3], inputs: &[f64; STAGES]) {
+        let mut own = law.kept.times(&self.own);
+        own.add(&law.driven[0], inputs[0]);
+        own.add(&law.driven[1], inputs[1]);
+        let mut shown = Lanes::default();
+        shown.add(&self.shown, left);
+        shown.add(&self.own, was);
+        shown.add(&own, is);
+        *self = Self { own, shown };
+    }
+}
+
+/// Parts of what was shown, of z before and of z after a step in what is shown after it: the terms of
+/// [`lagged`](super::lagged) by what they belong to.
+fn lag(length: f64, time_constant: f64) -> [f64; 3] {
+    let part = length / time_constant;
+    let (left, gone) = ((-part).exp(), -(-part).exp_m1() / part);
+    [left, gone - left, 1.0 - gone]
+}
+
+/// A history as a sum of waves, if it is one.
+fn waves(history: &History) -> Option<Vec<Wave>> {
+    match history {
+        History::Constant(value) => Some(vec![((*value).into(), 0.0.into())]),
+        History::Swing(Swing { size, omega, phase }) => {
+            // sin x = (e^ix − e^−ix)/2i
+            let up = (Complex::new(0.0, -0.5 * size) * Complex::from_polar(1.0, *phase), Complex::new(0.0, *omega));
+            let level = Complex::from(-size * phase.sin());
+            Some(vec![up, (up.0.conj(), up.1.conj()), (level, 0.0.into())])
+        }
+        _ => None,
+    }
+}
