@@ -7,9 +7,10 @@ mod shapes;
 
 use super::forward::Lap;
 use super::machine::Machine;
+use super::path::AXES;
 use super::path::{Direction, Path};
 use super::rows::{self, ANGLE_OF_ROW, COORDINATES, DIRECTION, FEED, OBSERVABLES};
-use super::setup::{AXES, Setup};
+use super::setup::Setup;
 use crate::process::{Failure, Figure, Forward, Plot, Rows, RunReport, Table, extremes};
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 
@@ -50,6 +51,7 @@ fn figures(machine: &Machine, forward: &Forward) -> Result<Vec<Figure>, Failure>
         }
         Path::Rectangle { .. } => figures.extend(rectangle::figures(machine, setup, deviations)),
     }
+    figures.extend(reversing::lost_motion(machine));
     figures.extend(reversing::advice(machine));
     figures.push(servo(setup));
     figures.extend(tolerance(machine, deviations));
