@@ -15,8 +15,9 @@ use crate::process::{Failure, Rows};
 /// # Errors
 /// A servo does not follow.
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
-    check(machine)?;
     let setup = &machine.setup;
+    let greatest = (0..rows.len()).map(|row| way(setup, rows, row).1).fold(setup.feed, f64::max);
+    check(machine, greatest)?;
     let mut laps: Vec<((Direction, f64), Lap)> = Vec::new();
     let one = |row: usize| {
         let way = way(setup, rows, row);
@@ -31,16 +32,15 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     Ok((0..rows.len()).map(one).collect())
 }
 
-/// Refuses servos that do not follow.
-fn check(machine: &Machine) -> Result<(), Failure> {
-    match (0..2).find(|axis| machine.gains[*axis] <= 0.0) {
+/// Refuses servos that do not follow, at the greatest feed (m/s) too.
+fn check(machine: &Machine, feed: f64) -> Result<(), Failure> {
+    let gain = |axis: usize| machine.gain_at(axis, feed).min(machine.gains[axis]);
+    match (0..2).find(|axis| gain(*axis) <= 0.0) {
         None => Ok(()),
         Some(axis) => Err(Failure {
-            message: format!(
-                "the gain of {} is {:.3} /s: it does not follow its command",
-                AXES[axis], machine.gains[axis]
-            ),
-            help: "the mismatch of the gains must lie between -2 and 2".into(),
+            message: format!("the gain of {} is {:.3} /s: it does not follow its command", AXES[axis], gain(axis)),
+            help: "the mismatch of the gains must lie between -2 and 2, and no gain may fall to nothing at its feed"
+                .into(),
         }),
     }
 }
@@ -150,9 +150,26 @@ impl<'m> Lap<'m> {
             let (at, Cyclic { amplitude, phase }) = (reached[axis].0, machine.cyclic[axis]);
             let lead = machine.setup.drives[axis].lead.unwrap_or(f64::INFINITY);
             let wave = if amplitude == 0.0 { 0.0 } else { amplitude * (TAU * at / lead + phase).sin() };
-            (at + wave) * machine.scales[axis]
+            (at + wave + self.jerks(axis, time) - self.further_lag(axis, time)) * machine.scales[axis]
         });
         ([x + machine.squareness * y + machine.centre[0], y + machine.centre[1]], [0, 1].map(|axis| reached[axis].1))
+    }
+
+    /// Place of an axis on its wave of stick-slip, m.
+    fn jerks(&self, axis: usize, time: f64) -> f64 {
+        let Cyclic { amplitude, phase } = self.machine.stick_slip[axis];
+        let turned = TAU * self.machine.setup.frequency.unwrap_or(0.0) * time;
+        if amplitude == 0.0 { 0.0 } else { amplitude * (turned + phase).sin() }
+    }
+
+    /// Lag of an axis whose gain follows its speed, beyond that at a gain which does not, m.
+    fn further_lag(&self, axis: usize, time: f64) -> f64 {
+        let machine = self.machine;
+        if machine.gain_changes[axis] == 0.0 {
+            return 0.0;
+        }
+        let speed = self.axes[axis].motion.speed(time);
+        speed * (1.0 / machine.gain_at(axis, speed) - 1.0 / machine.gains[axis])
     }
 
     /// Deviation of the tool from the path when a point is commanded, spikes apart, m.

@@ -22,6 +22,10 @@ pub struct Machine {
     pub lost: [Option<Lost>; 2],
     /// Compliance between tool and work along each axis, m/N.
     pub compliances: [f64; 2],
+    /// Part by which each gain changes when its axis goes at the feed of the model.
+    pub gain_changes: [f64; 2],
+    /// Wave of each axis over time, its phase when the lap begins.
+    pub stick_slip: [Cyclic; 2],
     /// Cyclic error of each axis.
     pub cyclic: [Cyclic; 2],
     /// Travel of each axis over what its scale shows.
@@ -71,6 +75,8 @@ impl Machine {
             gaps: [0.0; 2],
             lost: [None; 2],
             compliances: [0.0; 2],
+            gain_changes: [0.0; 2],
+            stick_slip: [Cyclic::default(); 2],
             cyclic: [Cyclic::default(); 2],
             scales: [1.0; 2],
             squareness: 0.0,
@@ -86,5 +92,10 @@ impl Machine {
             Some(Winding { friction, stiffness, screw })
         };
         Play { gap: self.gaps[axis], winding: self.lost[axis].and_then(wound) }
+    }
+
+    /// Gain of an axis at its own speed (m/s), 1/s.
+    pub fn gain_at(&self, axis: usize, speed: f64) -> f64 {
+        self.gains[axis] * (1.0 + self.gain_changes[axis] * speed.abs() / self.setup.feed)
     }
 }

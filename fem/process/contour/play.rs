@@ -1,8 +1,8 @@
 //! Lost motion between the drive of an axis and its slide: clearance, and friction that winds the drive up.
 //!
-//! The slide stands until the drive is off by half of the clearance and winds its spring up to the friction,
-//! and is then carried along: the play operator with the half width h = δ/2 + F/C(x), 1/C(x) = 1/C_n + |x − x_b|/(EA) at
-//! the place x of the slide [seed 000, fig. 2, both in series].
+//! The slide stands until the drive is off by half of the clearance and winds its spring up to the
+//! friction, and is then carried along: the play operator with the half width h = δ/2 + F/C(x), 1/C(x) =
+//! 1/C_n + |x − x_b|/(EA) at the place x of the slide [seed 000, fig. 2, both in series].
 
 use crate::solve::Bar;
 
@@ -43,7 +43,8 @@ impl Play {
         self.gap > 0.0 || self.winding.as_ref().is_some_and(|w| w.friction > 0.0)
     }
 
-    /// Place of a slide that stood at `slide` when its drive comes to `drive`, m: it stays, or is carried along.
+    /// Place of a slide that stood at `slide` when its drive comes to `drive`, m: it stays, or is carried
+    /// along.
     pub fn carry(&self, slide: f64, drive: f64) -> f64 {
         slide.max(self.behind(drive, 1.0)).min(self.behind(drive, -1.0))
     }

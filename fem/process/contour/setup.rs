@@ -3,7 +3,7 @@
 use super::drive::{self, Drive, Feedback};
 use super::path::{Direction, Path};
 use crate::input::Reader;
-use crate::units::{ANGLE, FEED_RATE, FORCE, GAIN, LENGTH, MICRO};
+use crate::units::{ANGLE, FEED_RATE, FORCE, FREQUENCY, GAIN, LENGTH, MICRO};
 
 /// Everything a contour model says but its effects. SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Setup {
     pub drives: [Drive; 2],
     /// Where positions are measured.
     pub feedback: Feedback,
+    /// Frequency at which drives stick and slip, Hz.
+    pub frequency: Option<f64>,
     /// Force of the cut on the tool: across the path, outwards positive, and against the travel, N.
     pub force: [f64; 2],
     /// Largest deviation that is allowed, m.
@@ -49,12 +51,14 @@ impl Setup {
                 t.choice("directions", "ways round, counter-clockwise or clockwise", Direction::WORDS).several(),
             )
         });
-        let (gain, drives, feedback) = model.table("drives", "the servo drives of x and y", |t| {
+        let (gain, drives, feedback, frequency) = model.table("drives", "the servo drives of x and y", |t| {
             let gain = t.quantity("gain", GAIN, "Kv: speed over following error, of both axes").positive().required();
             let lead = t.quantity("lead", LENGTH, "travel in a turn of the screw or a period of the scale").positive();
             let about = "where positions are measured: on the motor, or by a scale on the slide, which sees the screw";
             let feedback = t.choice("feedback", about, Feedback::WORDS).or_first(Feedback::Motor);
-            (gain, drive::read(t, lead.optional()), feedback)
+            let about = "frequency at which the drives stick and slip; only for stick-slip";
+            let frequency = t.quantity("frequency", FREQUENCY, about).positive().optional();
+            (gain, drive::read(t, lead.optional()), feedback, frequency)
         });
         let force = model.optional_table("cut", "the cut, if there is one", |t| {
             let about = "force on the tool across the path, positive outwards";
@@ -75,6 +79,7 @@ impl Setup {
             gain,
             drives,
             feedback,
+            frequency,
             force: force.unwrap_or_default(),
             tolerance,
             points: points.unwrap_or(360),

@@ -4,8 +4,8 @@
 //! gap, and is then carried along, half a gap behind. Round a circle the tool draws four arcs of the
 //! programmed radius about the corners of a square (of side gap where both axes have the same), joined by
 //! flats; diameters along the axis are short by gap, those at 45° true [seed 000, figs. 2 and 3]. The play
-//! is outside the servo's loop: a scale on the slide takes it out. Elastic play, friction over stiffness, adds to its
-//! width; it alone grows along the screw.
+//! is outside the servo's loop: a scale on the slide takes it out. Elastic play, friction over stiffness,
+//! adds to its width; it alone grows along the screw.
 
 use super::super::machine::{Effect, Machine};
 use crate::process::Parameter;

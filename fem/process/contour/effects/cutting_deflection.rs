@@ -1,10 +1,10 @@
 //! The machine gives way to the force of the cut.
 //!
-//! The force on the tool has a part across the path (positive outwards) and one that holds the tool back along it; each
-//! axis gives way by its share over its own stiffness: d_i = (F_n·n_i − F_t·t_i)/k_i. On a circle outwards
-//! F_n(cos²α/kx + sin²α/ky) ± F_t·sin α·cos α·(1/kx − 1/ky), + counter-clockwise: an offset and an ellipse along the axes,
-//! and one at 45° that turns over with the direction [statics]. The force is the same all round. Left out: forces that
-//! follow the depth of the cut, and twist.
+//! The force on the tool has a part across the path (positive outwards) and one that holds the tool back
+//! along it; each axis gives way by its share over its own stiffness: d_i = (F_n·n_i − F_t·t_i)/k_i. On a
+//! circle outwards F_n(cos²α/kx + sin²α/ky) ± F_t·sin α·cos α·(1/kx − 1/ky), + counter-clockwise: an
+//! offset and an ellipse along the axes, and one at 45° that turns over with the direction [statics]. The
+//! force is the same all round. Left out: forces that follow the depth of the cut, and twist.
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;

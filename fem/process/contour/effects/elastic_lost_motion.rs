@@ -1,10 +1,11 @@
 //! Elastic clearance: friction of the slide winds the drive up before anything moves.
 //!
-//! The slide follows the play operator of width δ + 2F/C(x), in series with the clearance δ of `backlash`: 1/C(x) =
-//! 1/stiffness + |x − fixed_at|/(EA), F the friction (N), stiffness that of nut and bearing (N/m), EA the axial
-//! rigidity of the screw, x the place of the slide [seed 000, fig. 2b, in series with fig. 2a]. To a contour in one
-//! place it is play, but for the screw: the width grows away from the fixed bearing, and the two flats of an axis
-//! differ. Left out: friction that depends on the speed, and screws with two fixed bearings.
+//! The slide follows the play operator of width δ + 2F/C(x), in series with the clearance δ of `backlash`:
+//! 1/C(x) = 1/stiffness + |x − fixed_at|/(EA), F the friction (N), stiffness that of nut and bearing
+//! (N/m), EA the axial rigidity of the screw, x the place of the slide [seed 000, fig. 2b, in series with
+//! fig. 2a]. To a contour in one place it is play, but for the screw: the width grows away from the fixed
+//! bearing, and the two flats of an axis differ. Left out: friction that depends on the speed, and screws
+//! with two fixed bearings.
 
 use super::super::machine::{Effect, Lost, Machine};
 use super::super::path::AXES;

@@ -54,6 +54,7 @@ fn figures(machine: &Machine, forward: &Forward) -> Result<Vec<Figure>, Failure>
     figures.extend(reversing::lost_motion(machine));
     figures.extend(reversing::advice(machine));
     figures.push(servo(setup));
+    figures.extend(stick_slip(setup));
     figures.extend(tolerance(machine, deviations));
     Ok(figures)
 }
@@ -70,6 +71,17 @@ fn servo(setup: &Setup) -> Figure {
         .quantity("contraction", MICRO, once)
         .quantity("contraction_at_twice_the_feed", MICRO, twice)
         .line(format!("{text}: of the radius {shown:+.3}, at twice the feed {shown_twice:+.3}"))
+}
+
+/// Length along the path of what sticks and slips at one frequency: λ = v/f.
+fn stick_slip(setup: &Setup) -> Option<Figure> {
+    let length = setup.feed / setup.frequency?;
+    let [shown, twice] = [length, 2.0 * length].map(|length| LENGTH.shown(length));
+    Some(
+        Figure::new("stick_slip", "waves of stick-slip")
+            .line(format!("{shown:.3} along the path (v/f), at twice the feed {twice:.3}"))
+            .quantity("length", LENGTH, length),
+    )
 }
 
 /// Contraction of a circle R(1 − 1/√(1 + (v/RKv)²)), m.

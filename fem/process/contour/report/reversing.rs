@@ -103,8 +103,8 @@ pub fn advice(machine: &Machine) -> Option<Figure> {
     )
 }
 
-/// Clearance beside what friction winds up where each axis turns round, and which of them rules: in light machines
-/// mostly the kinematic, in heavy ones the elastic [seed 000].
+/// Clearance beside what friction winds up where each axis turns round, and which of them rules: in light
+/// machines mostly the kinematic, in heavy ones the elastic [seed 000].
 pub fn lost_motion(machine: &Machine) -> Option<Figure> {
     let setup = &machine.setup;
     let lap = Lap::new(machine, setup.directions[0], setup.feed);

@@ -21,8 +21,8 @@ fn text() -> String {
     ) + "cut = { normal_force = \"200 N\", tangential_force = \"120 N\" }\n"
 }
 
-/// Clearance and elastic clearance in series: where x turns round its slide stands at x = ±R ∓ h(x), h = δ/2 + F/k +
-/// F·(x + 0.4)/(EA), linear in x.
+/// Clearance and elastic clearance in series: where x turns round its slide stands at x = ±R ∓ h(x), h =
+/// δ/2 + F/k + F·(x + 0.4)/(EA), linear in x.
 fn winding() -> Vec<Case> {
     let (gap, friction, stiffness) = (6e-6, 600.0, 2e8);
     let rigidity = 210e9 * std::f64::consts::PI * 0.016f64.powi(2);

@@ -3,6 +3,7 @@
 
 mod effects;
 mod elastic;
+mod following;
 mod play;
 mod rectangle;
 mod rig;
@@ -19,6 +20,7 @@ pub fn cases() -> Vec<Case> {
         play::cases(),
         effects::cases(),
         elastic::cases(),
+        following::cases(),
         rectangle::cases(),
         stepping::cases(),
         standard::cases(),
