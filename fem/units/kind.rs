@@ -59,6 +59,9 @@ kinds! {
     SPEED = "a speed" in "m/min", as "1";
     FORCE_PER_DEPTH = "a force per depth" in "kN/mm", as "1";
     FEED_RATE = "a feed rate" in "mm/min", as "1000";
+    ACCELERATION = "an acceleration" in "m/s^2", as "2";
+    ANGULAR_ACCELERATION = "an angular acceleration" in "rad/s^2", as "100";
+    FREQUENCY = "a frequency" in "Hz", as "5";
     GAIN = "a servo gain" in "/s", as "50";
     SHORT_TIME = "a short time" in "ms", as "100";
     FORCE_PER_RATE = "a force per removal rate" in "N/(mm^2/s)", as "10";

@@ -143,6 +143,13 @@ const CASES: &[Mistake] = &[
         "`cam_speed` and `feed` both say",
         "keep one",
     ),
+    ("step = \"0.5 mm\"", "step = \"0.5 mm\"\nends = \"half\"", "half", "half-error"),
+    (
+        "stock = \"20 um\" ",
+        "[before]\nstep = \"1 mm\"\n[cut] ",
+        "the layer between the two passes is not known",
+        "add stock",
+    ),
     (
         "[effects.wheel-wear]\nloss",
         "[effects.tool-wear]\nloss",

@@ -64,6 +64,34 @@ const CASES: &[(&str, &str, &str, &str, &str)] = &[
     ("contour", "[\"ccw\", \"cw\"]", "3", "in `directions` is none of its words", "take some of"),
     ("contour", "\"50 /s\" ", "\"50 mm\" ", "not a servo gain", "write it in /s"),
     ("contour", "lead = \"10 mm\"", "", "`cyclic-error-x` needs its period", "remove the effect"),
+    (
+        "contour",
+        "[effects.squareness]\nangle = \"25 +- 10 um/m\"",
+        "[effects.elastic-lost-motion-y]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"",
+        "`elastic-lost-motion-y` needs its screw",
+        "remove the effect",
+    ),
+    (
+        "contour",
+        "[effects.squareness]\nangle = \"25 +- 10 um/m\"",
+        "[effects.stick-slip-x]\namplitude = \"2 um\"\nphase = \"0 deg\"",
+        "needs its frequency",
+        "remove the effect",
+    ),
+    (
+        "contour",
+        "lead = \"10 mm\"",
+        "lead = \"10 mm\"\nfeedback = \"scale\"",
+        "the scale takes it out",
+        "remove the effect",
+    ),
+    (
+        "contour",
+        "[effects.squareness]\nangle = \"25 +- 10 um/m\"",
+        "[effects.cutting-deflection]\nstiffness_x = \"50 N/um\"\nstiffness_y = \"50 N/um\"",
+        "needs the force of the cut",
+        "remove the effect",
+    ),
     ("contour", "\"10 um\"", "\"0 um\"", "`deviation` is 0 um", "above zero"),
     (
         "contour",
@@ -167,4 +195,117 @@ fn one_way_round_does_not_tell_servos_from_squareness() {
     class.sort_unstable();
     assert_eq!(class, ["servo-mismatch", "squareness"], "{}", answer.out);
     assert_eq!(json["next_measurement"]["coordinate"], "direction", "{}", answer.out);
+}
+
+/// Deviations (um) of a circle of 150 mm at 1000 mm/min behind servos of 50 /s whose x slide hangs on a
+/// spring and rubs, stepped through time: at each step the slide stays if the spring pulls no harder than
+/// the friction (N), and else slips until it does. The spring is a nut (N/um) and the steel screw of 32 mm
+/// from 400 mm left of the centre.
+fn rubbing(friction: f64, nut: f64, way: f64, degrees: &[f64]) -> Vec<f64> {
+    const STEPS: usize = 72_000;
+    let turn = std::f64::consts::TAU;
+    let lag = 1000.0 / 60.0 / 150.0 / 50.0f64;
+    let (amplitude, late) = (150e3 / lag.hypot(1.0), lag.atan());
+    let at = |i: usize| turn * i as f64 / STEPS as f64;
+    let (mut slide, mut places) = (0.0f64, vec![0.0; STEPS]);
+    for i in 0..2 * STEPS {
+        let drive = amplitude * (at(i % STEPS) - late).cos();
+        let rigidity = 210e3 * std::f64::consts::PI * 16.0 * 16.0;
+        let most = friction * (1.0 / nut + (slide / 1e3 + 400.0) * 1e3 / rigidity);
+        if (drive - slide).abs() > most {
+            slide = drive - most.copysign(drive - slide);
+        }
+        places[i % STEPS] = slide;
+    }
+    let of = |degrees: &f64| {
+        let angle = (way * degrees).rem_euclid(360.0).to_radians();
+        let i = (angle / turn * STEPS as f64).round() as usize % STEPS;
+        places[i].hypot(amplitude * (at(i) - late).sin()) - 150e3
+    };
+    degrees.iter().map(of).collect()
+}
+
+#[test]
+fn friction_on_a_long_screw_is_told_from_play() {
+    let place = Place::new();
+    let text = model("contour.toml").split("[effects").next().unwrap().to_string();
+    let drives =
+        "\nx = { screw = { material = \"steel\", diameter = \"32 mm\", fixed_at = \"-400 mm\" } }\n\n[tolerance]";
+    place.write("contour.toml", text.replace("\n[tolerance]", drives));
+    let degrees: Vec<f64> = (0..120).map(|i| 3.0 * f64::from(i) + 1.0).collect();
+    let mut measured = String::from("angle [deg],direction,deviation [um],u [um]\n");
+    for (way, sign) in [("ccw", 1.0), ("cw", -1.0)] {
+        for (i, deviation) in rubbing(900.0, 300.0, sign, &degrees).into_iter().enumerate() {
+            let noise = 0.4 * (17.0 * i as f64 + sign).sin();
+            measured.push_str(&format!("{},{way},{},0.3\n", degrees[i], deviation + noise));
+        }
+    }
+    place.write("m.csv", measured);
+    let answer = place.fem(&["diagnose", "contour.toml", "--with", "m.csv", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+    assert_eq!(json["missing"].as_array().unwrap().len(), 1, "{}", answer.out);
+    let first = &json["missing"][0];
+    assert_eq!(first["effect"], "elastic-lost-motion-x", "{}", answer.out);
+    assert_eq!(first["indistinguishable_from"].as_array().unwrap().len(), 0, "{}", answer.out);
+    let friction = &first["parameters"]["friction"];
+    let [value, std] = ["value", "std"].map(|key| friction[key].as_f64().unwrap());
+    assert!((value - 900.0).abs() < 3.0 * std && std < 200.0, "{value} {std}");
+}
+
+/// Deviations (um) of a circle of 150 mm behind servos of 50 /s, that of x with a gain that follows its
+/// speed: Kv·(1 + change·|v|/1000 mm/min), stepped through time; feed in mm/min.
+fn following(change: f64, feed: f64, way: f64, degrees: &[f64]) -> Vec<f64> {
+    const STEPS: usize = 36_000;
+    let omega = feed / 60.0 / 150.0;
+    let step = std::f64::consts::TAU / omega / STEPS as f64;
+    // v = e·K·(1 + change·|v|/feed).
+    let speed = |error: f64, change: f64| 50.0 * error / (1.0 - 50.0 * change * error.abs() / (1000.0 / 60.0));
+    let (mut at, mut places) = ([150.0, 0.0], vec![[0.0; 2]; STEPS]);
+    for i in 0..2 * STEPS {
+        places[i % STEPS] = at;
+        let rate = |at: [f64; 2], time: f64| {
+            let (sine, cosine) = (omega * time).sin_cos();
+            [speed(150.0 * cosine - at[0], change), speed(way * 150.0 * sine - at[1], 0.0)]
+        };
+        let time = i as f64 * step;
+        let first = rate(at, time);
+        let middle = rate([0, 1].map(|k| at[k] + 0.5 * step * first[k]), time + 0.5 * step);
+        at = [0, 1].map(|k| at[k] + step * middle[k]);
+    }
+    let of = |degrees: &f64| {
+        let i = ((way * degrees).rem_euclid(360.0) / 360.0 * STEPS as f64).round() as usize % STEPS;
+        1e3 * (places[i][0].hypot(places[i][1]) - 150.0)
+    };
+    degrees.iter().map(of).collect()
+}
+
+#[test]
+fn what_follows_the_feed_is_named() {
+    let place = Place::new();
+    let text = model("contour.toml").split("[effects").next().unwrap().to_string();
+    place.write("contour.toml", text.replace("\n[tolerance]", "\nfrequency = \"3 Hz\"\n\n[tolerance]"));
+    let degrees: Vec<f64> = (0..72).map(|i| 5.0 * f64::from(i) + 1.0).collect();
+    for (effect, change, jerk, parameter, truth) in
+        [("gain-with-feed-x", 0.05, 0.0, "change", 0.05), ("stick-slip-x", 0.0, 1.5, "amplitude", 1.5)]
+    {
+        let mut measured = String::from("angle [deg],direction,feed [mm/min],deviation [um],u [um]\n");
+        for (way, sign, feed) in [("ccw", 1.0, 1000.0), ("cw", -1.0, 1000.0), ("ccw", 1.0, 500.0)] {
+            for (degrees, deviation) in degrees.iter().zip(following(change, feed, sign, &degrees)) {
+                let angle = degrees.to_radians();
+                let time = (sign * degrees).rem_euclid(360.0).to_radians() * 150.0 / (feed / 60.0);
+                let wave = jerk * (std::f64::consts::TAU * 3.0 * time + 0.7).sin() * angle.cos();
+                let noise = 0.25 * (17.0 * degrees + sign + feed).sin();
+                measured.push_str(&format!("{degrees},{way},{feed},{},0.2\n", deviation + wave + noise));
+            }
+        }
+        place.write("m.csv", measured);
+        let answer = place.fem(&["diagnose", "contour.toml", "--with", "m.csv", "--json"]);
+        let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+        assert_eq!(json["missing"].as_array().unwrap().len(), 1, "{}", answer.out);
+        let first = &json["missing"][0];
+        assert_eq!(first["effect"], effect, "{}", answer.out);
+        assert_eq!(first["indistinguishable_from"].as_array().unwrap().len(), 0, "{}", answer.out);
+        let [value, std] = ["value", "std"].map(|key| first["parameters"][parameter][key].as_f64().unwrap());
+        assert!((value - truth).abs() < 3.5 * std + 0.01 * truth, "{effect}: {value} {std}");
+    }
 }

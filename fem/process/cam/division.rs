@@ -1,13 +1,15 @@
 //! The division of a profile into blocks, and the pace of the programme.
 
+use super::course::Accelerations;
 use super::guide::Guide;
 use super::profile::Profile;
 use crate::input::Reader;
-use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO, SPINDLE_SPEED, TIME};
+use crate::units::{ACCELERATION, ANGLE, ANGULAR_ACCELERATION, FEED_RATE, LENGTH, MICRO, SPINDLE_SPEED, TIME};
 
 /// Most blocks of a programme: some a second of arc.
 const MOST_BLOCKS: usize = 1_000_000;
 
+const ENDS: &[(&str, Ends)] = &[("on-profile", Ends::OnProfile), ("half-error", Ends::HalfError)];
 const BREAKS: &[(&str, bool)] = &[("break", true), ("pass", false)];
 
 /// The ways in which blocks are chosen.
@@ -32,6 +34,17 @@ pub struct Division {
     pub size: f64,
     /// Whether a block ends at every joint of the profile.
     pub at_joints: bool,
+    /// Where the ends of blocks lie.
+    pub ends: Ends,
+}
+
+/// The ends of blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// The wheel touches the profile where a block ends.
+    OnProfile,
+    /// It stands off by half of the block's error to the other side.
+    HalfError,
 }
 
 /// The pace of the programme.
@@ -41,6 +54,28 @@ pub enum Pace {
     CamSpeed(f64),
     /// Every block takes the time of its length of profile at one feed, m/s.
     Feed(f64),
+}
+
+/// The pace and what limits it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Speed {
+    /// The pace of the programme.
+    pub pace: Pace,
+    /// The accelerations that the axes allow.
+    pub accelerations: Accelerations,
+}
+
+impl Speed {
+    /// Reads how fast the programme runs from its table; `None` where it does not say.
+    pub fn read(t: &Reader) -> Option<Self> {
+        let pace = Pace::read(t);
+        let about = "of the cam: every block then begins and ends at rest";
+        let cam = t.quantity("cam_acceleration", ANGULAR_ACCELERATION, about).positive().optional();
+        let about = "of the slide: every block then begins and ends at rest";
+        let slide = t.quantity("slide_acceleration", ACCELERATION, about).positive().optional();
+        let [cam, slide] = [cam, slide].map(|limit| limit.unwrap_or(f64::INFINITY));
+        pace.map(|pace| Self { pace, accelerations: Accelerations { cam, slide } })
+    }
 }
 
 impl Division {
@@ -55,6 +90,9 @@ impl Division {
         let tolerance = t.quantity("tolerance", MICRO, about).positive().optional();
         let about = "whether a block ends at every joint of the profile's segments or may pass over them";
         let at_joints = t.choice("joints", about, BREAKS).or_first(true);
+        let about =
+            "whether blocks end on the profile or are shifted by half of their error, which then lies on both sides";
+        let ends = t.choice("ends", about, ENDS).or_first(Ends::OnProfile);
         let (by_time, rate) = match pace {
             Some(Pace::CamSpeed(speed)) => (By::Angle, speed),
             Some(Pace::Feed(feed)) => (By::Step, feed),
@@ -73,7 +111,7 @@ impl Division {
             None
         };
         match given[..] {
-            [(by, size)] => size.is_finite().then_some(Self { by, size, at_joints }),
+            [(by, size)] => size.is_finite().then_some(Self { by, size, at_joints, ends }),
             [] => refuse(
                 "the programme does not say how blocks are chosen",
                 "add step = \"0.5 mm\", angle, time, blocks or tolerance",
@@ -152,8 +190,8 @@ impl Division {
 }
 
 impl Pace {
-    /// Reads how fast the programme runs from its table.
-    pub fn read(t: &Reader) -> Option<Self> {
+    /// Reads the pace from the table of the programme.
+    fn read(t: &Reader) -> Option<Self> {
         let speed = t.quantity("cam_speed", SPINDLE_SPEED, "the cam turns at this speed").positive().optional();
         let about = "every block takes the time of its length of profile at this feed, and the cam turns as that needs";
         let feed = t.quantity("feed", FEED_RATE, about).positive().optional();

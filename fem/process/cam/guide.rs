@@ -1,7 +1,7 @@
 //! The way of the wheel's centre along a profile, as it is programmed.
 
 use super::motion::Leg;
-use super::profile::Profile;
+use super::profile::{Profile, turn};
 use super::search::root;
 
 /// The centre of a wheel as it follows a profile.
@@ -37,11 +37,6 @@ impl<'a> Guide<'a> {
         (self.turns[i].1 + turn, self.turns[i].2 + turn.abs())
     }
 
-    /// Distance of the wheel's centre from the axis, m.
-    pub fn slide(&self, s: f64) -> f64 {
-        self.profile.at(s).outside(self.radius).norm()
-    }
-
     /// The place until which the wheel has turned through an angle, either way: the inverse of
     /// [`Guide::turn`].
     pub fn place(&self, through: f64) -> f64 {
@@ -57,10 +52,22 @@ impl<'a> Guide<'a> {
         self.radius
     }
 
-    /// The leg of a block between two places, the wheel at the height of the axis.
-    pub fn block(&self, from: f64, to: f64) -> Leg {
-        let (turn, slide) = (self.turn(from).0, self.slide(from));
-        Leg::new((turn, self.turn(to).0 - turn), (slide, self.slide(to) - slide), 0.0, 0, (0.0, 1.0))
+    /// The wheel's centre when it touches the profile at s, or stands `shift` (m) farther out along the
+    /// normal there: its polar angle counted on from the start, how far it has turned until there, either
+    /// way (rad), and its distance from the axis (m).
+    pub fn point(&self, s: f64, shift: f64) -> (f64, f64, f64) {
+        let (angle, through) = self.turn(s);
+        let place = self.profile.at(s);
+        let shifted = place.outside(self.radius + shift);
+        let further = turn(&place.outside(self.radius), &shifted);
+        (angle + further, through + self.profile.sense() * further, shifted.norm())
+    }
+
+    /// The leg of a block between two places, each with its shift outwards (m), the wheel at the height of
+    /// the axis.
+    pub fn block(&self, from: (f64, f64), to: (f64, f64)) -> Leg {
+        let ((turn, _, slide), (next, _, next_slide)) = (self.point(from.0, from.1), self.point(to.0, to.1));
+        Leg::new((turn, next - turn), (slide, next_slide - slide), 0.0, 0, (0.0, 1.0))
     }
 }
 

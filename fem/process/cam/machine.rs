@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use super::motion::{Motion, legs};
+use super::before::Before;
+use super::motion::{Axes, Motion, legs};
 use super::program::Pass;
-use super::setup::Setup;
+use super::setup::{Setup, feed};
 use crate::process;
 
 /// An effect on this machine, with `N` parameters.
@@ -27,30 +28,57 @@ pub struct Machine {
     pub compliance: f64,
 }
 
+/// A pass as the machine makes it.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The pass.
+    pub pass: Pass,
+    /// Its motion.
+    pub motion: Motion,
+    /// The motion of the pass before, where its programme was another.
+    pub before: Option<Motion>,
+}
+
 impl Machine {
     /// The ideal grinder.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         Self { setup, wear: 0.0, lag: 0.0, gap: 0.0, height: 0.0, compliance: 0.0 }
     }
 
-    /// The motion in a pass. Its blocks are numbered as they are executed.
-    pub fn motion(&self, pass: Pass) -> Motion {
-        let program = &self.setup.program;
+    /// A pass with its motion, and that of the pass before it.
+    pub fn run(&self, pass: Pass) -> Run {
+        let setup = &self.setup;
+        let program = &setup.program;
         // At twice the speed a lag is twice as long a part of the turn.
         let lag = self.lag * pass.speed / program.mean_speed;
         let reversed = pass.is_reversed.then(|| program.axes.reversed());
         let axes = reversed.as_ref().unwrap_or(&program.axes);
-        Motion::new(legs(axes, lag, self.gap, self.height), self.setup.wheel_radius - self.wear)
+        let before = |b: &Before| self.motion(&b.program.axes, self.lag, b.wheel_radius);
+        Run { pass, motion: self.motion(axes, lag, setup.wheel_radius), before: setup.before.as_ref().map(before) }
     }
 
-    /// The deviation that is left because wheel and cam give way to the force of the cut, m: F/k with F =
-    /// force_per_rate·stock·feed.
-    pub fn given_way(&self, s: f64, pass: Pass) -> f64 {
-        if self.compliance == 0.0 {
-            return 0.0;
-        }
+    /// The motion of axes. Its blocks are numbered as they are executed.
+    fn motion(&self, axes: &Axes, lag: f64, wheel_radius: f64) -> Motion {
+        Motion::new(legs(axes, lag, self.gap, self.height), wheel_radius - self.wear)
+    }
+
+    /// The part of a layer that is left because wheel and cam give way to the force of the cut at s: F/k =
+    /// part·layer with F = force_per_rate·layer·feed.
+    pub fn yielding(&self, s: f64, pass: Pass) -> f64 {
         let setup = &self.setup;
-        let rate = setup.stock.unwrap_or(0.0) * setup.feed(s) * pass.speed / setup.program.mean_speed;
-        self.compliance * setup.force_per_rate.unwrap_or(0.0) * rate
+        let speed = pass.speed / setup.program.mean_speed;
+        self.part_left(|| speed * feed(&setup.profile, &setup.program, setup.wheel_radius, s))
+    }
+
+    /// What the pass before has left by giving way at s, m.
+    pub fn left_before(&self, before: &Before, s: f64) -> f64 {
+        before.stock * self.part_left(|| feed(&self.setup.profile, &before.program, before.wheel_radius, s))
+    }
+
+    fn part_left(&self, feed: impl Fn() -> f64) -> f64 {
+        match self.compliance {
+            0.0 => 0.0,
+            compliance => compliance * self.setup.force_per_rate.unwrap_or(0.0) * feed(),
+        }
     }
 }

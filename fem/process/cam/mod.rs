@@ -7,6 +7,9 @@
 //! polar angle of the profile's point, counter-clockwise from +x. The wheel goes along the profile in the
 //! order in which it is drawn.
 
+mod before;
+mod cartesian;
+mod course;
 mod division;
 mod effects;
 mod fewest;
@@ -20,6 +23,7 @@ mod report;
 mod rows;
 mod search;
 mod setup;
+mod shifted;
 mod validation;
 
 pub use machine::Machine;

@@ -2,19 +2,27 @@
 
 use std::f64::consts::TAU;
 
-use super::division::{Division, Pace};
+use super::course::{Accelerations, Course};
+use super::division::{Division, Ends, Pace, Speed};
 use super::fewest;
 use super::guide::Guide;
 use super::motion::Axes;
 use super::profile::Profile;
+use super::shifted;
 
 /// A programme of one turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
     /// Places of the profile at which blocks begin, and the whole length, m.
     pub places: Vec<f64>,
+    /// How far outwards along the normal the wheel's centre is shifted at each of them, m.
+    pub shifts: Vec<f64>,
     /// The commands of the axes.
     pub axes: Axes,
+    /// Time of a turn if blocks passed without rest, s.
+    pub steady_time: f64,
+    /// The course of each block.
+    pub courses: Vec<Course>,
     /// Mean speed of the cam over the turn, rad/s.
     pub mean_speed: f64,
 }
@@ -30,17 +38,40 @@ pub struct Pass {
 
 impl Program {
     /// Divides a profile for a wheel of `radius`. `own` are the blocks that segments ask for themselves.
-    pub fn new(profile: &Profile, radius: f64, division: &Division, own: &[Option<usize>], pace: Pace) -> Self {
+    pub fn new(profile: &Profile, radius: f64, division: &Division, own: &[Option<usize>], speed: &Speed) -> Self {
         let guide = Guide::new(profile, radius);
-        let places = places(&guide, profile, division, own);
-        let (turns, through): (Vec<f64>, Vec<f64>) = places.iter().map(|s| guide.turn(*s)).unzip();
-        let slides: Vec<f64> = places.iter().map(|s| guide.slide(*s)).collect();
-        let times: Vec<f64> = match pace {
+        let (places, shifts): (Vec<f64>, Vec<f64>) = points(&guide, profile, division, own).into_iter().unzip();
+        let points: Vec<(f64, f64, f64)> =
+            places.iter().zip(&shifts).map(|(s, shift)| guide.point(*s, *shift)).collect();
+        let through: Vec<f64> = points.iter().map(|p| p.1).collect();
+        let (turns, slides) = points.iter().map(|p| (p.0, p.2)).unzip();
+        let times: Vec<f64> = match speed.pace {
             Pace::CamSpeed(speed) => through.iter().map(|angle| angle / speed).collect(),
             Pace::Feed(feed) => places.iter().map(|s| s / feed).collect(),
         };
-        let mean_speed = TAU / times.last().copied().unwrap_or(f64::NAN);
-        Self { places, axes: Axes { times, turns, slides }, mean_speed }
+        let steady_time = times.last().copied().unwrap_or(f64::NAN);
+        let courses = vec![Course::STEADY; places.len() - 1];
+        let axes = Axes { times, turns, slides };
+        let mut program = Self { places, shifts, axes, steady_time, courses, mean_speed: f64::NAN };
+        if !speed.accelerations.are_unlimited() {
+            program.limit(&speed.accelerations);
+        }
+        program.mean_speed = TAU / program.axes.times.last().copied().unwrap_or(f64::NAN);
+        program
+    }
+
+    /// Stretches the time of every block to what the accelerations allow.
+    fn limit(&mut self, accelerations: &Accelerations) {
+        let steady = std::mem::replace(&mut self.axes.times, vec![0.0]);
+        let mut end = 0.0;
+        for block in 0..self.courses.len() {
+            let [turned, slid] = [&self.axes.turns, &self.axes.slides].map(|axis| axis[block + 1] - axis[block]);
+            let acceleration = accelerations.of_block(turned, slid);
+            let (time, course) = Course::limited(steady[block + 1] - steady[block], acceleration);
+            end += time;
+            self.axes.times.push(end);
+            self.courses[block] = course;
+        }
     }
 
     /// The programme as it runs when nothing else is said.
@@ -89,21 +120,32 @@ impl Program {
     }
 }
 
-/// Places at which blocks begin, and the end, m.
-fn places(guide: &Guide, profile: &Profile, division: &Division, own: &[Option<usize>]) -> Vec<f64> {
+/// Places at which blocks begin, and the end, each with its shift, m.
+pub fn points(guide: &Guide, profile: &Profile, division: &Division, own: &[Option<usize>]) -> Vec<(f64, f64)> {
     let joints = profile.joints();
     let whole = [0.0, profile.length()];
     let joints: &[f64] = if division.at_joints { joints } else { &whole };
     let ranges: Vec<(f64, f64)> = joints.windows(2).map(|w| (w[0], w[1])).collect();
     let own = |i: usize| if division.at_joints { own.get(i).copied().flatten() } else { None };
     let shares = division.shares(guide, &ranges, &own);
-    let mut places = vec![0.0];
+    let mut points = vec![(0.0, 0.0)];
     for (i, (from, to)) in ranges.into_iter().enumerate() {
-        match (own(i), shares.get(i)) {
-            (Some(count), _) => places.extend(division.spread(guide, from, to, count)),
-            (None, Some(count)) => places.extend(division.spread(guide, from, to, *count)),
-            (None, None) => places.extend(fewest::places(guide, profile, from, to, division.size)),
+        let count = own(i).or_else(|| shares.get(i).copied());
+        match (count, division.ends) {
+            (Some(count), ends) => {
+                let places: Vec<f64> = [from].into_iter().chain(division.spread(guide, from, to, count)).collect();
+                let shifts = match ends {
+                    Ends::OnProfile => vec![0.0; places.len()],
+                    Ends::HalfError => shifted::shifts(guide, profile, &places),
+                };
+                points.extend(places.into_iter().zip(shifts).skip(1));
+            }
+            (None, Ends::OnProfile) => {
+                let error = |from: f64, to: f64| fewest::error(profile, guide, from, to);
+                points.extend(fewest::places(profile, (from, to), division.size, error).into_iter().map(|s| (s, 0.0)));
+            }
+            (None, Ends::HalfError) => points.extend(shifted::fewest(guide, profile, (from, to), division.size)),
         }
     }
-    places
+    points
 }

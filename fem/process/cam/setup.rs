@@ -1,8 +1,9 @@
 //! The tables of a cam model.
 
-use super::division::{Division, Pace};
+use super::before::Before;
+use super::division::{Division, Speed};
 use super::guide::wheel_rate;
-use super::profile::{self, Drawn, Profile, Segment};
+use super::profile::{self, Drawn, Profile, Segment, turn};
 use super::program::Program;
 use crate::input::Reader;
 use crate::process::Spot;
@@ -25,6 +26,8 @@ pub struct Setup {
     pub division: Division,
     /// The programme.
     pub program: Program,
+    /// The pass before, where its programme was another.
+    pub before: Option<Before>,
     /// Points of the prediction in each block.
     pub points: usize,
 }
@@ -66,20 +69,35 @@ impl Setup {
         let points = model.optional_table("measurement", "where the cam is predicted", |t| {
             t.count("points", "points in each block").between(1, 1000).optional()
         });
-        let (division, program) = model.table("program", "how the cam is programmed", |t| {
-            let pace = Pace::read(t);
-            let division = Division::read(t, pace);
-            let (Some(drawn), Some(division), Some(pace)) = (&drawn, division, pace) else { return None };
+        let (speed, programmed) = model.table("program", "how the cam is programmed", |t| {
+            let speed = Speed::read(t);
+            let division = Division::read(t, speed.map(|s| s.pace));
+            let (Some(drawn), Some(division), Some(pace)) = (&drawn, division, speed) else { return (speed, None) };
             let own: Vec<Option<usize>> = drawn.segments.iter().map(|s| s.blocks).collect();
             let is_known = wheel_radius.is_finite() && wheel_radius > 0.0;
-            (is_known && division.check(t, &drawn.profile, &own, wheel_radius))
-                .then(|| (division, Program::new(&drawn.profile, wheel_radius, &division, &own, pace)))
-        })?;
+            let is_possible = is_known && division.check(t, &drawn.profile, &own, wheel_radius);
+            let program = || Program::new(&drawn.profile, wheel_radius, &division, &own, &pace);
+            (speed, is_possible.then(|| (division, program())))
+        });
+        let before = model.optional_table("before", "the pass before, if its programme was another", |t| {
+            Before::read(t, drawn.as_ref(), wheel_radius, speed, stock.is_some())
+        });
+        let (division, program) = programmed?;
         let Drawn { profile, segments } = drawn?;
         // So many that each block shows its error, and no more than a picture holds.
         let usual = (7200 / program.blocks()).clamp(2, 10);
         let points = points.flatten().filter(|points| *points > 0).unwrap_or(usual);
-        Some(Self { profile, segments, wheel_radius, stock, force_per_rate, division, program, points })
+        Some(Self {
+            profile,
+            segments,
+            wheel_radius,
+            stock,
+            force_per_rate,
+            division,
+            program,
+            before: before.flatten(),
+            points,
+        })
     }
 
     /// Places of the profile at which the cam is predicted: within each block evenly, m.
@@ -96,12 +114,14 @@ impl Setup {
         };
         places.iter().chain(places.first()).map(spot).collect()
     }
+}
 
-    /// Speed of the grinding point along the profile at s when the programme runs at its own speed, m/s.
-    pub fn feed(&self, s: f64) -> f64 {
-        let program = &self.program;
-        let block = program.block_at(s);
-        let turned = (program.axes.turns[block + 1] - program.axes.turns[block]).abs();
-        turned / program.time(block) / wheel_rate(&self.profile, self.wheel_radius, s)
-    }
+/// Speed of the grinding point of a wheel of `radius` along the profile at s when its programme runs at
+/// its own speed, m/s.
+pub fn feed(profile: &Profile, program: &Program, radius: f64, s: f64) -> f64 {
+    let block = program.block_at(s);
+    let turned = (program.axes.turns[block + 1] - program.axes.turns[block]).abs();
+    let mean = turned / program.time(block) / wheel_rate(profile, radius, s);
+    let [begin, here] = [program.places[block], s].map(|s| profile.at(s).outside(radius));
+    mean * program.courses[block].speed((turn(&begin, &here).abs() / turned).min(1.0))
 }

@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use super::machine::{Cyclic, Machine, Spike};
 use super::motion::{Motion, Turn};
-use super::path::{Direction, Path, Point, dot};
+use super::path::{AXES, Direction, Path, Point, dot};
+use super::play::Play;
 use super::rows::{ANGLE_OF_ROW, way};
-use super::setup::AXES;
 use crate::process::{Failure, Rows};
 
 /// The deviation of every row, m.
@@ -15,8 +15,9 @@ use crate::process::{Failure, Rows};
 /// # Errors
 /// A servo does not follow.
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
-    check(machine)?;
     let setup = &machine.setup;
+    let greatest = (0..rows.len()).map(|row| way(setup, rows, row).1).fold(setup.feed, f64::max);
+    check(machine, greatest)?;
     let mut laps: Vec<((Direction, f64), Lap)> = Vec::new();
     let one = |row: usize| {
         let way = way(setup, rows, row);
@@ -31,16 +32,15 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     Ok((0..rows.len()).map(one).collect())
 }
 
-/// Refuses servos that do not follow.
-fn check(machine: &Machine) -> Result<(), Failure> {
-    match (0..2).find(|axis| machine.gains[*axis] <= 0.0) {
+/// Refuses servos that do not follow, at the greatest feed (m/s) too.
+fn check(machine: &Machine, feed: f64) -> Result<(), Failure> {
+    let gain = |axis: usize| machine.gain_at(axis, feed).min(machine.gains[axis]);
+    match (0..2).find(|axis| gain(*axis) <= 0.0) {
         None => Ok(()),
         Some(axis) => Err(Failure {
-            message: format!(
-                "the gain of {} is {:.3} /s: it does not follow its command",
-                AXES[axis], machine.gains[axis]
-            ),
-            help: "the mismatch of the gains must lie between -2 and 2".into(),
+            message: format!("the gain of {} is {:.3} /s: it does not follow its command", AXES[axis], gain(axis)),
+            help: "the mismatch of the gains must lie between -2 and 2, and no gain may fall to nothing at its feed"
+                .into(),
         }),
     }
 }
@@ -59,13 +59,13 @@ pub struct Lap<'m> {
 pub struct Axis {
     /// Motion behind the servo, before the play.
     pub motion: Motion,
-    gap: f64,
+    play: Play,
     /// Where it turns round, and where the slide stands behind the play then.
     turns: Vec<(Turn, f64)>,
 }
 
 impl Axis {
-    fn new(motion: Motion, gap: f64) -> Self {
+    fn new(motion: Motion, play: Play) -> Self {
         let turns = motion.turns();
         // From the middle of the play: once round takes it up wherever it is taken up at all.
         let mut slide = 0.0;
@@ -74,12 +74,12 @@ impl Axis {
             held = turns
                 .iter()
                 .map(|turn| {
-                    slide = play(slide, turn.position, gap);
+                    slide = play.carry(slide, turn.position);
                     (*turn, slide)
                 })
                 .collect();
         }
-        Self { motion, gap, turns: held }
+        Self { motion, play, turns: held }
     }
 
     /// Place of the slide at a time within the lap (m), and the time since the axis last turned round (s).
@@ -87,43 +87,43 @@ impl Axis {
         let last = self.turns.iter().rev().find(|(turn, _)| turn.time <= time);
         let Some((turn, held)) = last.or(self.turns.last()) else { return (self.motion.position(time), f64::INFINITY) };
         let since = (time - turn.time).rem_euclid(self.motion.period());
-        (play(*held, self.motion.position(time), self.gap), since)
+        (self.play.carry(*held, self.motion.position(time)), since)
     }
 
     /// Whether the axis moves far enough to take up its play.
     pub fn follows(&self) -> bool {
         let positions = || self.turns.iter().map(|(turn, _)| turn.position);
-        positions().fold(f64::NEG_INFINITY, f64::max) - positions().fold(f64::INFINITY, f64::min) > self.gap
+        let [low, high] = [positions().fold(f64::INFINITY, f64::min), positions().fold(f64::NEG_INFINITY, f64::max)];
+        high - low > 0.5 * (self.play.width(low) + self.play.width(high))
     }
 
-    /// Times at which it turns round, s within the lap.
-    pub fn reversals(&self) -> impl Iterator<Item = f64> {
-        self.turns.iter().map(|(turn, _)| turn.time)
+    /// Where it turns round.
+    pub fn reversals(&self) -> impl Iterator<Item = &Turn> {
+        self.turns.iter().map(|(turn, _)| turn)
+    }
+
+    /// Widths of its lost motion where it turns round, and the elastic parts of them, m.
+    pub fn widths(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.reversals().map(|turn| (self.play.width(turn.position), self.play.elastic(turn.position)))
     }
 
     /// Time for which the slide rests while the drive crosses the play after it has turned round on a
     /// circle, s.
-    pub fn rest(&self) -> f64 {
+    pub fn rest(&self, turn: &Turn) -> f64 {
         match self.motion {
             Motion::Wave { amplitude, frequency, .. } => {
-                (1.0 - self.gap / amplitude).clamp(-1.0, 1.0).acos() / frequency
+                (1.0 - self.play.width(turn.position) / amplitude).clamp(-1.0, 1.0).acos() / frequency
             }
             Motion::Ramps { .. } => 0.0,
         }
     }
 }
 
-/// The play operator of width `gap`: the slide stays until the drive has crossed its play, and is then
-/// carried along.
-fn play(slide: f64, drive: f64, gap: f64) -> f64 {
-    slide.max(drive - 0.5 * gap).min(drive + 0.5 * gap)
-}
-
 impl<'m> Lap<'m> {
     /// The lap of a machine.
     pub fn new(machine: &'m Machine, direction: Direction, feed: f64) -> Self {
         let motion = |axis| Motion::of(&machine.setup.path, axis, machine.gains[axis], feed, direction);
-        Self { machine, direction, feed, axes: [0, 1].map(|axis| Axis::new(motion(axis), machine.gaps[axis])) }
+        Self { machine, direction, feed, axes: [0, 1].map(|axis| Axis::new(motion(axis), machine.play(axis))) }
     }
 
     /// s within the lap at which a point is commanded.
@@ -146,13 +146,30 @@ impl<'m> Lap<'m> {
     pub fn position(&self, time: f64) -> ([f64; 2], [f64; 2]) {
         let machine = self.machine;
         let reached = [0, 1].map(|axis| self.axes[axis].at(time));
-        let lead = machine.setup.lead.unwrap_or(f64::INFINITY);
         let [x, y] = [0, 1].map(|axis| {
             let (at, Cyclic { amplitude, phase }) = (reached[axis].0, machine.cyclic[axis]);
+            let lead = machine.setup.drives[axis].lead.unwrap_or(f64::INFINITY);
             let wave = if amplitude == 0.0 { 0.0 } else { amplitude * (TAU * at / lead + phase).sin() };
-            (at + wave) * machine.scales[axis]
+            (at + wave + self.jerks(axis, time) - self.further_lag(axis, time)) * machine.scales[axis]
         });
         ([x + machine.squareness * y + machine.centre[0], y + machine.centre[1]], [0, 1].map(|axis| reached[axis].1))
+    }
+
+    /// Place of an axis on its wave of stick-slip, m.
+    fn jerks(&self, axis: usize, time: f64) -> f64 {
+        let Cyclic { amplitude, phase } = self.machine.stick_slip[axis];
+        let turned = TAU * self.machine.setup.frequency.unwrap_or(0.0) * time;
+        if amplitude == 0.0 { 0.0 } else { amplitude * (turned + phase).sin() }
+    }
+
+    /// Lag of an axis whose gain follows its speed, beyond that at a gain which does not, m.
+    fn further_lag(&self, axis: usize, time: f64) -> f64 {
+        let machine = self.machine;
+        if machine.gain_changes[axis] == 0.0 {
+            return 0.0;
+        }
+        let speed = self.axes[axis].motion.speed(time);
+        speed * (1.0 / machine.gain_at(axis, speed) - 1.0 / machine.gains[axis])
     }
 
     /// Deviation of the tool from the path when a point is commanded, spikes apart, m.
@@ -161,10 +178,20 @@ impl<'m> Lap<'m> {
     }
 
     fn off(&self, point: &Point, at: [f64; 2]) -> f64 {
+        let given_way = self.given_way(point);
+        let at = [0, 1].map(|axis| at[axis] + given_way[axis]);
         match self.machine.setup.path {
             Path::Circle { radius } => at[0].hypot(at[1]) - radius,
             Path::Rectangle { .. } => dot(point.outward, at) - dot(point.outward, point.at),
         }
+    }
+
+    /// How far the machine gives way to the force of the cut, m.
+    fn given_way(&self, point: &Point) -> [f64; 2] {
+        let [normal, tangential] = self.machine.setup.force;
+        let [x, y] = point.outward;
+        let along = [-y, x].map(|c| self.direction.sign() * c);
+        [0, 1].map(|i| self.machine.compliances[i] * (normal * point.outward[i] - tangential * along[i]))
     }
 
     /// Deviation of the tool from the path when a point is commanded, m.

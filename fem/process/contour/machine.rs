@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::play::{Play, Winding};
 use super::setup::Setup;
 use crate::process;
 
@@ -17,6 +18,14 @@ pub struct Machine {
     pub gains: [f64; 2],
     /// Play of each axis, m.
     pub gaps: [f64; 2],
+    /// What friction winds up in each axis.
+    pub lost: [Option<Lost>; 2],
+    /// Compliance between tool and work along each axis, m/N.
+    pub compliances: [f64; 2],
+    /// Part by which each gain changes when its axis goes at the feed of the model.
+    pub gain_changes: [f64; 2],
+    /// Wave of each axis over time, its phase when the lap begins.
+    pub stick_slip: [Cyclic; 2],
     /// Cyclic error of each axis.
     pub cyclic: [Cyclic; 2],
     /// Travel of each axis over what its scale shows.
@@ -38,6 +47,15 @@ pub struct Cyclic {
     pub phase: f64,
 }
 
+/// Friction on a spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lost {
+    /// Friction of the slide, N.
+    pub friction: f64,
+    /// Stiffness of nut and bearing together, N/m.
+    pub stiffness: f64,
+}
+
 /// height·e^(−Δt/time_constant), outwards along the axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spike {
@@ -55,11 +73,29 @@ impl Machine {
             setup,
             gains,
             gaps: [0.0; 2],
+            lost: [None; 2],
+            compliances: [0.0; 2],
+            gain_changes: [0.0; 2],
+            stick_slip: [Cyclic::default(); 2],
             cyclic: [Cyclic::default(); 2],
             scales: [1.0; 2],
             squareness: 0.0,
             centre: [0.0; 2],
             spikes: [Spike::default(); 2],
         }
+    }
+
+    /// Everything that an axis loses where it turns round.
+    pub fn play(&self, axis: usize) -> Play {
+        let wound = |Lost { friction, stiffness }| {
+            let screw = self.setup.drives[axis].screw.clone()?;
+            Some(Winding { friction, stiffness, screw })
+        };
+        Play { gap: self.gaps[axis], winding: self.lost[axis].and_then(wound) }
+    }
+
+    /// Gain of an axis at its own speed (m/s), 1/s.
+    pub fn gain_at(&self, axis: usize, speed: f64) -> f64 {
+        self.gains[axis] * (1.0 + self.gain_changes[axis] * speed.abs() / self.setup.feed)
     }
 }

@@ -4,11 +4,13 @@
 //! deviation from the path, positive outwards, plus spikes: in that order, in the steady state that laps
 //! before have brought about, at the commanded point [seed 000; ISO 230-4].
 
+mod drive;
 mod effects;
 mod forward;
 mod machine;
 mod motion;
 mod path;
+mod play;
 mod report;
 mod rows;
 mod setup;

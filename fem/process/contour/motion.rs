@@ -114,6 +114,15 @@ impl Motion {
         }
     }
 
+    /// How fast the axis is commanded to go where it is at a time within the lap, m/s: on straight sides
+    /// without what their corners leave.
+    pub fn speed(&self, time: f64) -> f64 {
+        match self {
+            Self::Wave { amplitude, frequency, lag } => -amplitude * frequency * (frequency * time - lag).sin(),
+            Self::Ramps { ramps, .. } => ramps[ramps.partition_point(|r| r.begin <= time).saturating_sub(1)].velocity,
+        }
+    }
+
     /// Where it turns round, in the order of time within the lap.
     pub fn turns(&self) -> Vec<Turn> {
         match self {

@@ -9,6 +9,9 @@ use crate::units::{ANGLE, LENGTH};
 /// round.
 const STILL: f64 = 1e-12;
 
+/// The axes, by their position.
+pub const AXES: [&str; 2] = ["x", "y"];
+
 /// A closed path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Path {

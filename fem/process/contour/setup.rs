@@ -1,11 +1,9 @@
 //! The tables of a contour model.
 
+use super::drive::{self, Drive, Feedback};
 use super::path::{Direction, Path};
 use crate::input::Reader;
-use crate::units::{ANGLE, FEED_RATE, GAIN, LENGTH, MICRO};
-
-/// The axes, by their position.
-pub const AXES: [&str; 2] = ["x", "y"];
+use crate::units::{ANGLE, FEED_RATE, FORCE, FREQUENCY, GAIN, LENGTH, MICRO};
 
 /// Everything a contour model says but its effects. SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,8 +16,14 @@ pub struct Setup {
     pub directions: Vec<Direction>,
     /// Kv of both servos, 1/s.
     pub gain: f64,
-    /// What the axes travel in a turn of their screws or in a period of their scales, m.
-    pub lead: Option<f64>,
+    /// What each axis has of its own.
+    pub drives: [Drive; 2],
+    /// Where positions are measured.
+    pub feedback: Feedback,
+    /// Frequency at which drives stick and slip, Hz.
+    pub frequency: Option<f64>,
+    /// Force of the cut on the tool: across the path, outwards positive, and against the travel, N.
+    pub force: [f64; 2],
     /// Largest deviation that is allowed, m.
     pub tolerance: Option<f64>,
     /// Evenly spaced points of the contour at which it is predicted.
@@ -47,10 +51,20 @@ impl Setup {
                 t.choice("directions", "ways round, counter-clockwise or clockwise", Direction::WORDS).several(),
             )
         });
-        let (gain, lead) = model.table("drives", "the servo drives of x and y", |t| {
+        let (gain, drives, feedback, frequency) = model.table("drives", "the servo drives of x and y", |t| {
             let gain = t.quantity("gain", GAIN, "Kv: speed over following error, of both axes").positive().required();
             let lead = t.quantity("lead", LENGTH, "travel in a turn of the screw or a period of the scale").positive();
-            (gain, lead.optional())
+            let about = "where positions are measured: on the motor, or by a scale on the slide, which sees the screw";
+            let feedback = t.choice("feedback", about, Feedback::WORDS).or_first(Feedback::Motor);
+            let about = "frequency at which the drives stick and slip; only for stick-slip";
+            let frequency = t.quantity("frequency", FREQUENCY, about).positive().optional();
+            (gain, drive::read(t, lead.optional()), feedback, frequency)
+        });
+        let force = model.optional_table("cut", "the cut, if there is one", |t| {
+            let about = "force on the tool across the path, positive outwards";
+            let normal = t.quantity("normal_force", FORCE, about).or(0.0);
+            let about = "force on the tool that holds it back along the path";
+            [normal, t.quantity("tangential_force", FORCE, about).or(0.0)]
         });
         let tolerance = model.optional_table("tolerance", "what the contour is held against", |t| {
             t.quantity("deviation", MICRO, "largest deviation allowed on either side").positive().required()
@@ -58,7 +72,18 @@ impl Setup {
         let points = model.optional_table("measurement", "where the contour is predicted", |t| {
             t.count("points", "evenly spaced points along the contour").between(8, 100_000).or(360)
         });
-        let setup = Self { path, feed, directions, gain, lead, tolerance, points: points.unwrap_or(360) };
+        let setup = Self {
+            path,
+            feed,
+            directions,
+            gain,
+            drives,
+            feedback,
+            frequency,
+            force: force.unwrap_or_default(),
+            tolerance,
+            points: points.unwrap_or(360),
+        };
         if let Some(reason) = setup.too_fast(feed) {
             model.problem("path", reason, "slow down, take longer sides or a higher gain");
         }

@@ -5,10 +5,12 @@
 //! point goes; the deviation is that of a turned profile, about ω·time·dr/ds·r. A cam axis that is late
 //! does the same with the other sign: only the difference of the two lags shows, and `time` is that of the
 //! slide less that of the cam (negative where the cam's is longer). Left out: a lag that changes with
-//! frequency.
+//! frequency, and one in blocks that begin and end at rest.
 
+use super::super::course::Course;
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use super::super::setup::Setup;
+use crate::process::Parameter;
 use crate::units::SHORT_TIME;
 
 /// `servo-lag`.
@@ -22,9 +24,16 @@ pub static SERVO_LAG: Effect<1> = Effect {
         ("centre-height", "another cam speed: a lag grows with it, a height does not"),
         ("infeed-backlash", "another cam speed; a backlash is the same on steep and gentle flanks"),
     ],
-    needs: nothing,
+    needs: no_rest,
     act: |[time], machine| machine.lag = time,
 };
+
+fn no_rest(setup: &Setup) -> Result<(), String> {
+    match setup.program.courses.iter().all(|course| *course == Course::STEADY) {
+        true => Ok(()),
+        false => Err("acts on blocks that pass without rest: leave out the accelerations in [program]".into()),
+    }
+}
 
 #[cfg(test)]
 mod tests {

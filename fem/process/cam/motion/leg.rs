@@ -198,16 +198,16 @@ impl Leg {
         speed * (1.0 - radius * curvature)
     }
 
-    /// Length of the whole envelope of a wheel of `radius` over the leg, m, by Gauss's rule on eight parts;
-    /// the integrand is smooth.
-    pub fn envelope(&self, radius: f64, sense: f64) -> f64 {
+    /// Length of the envelope of a wheel of `radius` between two times of the leg, m, by Gauss's rule on
+    /// eight parts; the integrand is smooth.
+    pub fn envelope(&self, radius: f64, sense: f64, (from, to): (f64, f64)) -> f64 {
         const PARTS: u32 = 8;
         let side = 0.6f64.sqrt();
         let rule = [(-side, 5.0 / 18.0), (0.0, 8.0 / 18.0), (side, 5.0 / 18.0)];
-        let part = 1.0 / f64::from(PARTS);
+        let part = (to - from) / f64::from(PARTS);
         let of = |k: u32| {
             let at = |(x, weight): (f64, f64)| {
-                weight * self.grinding_speed((f64::from(k) + 0.5 + 0.5 * x) * part, radius, sense).abs()
+                weight * self.grinding_speed(from + (f64::from(k) + 0.5 + 0.5 * x) * part, radius, sense).abs()
             };
             part * rule.map(at).iter().sum::<f64>()
         };

@@ -5,11 +5,11 @@ use rayon::prelude::*;
 
 use super::super::fewest::overcut;
 use super::super::forward;
-use super::super::machine::Machine;
-use super::super::motion::Motion;
+use super::super::machine::{Machine, Run};
+use super::super::motion::{Leg, Motion};
 use super::super::profile::turn;
 use super::super::search::peak;
-use super::contact::{self, Removal};
+use super::contact::{self, MOST_BLOCKS, PARTS, Removal};
 
 /// Everything about one block.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +36,9 @@ pub struct Block {
     pub jump: f64,
     /// Least and greatest speed of the grinding point along its envelope, forwards positive, m/s.
     pub feed: (f64, f64),
+    /// Mean speed of the grinding point along its envelope in each tenth of the block's time, m/s; empty
+    /// where there are too many blocks to look at tenths.
+    pub tenths: Vec<f64>,
     /// The metal it removes, where the layer is known.
     pub removal: Option<Removal>,
 }
@@ -55,6 +58,11 @@ impl Block {
     pub fn mean_feed(&self) -> f64 {
         self.length() / self.time
     }
+
+    /// Mean speed of the grinding point along its own envelope, m/s.
+    pub fn envelope_feed(&self) -> f64 {
+        self.envelope / self.time
+    }
 }
 
 /// Everything about a programme.
@@ -65,6 +73,9 @@ pub struct Blocks {
     /// The worst overcut by a block that grinds elsewhere: (m, place that is cut, place that is ground), if
     /// there is any.
     pub collision: Option<(f64, f64, f64)>,
+    /// After a pass of another programme: the least and the greatest layer above the wheel, m, and the
+    /// part of the profile that it does not reach.
+    pub layer: Option<(f64, f64, f64)>,
 }
 
 /// A function that adds to deviations (m) at places of the profile (m) what formula effects change there.
@@ -78,6 +89,8 @@ struct Sample {
     left: f64,
     /// Deviation with what gives way and with formula effects, m.
     shown: f64,
+    /// The layer that is above the wheel, where the pass before was another, m.
+    layer: Option<f64>,
     by: Shaper,
 }
 
@@ -91,8 +104,8 @@ enum Shaper {
 }
 
 /// Looks at every block of the programme as the machine executes it, forwards.
-pub fn look(machine: &Machine, motion: &Motion, formulas: Option<Formulas>) -> Blocks {
-    let view = View { machine, motion, formulas };
+pub fn look(machine: &Machine, run: &Run, formulas: Option<Formulas>) -> Blocks {
+    let view = View { machine, run, motion: &run.motion, formulas };
     let program = &machine.setup.program;
     let of_block = |block: usize| {
         program.middles(block, program.samples(block)).filter_map(|s| view.sample(s)).collect::<Vec<Sample>>()
@@ -105,7 +118,7 @@ pub fn look(machine: &Machine, motion: &Motion, formulas: Option<Formulas>) -> B
     }
     let all = samples.concat();
     let lengths = view.lengths(&all);
-    let removals = machine.setup.stock.map(|stock| contact::removals(machine, motion, stock));
+    let removals = machine.setup.stock.map(|stock| contact::removals(machine, run, stock));
     let block = |i: usize| Block {
         removal: removals.as_ref().map(|r| r[i].clone()),
         shaped: lengths.0[i],
@@ -113,11 +126,12 @@ pub fn look(machine: &Machine, motion: &Motion, formulas: Option<Formulas>) -> B
         ..view.block(i, &samples[i])
     };
     let list = (0..program.blocks()).into_par_iter().map(block).collect();
-    Blocks { list, collision: view.collision(&all) }
+    Blocks { list, collision: view.collision(&all), layer: machine.setup.before.is_some().then(|| layer(&all)) }
 }
 
 struct View<'a> {
     machine: &'a Machine,
+    run: &'a Run,
     motion: &'a Motion,
     formulas: Option<Formulas<'a>>,
 }
@@ -125,8 +139,7 @@ struct View<'a> {
 impl View<'_> {
     /// The deviation at a place, m.
     fn deviation(&self, s: f64) -> f64 {
-        let pass = self.machine.setup.program.usual();
-        let mut deviation = [forward::left(self.machine, self.motion, s, pass).unwrap_or(f64::NAN)];
+        let mut deviation = [forward::left(self.machine, self.run, s).unwrap_or(f64::NAN)];
         if let Some(add) = self.formulas {
             add(&[s], &mut deviation);
         }
@@ -134,15 +147,15 @@ impl View<'_> {
     }
 
     fn sample(&self, s: f64) -> Option<Sample> {
-        let pass = self.machine.setup.program.usual();
-        let reach = forward::reach(self.machine, self.motion, s, pass)?;
+        let reach = forward::reach(self.machine, self.run, s)?;
         let legs = self.motion.legs().len();
+        let layer = forward::surface(self.machine, self.run, s).map(|before| before - reach.left);
         let by = match reach.at {
             0.0 => Shaper::Imprint((reach.leg + legs - 1) % legs),
             1.0 => Shaper::Imprint(reach.leg),
             _ => Shaper::Envelope(self.motion.legs()[reach.leg].block),
         };
-        Some(Sample { s, left: reach.left, shown: reach.left + self.machine.given_way(s, pass), by })
+        Some(Sample { s, left: reach.left, shown: forward::left(self.machine, self.run, s)?, layer, by })
     }
 
     /// Everything about a block but lengths and removal.
@@ -163,10 +176,26 @@ impl View<'_> {
             let first = self.motion.first_leg(block);
             self.motion.legs()[first..].iter().take_while(move |leg| leg.block == block)
         };
+        let course = program.courses[block];
         let speeds = legs().flat_map(|leg| {
-            let duration = (leg.part.1 - leg.part.0) * time;
-            (0..=8).map(move |k| leg.grinding_speed(f64::from(k) / 8.0, radius, sense) / duration)
+            let (from, part) = (leg.part.0, leg.part.1 - leg.part.0);
+            (0..=8).map(move |k| {
+                let at = f64::from(k) / 8.0;
+                leg.grinding_speed(at, radius, sense) / (part * time) * course.speed(from + at * part)
+            })
         });
+        // Length of the envelope between two parts of the block's way.
+        let envelope = |from: f64, to: f64| {
+            let within = |leg: &&Leg| leg.part.0 < to && leg.part.1 > from;
+            let of = |leg: &Leg| {
+                let at = |way: f64| ((way - leg.part.0) / (leg.part.1 - leg.part.0)).clamp(0.0, 1.0);
+                leg.envelope(radius, sense, (at(from), at(to)))
+            };
+            legs().filter(within).map(of).sum::<f64>()
+        };
+        let way = |tenth: usize| course.way(tenth as f64 / PARTS as f64);
+        let tenths = if program.blocks() > MOST_BLOCKS { 0 } else { PARTS };
+        let tenths = (0..tenths).map(|k| envelope(way(k), way(k + 1)) * PARTS as f64 / time).collect();
         let overcut = legs().map(|leg| {
             let within = (program.place(block, leg.part.0), program.place(block, leg.part.1));
             overcut(profile, leg, radius, within)
@@ -177,11 +206,12 @@ impl View<'_> {
             thickest: extreme(1.0),
             thinnest: extreme(-1.0),
             overcut: overcut.fold(f64::NEG_INFINITY, f64::max),
-            envelope: legs().map(|leg| leg.envelope(radius, sense)).sum(),
+            envelope: envelope(0.0, 1.0),
             shaped: 0.0,
             imprint: 0.0,
             jump: self.jump(block, radius, sense),
             feed: range(speeds),
+            tenths,
             removal: None,
         }
     }
@@ -266,6 +296,13 @@ impl View<'_> {
         };
         samples.iter().filter(|s| s.left < -1e-7).filter_map(elsewhere).min_by(|a, b| a.0.total_cmp(&b.0))
     }
+}
+
+/// The least and the greatest layer, and the part of the profile without any.
+fn layer(samples: &[Sample]) -> (f64, f64, f64) {
+    let (low, high) = range(samples.iter().filter_map(|s| s.layer));
+    let missed = samples.iter().filter(|s| s.layer.is_some_and(|layer| layer <= 0.0)).count();
+    (low, high, missed as f64 / samples.len() as f64)
 }
 
 /// The least and the greatest of some values.

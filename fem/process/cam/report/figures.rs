@@ -2,8 +2,9 @@
 
 use super::super::division::By;
 use super::super::setup::Setup;
-use super::blocks::{Block, range};
+use super::blocks::{Block, Blocks, range};
 use super::contact::{MOST_BLOCKS, PARTS, Removal};
+use super::interpolation;
 use crate::process::{Datum, Figure};
 use crate::units::{ANGLE, FEED_RATE, Kind, LENGTH, MICRO, REMOVAL_RATE, SECONDS, SHORT_TIME};
 
@@ -15,16 +16,19 @@ const ROUND_OFF: f64 = 1e-13;
 const NO_DIGIT: f64 = 5e-10;
 
 /// All of them, in the order of interest.
-pub fn figures(setup: &Setup, blocks: &[Block]) -> Vec<Figure> {
+pub fn figures(setup: &Setup, looked: &Blocks) -> Vec<Figure> {
+    let blocks = &looked.list;
     let mut figures = vec![
         extreme(setup, blocks, ("largest", "largest deviation"), |b| b.thickest, 1.0),
         extreme(setup, blocks, ("smallest", "smallest deviation"), |b| b.thinnest, -1.0),
         programme(setup),
         segments(setup, blocks),
-        grinding_point(blocks),
-        feed(blocks),
     ];
+    figures.extend(interpolation::figures(setup));
+    figures.extend([grinding_point(blocks), feed(blocks)]);
+    figures.extend(acceleration(setup));
     figures.extend(setup.stock.map(|stock| removal(stock, blocks)));
+    figures.extend(looked.layer.map(layer));
     figures
 }
 
@@ -130,13 +134,51 @@ fn grinding_point(blocks: &[Block]) -> Figure {
 fn feed(blocks: &[Block]) -> Figure {
     let mean = range(blocks.iter().map(Block::mean_feed));
     let within = (range(blocks.iter().map(|b| b.feed.0)).0, range(blocks.iter().map(|b| b.feed.1)).1);
-    let [by_block, of_point] = [mean, within].map(|feeds| from_to(FEED_RATE, feeds, 1));
-    Figure::new("feed", "feed along the cam")
+    let envelope = range(blocks.iter().map(Block::envelope_feed));
+    let [by_block, of_point, along] = [mean, within, envelope].map(|feeds| from_to(FEED_RATE, feeds, 1));
+    let mut figure = Figure::new("feed", "feed along the cam")
         .line(format!("{by_block} by block; {of_point} of the grinding point within blocks"))
         .quantity("least_mean", FEED_RATE, mean.0)
         .quantity("greatest_mean", FEED_RATE, mean.1)
         .quantity("least", FEED_RATE, within.0)
         .quantity("greatest", FEED_RATE, within.1)
+        .quantity("least_of_envelope", FEED_RATE, envelope.0)
+        .quantity("greatest_of_envelope", FEED_RATE, envelope.1);
+    let tenths = blocks.iter().flat_map(|b| b.tenths.iter().copied());
+    figure = match blocks.iter().any(|b| b.tenths.is_empty()) {
+        true => figure.line(format!("along the envelope {along} by block")),
+        false => {
+            let tenths = range(tenths);
+            let told = from_to(FEED_RATE, tenths, 1);
+            figure
+                .line(format!("along the envelope {along} by block, {told} by tenths of their time"))
+                .quantity("least_of_a_tenth", FEED_RATE, tenths.0)
+                .quantity("greatest_of_a_tenth", FEED_RATE, tenths.1)
+        }
+    };
+    figure
+}
+
+/// What starting and stopping in every block costs, where accelerations are limited.
+fn acceleration(setup: &Setup) -> Option<Figure> {
+    let program = &setup.program;
+    let courses = || (0..program.blocks()).map(|i| (program.time(i), program.courses[i].ramps()));
+    let on_ramps: f64 = courses().map(|(time, ramps)| time * ramps).sum();
+    let (time, steady) = (program.axes.times[program.blocks()], program.steady_time);
+    let short = courses().filter(|c| c.1 >= 1.0).count();
+    let figure = || {
+        let [shown, steady_shown] = [time, steady].map(|t| SECONDS.shown(t));
+        let part = 100.0 * on_ramps / time;
+        Figure::new("acceleration", "starts and stops")
+            .unit("time_unit", SECONDS)
+            .line(format!("a turn takes {shown:.3} instead of {steady_shown:.3}, {part:.1} % of it on ramps"))
+            .line(format!("{short} block(s) are too short to reach their speed"))
+            .quantity("time", SECONDS, time)
+            .quantity("time_without", SECONDS, steady)
+            .entry("part_on_ramps", on_ramps / time)
+            .entry("blocks_too_short", short)
+    };
+    (on_ramps > 0.0).then(figure)
 }
 
 fn removal(stock: f64, blocks: &[Block]) -> Figure {
@@ -162,4 +204,18 @@ fn removal(stock: f64, blocks: &[Block]) -> Figure {
         .quantity("greatest", REMOVAL_RATE, rates.1)
         .entry("greatest_of_a_tenth", Datum::maybe(REMOVAL_RATE, tenths))
         .entry("blocks_partly_lifted", partly)
+}
+
+/// The layer that a pass comes upon after one of another programme.
+fn layer((least, greatest, missed): (f64, f64, f64)) -> Figure {
+    let told = format!("{} above the wheel after the pass before", from_to(MICRO, (least, greatest), 3));
+    let reached = match missed > 0.0 {
+        true => format!("{:.1} % of the profile is not reached and stays as it was", 100.0 * missed),
+        false => "all of the profile is reached".into(),
+    };
+    Figure::new("layer", "layer to take")
+        .line(format!("{told}; {reached}"))
+        .quantity("least", MICRO, least)
+        .quantity("greatest", MICRO, greatest)
+        .entry("part_missed", missed)
 }

@@ -3,6 +3,7 @@
 pub mod blocks;
 mod contact;
 mod figures;
+mod interpolation;
 mod shapes;
 mod tables;
 
@@ -17,17 +18,17 @@ use crate::units::{ANGLE, LENGTH, MICRO};
 /// Everything that a run reports.
 pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
     let (setup, rows, deviations) = (&machine.setup, forward.programme, forward.prediction);
-    let motion = machine.motion(setup.program.usual());
+    let run = machine.run(setup.program.usual());
     let formulas = |places: &[f64], values: &mut [f64]| forward.add_formulas(&rows::at(setup, places), values);
-    let blocks = blocks::look(machine, &motion, forward.has_formulas().then_some(&formulas));
+    let blocks = blocks::look(machine, &run, forward.has_formulas().then_some(&formulas));
     RunReport {
         profile: Table::of_rows((COORDINATES, &[ANGLE_OF_ROW, SPEED]), rows, &OBSERVABLES[0], deviations),
         tables: vec![("program", tables::program(setup)), ("blocks", tables::blocks(setup, &blocks.list))],
-        figures: figures::figures(setup, &blocks.list),
+        figures: figures::figures(setup, &blocks),
         plots: vec![plot(rows, deviations)],
         drawings: vec![shapes::drawing(setup, deviations)],
         warnings: warnings(setup, &blocks),
-        animation: Some(shapes::animation(setup, motion, deviations)),
+        animation: Some(shapes::animation(setup, run.motion, deviations)),
     }
 }
 

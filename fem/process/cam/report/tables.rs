@@ -26,6 +26,7 @@ pub fn program(setup: &Setup) -> Table {
             Column::quantities("cam_speed", SPINDLE_SPEED, &over(&|i| rate(&axes.turns, i).abs())),
             Column::quantities("slide_feed", FEED_RATE, &over(&|i| rate(&axes.slides, i))),
             Column::quantities("feed", FEED_RATE, &over(&|i| rate(&program.places, i))),
+            Column::quantities("shift", MICRO, &program.shifts),
         ],
     }
 }
@@ -63,6 +64,10 @@ pub fn blocks(setup: &Setup, blocks: &[Block]) -> Table {
             columns.push(of_all(name, AREA, &|b| tenth(b).unwrap_or(0.0)));
         }
     }
+    columns.push(of_all("envelope_feed", FEED_RATE, &Block::envelope_feed));
+    if blocks.iter().all(|b| !b.tenths.is_empty()) {
+        columns.extend(FEEDS.iter().enumerate().map(|(k, name)| of_all(*name, FEED_RATE, &|b| b.tenths[k])));
+    }
     Table { columns }
 }
 
@@ -78,3 +83,5 @@ const TENTHS: [&str; PARTS] = [
     "removed_9",
     "removed_10",
 ];
+const FEEDS: [&str; PARTS] =
+    ["feed_1", "feed_2", "feed_3", "feed_4", "feed_5", "feed_6", "feed_7", "feed_8", "feed_9", "feed_10"];

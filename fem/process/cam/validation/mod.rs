@@ -4,11 +4,12 @@ mod circles;
 mod effects;
 mod flanks;
 mod printed;
+mod programme;
 mod rig;
 
 use crate::process::Case;
 
 /// All cases, simple ones first.
 pub fn cases() -> Vec<Case> {
-    [circles::cases(), flanks::cases(), effects::cases(), printed::cases()].concat()
+    [circles::cases(), flanks::cases(), effects::cases(), printed::cases(), programme::cases()].concat()
 }

@@ -83,5 +83,5 @@ pub fn usual(cam: &Option<Cam>, degrees: f64) -> f64 {
 /// Every block.
 pub fn blocks(cam: &Option<Cam>) -> Option<Blocks> {
     let machine = cam.as_ref()?.machine();
-    Some(look(machine, &machine.motion(machine.setup.program.usual()), None))
+    Some(look(machine, &machine.run(machine.setup.program.usual()), None))
 }

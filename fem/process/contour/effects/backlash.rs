@@ -4,34 +4,45 @@
 //! gap, and is then carried along, half a gap behind. Round a circle the tool draws four arcs of the
 //! programmed radius about the corners of a square (of side gap where both axes have the same), joined by
 //! flats; diameters along the axis are short by gap, those at 45° true [seed 000, figs. 2 and 3]. The play
-//! is outside the servo's loop. Elastic play, friction over stiffness, looks the same.
+//! is outside the servo's loop: a scale on the slide takes it out. Elastic play, friction over stiffness,
+//! adds to its width; it alone grows along the screw.
 
 use super::super::machine::{Effect, Machine};
-use crate::process::{Parameter, nothing};
+use crate::process::Parameter;
 use crate::units::MICRO;
 
 /// `backlash-x`.
 pub static X: Effect<1> = backlash(
     "backlash-x",
     "x loses its play whenever it turns round, and flats stay on the circle",
+    &[("elastic-lost-motion-x", FLATS)],
     |[gap], machine| machine.gaps[0] = gap,
 );
 /// `backlash-y`.
 pub static Y: Effect<1> = backlash(
     "backlash-y",
     "y loses its play whenever it turns round, and flats stay on the circle",
+    &[("elastic-lost-motion-y", FLATS)],
     |[gap], machine| machine.gaps[1] = gap,
 );
 
-const fn backlash(name: &'static str, about: &'static str, act: fn([f64; 1], &mut Machine)) -> Effect<1> {
+/// What separates play from elastic clearance.
+const FLATS: &str = "the two flats of the axis: play is as wide at both, elastic clearance wider away from the bearing";
+
+const fn backlash(
+    name: &'static str,
+    about: &'static str,
+    look_alikes: &'static [(&'static str, &'static str)],
+    act: fn([f64; 1], &mut Machine),
+) -> Effect<1> {
     Effect {
         name,
         about,
         law: "play operator of width gap: the slide lies gap/2 behind its drive, and rests while the drive crosses the gap",
         source: "seed 000, figs. 2 and 3",
         parameters: [Parameter::amplitude("gap", MICRO, "play of the axis", (0.5, 100.0))],
-        look_alikes: &[],
-        needs: nothing,
+        look_alikes,
+        needs: |setup| setup.feedback.sees_screw(),
         act,
     }
 }

@@ -15,6 +15,7 @@ pub static X: Effect<2> = cyclic_error(
     |[amplitude, phase], machine| {
         machine.cyclic[0] = Cyclic { amplitude, phase };
     },
+    |setup| a_lead(setup, 0),
 );
 /// `cyclic-error-y`.
 pub static Y: Effect<2> = cyclic_error(
@@ -23,26 +24,32 @@ pub static Y: Effect<2> = cyclic_error(
     |[amplitude, phase], machine| {
         machine.cyclic[1] = Cyclic { amplitude, phase };
     },
+    |setup| a_lead(setup, 1),
 );
 
-const fn cyclic_error(name: &'static str, about: &'static str, act: fn([f64; 2], &mut Machine)) -> Effect<2> {
+const fn cyclic_error(
+    name: &'static str,
+    about: &'static str,
+    act: fn([f64; 2], &mut Machine),
+    needs: fn(&Setup) -> Result<(), String>,
+) -> Effect<2> {
     Effect {
         name,
         about,
-        law: "position += amplitude*sin(2*pi*position/lead + phase), lead = drives.lead",
+        law: "position += amplitude*sin(2*pi*position/lead + phase), lead = drives.lead, or drives.x.lead and drives.y.lead",
         source: "seed 000 (error within the period of the feedback)",
         parameters: [
             Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 50.0)),
             Parameter::phase("phase", ANGLE, "at the contour's centre", 360.0),
         ],
         look_alikes: &[],
-        needs: a_lead,
+        needs,
         act,
     }
 }
 
-fn a_lead(setup: &Setup) -> Result<(), String> {
-    match setup.lead {
+fn a_lead(setup: &Setup, axis: usize) -> Result<(), String> {
+    match setup.drives[axis].lead {
         Some(_) => Ok(()),
         None => Err("needs its period: lead = \"10 mm\" in [drives]".into()),
     }

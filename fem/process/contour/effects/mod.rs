@@ -2,11 +2,15 @@
 
 mod backlash;
 mod centre_offset;
+mod cutting_deflection;
 mod cyclic_error;
+mod elastic_lost_motion;
+mod gain_with_feed;
 mod reversal_spike;
 mod scale_mismatch;
 mod servo_mismatch;
 mod squareness;
+mod stick_slip;
 
 use super::machine::Machine;
 use super::setup::Setup;
@@ -15,14 +19,21 @@ use crate::process::CatalogueEffect;
 /// The registry.
 pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &servo_mismatch::SERVO_MISMATCH,
+    &gain_with_feed::X,
+    &gain_with_feed::Y,
     &backlash::X,
     &backlash::Y,
+    &elastic_lost_motion::X,
+    &elastic_lost_motion::Y,
     &reversal_spike::X,
     &reversal_spike::Y,
     &squareness::SQUARENESS,
     &scale_mismatch::SCALE_MISMATCH,
     &cyclic_error::X,
     &cyclic_error::Y,
+    &stick_slip::X,
+    &stick_slip::Y,
+    &cutting_deflection::CUTTING_DEFLECTION,
     &centre_offset::CENTRE_OFFSET,
 ];
 
@@ -40,7 +51,8 @@ mod bench {
     /// R = 150 mm at 1000 mm/min, 50/s, screws of 10 mm: v/Kv = 1/3 mm, v/(R·Kv) = 1/450.
     const MODEL: &str = r#"
         path = { shape = "circle", radius = "150 mm", feed = "1000 mm/min" }
-        drives = { gain = "50 /s", lead = "10 mm" }
+        drives = { gain = "50 /s", lead = "10 mm", frequency = "0.5 Hz", x = { screw = { material = "steel", diameter = "32 mm", fixed_at = "-400 mm" } } }
+        cut = { normal_force = "200 N", tangential_force = "120 N" }
     "#;
 
     /// Change that an effect of these canonical values makes at an angle (deg), um.

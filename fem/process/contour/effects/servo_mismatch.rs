@@ -1,11 +1,11 @@
 //! The servos of x and y follow with unequal gains.
 //!
-//! Kvx = Kv(1 + m/2), Kvy = Kv(1 − m/2): each axis lags by v/Kv of its own, and the tool leaves the path by
-//! what differs. Counter-clockwise round a circle (v/2)·sin 2α·(1/Kvx − 1/Kvy), clockwise the opposite: an
-//! ellipse at 45°. Along a straight side at β it is the offset v(Kvx − Kvy)/(2KvxKvy)·sin 2β outwards,
+//! Kvx = Kv(1 + m/2), Kvy = Kv(1 − m/2): each axis lags by v/Kv of its own, and the tool leaves the path
+//! by what differs. Counter-clockwise round a circle (v/2)·sin 2α·(1/Kvx − 1/Kvy), clockwise the opposite:
+//! an ellipse at 45°. Along a straight side at β it is the offset v(Kvx − Kvy)/(2KvxKvy)·sin 2β outwards,
 //! counter-clockwise [seed 000], so that of a rectangle one size grows by twice as much and the other
-//! shrinks. Computed through the servos themselves, not by the formula. Left out: gains that change with
-//! the feed.
+//! shrinks. Computed through the servos themselves, not by the formula. Gains that follow the feed are
+//! effects of their own.
 
 use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};
@@ -18,10 +18,11 @@ pub static SERVO_MISMATCH: Effect<1> = Effect {
     law: "Kvx = Kv*(1 + mismatch/2), Kvy = Kv*(1 - mismatch/2): (v/2)*sin(2*alpha)*(1/Kvx - 1/Kvy) ccw, the opposite cw",
     source: "seed 000, fig. 1 (printed there with the sign of a straight side)",
     parameters: [Parameter::signed("mismatch", NUMBER, "difference of the gains over their mean", (-0.3, 0.3))],
-    look_alikes: &[(
-        "squareness",
-        "the other way round, or another feed: a mismatch changes its sign and grows with the feed",
-    )],
+    look_alikes: &[
+        ("squareness", "the other way round, or another feed: a mismatch changes its sign and grows with the feed"),
+        ("gain-with-feed-x", "another feed: a mismatch grows with it, a gain that follows the feed with its square"),
+        ("gain-with-feed-y", "another feed: a mismatch grows with it, a gain that follows the feed with its square"),
+    ],
     needs: nothing,
     act: |[mismatch], machine| {
         let half = 0.5 * mismatch;

@@ -7,9 +7,10 @@ mod shapes;
 
 use super::forward::Lap;
 use super::machine::Machine;
+use super::path::AXES;
 use super::path::{Direction, Path};
 use super::rows::{self, ANGLE_OF_ROW, COORDINATES, DIRECTION, FEED, OBSERVABLES};
-use super::setup::{AXES, Setup};
+use super::setup::Setup;
 use crate::process::{Failure, Figure, Forward, Plot, Rows, RunReport, Table, extremes};
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 
@@ -50,8 +51,10 @@ fn figures(machine: &Machine, forward: &Forward) -> Result<Vec<Figure>, Failure>
         }
         Path::Rectangle { .. } => figures.extend(rectangle::figures(machine, setup, deviations)),
     }
+    figures.extend(reversing::lost_motion(machine));
     figures.extend(reversing::advice(machine));
     figures.push(servo(setup));
+    figures.extend(stick_slip(setup));
     figures.extend(tolerance(machine, deviations));
     Ok(figures)
 }
@@ -68,6 +71,17 @@ fn servo(setup: &Setup) -> Figure {
         .quantity("contraction", MICRO, once)
         .quantity("contraction_at_twice_the_feed", MICRO, twice)
         .line(format!("{text}: of the radius {shown:+.3}, at twice the feed {shown_twice:+.3}"))
+}
+
+/// Length along the path of what sticks and slips at one frequency: λ = v/f.
+fn stick_slip(setup: &Setup) -> Option<Figure> {
+    let length = setup.feed / setup.frequency?;
+    let [shown, twice] = [length, 2.0 * length].map(|length| LENGTH.shown(length));
+    Some(
+        Figure::new("stick_slip", "waves of stick-slip")
+            .line(format!("{shown:.3} along the path (v/f), at twice the feed {twice:.3}"))
+            .quantity("length", LENGTH, length),
+    )
 }
 
 /// Contraction of a circle R(1 − 1/√(1 + (v/RKv)²)), m.

@@ -3,9 +3,10 @@
 use super::super::forward::Lap;
 use super::super::machine::Machine;
 use super::super::motion::in_order;
+use super::super::path::AXES;
 use super::super::path::{Direction, Path};
 use super::super::rows;
-use super::super::setup::{AXES, Setup};
+use super::super::setup::Setup;
 use crate::process::{Datum, Figure};
 use crate::units::{ANGLE, LENGTH, MICRO, SLOPE};
 
@@ -123,11 +124,12 @@ fn closest(machine: &Machine, direction: Direction, corner: [f64; 2]) -> f64 {
 
 /// How long the waves of periodic errors are on the sides: lead/cos φ, φ between axis and side [seed 000].
 fn waves(setup: &Setup) -> Option<Figure> {
-    let (lead, Path::Rectangle { width, height, .. }) = (setup.lead?, setup.path) else { return None };
+    let Path::Rectangle { width, height, .. } = setup.path else { return None };
     let sides = setup.path.sides();
     let (mut words, mut list) = (Vec::new(), Vec::new());
     for (name, side, length) in [("width", sides[1], width), ("height", sides[0], height)] {
-        for (axis, along) in AXES.iter().zip(side.along) {
+        for ((axis, along), drive) in AXES.iter().zip(side.along).zip(&setup.drives) {
+            let Some(lead) = drive.lead else { continue };
             let wave = lead / along.abs();
             if wave < LONGEST * length {
                 words.push(format!("{:.3} of {axis} along the {name}", LENGTH.shown(wave)));
@@ -138,6 +140,9 @@ fn waves(setup: &Setup) -> Option<Figure> {
                 ]));
             }
         }
+    }
+    if words.is_empty() {
+        return None;
     }
     Some(Figure::new("waves", "waves of a lead").line(words.join(", ")).entry("list", Datum::List(list)))
 }

@@ -2,8 +2,8 @@
 
 use super::super::forward::Lap;
 use super::super::machine::Machine;
+use super::super::path::AXES;
 use super::super::path::Path;
-use super::super::setup::AXES;
 use crate::process::{Datum, Figure};
 use crate::units::{ANGLE, LENGTH, MICRO};
 
@@ -19,13 +19,13 @@ pub fn reversals(machine: &Machine) -> Figure {
     for direction in &setup.directions {
         let (lap, word) = (Lap::new(machine, *direction, setup.feed), direction.word());
         for (axis, name) in AXES.iter().enumerate() {
-            let (gap, height) = (machine.gaps[axis], machine.spikes[axis].height);
+            let (is_lost, height) = (machine.play(axis).is_any(), machine.spikes[axis].height);
             let mut angles = Vec::new();
-            for time in lap.axes[axis].reversals() {
-                let rest = lap.axes[axis].rest();
+            for turn in lap.axes[axis].reversals() {
+                let (time, rest) = (turn.time, lap.axes[axis].rest(turn));
                 let point = setup.path.at(lap.angle(time));
                 let behind = setup.path.at(lap.angle(time + rest));
-                let step = if gap > 0.0 { lap.offset(&behind) - lap.offset(&point) } else { 0.0 };
+                let step = if is_lost { lap.offset(&behind) - lap.offset(&point) } else { 0.0 };
                 let flat = lap.angle(rest).min(std::f64::consts::TAU - lap.angle(rest));
                 let spike = height * point.outward[axis].abs();
                 let angle = lap.angle(time);
@@ -39,7 +39,7 @@ pub fn reversals(machine: &Machine) -> Figure {
                     ("spike", Datum::of(MICRO, spike)),
                 ]));
                 let mut left = Vec::new();
-                if gap > 0.0 {
+                if is_lost {
                     left.push(format!("a step of {:+.3} over a flat of {:.2}", MICRO.shown(step), ANGLE.shown(flat)));
                 }
                 if height > 0.0 {
@@ -50,7 +50,7 @@ pub fn reversals(machine: &Machine) -> Figure {
                     figure = figure.line(line);
                 }
             }
-            if gap == 0.0 && height == 0.0 {
+            if !is_lost && height == 0.0 {
                 figure = figure.line(format!("{name} at {} deg: nothing stays, {word}", angles.join(" and ")));
             }
         }
@@ -61,13 +61,14 @@ pub fn reversals(machine: &Machine) -> Figure {
 /// Where to turn round instead of on the work, if anything would stay there.
 pub fn advice(machine: &Machine) -> Option<Figure> {
     let setup = &machine.setup;
-    let marks = |axis: &usize| machine.gaps[*axis] > 0.0 || machine.spikes[*axis].height > 0.0;
+    let marks = |axis: &usize| machine.play(*axis).is_any() || machine.spikes[*axis].height > 0.0;
     let axes: Vec<usize> = (0..2).filter(marks).collect();
     let names: Vec<&'static str> = axes.iter().map(|axis| AXES[*axis]).collect();
     let turning = names.join(" and ");
     let fading = machine.spikes.iter().filter(|s| s.height > 0.0).map(|s| SPIKE_FADES * s.time_constant);
     let run_in = setup.feed * (LAG_FADES / setup.gain + fading.fold(0.0, f64::max));
-    let gap = machine.gaps.iter().copied().fold(0.0, f64::max);
+    let lap = Lap::new(machine, setup.directions[0], setup.feed);
+    let gap = lap.axes.iter().flat_map(|axis| axis.widths()).map(|(width, _)| width).fold(0.0, f64::max);
     let way_in = LENGTH.shown(run_in);
     let lines = match setup.path {
         _ if axes.is_empty() => return None,
@@ -100,4 +101,40 @@ pub fn advice(machine: &Machine) -> Option<Figure> {
             .quantity("run_in", LENGTH, run_in)
             .quantity("gap", MICRO, gap),
     )
+}
+
+/// Clearance beside what friction winds up where each axis turns round, and which of them rules: in light
+/// machines mostly the kinematic, in heavy ones the elastic [seed 000].
+pub fn lost_motion(machine: &Machine) -> Option<Figure> {
+    let setup = &machine.setup;
+    let lap = Lap::new(machine, setup.directions[0], setup.feed);
+    let mut figure = Figure::new("lost_motion", "lost motion").unit("unit", MICRO);
+    let mut is_any = false;
+    for (axis, name) in AXES.iter().enumerate() {
+        let elastic: Vec<f64> = lap.axes[axis].widths().map(|(_, elastic)| elastic).collect();
+        let [least, greatest] =
+            [f64::min as fn(f64, f64) -> f64, f64::max].map(|pick| elastic.iter().copied().reduce(pick).unwrap_or(0.0));
+        if greatest == 0.0 {
+            continue;
+        }
+        is_any = true;
+        let gap = machine.gaps[axis];
+        let rules = match gap > 0.5 * (least + greatest) {
+            true => "kinematic",
+            false => "elastic",
+        };
+        let [shown, low, high] = [gap, least, greatest].map(|width| MICRO.shown(width));
+        figure = figure
+            .line(format!("{name}: {shown:.3} kinematic, {low:.3} to {high:.3} elastic (2F/C): the {rules} rules"))
+            .entry(
+                *name,
+                Datum::record([
+                    ("kinematic", Datum::of(MICRO, gap)),
+                    ("least_elastic", Datum::of(MICRO, least)),
+                    ("greatest_elastic", Datum::of(MICRO, greatest)),
+                    ("rules", rules.into()),
+                ]),
+            );
+    }
+    is_any.then_some(figure)
 }

@@ -2,6 +2,8 @@
 //! and what the program computes from a model file.
 
 mod effects;
+mod elastic;
+mod following;
 mod play;
 mod rectangle;
 mod rig;
@@ -13,5 +15,15 @@ use crate::process::Case;
 
 /// All cases, simple ones first.
 pub fn cases() -> Vec<Case> {
-    [servo::cases(), play::cases(), effects::cases(), rectangle::cases(), stepping::cases(), standard::cases()].concat()
+    [
+        servo::cases(),
+        play::cases(),
+        effects::cases(),
+        elastic::cases(),
+        following::cases(),
+        rectangle::cases(),
+        stepping::cases(),
+        standard::cases(),
+    ]
+    .concat()
 }
