@@ -12,7 +12,7 @@ mod wrong;
 
 pub use causes::Cause;
 pub use feasibility::Feasibility;
-pub use reversal::{LostMotion, Rules};
+pub use reversal::{Kinematic, LostMotion, Rules, Step};
 pub use wrong::WrongReading;
 
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};

@@ -3,16 +3,29 @@
 //!
 //! The lost motion at a target is b(x) = b₀ + F·2c(x), c the compliance of the screw (m/N) and F the
 //! friction that winds it up (N). A regression over 2c(x) estimates F and b₀. No reversal tells whether b₀
-//! is play or the compliance of nut and bearing under the same friction.
+//! is play or the compliance of nut and bearing under the same friction; below zero it is neither.
+//!
+//! Friction need not be the same all along, b(x) = δ + 2·F(x)/C(x) [seed 001, seed 000]: where the two parts miss the
+//! targets by more than the approaches scatter, neither is named, and a step b₀ + F·2c(x) + h·[x > x_s] is tried,
+//! which is what a place leaves from which on the slide goes harder.
 
-use crate::positioning::Evaluation;
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-/// Standard uncertainties beyond which a friction is significant.
+use crate::compare::SIGNIFICANCE;
+use crate::positioning::{Evaluation, Side, Target};
+
+/// Standard uncertainties beyond which a friction, or a part below zero, is significant.
 const SEEN: f64 = 3.0;
-/// Ratio at which one part of the lost motion rules.
+/// Ratio to the other at which one part of the lost motion rules.
 const RULES: f64 = 2.0;
+/// Ratio to what both miss below which neither is named.
+const MISSED: f64 = 4.0;
 /// Fewest targets of a regression.
 const TARGETS: usize = 4;
+/// Fewest targets on either side of a step.
+const BESIDE: usize = 2;
+/// Fewest targets for a step.
+const STEPPED: usize = 6;
 
 /// Lost motion along an axis by its parts. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +40,40 @@ pub struct LostMotion {
     pub friction_std: f64,
     /// Part F·2c that the screw adds at the targets, smallest and largest, m.
     pub screw: (f64, f64),
+    /// Largest distance of a target from both parts together, m.
+    pub misfit: f64,
+    /// Whether the scatter of the approaches explains what the parts miss; `None` without repeats.
+    pub fits: Option<bool>,
+    /// Step that comes nearer to the targets, where the parts miss them.
+    pub step: Option<Step>,
+}
+
+/// Place at which the lost motion steps. SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Last target before the step, m.
+    pub from: f64,
+    /// First target behind it, m.
+    pub to: f64,
+    /// Height h, m.
+    pub height: f64,
+    /// Constant part b₀ beside the step, m.
+    pub constant: f64,
+    /// Friction F beside the step, N.
+    pub friction: f64,
+    /// Largest distance of a target, m.
+    pub misfit: f64,
+}
+
+/// The constant part, as what it could be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kinematic {
+    /// Above zero.
+    Seen,
+    /// Not to be told from zero.
+    CompatibleWithNone,
+    /// Below zero, which no play is.
+    BelowNone,
 }
 
 /// Part of the lost motion that rules.
@@ -38,35 +85,36 @@ pub enum Rules {
     Elastic,
     /// Neither part alone.
     Both,
+    /// The parts are not told apart.
+    Unclear,
 }
 
 impl LostMotion {
     /// Estimates the parts of the lost motion, given the compliance of the screw at a position. `None` where
     /// there are fewer than four targets, or the compliance does not vary.
     pub fn of(evaluation: &Evaluation, compliance: impl Fn(f64) -> f64) -> Option<Self> {
-        let point = |t: &crate::positioning::Target| Some((2.0 * compliance(t.position), -t.reversal()?));
-        let points: Vec<(f64, f64)> = evaluation.targets.iter().filter_map(point).collect();
-        if points.len() < TARGETS {
+        let both = |t: &&Target| t.reversal().is_some();
+        let targets: Vec<Target> = evaluation.targets.iter().filter(both).copied().collect();
+        let places: Vec<f64> = targets.iter().map(|t| t.position).collect();
+        let stretch: Vec<f64> = places.iter().map(|x| 2.0 * compliance(*x)).collect();
+        let lost: Vec<f64> = targets.iter().filter_map(|t| Some(-t.reversal()?)).collect();
+        if lost.len() < TARGETS {
             return None;
         }
-        let n = points.len() as f64;
-        let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
-        let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-        let spread: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
-        if spread <= 1e-12 * n * x * x {
-            return None;
-        }
-        let friction = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>() / spread;
-        let constant = y - friction * x;
-        let left: f64 = points.iter().map(|p| (p.1 - constant - friction * p.0).powi(2)).sum();
-        let variance = left / (n - 2.0);
-        let screw = points.iter().map(|p| friction * p.0);
+        let line = Line::of(&stretch, &lost)?;
+        let n = lost.len() as f64;
+        let variance = line.squares() / (n - 2.0);
+        let screw = stretch.iter().map(|x| line.slope * x);
+        let fits = scatter_explains(&targets, &line.left);
         Some(Self {
-            constant,
-            constant_std: (variance * (1.0 / n + x * x / spread)).sqrt(),
-            friction,
-            friction_std: (variance / spread).sqrt(),
+            constant: line.constant,
+            constant_std: (variance * (1.0 / n + line.middle.powi(2) / line.spread)).sqrt(),
+            friction: line.slope,
+            friction_std: (variance / line.spread).sqrt(),
             screw: screw.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v))),
+            misfit: line.misfit(),
+            fits,
+            step: if fits == Some(true) { None } else { Step::of(&places, &stretch, &lost, &line) },
         })
     }
 
@@ -75,15 +123,111 @@ impl LostMotion {
         self.friction > SEEN * self.friction_std
     }
 
-    /// Part that rules midway between the ends.
-    pub fn rules(&self) -> Rules {
-        let elastic = if self.grows() { 0.5 * (self.screw.0 + self.screw.1) } else { 0.0 };
-        match self.constant.max(0.0) {
-            constant if constant >= RULES * elastic => Rules::Constant,
-            constant if elastic >= RULES * constant => Rules::Elastic,
-            _ => Rules::Both,
+    /// What the constant part could be.
+    pub fn kinematic(&self) -> Kinematic {
+        match self.constant / self.constant_std {
+            part if part < -SEEN => Kinematic::BelowNone,
+            part if part > SEEN => Kinematic::Seen,
+            _ => Kinematic::CompatibleWithNone,
         }
     }
+
+    /// Part that rules midway between the ends. None does where the parts miss the targets by more than a quarter of
+    /// what they are, where a step tells better, or where a part below zero stands beside one that grows.
+    pub fn rules(&self) -> Rules {
+        let elastic = if self.grows() { 0.5 * (self.screw.0 + self.screw.1) } else { 0.0 };
+        let constant = self.constant.max(0.0);
+        let ruling = self.constant.abs().max(elastic);
+        let is_missed = self.fits != Some(true) && ruling < MISSED * self.misfit;
+        match () {
+            () if self.step.is_some() || is_missed || self.grows() && self.kinematic() == Kinematic::BelowNone => {
+                Rules::Unclear
+            }
+            () if constant >= RULES * elastic => Rules::Constant,
+            () if elastic >= RULES * constant => Rules::Elastic,
+            () => Rules::Both,
+        }
+    }
+}
+
+impl Step {
+    /// The step that comes nearest to the targets, if it is significant among all that were tried. What the line
+    /// leaves of the step is regressed on what it leaves of the lost motion.
+    ///
+    /// With its place and height a step has two parameters; the F test of two against m degrees of freedom has the
+    /// level (S/S₀)^(m/2), S and S₀ the squares that are left with and without it.
+    fn of(places: &[f64], stretch: &[f64], lost: &[f64], line: &Line) -> Option<Self> {
+        if places.len() < STEPPED {
+            return None;
+        }
+        let stepped = |first: usize| {
+            let behind: Vec<f64> = (0..places.len()).map(|i| f64::from(u8::from(i >= first))).collect();
+            let left = Line::of(stretch, &behind)?;
+            let height = left.left.iter().zip(&line.left).map(|(a, b)| a * b).sum::<f64>() / left.squares();
+            let rest: Vec<f64> = lost.iter().zip(&behind).map(|(b, h)| b - height * h).collect();
+            let rest = Line::of(stretch, &rest).filter(|rest| rest.misfit().is_finite())?;
+            Some((first, height, rest))
+        };
+        let tried: Vec<_> = (BESIDE..=places.len() - BESIDE).filter_map(stepped).collect();
+        let (count, freedom) = (tried.len() as f64, (places.len() - 4) as f64);
+        let (first, height, rest) = tried.into_iter().min_by(|a, b| a.2.squares().total_cmp(&b.2.squares()))?;
+        let level = count * (rest.squares() / line.squares()).powf(0.5 * freedom);
+        (level < SIGNIFICANCE).then(|| Self {
+            from: places[first - 1],
+            to: places[first],
+            height,
+            constant: rest.constant,
+            friction: rest.slope,
+            misfit: rest.misfit(),
+        })
+    }
+}
+
+/// A straight line by least squares.
+struct Line {
+    constant: f64,
+    slope: f64,
+    /// Mean of the abscissas, and the sum of the squares of their distances from it.
+    middle: f64,
+    spread: f64,
+    /// What it leaves of every ordinate.
+    left: Vec<f64>,
+}
+
+impl Line {
+    /// `None` where all abscissas are one.
+    fn of(x: &[f64], y: &[f64]) -> Option<Self> {
+        let n = x.len() as f64;
+        let [middle, level] = [x, y].map(|values| values.iter().sum::<f64>() / n);
+        let spread: f64 = x.iter().map(|x| (x - middle).powi(2)).sum();
+        if spread <= 1e-12 * n * middle * middle {
+            return None;
+        }
+        let slope = x.iter().zip(y).map(|(x, y)| (x - middle) * (y - level)).sum::<f64>() / spread;
+        let constant = level - slope * middle;
+        let left = x.iter().zip(y).map(|(x, y)| y - constant - slope * x).collect();
+        Some(Self { constant, slope, middle, spread, left })
+    }
+
+    fn squares(&self) -> f64 {
+        self.left.iter().map(|l| l * l).sum()
+    }
+
+    fn misfit(&self) -> f64 {
+        self.left.iter().fold(0.0, |most, l| most.max(l.abs()))
+    }
+}
+
+/// Whether the scatter of the approaches explains what two parameters leave of the targets' lost motions (F test).
+fn scatter_explains(targets: &[Target], left: &[f64]) -> Option<bool> {
+    let sides = || targets.iter().flat_map(Target::sides);
+    let within: f64 = sides().map(|s| (s.count - 1) as f64).sum();
+    let of_scatter: f64 = sides().filter_map(|s| Some((s.count - 1) as f64 * s.scatter?.powi(2))).sum();
+    let of_mean = |t: &Target| t.sides().map(|s: &Side| 1.0 / s.count as f64).sum::<f64>();
+    let of_lost: f64 = targets.iter().zip(left).map(|(t, left)| left * left / of_mean(t)).sum();
+    let between = (left.len() - 2) as f64;
+    let chance = FisherSnedecor::new(between, within).ok().filter(|_| of_scatter > 0.0)?;
+    Some(chance.sf((of_lost / between) / (of_scatter / within)) >= SIGNIFICANCE)
 }
 
 #[cfg(test)]
@@ -115,5 +259,32 @@ mod tests {
         let found = split(&[(0.0, 6.1), (1.0, 5.9), (2.0, 6.1), (3.0, 5.9), (4.0, 6.1)]).unwrap();
         assert!(!found.grows() && found.rules() == Rules::Constant);
         assert_eq!(split(&[(0.0, 6.0), (1.0, 6.0), (2.0, 6.0)]), None);
+    }
+
+    /// Play of 3 um, 500 N, and from 2.5 m on 14 um more: the line through all has no play and a friction that is none.
+    #[test]
+    fn a_place_of_extra_drag_is_told_and_no_part_named_on_it() {
+        let lost: Vec<(f64, f64)> =
+            (0..=6).map(|i| (f64::from(i), 3.0 + f64::from(i) + if i > 2 { 14.0 } else { 0.0 })).collect();
+        let found = split(&lost).unwrap();
+        // Least squares by hand about the middle at 3 m, where Σ(x − 3)² = 28: the step adds 14·(0 + 1 + 2 + 3)/28 = 3
+        // um a metre to the slope, and 14·4/7 = 8 um to the mean.
+        let (slope, level) = (14.0 * (0.0 + 1.0 + 2.0 + 3.0) / 28.0, 14.0 * 4.0 / 7.0);
+        assert!((found.friction - 500.0 * (1.0 + slope)).abs() < 1e-6, "{found:?}");
+        assert!((1e6 * found.constant - (3.0 + level - 3.0 * slope)).abs() < 1e-9, "{found:?}");
+        // The first target behind the step stands 14 um above, where the line has risen by the mean.
+        assert!((1e6 * found.misfit - (14.0 - level)).abs() < 1e-9, "{found:?}");
+        assert_eq!((found.kinematic(), found.rules()), (Kinematic::CompatibleWithNone, Rules::Unclear));
+        let step = found.step.unwrap();
+        assert_eq!((step.from, step.to), (2.0, 3.0));
+        assert!((1e6 * step.height - 14.0).abs() < 1e-9 && (step.friction - 500.0).abs() < 1e-6, "{step:?}");
+        assert!((1e6 * step.constant - 3.0).abs() < 1e-9 && step.misfit < 1e-12, "{step:?}");
+    }
+
+    #[test]
+    fn a_part_below_zero_is_no_play() {
+        // 12 um of play, of which the control takes 20.
+        let found = split(&[(0.0, -8.02), (1.0, -6.98), (2.0, -6.0), (3.0, -5.02), (4.0, -3.98)]).unwrap();
+        assert_eq!((found.kinematic(), found.rules()), (Kinematic::BelowNone, Rules::Unclear));
     }
 }

@@ -321,6 +321,11 @@ impl<'a> Reader<'a> {
         value
     }
 
+    /// Whether every quantity has the value of the file, none that of a search.
+    pub fn is_as_written(&self) -> bool {
+        self.findings.trial.is_empty()
+    }
+
     pub(super) fn describe(&self, key: &str, schema: impl FnOnce() -> Json, required: bool) {
         if matches!(self.ground, Ground::Described) {
             let schema = schema();

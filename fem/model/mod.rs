@@ -29,7 +29,7 @@ use crate::input::{
     FileKey, Found, InputError, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
 };
 use crate::noise::{self, Term};
-use crate::process::{self, Active, Description, Failure, ForwardModel, Process, System};
+use crate::process::{self, Active, Contradiction, Description, Failure, ForwardModel, Process, System};
 
 /// Largest model file, bytes; people write models by hand.
 const LARGEST: u64 = 4_000_000;
@@ -259,7 +259,13 @@ fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&d
         if let Some(Err(reason)) = system.map(|s| s.admits(name)) {
             table.problem("", reason, "remove the effect, or change what it acts on");
         }
-        Some(description.read(table))
+        let effect = description.read(table);
+        // A search may ask what would be if the two were not one.
+        let said_twice = system.filter(|_| table.is_as_written()).and_then(|s| s.contradiction(&effect));
+        if let Some(Contradiction { parameter, message, help }) = said_twice {
+            table.problem(parameter, message, help);
+        }
+        Some(effect)
     };
     let about = "physical effects beyond the ideal system; one of your own has a formula";
     let names = Names { known: &names, mark: "formula", find: &find };

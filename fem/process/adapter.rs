@@ -3,8 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use super::{
-    Active, CandidateExperiment, Coordinate, DatumDirection, Definition, Description, Failure, FormulaLaw, Forward,
-    ForwardModel, Misplaced, Observable, Places, Positioning, Process, Rows, RunReport, Spot, System,
+    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Definition, Description, Failure,
+    FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning, Process, Rows, RunReport, Spot,
+    System,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -52,6 +53,10 @@ impl<D: Definition> System for Ready<D> {
             Some(known) => known.admissible(&self.setup).map_err(|reason| format!("`{effect}` {reason}")),
             None => Ok(()),
         }
+    }
+
+    fn contradiction(&self, effect: &Active) -> Option<Contradiction> {
+        D::contradiction(&self.setup, effect)
     }
 
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {

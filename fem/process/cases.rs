@@ -68,6 +68,16 @@ pub fn row(
     Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
 }
 
+/// The root of a rising function between `low` and `high`, by bisection: slow, and nothing that could go
+/// wrong with Newton's method goes wrong with it.
+pub fn bisect(mut low: f64, mut high: f64, rising: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if rising(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    0.5 * (low + high)
+}
+
 /// A machine with its effects from the texts of their tables, as a model file would have them. `None` where
 /// a text is wrong: the row that needs it then holds NaN, and cannot pass.
 pub fn assembled<D: Definition>(model: &str, effects: &str) -> Option<Assembled<D>> {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Failure, Misplaced, Observable, Places,
+    Active, CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Failure, Misplaced, Observable, Places,
     Positioning, Rows, RunReport, Spot,
 };
 use crate::input::Reader;
@@ -65,6 +65,12 @@ pub trait Definition: Sync + Sized + 'static {
         Vec::new()
     }
 
+    /// What the written values of an effect contradict in the tables, if anything: a model that says one thing
+    /// twice, and differently.
+    fn contradiction(_setup: &Self::Setup, _effect: &Active) -> Option<Contradiction> {
+        None
+    }
+
     /// Where along a coordinate a cause may stand though no row is measured there.
     fn reach(_setup: &Self::Setup, _coordinate: &str) -> Option<(f64, f64)> {
         None
@@ -104,6 +110,17 @@ pub trait Definition: Sync + Sized + 'static {
     /// # Errors
     /// The computation failed.
     fn report(machine: &Self::Machine, forward: &Forward) -> Result<RunReport, Failure>;
+}
+
+/// A value of an effect that says otherwise than a table of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contradiction {
+    /// Key of the value.
+    pub parameter: &'static str,
+    /// Both of them, as a sentence.
+    pub message: String,
+    /// What to write instead.
+    pub help: String,
 }
 
 /// What no prediction can reach: a number beyond it, or none, comes from values that cannot be meant.

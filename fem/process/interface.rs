@@ -2,8 +2,8 @@
 //! [`Definition`](super::Definition) by one adapter.
 
 use super::{
-    Active, CandidateExperiment, Coordinate, DatumDirection, Description, Failure, Misplaced, Observable, Places,
-    Positioning, Rows, RunReport, Spot,
+    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, Failure, Misplaced,
+    Observable, Places, Positioning, Rows, RunReport, Spot,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -41,6 +41,9 @@ pub trait System: Send + Sync {
     /// # Errors
     /// The reason, as a sentence.
     fn admits(&self, effect: &str) -> Result<(), String>;
+
+    /// What the written values of an effect contradict in the system, if anything.
+    fn contradiction(&self, effect: &Active) -> Option<Contradiction>;
 
     /// The rows that lie outside the system: off the body, beyond the programme.
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced>;

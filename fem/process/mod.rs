@@ -32,8 +32,8 @@ pub use adapter::Assembled;
 #[cfg(test)]
 use cases::with_effect;
 pub use cases::{Case, Tolerance};
-use cases::{assembled, figure as figure_of, row};
-pub use definition::{Definition, Forward, Limit};
+use cases::{assembled, bisect, figure as figure_of, row};
+pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot};
 pub use effect::{Active, CatalogueEffect, Description, Effect, Neutral, Parameter, nothing};
 pub use failure::Failure;

@@ -241,3 +241,29 @@ fn targets_off_the_travel_are_refused() {
     assert_eq!(answer.status, 2);
     assert!(answer.err.contains("the axis travels from 0 to 600 mm"), "{}", answer.err);
 }
+
+/// From 300 mm on the slide goes harder and loses 14 um more: a friction all along would be thousands of newtons.
+#[test]
+fn a_place_of_extra_drag_is_found_and_no_part_named() {
+    let ea = 210e9 * std::f64::consts::PI * 0.016f64.powi(2);
+    let deviation = move |x: f64, s: f64, run: usize| {
+        let lost = 2.0 + 2e6 * 600.0 * x / ea + if x > 0.3 { 14.0 } else { 0.0 };
+        (if s < 0.0 { lost } else { 0.0 }) + noise(run)
+    };
+    let place = Place::new();
+    let json = compensated(&place, &test(deviation));
+    let lost = &json["lost_motion"];
+    assert_eq!((lost["rules"].as_str(), lost["kinematic"].as_str()), (Some("unclear"), Some("compatible-with-none")));
+    assert!(lost["misfit"].as_f64().unwrap() > 5.0 && lost["explained_by_scatter"] == false, "{lost}");
+    let step = &lost["step"];
+    let number = |key: &str| step[key].as_f64().unwrap();
+    assert!((number("height") - 14.0).abs() < 1e-6 && (number("constant") - 2.0).abs() < 1e-6, "{step}");
+    assert!((number("friction") - 600.0).abs() < 1e-3 && number("misfit") < 1e-6, "{step}");
+    // Targets at 292.6 and 360 mm.
+    assert!((number("from") - 292.6).abs() < 1e-9 && (number("to") - 360.0).abs() < 1e-9, "{step}");
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "m.csv"]);
+    for words in ["below zero, and compatible with none", "no part can be named", "a step of +14.0000 um between"] {
+        assert!(answer.out.contains(words), "{words}: {}", answer.out);
+    }
+    assert!(!answer.out.contains("the elastic part rules"), "{}", answer.out);
+}

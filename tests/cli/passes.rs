@@ -62,6 +62,8 @@ const CASES: &[Mistake] = &[
         "what the force is at another feed is not known",
         "add radial_force",
     ),
+    ("exponent = 0.9", "exponent = 1.0", "x is 0.9 in the force law", "write exponent = 0.9"),
+    ("exponent = 0.9", "exponent = \"0.8 +- 0.1\"", "x is 0.9 in the force law", "radial_force"),
     ("waves = 3", "waves = -3", "`waves` is -3", "zero or more"),
     (
         "# blank_points = [{ at = \"0 mm\", error = \"0.1 mm\" }, { at = \"400 mm\"",
@@ -82,4 +84,12 @@ fn bad_input_is_told_with_its_remedy() {
     let good = model("passes.toml");
     let place = Place::new();
     place.refuses(("run", "passes.toml"), &good, CASES);
+}
+
+/// An exponent that a search may move is the law's own in the file.
+#[test]
+fn one_exponent_may_be_known_roughly() {
+    let place = Place::new();
+    place.write("passes.toml", model("passes.toml").replace("exponent = 0.9", "exponent = \"0.9 +- 0.05\""));
+    assert_eq!(place.fem(&["run", "passes.toml"]).status, 0);
 }

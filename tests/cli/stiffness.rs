@@ -34,11 +34,13 @@ fn tangents_stand_in_a_table_where_the_joint_moves() {
     // half of the fourth.
     assert_eq!((rows.iter().filter(|r| r[1] == "load").count(), rows.len()), (22, 22 + 20), "{table}");
     let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
-    // 1000 N up: S = 935 N is beyond 2·250 N, one spring of 70 N/um and the contact's 0.5·0.15/√S.
+    // 1025 N up: S = 935 N has relaxed the one side, and the other of 70 N/um and a contact's 0.5·0.15/√S is pressed
+    // less by what 250 N have pressed before.
     let at = rows.iter().find(|r| r[0] == "1025" && r[1] == "load").unwrap();
     let expected = 1.0 / (1.0 / 70.0 + 0.5 * 0.15 / 935f64.sqrt());
     assert!((number(at, 3) - expected).abs() < 1e-9 && (number(at, 5) - expected).abs() < 1e-9, "{at:?}");
-    assert!((number(at, 4) - number(at, 2) - 250.0 / 70.0).abs() < 1e-9, "{at:?}");
+    let pressed = 250.0 / 70.0 + 0.15 * 250f64.sqrt();
+    assert!((number(at, 4) - number(at, 2) - pressed).abs() < 1e-9, "{at:?}");
 }
 
 /// (in the model, replaced by, part of the message, part of the remedy)
@@ -47,6 +49,7 @@ const CASES: &[Mistake] = &[
     ("\"70 +- 5 N/um\"", "\"0 N/um\"", "`stiffness` is 0 N/um", "above zero"),
     ("\"1200 N\"", "\"1200 um\"", "not a force", "write it in N"),
     ("steps = 24", "steps = 0", "`steps` is 0", "whole number from 1"),
+    ("steps = 24", "loading = \"both\"", "`loading` is \"both\"", "from-zero"),
     ("n = 0.5", "n = 1.5", "`n` is 1.5", "above 0 and at most 1"),
     ("\"90 N\"", "\"-90 N\"", "`force` is -90 N", "zero or more"),
     ("[effects.preload]", "[effects.preloaded]", "`preloaded` is no effect", "did you mean `preload`?"),
@@ -115,4 +118,39 @@ fn forces_beyond_the_test_are_refused() {
     let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(told.contains("beyond the test, which ends at max_force = 1200 N"), "{told}");
     assert!(told.contains("`force` is below zero"), "{told}");
+}
+
+#[test]
+fn a_preload_has_taken_the_clearance_up() {
+    let place = Place::new();
+    let with_gap = model("stiffness.toml") + "\n[effects.gap]\ngap = \"3 um\"\n";
+    place.write("both.toml", &with_gap);
+    place.write("none.toml", model("stiffness.toml"));
+    let [both, none] = ["both.toml", "none.toml"].map(|file| place.fem(&["run", file, "--json"]));
+    assert!(both.err.contains("`gap` changes nothing"), "{}", both.err);
+    let [both, none] = [both, none].map(|a| serde_json::from_str::<serde_json::Value>(&a.out).unwrap());
+    assert!(none["findings"]["largest"]["value"].is_number());
+    assert_eq!(both["findings"]["largest"], none["findings"]["largest"]);
+    // Without the preload the 3 um are lost on every reversal.
+    let lost = |json: &serde_json::Value| json["findings"]["preload"]["without"]["lost_motion"].as_f64().unwrap();
+    assert!((lost(&both) - lost(&none) - 3.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_reversed_force_is_read_and_what_needs_a_first_loading_refused() {
+    let place = Place::new();
+    let reversed = model("stiffness.toml").replace("max_force", "loading = \"reversed\"\nmax_force");
+    place.write("stiffness.toml", &reversed);
+    let ran = place.fem(&["run", "stiffness.toml", "-o", "out"]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.contains("lost motion") && ran.out.contains("where the force changes its sign"), "{}", ran.out);
+    let compared = place.fem(&["compare", "stiffness.toml", "--with", "out/profile.csv", "--json"]).out;
+    let json: serde_json::Value = serde_json::from_str(&compared).unwrap();
+    assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");
+    // 24 steps either way from no force, up and down.
+    assert_eq!(json["observations"], 98);
+    place.write("stiffness.toml", reversed + "\n[effects.settling]\ndepth = \"2 um\"\n");
+    let refused = place.fem(&["run", "stiffness.toml"]);
+    assert_eq!(refused.status, 2);
+    assert!(refused.err.contains("needs a first loading"), "{}", refused.err);
 }

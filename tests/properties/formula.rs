@@ -105,7 +105,8 @@ const TWINS: &[Twin] = &[
         model: "",
         built_in: "[effects.gap]\ngap = \"3 um\"\n",
         formula: "[effects.mine]\nformula = \"gap*step(force - least)\"\ngap = \"3 um\"\nleast = \"1 N\"\n",
-        mechanics: &[],
+        // A preload takes up clearance, not what a formula adds; what a reversal loses is clearance too.
+        mechanics: &["preload/with/", "lost_motion", "worth_friction"],
         tolerance: ROUND_OFF,
     },
     Twin {

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::compensate::{Compensation, LostMotion, Rules, Scheme, WrongReading};
+use crate::compensate::{self, Compensation, Kinematic, LostMotion, Rules, Scheme, WrongReading};
 use crate::model::Data;
 use crate::output::measurement::{self, files};
 use crate::positioning::{Check, EDITION, Evaluation, PitchErrors, Quantity, Side, Step, Target};
@@ -94,6 +94,22 @@ fn lost_motion(l: &LostMotion) -> Json {
         Rules::Constant => "constant",
         Rules::Elastic => "elastic",
         Rules::Both => "both",
+        Rules::Unclear => "unclear",
+    };
+    let kinematic = match l.kinematic() {
+        Kinematic::Seen => "seen",
+        Kinematic::CompatibleWithNone => "compatible-with-none",
+        Kinematic::BelowNone => "below-none",
+    };
+    let step = |s: &compensate::Step| {
+        json!({
+            "from": mm(s.from),
+            "to": mm(s.to),
+            "height": um(s.height),
+            "constant": um(s.constant),
+            "friction": s.friction,
+            "misfit": um(s.misfit),
+        })
     };
     json!({
         "constant": { "value": um(l.constant), "std": um(l.constant_std), "unit": "um" },
@@ -101,6 +117,10 @@ fn lost_motion(l: &LostMotion) -> Json {
         "screw": [um(l.screw.0), um(l.screw.1)],
         "grows": l.grows(),
         "rules": rules,
+        "kinematic": kinematic,
+        "misfit": um(l.misfit),
+        "explained_by_scatter": l.fits,
+        "step": l.step.as_ref().map(step),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::compensate::{Compensation, Feasibility, LostMotion, Rules};
+use crate::compensate::{Compensation, Feasibility, Kinematic, LostMotion, Rules, Step};
 use crate::model::Data;
 use crate::output::measurement;
 use crate::positioning::{Check, EDITION, Evaluation, Quantity};
@@ -144,6 +144,9 @@ fn reversal(text: &mut String, c: &Compensation) {
     );
     if let Some(lost) = &c.lost_motion {
         let _ = writeln!(text, "lost motion      {}", lost_motion(lost));
+        if let Some(found) = &lost.step {
+            let _ = writeln!(text, "                 {}", step(found));
+        }
     }
     if let Some(told) = &c.modelled_lost_motion {
         let _ = writeln!(text, "                 the model, which agrees with the test, has it {told}");
@@ -151,19 +154,48 @@ fn reversal(text: &mut String, c: &Compensation) {
 }
 
 fn lost_motion(l: &LostMotion) -> String {
-    let constant = format!("{:.4} +- {:.4} um of it are the same all along", 1e6 * l.constant, 1e6 * l.constant_std);
+    let none = match l.kinematic() {
+        Kinematic::BelowNone => {
+            ", below zero as no play is: more is compensated already, or it is no sum of these parts"
+        }
+        Kinematic::CompatibleWithNone if l.constant < 0.0 => " (below zero, and compatible with none)",
+        Kinematic::CompatibleWithNone => " (compatible with none)",
+        Kinematic::Seen => "",
+    };
+    let [constant, std, misfit] = [l.constant, l.constant_std, l.misfit].map(|m| 1e6 * m);
+    let constant = format!("{constant:.4} +- {std:.4} um of it are the same all along{none}");
+    let is_play = "play, or the give of nut and bearing";
+    let rules = match l.rules() {
+        Rules::Constant => format!("what is the same all along rules: {is_play}"),
+        Rules::Elastic => "the elastic part rules, as in heavy machines".to_string(),
+        Rules::Both => "neither rules".to_string(),
+        Rules::Unclear => format!("no part can be named, for together they miss the targets by up to {misfit:.4} um"),
+    };
     if !l.grows() {
-        return format!("{constant}; no part is seen that grows along the screw: play, or the give of nut and bearing");
+        let what = match (l.rules(), l.kinematic()) {
+            (Rules::Unclear, _) => format!(": {rules}"),
+            (_, Kinematic::Seen) => format!(": {is_play}"),
+            _ => String::new(),
+        };
+        return format!("{constant}; no part is seen that grows along the screw{what}");
     }
     let (low, high) = (1e6 * l.screw.0, 1e6 * l.screw.1);
-    let rules = match l.rules() {
-        Rules::Constant => "what is the same all along rules: play, or the give of nut and bearing",
-        Rules::Elastic => "the elastic part rules, as in heavy machines",
-        Rules::Both => "neither rules",
-    };
     format!(
         "{constant}, {low:.4} to {high:.4} um the stretch of the screw under {:.0} +- {:.0} N of friction: {rules}",
         l.friction, l.friction_std
+    )
+}
+
+/// The step that comes nearer to the targets than the parts do.
+fn step(s: &Step) -> String {
+    let [height, misfit, constant] = [s.height, s.misfit, s.constant].map(|m| 1e6 * m);
+    let harder = if s.height > 0.0 { "beyond" } else { "before" };
+    format!(
+        "a step of {height:+.4} um between {:.3} and {:.3} mm comes within {misfit:.4} um, beside {constant:.4} um that \
+         are the same all along and {:.0} N: {harder} it the slide goes harder, or the screw has more play",
+        1e3 * s.from,
+        1e3 * s.to,
+        s.friction
     )
 }
 

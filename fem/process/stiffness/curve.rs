@@ -1,12 +1,12 @@
 //! The curve of a joint: how far it gives way under a force that rises, and under one that falls again.
 
-use super::setup::Setup;
-use crate::joint::{Contact, Joint};
+use super::setup::{Loading, Setup};
+use crate::joint::{Joint, Pair};
 
 /// The way the force goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
-    /// Up from no force.
+    /// Up from no force, or from the largest of the other sign.
     Load,
     /// Down from the largest.
     Unload,
@@ -19,22 +19,22 @@ impl Branch {
     }
 }
 
-/// A joint. Friction comes first: of the force F it leaves S to the spring, and the laws of spring, preload,
-/// contact and settling are laws of S. Only clearance asks for F itself.
+/// A joint. Friction comes first: of the force F it leaves S to the joint, and the laws of spring, contact,
+/// preload and settling are laws of S. Only clearance asks for F itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Stiffness k of the spring, N/m.
-    stiffness: f64,
     /// Force at which loading ends, N.
     pub max_force: f64,
+    /// Whether the force is let go at zero, or runs on to the other side.
+    pub loading: Loading,
     /// Friction f, N.
     pub friction: f64,
-    /// Clearance, taken up as soon as a force acts, m.
+    /// Clearance, taken up as soon as a force acts, m; a preload has taken it up before.
     pub gap: f64,
-    /// Preload F₀ of two springs that press on each other, N; 0 where there is one spring.
+    /// Preload P with which two of the joint press on each other, N; 0 where there is one.
     pub preload: f64,
-    /// Contacts in series, under S.
-    pub contacts: Joint,
+    /// Spring and contacts in series, under S.
+    pub joint: Joint,
     /// What settles for good under the largest force, m.
     pub settles: f64,
     /// What the gauge shows before any force, m.
@@ -44,32 +44,32 @@ pub struct Curve {
 impl Curve {
     /// The ideal joint: a spring.
     pub fn ideal(setup: &Setup) -> Self {
-        let Setup { stiffness, max_force, .. } = *setup;
-        Self {
-            stiffness,
-            max_force,
-            friction: 0.0,
-            gap: 0.0,
-            preload: 0.0,
-            contacts: Joint::default(),
-            settles: 0.0,
-            offset: 0.0,
-        }
+        let Setup { stiffness, max_force, loading, .. } = *setup;
+        let mut joint = Joint::default();
+        joint.soften(stiffness);
+        Self { max_force, loading, friction: 0.0, gap: 0.0, preload: 0.0, joint, settles: 0.0, offset: 0.0 }
     }
 
-    /// S, the force on the spring under F, N. Friction holds the first f of the load; when the force turns
+    /// S, the force on the joint under F, N. Friction holds the first f of the load; when the force turns
     /// back it holds until 2f are gone.
     pub fn spring_force(&self, force: f64, branch: Branch) -> f64 {
-        match branch {
-            Branch::Load => (force - self.friction).max(0.0),
-            Branch::Unload => (force + self.friction).min(self.spring_force(self.max_force, Branch::Load)),
+        let most = (self.max_force - self.friction).max(0.0);
+        match (branch, self.loading) {
+            (Branch::Load, Loading::FromZero) => (force - self.friction).max(0.0),
+            (Branch::Load, Loading::Reversed) => (force - self.friction).max(-most),
+            (Branch::Unload, _) => (force + self.friction).min(most),
         }
     }
 
     /// y under the force F, m.
     pub fn displacement(&self, force: f64, branch: Branch) -> f64 {
-        let clearance = if force > 0.0 { self.gap } else { 0.0 };
+        let clearance = if force > 0.0 { self.clearance() } else { 0.0 };
         self.bend(self.spring_force(force, branch)) + self.settled(force, branch) + clearance + self.offset
+    }
+
+    /// Clearance that is there to be taken up, m: none under a preload.
+    pub fn clearance(&self) -> f64 {
+        if self.preload > 0.0 { 0.0 } else { self.gap }
     }
 
     /// What has settled under the F of a branch, m: in proportion to S while it rises, and as much all the way
@@ -77,61 +77,79 @@ impl Curve {
     fn settled(&self, force: f64, branch: Branch) -> f64 {
         let largest = match branch {
             Branch::Load => self.spring_force(force, Branch::Load),
-            Branch::Unload => self.spring_force(self.max_force, Branch::Load),
+            Branch::Unload => self.largest(),
         };
         self.settles * largest / self.max_force
     }
 
-    /// How far spring, preload and contacts give way under S, m. Of two springs both resist until one is
-    /// relaxed, at S = 2F₀.
-    fn bend(&self, s: f64) -> f64 {
-        let both = s.min(2.0 * self.preload);
-        (0.5 * both + (s - both)) / self.stiffness + self.contacts.displacement(s)
+    /// S at the largest force, N.
+    fn largest(&self) -> f64 {
+        self.spring_force(self.max_force, Branch::Load)
     }
 
-    /// ∫S dy from no force to S, J.
-    fn work_at(&self, s: f64) -> f64 {
-        let both = s.min(2.0 * self.preload);
-        let spring = (0.25 * both * both + 0.5 * (s * s - both * both)) / self.stiffness;
-        let contact = |c: &Contact| c.displacement(s) * s * c.exponent / (c.exponent + 1.0);
-        spring + self.contacts.contacts.iter().map(contact).sum::<f64>()
+    /// The joint, alone or pressed against its like.
+    pub fn pair(&self) -> Pair<'_> {
+        Pair::new(&self.joint, self.preload)
+    }
+
+    /// How far the joint gives way under S, m.
+    fn bend(&self, s: f64) -> f64 {
+        self.pair().displacement(s)
     }
 
     /// Tangent stiffness dF/dy, N/m; `None` where friction holds the joint still.
     pub fn tangent(&self, force: f64, branch: Branch) -> Option<f64> {
         let s = self.spring_force(force, branch);
-        let moves = match branch {
-            Branch::Load => force >= self.friction,
-            Branch::Unload => s < self.spring_force(self.max_force, Branch::Load),
+        let moves = match (branch, self.loading) {
+            (Branch::Load, Loading::FromZero) => force >= self.friction,
+            (Branch::Load, Loading::Reversed) => s > -self.largest(),
+            (Branch::Unload, _) => s < self.largest(),
         };
-        let springs = if s < 2.0 * self.preload { 2.0 } else { 1.0 };
-        let (_, contact) = self.contacts.yield_under(s);
         let settling = if branch == Branch::Load { self.settles / self.max_force } else { 0.0 };
-        moves.then(|| 1.0 / (1.0 / (springs * self.stiffness) + contact + settling))
+        moves.then(|| 1.0 / (self.pair().compliance(s) + settling))
+    }
+
+    /// What the joint loses where a force changes its sign, m: clearance, and the friction that first lets go of
+    /// the one side and then bends the other, 2·y(f).
+    pub fn lost_motion(&self) -> f64 {
+        2.0 * self.bend(self.friction) + self.clearance()
+    }
+
+    /// The friction with which this joint would lose as much (m) by elasticity alone, N.
+    pub fn friction_that_loses(&self, lost: f64) -> f64 {
+        self.pair().force_at(0.5 * lost)
     }
 
     /// Work ∮F dy that friction and settling take up over loading and unloading, J: the area between the
     /// curves.
     ///
     /// While the joint moves F = S ± f, so that the area is ∫(S + f)dy up to the largest S₁ less ∫(S − f)dy
-    /// from what is left at no force, S₀, on. What settles moves on loading alone.
+    /// from what is left at no force, S₀, on. What settles moves on loading alone. A reversed force moves the
+    /// joint from −S₁ to S₁ and back against f: 4·f·y(S₁).
     pub fn loop_area(&self) -> f64 {
-        let most = self.spring_force(self.max_force, Branch::Load);
+        let (most, f) = (self.largest(), self.friction);
+        if self.loading == Loading::Reversed {
+            return 4.0 * f * self.bend(most);
+        }
         let left = self.spring_force(0.0, Branch::Unload);
-        let f = self.friction;
-        self.work_at(left) + 2.0 * f * self.bend(most) - f * self.bend(left) + self.work_of_settling()
+        self.pair().work(left) + 2.0 * f * self.bend(most) - f * self.bend(left) + self.work_of_settling()
     }
 
-    /// Work put in while loading, ∫F dy, J.
+    /// Work put in while a force drives the joint away from the middle, ∫F dy, J; on both sides where the
+    /// force is reversed. There the joint sets out from −S₀, S₀ what is left at no force.
     pub fn work_of_loading(&self) -> f64 {
-        let most = self.spring_force(self.max_force, Branch::Load);
-        self.work_at(most) + self.friction * self.bend(most) + self.work_of_settling()
+        let (most, f) = (self.largest(), self.friction);
+        if self.loading == Loading::Reversed {
+            let left = self.spring_force(0.0, Branch::Unload);
+            let stored = self.pair().work(most) - self.pair().work(left);
+            return 2.0 * (stored + f * (self.bend(most) + self.bend(left)));
+        }
+        self.pair().work(most) + f * self.bend(most) + self.work_of_settling()
     }
 
     /// Work ∫(S + f)dy that goes into what settles while loading, J.
     fn work_of_settling(&self) -> f64 {
-        let most = self.spring_force(self.max_force, Branch::Load);
-        (0.5 * most + self.friction) * self.settled(self.max_force, Branch::Load)
+        (0.5 * self.largest() + self.friction) * self.settled(self.max_force, Branch::Load)
     }
 
     /// The same joint with another preload, N.

@@ -4,6 +4,7 @@ use super::curve::{Branch, Curve};
 use super::forward;
 use super::machine::Machine;
 use super::rows::{BRANCH, COORDINATES, FORCE_OF_ROW, OBSERVABLES, along, branch};
+use super::setup::Loading;
 use crate::process::{Column, Datum, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
 use crate::units::{FORCE, MICRO, STIFFNESS, WORK};
 
@@ -25,7 +26,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
             largest(forward),
             stiffness(curve, up[up.len() - 1] - up[0]),
             friction(curve),
-            left(down[down.len() - 1] - up[0]),
+            left(curve, up, down),
             work(curve),
             preload(curve, forward),
         ],
@@ -96,14 +97,15 @@ fn known(stiffness: Option<f64>) -> Datum {
 }
 
 /// Tangent stiffness where loading has set the joint moving, at the largest force, and where unloading has;
-/// the secant of what is displaced (m) at the largest force. Tangents are mechanics, those of the joint's
+/// the secant of what is displaced (m) from the least force to the largest. Tangents are mechanics, those of the joint's
 /// own curve: a formula effect changes what is seen, not what holds. The secant is a reading.
 fn stiffness(curve: &Curve, displaced: f64) -> Figure {
     let most = curve.max_force;
     let [first, last] = ends(curve);
     let (begun, returned) = (begun(curve), (most - 2.0 * curve.friction - BEGUN * most).max(0.0));
     let back = curve.tangent(returned, Branch::Unload);
-    let secant = (displaced > 0.0).then(|| most / displaced);
+    let range = if curve.loading == Loading::Reversed { 2.0 * most } else { most };
+    let secant = (displaced > 0.0).then(|| range / displaced);
     let told = |value: Option<f64>| {
         value.map_or("none, it is held".to_string(), |stiffness| format!("{:.2}", STIFFNESS.shown(stiffness)))
     };
@@ -128,20 +130,33 @@ fn stiffness(curve: &Curve, displaced: f64) -> Figure {
 
 fn friction(curve: &Curve) -> Figure {
     let (f, most) = (curve.friction, curve.max_force);
+    let least = if curve.loading == Loading::Reversed { -most } else { 0.0 };
     let text = match f {
         0.0 => "none".into(),
         f => {
-            let [f, most, released] = [f, most, (most - 2.0 * f).max(0.0)].map(|force| FORCE.shown(force));
-            format!("{f:.1}: held up to {f:.1}, and from {most:.1} down to {released:.1}")
+            let [f, most, released] = [f, most, (most - 2.0 * f).max(least)].map(|force| FORCE.shown(force));
+            match curve.loading {
+                Loading::FromZero => format!("{f:.1}: held up to {f:.1}, and from {most:.1} down to {released:.1}"),
+                Loading::Reversed => {
+                    format!("{f:.1}: held from {most:.1} down to {released:.1}, and on the other side")
+                }
+            }
         }
     };
     Figure::new("friction", "friction").quantity("force", FORCE, f).line(text)
 }
 
-fn left(displacement: f64) -> Figure {
-    Figure::new("left", "left without force")
-        .quantity("value", MICRO, displacement)
-        .line(format!("{:+.3} after unloading", MICRO.shown(displacement)))
+/// What the two branches are apart under no force, as it would be read; of a force that is reversed with the clearance
+/// that lies between its two signs.
+fn left(curve: &Curve, up: &[f64], down: &[f64]) -> Figure {
+    let (width, label, words) = match curve.loading {
+        Loading::FromZero => (down[down.len() - 1] - up[0], "left without force", "after unloading"),
+        Loading::Reversed => {
+            let middle = up.len() / 2;
+            (down[middle] - up[middle] + curve.clearance(), "lost motion", "where the force changes its sign")
+        }
+    };
+    Figure::new("left", label).quantity("value", MICRO, width).line(format!("{:+.3} {words}", MICRO.shown(width)))
 }
 
 /// The work that friction and settling take up, of the joint's own curve: mechanics, as an area between readings would
@@ -159,27 +174,39 @@ fn work(curve: &Curve) -> Figure {
 }
 
 /// The joint as it is beside the same joint without its preload, or with one of half the largest force,
-/// which no load relaxes: displacements as they would be read, tangents of the curve.
+/// which no load relaxes: displacements as they would be read, and of the curve itself the tangents and what a reversal
+/// loses. A preload brings friction of its own: it is worth that as long as the reversal loses no more than before.
 fn preload(curve: &Curve, forward: &Forward) -> Figure {
     let (most, is_present) = (curve.max_force, curve.preload > 0.0);
     let preload = if is_present { curve.preload } else { 0.5 * most };
     let begun = FORCE.shown(begun(curve));
-    let [without, with] = [0.0, preload].map(|preload| {
-        let curve = curve.preloaded(preload);
-        let displacement = observed(&curve, forward, &along(vec![most], Branch::Load))[0];
-        let [first, last] = ends(&curve);
+    let [bare, pressed] = [0.0, preload].map(|preload| curve.preloaded(preload));
+    let [without, with] = [&bare, &pressed].map(|curve| {
+        let displacement = observed(curve, forward, &along(vec![most], Branch::Load))[0];
+        let [first, last] = ends(curve);
         let told = |value: Option<f64>| {
             value.map_or("held".to_string(), |stiffness| format!("{:.1}", STIFFNESS.from_si(stiffness)))
         };
         let (displaced, force, unit) = (MICRO.shown(displacement), FORCE.shown(most), STIFFNESS.unit);
         let tangents = format!("from {} {unit} at {begun:.1} to {}", told(first), told(last));
-        let line = format!("{displaced:.3} at {force:.1}, {tangents}");
-        let entries =
-            [("displacement", Datum::of(MICRO, displacement)), ("first", known(first)), ("last", known(last))];
+        let lost = curve.lost_motion();
+        let line = format!("{displaced:.3} at {force:.1}, {tangents}; a reversal loses {:.3}", MICRO.shown(lost));
+        let entries = [
+            ("displacement", Datum::of(MICRO, displacement)),
+            ("first", known(first)),
+            ("last", known(last)),
+            ("lost_motion", Datum::of(MICRO, lost)),
+        ];
         (line, Datum::record(entries))
     });
     let would = if is_present { "" } else { ", which it does not have" };
-    let [added, relaxed] = [preload, 2.0 * preload + curve.friction].map(|force| FORCE.shown(force));
+    let (relaxed_at, worth) =
+        (pressed.pair().relaxed_at() + curve.friction, pressed.friction_that_loses(bare.lost_motion()));
+    let [added, relaxed, worth_shown] = [preload, relaxed_at, worth].map(|force| FORCE.shown(force));
+    let until = match worth {
+        0.0 => "a reversal loses nothing without it".to_string(),
+        _ => format!("it loses less on a reversal until friction grows to {worth_shown:.1}"),
+    };
     Figure::new("preload", "without preload")
         .unit("force_unit", FORCE)
         .unit("stiffness_unit", STIFFNESS)
@@ -187,8 +214,11 @@ fn preload(curve: &Curve, forward: &Forward) -> Figure {
         .entry("present", is_present)
         .entry("without", without.1)
         .entry("with", with.1)
+        .quantity("relaxed_at", FORCE, relaxed_at)
+        .quantity("worth_friction", FORCE, worth)
         .line(without.0)
-        .line(format!("with {added:.1}: {}{would}; both springs resist up to {relaxed:.1}", with.0))
+        .line(format!("with {added:.1}: {}{would}", with.0))
+        .line(format!("both sides resist up to {relaxed:.1}; {until}"))
 }
 
 fn plots(forces: &[f64], up: &[f64], down: &[f64]) -> Vec<Plot> {
@@ -213,11 +243,11 @@ fn warnings(curve: &Curve) -> Vec<String> {
     if f >= most {
         let [f, most] = [f, most].map(|force| FORCE.shown(force));
         warnings.push(format!("friction of {f:.1} holds the joint still: the test ends at {most:.1}"));
-    } else if 2.0 * f > most {
+    } else if 2.0 * f > most && curve.loading == Loading::FromZero {
         warnings.push("friction holds the joint while all of the force is taken away: it does not come back".into());
     }
     if curve.gap > 0.0 && curve.preload > 0.0 {
-        warnings.push("the model has a gap and a preload, which add up; a real preload takes the clearance up".into());
+        warnings.push("the preload has taken the clearance up before any force acts: `gap` changes nothing".into());
     }
     warnings
 }

@@ -1,7 +1,7 @@
 //! Displacements as they are measured: under which force, and on which branch.
 
 use super::curve::Branch;
-use super::setup::Setup;
+use super::setup::{Loading, Setup};
 use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Rows};
 use crate::units::{FORCE, MICRO};
 
@@ -18,7 +18,7 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new("force", "force on the joint", Holds::Quantity(FORCE), Absent::Refused),
     Coordinate::new(
         "branch",
-        "whether the force rises from nothing or falls from the largest",
+        "whether the force rises, from nothing or from the other side, or falls from the largest",
         Holds::Word(&["load", "unload"]),
         Absent::Value(0.0),
     ),
@@ -34,8 +34,10 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let check = |row: usize| {
         let force = rows.get(FORCE_OF_ROW, row)?;
         let message = match force {
-            f if f < 0.0 => "`force` is below zero".to_string(),
-            f if f > setup.max_force * (1.0 + 1e-9) => {
+            f if f < 0.0 && setup.loading == Loading::FromZero => {
+                "`force` is below zero; a test with loading = \"reversed\" has such".to_string()
+            }
+            f if f.abs() > setup.max_force * (1.0 + 1e-9) => {
                 let [force, most] = [f, setup.max_force].map(|f| FORCE.shown(f));
                 format!("{force} is beyond the test, which ends at max_force = {most}")
             }
@@ -62,10 +64,13 @@ pub fn programme(setup: &Setup) -> Rows {
     up_and_down(&setup.forces())
 }
 
-/// Further experiments: small forces finely, the whole loop finely, the other branch.
+/// Further experiments: small forces finely, the whole loop finely, the other branch, and where loading begins at
+/// no force the gauge before it.
 pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
-    let part = |to: f64, count: usize| -> Vec<f64> {
-        (1..=count).map(|i| setup.max_force * (to * i as f64 / count as f64)).collect()
+    let reversed = setup.loading == Loading::Reversed;
+    let part = |to: f64, count: i32| -> Vec<f64> {
+        let from = if reversed { -count } else { 1 };
+        (from..=count).map(|i| setup.max_force * (to * f64::from(i) / f64::from(count))).collect()
     };
     let experiment = |words: String, coordinate: usize, values, rows| {
         let coordinate = COORDINATES[coordinate].name;
@@ -73,15 +78,18 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     };
     let (fine, whole) = (part(0.1, 20), part(1.0, 50));
     let [step, end] = [0.005, 0.1].map(|part| FORCE.shown(part * setup.max_force));
-    let words = format!("load once more in steps of {step:.1} up to {end:.0}");
+    let begin = if reversed { format!("from {:.0} ", FORCE.shown(-0.1 * setup.max_force)) } else { String::new() };
+    let words = format!("load once more in steps of {step:.1} {begin}up to {end:.0}");
     let again = "load and unload once more in steps of a fiftieth of the largest force".to_string();
-    let zeros = vec![0.0; 5];
-    let unloaded = along(zeros.clone(), Branch::Load);
-    let mut experiments = vec![
-        experiment("read the gauge five times without force, before loading".into(), FORCE_OF_ROW, zeros, unloaded),
-        experiment(words, FORCE_OF_ROW, fine.clone(), along(fine, Branch::Load)),
-        experiment(again, FORCE_OF_ROW, whole.clone(), up_and_down(&whole)),
-    ];
+    let mut experiments = Vec::new();
+    if !reversed {
+        let zeros = vec![0.0; 5];
+        let unloaded = along(zeros.clone(), Branch::Load);
+        let words = "read the gauge five times without force, before loading".into();
+        experiments.push(experiment(words, FORCE_OF_ROW, zeros, unloaded));
+    }
+    experiments.push(experiment(words, FORCE_OF_ROW, fine.clone(), along(fine, Branch::Load)));
+    experiments.push(experiment(again, FORCE_OF_ROW, whole.clone(), up_and_down(&whole)));
     for (other, name) in [(Branch::Load, "loading"), (Branch::Unload, "unloading")] {
         if (0..rows.len()).all(|row| branch(rows, row) != other) {
             let words = format!("measure while {name}");

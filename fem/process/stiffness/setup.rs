@@ -3,6 +3,20 @@
 use crate::input::Reader;
 use crate::units::{FORCE, STIFFNESS};
 
+/// Where the force goes from its largest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loading {
+    /// Back to no force, from which it rose first.
+    FromZero,
+    /// On to the same force of the other sign, and round again: the loop of a force that has been round before.
+    Reversed,
+}
+
+impl Loading {
+    /// The words of the model file, the default first.
+    pub const WORDS: &[(&'static str, Self)] = &[("from-zero", Self::FromZero), ("reversed", Self::Reversed)];
+}
+
 /// Everything a stiffness model says but its effects. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
@@ -12,6 +26,8 @@ pub struct Setup {
     pub max_force: f64,
     /// Steps from no force to the largest, and as many back.
     pub steps: usize,
+    /// Where the force goes from its largest.
+    pub loading: Loading,
 }
 
 impl Setup {
@@ -20,15 +36,24 @@ impl Setup {
         let stiffness = model.table("joint", "the joint, or the machine as a whole", |t| {
             t.quantity("stiffness", STIFFNESS, "stiffness of the ideal joint").positive().required()
         });
-        let (max_force, steps) = model.table("test", "how it is loaded and unloaded", |t| {
+        let (max_force, steps, loading) = model.table("test", "how it is loaded and unloaded", |t| {
             let max_force = t.quantity("max_force", FORCE, "force at which loading ends").positive().required();
-            (max_force, t.count("steps", "steps up to it, and down again").between(1, 1_000_000).or(20))
+            let steps = t.count("steps", "steps up to it, and down again").between(1, 1_000_000).or(20);
+            let about = "whether the force is let go at zero, or runs on to the other sign and back";
+            (max_force, steps, t.choice("loading", about, Loading::WORDS).or_first(Loading::FromZero))
         });
-        Self { stiffness, max_force, steps }
+        Self { stiffness, max_force, steps, loading }
     }
 
     /// Forces of the programme, rising, N.
     pub fn forces(&self) -> Vec<f64> {
-        (0..=self.steps).map(|i| self.max_force * (i as f64 / self.steps as f64)).collect()
+        let steps = self.steps as f64;
+        let rising = (0..=self.steps).map(|i| self.max_force * (i as f64 / steps));
+        match self.loading {
+            Loading::FromZero => rising.collect(),
+            Loading::Reversed => {
+                (1..=self.steps).rev().map(|i| -self.max_force * (i as f64 / steps)).chain(rising).collect()
+            }
+        }
     }
 }

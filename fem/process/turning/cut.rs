@@ -28,7 +28,7 @@ pub struct ForceLaw {
     /// C·HBⁿ, for feed and depth in SI units.
     coefficient: f64,
     /// x.
-    depth_exponent: f64,
+    pub depth_exponent: f64,
     /// y.
     feed_exponent: f64,
 }

@@ -25,8 +25,8 @@ pub use validation::cases;
 use std::sync::Arc;
 
 use super::{
-    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable,
-    Places, Rows, RunReport,
+    Active, CandidateExperiment, CatalogueEffect, Contradiction, Coordinate, Definition, Failure, Forward, Limit,
+    Misplaced, Observable, Places, Rows, RunReport,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -67,6 +67,10 @@ impl Definition for Turning {
 
     fn places(setup: &Setup, rows: &Rows) -> Option<Places> {
         Some(rows::places(setup, rows))
+    }
+
+    fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {
+        effects::contradiction(setup, effect)
     }
 
     fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {

@@ -1,8 +1,9 @@
 //! The joint closes by the contact law.
 //!
 //! Rough surfaces approach by y = c·Sⁿ, n < 1, much at first and little later [seed 002 (29)], in series
-//! with the spring; S is the force that friction leaves, F itself where there is none. c in m/Nⁿ, n in (0,
-//! 1]. Left out: hysteresis of the contact itself.
+//! with the spring; S is the force that friction leaves, F itself where there is none. Under a preload the joint on
+//! either side has its contact, and both stay closed until one is relaxed. c in m/Nⁿ, n in (0, 1]. Left out:
+//! hysteresis of the contact itself.
 
 use super::super::machine::Effect;
 use crate::input::Bounds;
@@ -24,7 +25,7 @@ pub static CONTACT_JOINT: Effect<2> = Effect {
         ("gap", "small forces: clearance opens at once"),
     ],
     needs: nothing,
-    act: |[c, n], machine| machine.curve.contacts.add_contact(c, n),
+    act: |[c, n], machine| machine.curve.joint.add_contact(c, n),
 };
 
 #[cfg(test)]

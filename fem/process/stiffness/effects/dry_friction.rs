@@ -2,7 +2,8 @@
 //!
 //! While the force rises it must first overcome f: the spring feels S = F − f, and nothing up to f. When the
 //! force turns back at F_max friction turns too, and the spring is let go only after the force has dropped
-//! by 2f: S = F + f, at most F_max − f. The loop between the branches is its work [seed 000, fig. 5]. f in
+//! by 2f: S = F + f, at most F_max − f. Of a force that is reversed the rising branch is the falling one turned about,
+//! S = F − f and at least f − F_max. The loop between the branches is its work [seed 000, fig. 5]. f in
 //! N. Coulomb's law; left out: a friction that depends on speed, on place, or on the load.
 
 use super::super::machine::Effect;

@@ -1,8 +1,8 @@
 //! Clearance is taken up before anything resists.
 //!
 //! y += gap as soon as a force acts, F > 0, on loading and unloading alike; without force the joint stands
-//! where it stood [seed 000, fig. 2 a and fig. 5 a]. gap in m. Left out: clearance on the other side, which
-//! a force of the other sign would find.
+//! where it stood [seed 000, fig. 2 a and fig. 5 a]. A preload has taken the clearance up before any force acts: there
+//! is none left [fig. 5 b]. A force that is reversed runs through it once on either way. gap in m.
 
 use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};
@@ -12,7 +12,7 @@ use crate::units::MICRO;
 pub static GAP: Effect<1> = Effect {
     name: "gap",
     about: "clearance is taken up as soon as a force acts",
-    law: "y += gap for F > 0",
+    law: "y += gap for F > 0, where no preload has taken it up",
     source: "seed 000, fig. 5",
     parameters: [Parameter::amplitude("gap", MICRO, "clearance of the joint", (0.5, 100.0))],
     look_alikes: &[

@@ -1,9 +1,11 @@
-//! Two springs that press on each other.
+//! Two joints that press on each other.
 //!
-//! Preloaded by F₀ against a second spring of the same k, the joint is held by both until the second is
-//! relaxed, at S = 2F₀: stiffness 2k up to there, k beyond [seed 000, fig. 5 b]; S is the force that
-//! friction leaves. F₀ in N. It gives way by F₀/k less than the spring alone. Left out: springs that differ,
-//! the clearance that a preload takes up.
+//! The joint u(Q) = Q/k + c·Qⁿ and a second one of the same law press on each other with P. A force S loads the
+//! one and relieves the other: Q₁ − Q₂ = S, u(Q₁) + u(Q₂) = 2·u(P), y = u(Q₁) − u(P), until the second is relaxed
+//! at u(S) = 2·u(P); from there y = u(S) − u(P), which is what fig. 5 b of seed 000 draws: less by what the preload
+//! has pressed before. Springs alone resist with 2k up to S = 2P and with k beyond; contacts stay closed and stiff.
+//! There is no clearance left to take up. S is the force that friction leaves; P in N, k in N/m, c in m/Nⁿ. Left
+//! out: joints that differ, and friction that the preload itself brings.
 
 use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};
@@ -12,10 +14,11 @@ use crate::units::FORCE;
 /// `preload`.
 pub static PRELOAD: Effect<1> = Effect {
     name: "preload",
-    about: "a second spring presses against the first, and both resist until it is relaxed",
-    law: "dS/dy = 2*k until S = 2*force, then k",
-    source: "seed 000, fig. 5",
-    parameters: [Parameter::amplitude("force", FORCE, "preload", (10.0, 2000.0))],
+    about: "a second joint presses against the first, and both resist until it is relaxed",
+    law: "Q1 - Q2 = S, u(Q1) + u(Q2) = 2*u(P), y = u(Q1) - u(P) with u(Q) = Q/k + c*Q^n; y = u(S) - u(P) once Q2 = 0; \
+          no gap",
+    source: "seed 000, fig. 5; equations by statics",
+    parameters: [Parameter::amplitude("force", FORCE, "preload P", (10.0, 2000.0))],
     look_alikes: &[(
         "contact-joint",
         "forces on both sides of where the curve bends: a preloaded joint softens, a contact stiffens",

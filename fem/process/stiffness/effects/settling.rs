@@ -4,10 +4,12 @@
 //! depth·S/F_max while the force rises, and what has settled by then, depth·S₁/F_max with S₁ the largest S,
 //! all the way back. depth (m) is what settles under F_max; S is the force that friction leaves. The amount
 //! is the embedding f_Z of bolted joints [VDI 2230-1]; that it grows in proportion to the force is its first
-//! order. Left out: a second loading, which settles no further, and creep while the force stays.
+//! order. Left out: a second loading, which settles no further, and creep while the force stays. The loop of a force
+//! that is reversed is one of many, in which nothing settles any more.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use super::super::setup::Loading;
+use crate::process::Parameter;
 use crate::units::MICRO;
 
 /// `settling`.
@@ -21,7 +23,10 @@ pub static SETTLING: Effect<1> = Effect {
         ("dry-friction", "the loop near both ends: friction opens it at once, what settles opens it towards no force"),
         ("contact-joint", "both branches: what settles stays, a contact comes back"),
     ],
-    needs: nothing,
+    needs: |setup| match setup.loading {
+        Loading::FromZero => Ok(()),
+        Loading::Reversed => Err("needs a first loading, and a `reversed` test tells the loop after many".into()),
+    },
     act: |[depth], machine| machine.curve.settles += depth,
 };
 

@@ -5,7 +5,7 @@ use super::rig::*;
 use crate::process::{Case, Tolerance};
 
 pub fn cases() -> Vec<Case> {
-    [polygons(), quadrature()].concat()
+    [polygons(), quadrature(), reversals()].concat()
 }
 
 /// Work of friction, uJ.
@@ -72,5 +72,58 @@ fn quadrature() -> Vec<Case> {
             "friction of 45 N and contact of n = 0.8",
             "[dry-friction]\nforce = \"45 N\"\n[contact-joint]\nc = \"0.1 um/N^n\"\nn = 0.8",
         ),
+    ]
+}
+
+/// Forces of both signs: a polygon, and the trapezoidal rule.
+fn reversals() -> Vec<Case> {
+    let lost = |effects: &str| reversed(effects).map_or(f64::NAN, |j| 1e6 * j.machine().curve.loop_area());
+    let put_in = |effects: &str| reversed(effects).map_or(f64::NAN, |j| 1e6 * j.machine().curve.work_of_loading());
+    let corners = [(-11.5, -1000.0), (-11.5, -840.0), (11.5, 1000.0), (11.5, 840.0)];
+    let open = [
+        (-11.5, -1000.0),
+        (-11.5, -840.0),
+        (-1.0, 0.0),
+        (4.0, 0.0),
+        (16.5, 1000.0),
+        (16.5, 840.0),
+        (6.0, 0.0),
+        (1.0, 0.0),
+    ];
+    let polygon = |name: &str, corners: &[(f64, f64)], effects: &str| {
+        let both = (shoelace(corners), lost(effects), "uJ");
+        row(name, "work of friction", both, ROUND_OFF, "polygon by the shoelace formula")
+    };
+    let curved = [FRICTION, CONTACT, PRELOAD].concat();
+    let joint = reversed(&curved);
+    let over = |steps: i32| {
+        let force = |i: i32| 1000.0 * f64::from(i) / f64::from(steps);
+        let step = |i: i32, y: fn(&Option<Machine>, f64) -> f64| {
+            0.5 * (force(i) + force(i + 1)) * (y(&joint, force(i + 1)) - y(&joint, force(i)))
+        };
+        (-steps..steps).map(|i| step(i, up) - step(i, down)).sum::<f64>()
+    };
+    // Beside the root where one side is relaxed the rule's error falls as the 3/2 power, as above.
+    let (coarse, fine) = (over(2000), over(8000));
+    let curved = row(
+        "force reversed, friction, contact and preload",
+        "work of friction",
+        (fine, lost(&curved), "uJ"),
+        Tolerance::Absolute((fine - coarse).abs()),
+        "trapezoidal rule, 16000 steps; tolerance: its change from 4000",
+    );
+    // Out from -1 um by the triangle and the rectangle under F = 80 N + 80 N/um·y to 11.5 um, on either side.
+    let driven = 2.0 * (80.0 * 12.5 + 0.5 * 80.0 * (11.5 * 11.5 - 1.0));
+    vec![
+        polygon("force reversed, friction", &corners, FRICTION),
+        polygon("force reversed, friction and gap", &open, &[FRICTION, GAP].concat()),
+        row(
+            "force reversed, friction",
+            "work put in",
+            (driven, put_in(FRICTION), "uJ"),
+            ROUND_OFF,
+            "areas under F = f + k*y, by hand",
+        ),
+        curved,
     ]
 }

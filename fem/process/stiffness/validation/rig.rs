@@ -3,8 +3,8 @@
 use super::super::Stiffness;
 use super::super::curve::Branch;
 use super::super::rows::along;
-pub(super) use crate::process::row;
 use crate::process::{Assembled, ForwardModel, Tolerance, assembled};
+pub(super) use crate::process::{bisect, figure_of, row};
 
 /// A joint with its effects.
 pub type Machine = Assembled<Stiffness>;
@@ -15,7 +15,26 @@ pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
 /// A spring of 80 N/um, loaded up to 1000 N, with effects given as TOML. A mistake in a text shows as NaN in
 /// every row that uses it, so no row can pass by it.
 pub fn joint(effects: &str) -> Option<Machine> {
-    assembled("joint = { stiffness = \"80 N/um\" }\ntest = { max_force = \"1000 N\", steps = 20 }", effects)
+    under("1000 N", "from-zero", effects)
+}
+
+/// The same under a force that runs from 1000 N to -1000 N and back.
+pub fn reversed(effects: &str) -> Option<Machine> {
+    under("1000 N", "reversed", effects)
+}
+
+/// The same with another largest force and loading.
+pub fn under(force: &str, loading: &str, effects: &str) -> Option<Machine> {
+    let test = format!("test = {{ max_force = \"{force}\", steps = 20, loading = \"{loading}\" }}");
+    assembled(&format!("joint = {{ stiffness = \"80 N/um\" }}\n{test}"), effects)
+}
+
+/// y (um) under S (N) of two joints of 80 N/um and the contact of 0.2 um/N^0.5 that press on each other with
+/// `preload` N: the force of the second by bisection.
+pub fn pressed(s: f64, preload: f64) -> f64 {
+    let u = |q: f64| q / 80.0 + 0.2 * q.sqrt();
+    let second = bisect(0.0, preload, |q| u(s + q) + u(q) - 2.0 * u(preload));
+    u(s + second) - u(preload)
 }
 
 /// y under a force (N) on loading, um.

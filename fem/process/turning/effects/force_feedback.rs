@@ -3,12 +3,17 @@
 //! P = P₀·(t_d/t₀)^e with t_d = t_set − y ≥ 0 [seed 002 (17)-(23)]; t₀ the model's depth, t_set the depth
 //! set at the point, half of blank minus finished diameter where the blank is known, and y the force's own
 //! deflection. So the blank's error is copied, smaller by the refinement [seed 002 (24)-(27)]. e in (0, 1],
-//! near 1 for most metals. At t_d = 0 the tool does not touch.
+//! near 1 for most metals. At t_d = 0 the tool does not touch. Where the model has a force law P = C·s^y·t^x, e is its x.
 
+use super::super::cut::{Force, ForceLaw};
 use super::super::machine::Effect;
+use super::super::setup::Setup;
 use crate::input::Bounds;
-use crate::process::{Parameter, nothing};
+use crate::process::{Active, Contradiction, Parameter, nothing};
 use crate::units::NUMBER;
+
+/// Difference within which two exponents were meant to be one.
+const SAME: f64 = 1e-9;
 
 /// `force-feedback`.
 pub static FORCE_FEEDBACK: Effect<1> = Effect {
@@ -22,6 +27,19 @@ pub static FORCE_FEEDBACK: Effect<1> = Effect {
     needs: nothing,
     act: |[exponent], machine| machine.feedback = Some(exponent),
 };
+
+/// A force law says how the force follows the depth; what feeds it back cannot say otherwise.
+pub fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {
+    let Force::Law(ForceLaw { depth_exponent: x, .. }) = setup.cut.force else { return None };
+    let exponent = *effect.values.first().filter(|_| effect.description.name == FORCE_FEEDBACK.name)?;
+    ((exponent - x).abs() > SAME).then(|| Contradiction {
+        parameter: FORCE_FEEDBACK.parameters[0].name,
+        message: format!(
+            "`exponent` is {exponent}, and x is {x} in the force law: a cut has one exponent of the depth"
+        ),
+        help: format!("write exponent = {x}, or in place of the law the force at the set depth, radial_force"),
+    })
+}
 
 #[cfg(test)]
 mod tests {

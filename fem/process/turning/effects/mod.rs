@@ -16,6 +16,8 @@ mod tool_thermal_growth;
 mod tool_wear;
 mod workpiece_heating;
 
+pub use force_feedback::contradiction;
+
 use super::machine::Machine;
 use super::setup::Setup;
 use crate::process::CatalogueEffect;

@@ -4,8 +4,8 @@ use super::super::Turning;
 use super::super::cut::Conditions;
 use super::super::elastic::Elastic;
 use super::super::forward::condense;
-pub(super) use crate::process::row;
 use crate::process::{Assembled, Case, ForwardModel, Tolerance, assembled};
+pub(super) use crate::process::{bisect, row};
 use crate::progress::Progress;
 
 /// A lathe with its effects.
@@ -66,16 +66,6 @@ pub fn deflection(name: impl Into<String>, (expected, computed): (f64, f64), sou
 /// A diameter error in m, met to round-off.
 pub fn diameter_error(name: impl Into<String>, (expected, computed): (f64, f64), source: &'static str) -> Case {
     row(name, "diameter error", (expected, computed, "m"), ROUND_OFF, source)
-}
-
-/// The root of a rising function between `low` and `high`, by bisection: slow, and nothing that could go
-/// wrong with Newton's method goes wrong with it.
-pub fn bisect(mut low: f64, mut high: f64, rising: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if rising(middle) > 0.0 { high = middle } else { low = middle }
-    }
-    0.5 * (low + high)
 }
 
 /// E, EI and κGA of the uniform shaft, computed apart from the program's own sections.

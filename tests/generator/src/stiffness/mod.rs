@@ -19,11 +19,14 @@ pub const STIFFNESS: Process = Process {
     name: "stiffness ",
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
-    never_together: &[],
+    never_together: &[["gap", "preload"]],
 };
 
 /// Structure outside the catalogue.
 const SHAPES: &[&str] = &["ripple over the force", "a slip", "a slip back", "a drift of the gauge", "one reading"];
+
+/// Halves to nothing that a gauge would show.
+const HALVES: usize = 40;
 
 /// One reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,7 +104,7 @@ impl crate::job::Job for Job {
             // Friction lets the spring go no further than f on either side of the force.
             spring = spring.clamp(row.force - joint.friction, row.force + joint.friction).max(0.0);
             settled = settled.max(joint.depth * spring / self.max_force);
-            let open = if row.force > 0.0 { joint.gap } else { 0.0 };
+            let open = if row.force > 0.0 && joint.preload == 0.0 { joint.gap } else { 0.0 };
             seen.push((row.unload, joint.spring(spring) + settled + open + joint.offset));
         }
         seen.into_iter().map(|(_, y)| y).collect()
@@ -159,11 +162,36 @@ impl Joint {
         }
     }
 
-    /// How far spring, second spring and contact give way under a force. The second spring, pressed by the
-    /// preload, lets go once the first has moved by preload/k.
+    /// How far the joint gives way under a force. Pressed by a preload against its like, it moves to where the
+    /// force that closes the one side less the force that is left on the other is the outer force: looked for
+    /// by halving along the movement.
     fn spring(&self, force: f64) -> f64 {
-        let free = 2.0 * self.preload;
-        let y = if force < free { 0.5 * force / self.stiffness } else { (force - self.preload) / self.stiffness };
-        y + self.contact.map_or(0.0, |(c, n)| if force > 0.0 { c * (n * force.ln()).exp() } else { 0.0 })
+        if self.preload == 0.0 {
+            return self.approach(force);
+        }
+        let pressed = self.approach(self.preload);
+        let (mut low, mut high) = (0.0, self.approach(force));
+        for _ in 0..HALVES {
+            let y = 0.5 * (low + high);
+            let carried = self.closing(pressed + y) - self.closing(pressed - y);
+            if carried > force { high = y } else { low = y }
+        }
+        0.5 * (low + high)
+    }
+
+    /// What one side approaches under a force.
+    fn approach(&self, force: f64) -> f64 {
+        let contact = self.contact.map_or(0.0, |(c, n)| if force > 0.0 { c * (n * force.ln()).exp() } else { 0.0 });
+        force / self.stiffness + contact
+    }
+
+    /// The force under which one side approaches by so much, nothing where it is open.
+    fn closing(&self, approach: f64) -> f64 {
+        let (mut low, mut high) = (0.0, (self.stiffness * approach).max(0.0));
+        for _ in 0..HALVES {
+            let force = 0.5 * (low + high);
+            if self.approach(force) > approach { high = force } else { low = force }
+        }
+        0.5 * (low + high)
     }
 }

@@ -1,4 +1,8 @@
-//! Joints: supports that yield, linearly and by the contact law y = c·Qⁿ.
+//! Joints: supports that yield, linearly and by the contact law y = c·Qⁿ; two of them that press on each other.
+
+mod pair;
+
+pub use pair::Pair;
 
 /// A yielding support: springs and contacts in series, y(Q) = Q·Σ1/k + Σ c·Qⁿ.
 ///
@@ -83,6 +87,12 @@ impl Joint {
     /// y under the force `q`, m.
     pub fn displacement(&self, q: f64) -> f64 {
         self.yield_under(q).0
+    }
+
+    /// Work stored in the joint under the force `q`, ∫Q dy = Q²·Σ1/2k + Σ c·n/(n + 1)·Qⁿ⁺¹, J.
+    pub fn work(&self, q: f64) -> f64 {
+        let contact = |c: &Contact| c.displacement(q) * q * c.exponent / (c.exponent + 1.0);
+        0.5 * self.spring_compliance * q * q + self.contacts.iter().map(contact).sum::<f64>()
     }
 
     /// The joint along a path s through its states, on which neither force nor displacement has an infinite
