@@ -1,4 +1,4 @@
-//! Rules of the handbook for adding errors up [seed 002 (33)–(52)], with its misprints corrected: (47)
+//! Rules of the handbook for adding errors up [seed 002 (27)–(52)], with its misprints corrected: (47)
 //! without the stray Q_maxⁿ, (49) with ε on the left.
 
 use super::Law;
@@ -63,4 +63,20 @@ pub fn setup_in_one_fixture(basing: f64, clamping: f64, fixture: f64) -> f64 {
 pub fn batch(inherited: f64, setup: f64, wear: f64, thermal: f64, setting: f64, form: f64) -> f64 {
     let scattering = [(Law::Normal, inherited), (Law::Normal, setup), (Law::Uniform, wear), (Law::Uniform, thermal)];
     random(3.0, &scattering) + setting + form
+}
+
+/// (27): Δ_γ = c·Δ_заг/(j + c), what a cut of force per depth c in a system of stiffness j copies of a blank's
+/// error.
+pub fn inherited(blank: f64, force_per_depth: f64, stiffness: f64) -> f64 {
+    force_per_depth * blank / (stiffness + force_per_depth)
+}
+
+/// (32): Δ_и = u·L.
+pub fn wear(rate: f64, path: f64) -> f64 {
+    rate * path
+}
+
+/// (36): Δ_т = α·L·t.
+pub fn heating(expansion: f64, length: f64, rise: f64) -> f64 {
+    expansion * length * rise
 }
