@@ -14,6 +14,9 @@ const PARTS: usize = 12;
 /// Long enough for a machine to be cold again, s.
 const REST: f64 = 4.0 * 3600.0;
 
+/// Path to which wear is followed beyond the batch, in paths of the batch.
+const FURTHER: f64 = 1.5;
+
 /// A diameter is the set diameter plus its error.
 pub const OBSERVABLES: &[Observable] = &[
     Observable { name: "diameter_error", words: "the diameter", kind: MICRO },
@@ -187,6 +190,9 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let (time, path) = (setup.schedule.time(number, to) + REST, setup.schedule.path(number, to));
     let words = "let the machine rest for four hours and turn another part".into();
     add(words, TIME_OF_ROW, vec![time], another(&[(TIME_OF_ROW, time), (PATH_OF_ROW, path)]));
+    let further = path * FURTHER;
+    let words = "turn another part after the edge has cut half as far again".into();
+    add(words, PATH_OF_ROW, vec![further], another(&[(PATH_OF_ROW, further)]));
     let measured: BTreeSet<usize> = (0..rows.len()).map(|r| part(rows, r)).collect();
     let missed = (1..=setup.schedule.parts).filter(|p| !measured.contains(p)).take(PARTS);
     let missed: Vec<f64> = missed.map(|p| p as f64).collect();

@@ -1,5 +1,6 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
+mod edge;
 mod form;
 mod shapes;
 
@@ -31,6 +32,8 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     figures.extend(batch(setup, &part_means(positions.len(), errors)));
     figures.push(forces(deflections));
     figures.push(schedule(setup));
+    let worn = edge::figure(machine);
+    figures.extend(worn.iter().map(|(figure, _)| figure.clone()));
     let refinement = Refinement::of(machine, positions)?;
     figures.extend(refinement.iter().map(Refinement::figure));
     Ok(RunReport {
@@ -38,7 +41,11 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         tables: refinement.iter().map(|r| ("passes", r.table(positions))).collect(),
         figures,
         plots: plots(positions, errors),
-        warnings: warnings(machine, positions, deflections)?,
+        warnings: [
+            warnings(machine, positions, deflections)?,
+            worn.and_then(|(_, warning)| warning).into_iter().collect(),
+        ]
+        .concat(),
         animation: Some(shapes::animation(machine)?),
         ..RunReport::default()
     })
