@@ -42,6 +42,11 @@ pub fn clamping_ends(c: (f64, f64), force: (f64, f64), exponent: f64) -> [f64; 2
     [c.0 * rise, c.1 * rise]
 }
 
+/// (30): ε_з = y_max − y_min of a size whose base moves with the contact.
+pub fn clamping_scatter(c: (f64, f64), force: (f64, f64), exponent: f64) -> f64 {
+    c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent)
+}
+
 /// (48): ε_пр = √(ε_уэ² + 3ε_и² + ε_с²) of locating elements, wear and mounting, t = 3.
 pub fn fixture(locators: f64, wear: f64, mounting: f64) -> f64 {
     random(3.0, &[(Law::Normal, locators), (Law::Uniform, wear), (Law::Normal, mounting)])

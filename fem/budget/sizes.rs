@@ -70,7 +70,7 @@ fn read_template(t: &Reader, law: Option<Law>) -> Size {
     of_parts(law.unwrap_or(Law::Normal), vec![(Law::Uniform, making), (Law::Uniform, mounting)])
 }
 
-/// Reads an error of clamping: (47).
+/// Reads an error of clamping: (47), or (30) where it is said what the size is measured from.
 fn read_clamping(t: &Reader, law: Option<Law>) -> Size {
     let coefficient = |key, about| t.quantity(key, CONTACT_COEFFICIENT, about).not_negative().required();
     let force = |key, about| t.quantity(key, FORCE, about).not_negative().required();
@@ -82,10 +82,28 @@ fn read_clamping(t: &Reader, law: Option<Law>) -> Size {
             t.problem(key, "the largest is below the least", "exchange the two");
         }
     }
-    let [y1, y2] = rules::clamping_ends(c, force, exponent);
+    const BASES: &[(&str, Base)] = &[("moves", Base::Moves), ("stays", Base::Stays)];
+    let about = "whether the face from which the size is measured moves with the contact: largest less smallest, or nothing; \
+                 the root of squares of its ends if left out";
+    let base = t.choice("base", about, BASES).or_first(Base::Moves);
+    let base = t.has("base").then_some(base);
     let law = law.unwrap_or(Law::Normal);
-    let value = Contribution::of_parts(law, &[(Law::Normal, y1), (Law::Normal, y2)]);
+    let value = match base {
+        Some(Base::Moves) => rules::clamping_scatter(c, force, exponent),
+        Some(Base::Stays) => return (0.0, law, Source::Parts(Vec::new())),
+        None => {
+            let [y1, y2] = rules::clamping_ends(c, force, exponent);
+            Contribution::of_parts(law, &[(Law::Normal, y1), (Law::Normal, y2)])
+        }
+    };
     (value, law, Source::Clamping { c, force, exponent })
+}
+
+/// What clamping does to the face from which a size is measured.
+#[derive(Clone, Copy)]
+enum Base {
+    Moves,
+    Stays,
 }
 
 /// Reads an error of a fixture: (48).

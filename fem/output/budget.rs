@@ -145,7 +145,10 @@ pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
             /// Range of that ratio in which the rule agrees with the samples.
             const CLOSE: std::ops::Range<f64> = 0.8..1.25;
             let half = 0.5 * (c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent));
-            if CLOSE.contains(&(error.value.abs() / half)) || error.value.abs() == half {
+            let ratio = error.value.abs() / half;
+            // (30) takes the whole of it, and says so.
+            let is_whole = (ratio - 2.0).abs() < 1e-9;
+            if CLOSE.contains(&ratio) || is_whole || error.value.abs() == half {
                 continue;
             }
             warnings.push(format!(

@@ -37,7 +37,21 @@ fn sizes() -> Vec<Case> {
         |name: &str, expected: f64, computed: f64, source| row(name, "error", (expected, computed), ROUND_OFF, source);
     let classes = "seed 002, classes of accuracy";
     let ranges = "seed 002, setting by a template: 10 to 20 and 2 to 50 um";
+    let clamping = |base: &str| {
+        alone(&format!(
+            "clamping = {{ c_min = \"0.2 um/N^n\", c_max = \"0.3 um/N^n\", force_min = \"1600 N\", \
+             force_max = \"2500 N\", n = 0.5, base = \"{base}\" }}"
+        ))
+    };
     vec![
+        of("clamping, size from the face that moves", 7.0, clamping("moves"), "seed 002 (30)"),
+        row(
+            "clamping, size from a face that stays",
+            "error",
+            (0.0, clamping("stays")),
+            Tolerance::Absolute(1e-12),
+            "seed 002 (30), figure",
+        ),
         of("inherited from a blank", inheritance, alone(INHERITANCE), "seed 002 (27)"),
         of("wear over a path", 9.0, alone(WEAR), "seed 002 (32)"),
         of("heated part", 11.5e-6 * 160e3 * 2.5, alone(HEATING), "seed 002 (35), (36)"),
