@@ -127,11 +127,12 @@ impl Blank {
         if points.windows(2).any(|w| w[1].0 <= w[0].0) {
             t.problem("blank_points", "the places do not rise", "give them from the headstock on, each once");
         }
-        let lobes = t.list("lobes", "lobes of the blank's radius around it, which force-feedback copies", |t, _| Wave {
-            waves: t.count("lobes", "lobes in a turn: 2 of an oval").between(1, MOST_LOBES).required() as f64,
-            amplitude: t.quantity("amplitude", LENGTH, "half of peak to valley of the radius").required(),
-            phase: t.quantity("phase", ANGLE, "angle of a crest, from the mark on the part").or(0.0),
-        });
+        let lobes =
+            t.list("lobes", "lobes of the blank's radius around it, which force-feedback copies", |t, _| Wave {
+                waves: t.count("lobes", "lobes in a turn: 2 of an oval").between(1, MOST_LOBES).required() as f64,
+                amplitude: t.quantity("amplitude", LENGTH, "half of peak to valley of the radius").required(),
+                phase: t.quantity("phase", ANGLE, "angle of a crest, from the mark on the part").or(0.0),
+            });
         Self { waves, points, lobes }
     }
 

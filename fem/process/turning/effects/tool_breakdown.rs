@@ -2,8 +2,8 @@
 //!
 //! ΔD += 2·U, U = wear·(max(ℓ − onset, 0)/1 km)^exponent, ℓ the cutting path (m). The handbook tells of a third
 //! period in which wear is catastrophic, and prints no law for it [seed 002, wear of the tool]; the power of the
-//! path beyond its onset is ours. It joins the steady wear without a step, and for exponents above 1 without a
-//! kink; exponent 1 is a second, steeper rate. wear is U after the first kilometre of the period, m. Left out: the
+//! path beyond its onset is ours. Its exponent is above 1: wear that slows down is running-in, and no breakdown; so it
+//! joins the steady wear without a step and without a kink. wear is U after the first kilometre of the period, m. Left out: the
 //! breaking of the edge itself.
 
 use super::super::machine::Effect;
@@ -23,8 +23,8 @@ pub static TOOL_BREAKDOWN: Effect<3> = Effect {
     parameters: [
         Parameter::amplitude("wear", MICRO, "wear in the first kilometre of the period", (2.0, 500.0)),
         Parameter::place("onset", PATH, "cutting path at which the period begins", "path", (50.0, 5000.0)),
-        Parameter::shape("exponent", NUMBER, "exponent of the path beyond it", (1.0, 3.0))
-            .within(Bounds::Within(0.0, 10.0)),
+        Parameter::shape("exponent", NUMBER, "exponent of the path beyond it", (1.2, 3.0))
+            .within(Bounds::Within(1.0, 10.0)),
     ],
     look_alikes: &[
         ("tool-wear", "more parts before and after the onset: steady wear grows from the first part on"),

@@ -51,7 +51,12 @@ impl Roundness {
     pub fn figure(&self, positions: &[f64]) -> Figure {
         let worst = first_extreme(&self.sections, f64::gt);
         let (left, x) = (self.sections[worst], positions[worst]);
-        let told = format!("{:.3} at most, at x = {:.1}, of {:.3} of the blank", MICRO.shown(left), LENGTH.shown(x), MICRO.shown(self.blank));
+        let told = format!(
+            "{:.3} at most, at x = {:.1}, of {:.3} of the blank",
+            MICRO.shown(left),
+            LENGTH.shown(x),
+            MICRO.shown(self.blank)
+        );
         Figure::new("roundness", "out of round by")
             .line(told)
             .quantity("largest", MICRO, left)

@@ -54,11 +54,21 @@ pub fn cases() -> Vec<Case> {
     };
     vec![
         um("oval blank of +-100 um, one pass", left * 200.0, roundness(2, "", 1.0), "seed 002 (24)-(27)"),
-        um("oval blank of +-100 um, three passes", left.powi(3) * 200.0, roundness(2, two, 1.0), "seed 002 (27), cubed"),
+        um(
+            "oval blank of +-100 um, three passes",
+            left.powi(3) * 200.0,
+            roundness(2, two, 1.0),
+            "seed 002 (27), cubed",
+        ),
         um("oval blank of +-100 um, exponent 0.75", bent, roundness(2, "", 0.75), "seed 002 (22), (24), by bisection"),
         um("oval blank, diameter across its crests", pass(500.0, 200.0), across(2, 0.0), linear),
         um("oval blank, diameter at 30 deg", pass(500.0, 100.0), across(2, 30.0), linear),
-        um("blank of three lobes, diameter anywhere", pass(500.0, 0.0), across(3, 20.0), "odd lobes: a constant diameter"),
+        um(
+            "blank of three lobes, diameter anywhere",
+            pass(500.0, 0.0),
+            across(3, 20.0),
+            "odd lobes: a constant diameter",
+        ),
         um("one pass, blank 0.6 mm too large", pass(500.0, 600.0), end(&turned(large, "", 1.0)), linear),
         um("one pass, blank with a wave", pass(500.0, 150.0), end(&turned(wave, "", 1.0)), linear),
         um("three passes, blank 0.6 mm too large", thrice(600.0), end(&turned(large, two, 1.0)), linear),

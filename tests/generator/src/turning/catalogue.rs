@@ -16,7 +16,7 @@ const WEAR: &[Parameter] = &[
 const BREAKDOWN: &[Parameter] = &[
     Parameter("wear", "um", 20.0, 200.0, Role::Amplitude),
     Parameter("onset", "m", 200.0, 1500.0, Role::Shape),
-    Parameter("exponent", "", 1.0, 2.5, Role::Shape),
+    Parameter("exponent", "", 1.2, 2.5, Role::Shape),
 ];
 const GROWTH: &[Parameter] = &[
     Parameter("elongation", "um", 5.0, 15.0, Role::Amplitude),
