@@ -1,7 +1,8 @@
 //! Adds a budget up by the handbook's rules and by Monte Carlo.
 
 use super::monte_carlo::{self, Drawn};
-use super::{Budget, Contribution, Kind, Law, rules};
+use super::part::Swing;
+use super::{Budget, Contribution, Kind, Law, ModelPart, rules};
 use crate::process::Failure;
 use crate::progress::Progress;
 
@@ -49,54 +50,62 @@ pub struct Estimate {
 /// Adds a budget up; `None` where it has no errors but a drill alone.
 ///
 /// # Errors
-/// The model cannot be computed somewhere in its inputs' fields.
+/// A model cannot be computed somewhere in its inputs' fields.
 pub fn estimate(budget: &Budget, progress: &Progress) -> Result<Option<Estimate>, Failure> {
-    if budget.errors.is_empty() && budget.model.is_none() {
+    let models = &budget.models;
+    if budget.errors.is_empty() && models.parts.is_empty() {
         return Ok(None);
     }
-    let (nominal, inputs) = match &budget.model {
-        Some(model) => model.linearised()?,
-        None => (0.0, Vec::new()),
+    let figures = models.results(&models.centre())?;
+    let (errors, signs) = with_signs(budget, &figures);
+    let swings = models.swings(&figures, &signs)?;
+    let figure = |((part, figure), sign): ((&ModelPart, &f64), &f64)| match part.kind {
+        Kind::Systematic => sign * figure,
+        Kind::Random => figure.abs(),
     };
-    let errors = with_signs(budget, nominal);
-    let handbook = by_rules(budget, &errors, nominal, &inputs);
-    let shares = shares(budget, &errors, nominal, &inputs);
-    let monte_carlo = monte_carlo::draw(budget, &errors, progress)?;
+    let figures: Vec<f64> = models.parts.iter().zip(&figures).zip(&signs).map(figure).collect();
+    let handbook = by_rules(budget, &errors, &figures, &swings);
+    let shares = shares(budget, &errors, &figures, &swings);
+    let monte_carlo = monte_carlo::draw(budget, &errors, &signs, progress)?;
     Ok(Some(Estimate { handbook, monte_carlo, shares }))
 }
-
-/// Changes of the result by an input of a model at the two ends of its field.
-pub(super) type Swing = (String, Law, (f64, f64));
 
 fn half(swing: (f64, f64)) -> f64 {
     0.5 * (swing.1 - swing.0).abs()
 }
 
-/// Errors with signs: a systematic error of which only the size is known takes the worse side, that of the
-/// sum whose sign is known.
-fn with_signs(budget: &Budget, nominal: f64) -> Vec<Contribution> {
+/// Errors with signs, and the signs of the models' figures: a systematic one of which only the size is known
+/// takes the worse side, that of the sum whose sign is known.
+fn with_signs(budget: &Budget, figures: &[f64]) -> (Vec<Contribution>, Vec<f64>) {
     let known = budget.errors.iter().filter(|e| e.kind == Kind::Systematic && e.has_sign());
-    let is_below = known.map(|e| e.value).sum::<f64>() + nominal < 0.0;
+    let parts = || budget.models.parts.iter();
+    let of_models = parts().zip(figures).filter(|(part, _)| part.kind == Kind::Systematic && part.has_sign());
+    let is_below = known.map(|e| e.value).sum::<f64>() + of_models.map(|(_, figure)| figure).sum::<f64>() < 0.0;
     let worse = |e: &Contribution| {
         let turned = is_below && e.kind == Kind::Systematic && !e.has_sign();
         Contribution { value: if turned { -e.value } else { e.value }, ..e.clone() }
     };
-    budget.errors.iter().map(worse).collect()
+    let sign = |part: &ModelPart| if is_below && !part.has_sign() { -1.0 } else { 1.0 };
+    (budget.errors.iter().map(worse).collect(), parts().map(sign).collect())
 }
 
-fn by_rules(budget: &Budget, errors: &[Contribution], nominal: f64, inputs: &[Swing]) -> Handbook {
+/// Adds up errors, figures of models (with their signs, or halves of their fields) and changes by their inputs.
+fn by_rules(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Handbook {
     let sum_of = |errors: &[&Contribution]| {
         let of = |kind: Kind| errors.iter().filter(move |e| e.kind == kind);
         let systematic: Vec<f64> = of(Kind::Systematic).map(|e| e.value).collect();
         let random: Vec<(Law, f64)> = of(Kind::Random).map(|e| (e.law, e.value)).collect();
         (rules::systematic(&systematic), random)
     };
-    let of_model = inputs.iter().map(|(_, law, swing)| (*law, half(*swing)));
+    let of = |kind: Kind| budget.models.parts.iter().zip(figures).filter(move |(part, _)| part.kind == kind);
+    let nominal: f64 = of(Kind::Systematic).map(|(_, figure)| figure).sum();
+    let fields = of(Kind::Random).map(|(part, figure)| (part.law, *figure));
+    let of_models = swings.iter().map(|(_, law, swing)| (*law, half(*swing))).chain(fields);
     let is_grouped = |e: &&Contribution| budget.groups.iter().any(|g| Some(&g.name) == e.group.as_ref());
     let loose: Vec<&Contribution> = errors.iter().filter(|e| !is_grouped(e)).collect();
     let (mut systematic, mut scattering) = sum_of(&loose);
     systematic += nominal;
-    scattering.extend(of_model.clone());
+    scattering.extend(of_models.clone());
     let mut groups = Vec::new();
     for group in &budget.groups {
         let members: Vec<&Contribution> = errors.iter().filter(|e| e.group.as_ref() == Some(&group.name)).collect();
@@ -110,33 +119,26 @@ fn by_rules(budget: &Budget, errors: &[Contribution], nominal: f64, inputs: &[Sw
     let total = systematic.abs() + random;
     let all: Vec<&Contribution> = errors.iter().collect();
     let (every, mut each) = sum_of(&all);
-    each.extend(of_model);
+    each.extend(of_models);
     let one_by_one = (every + nominal).abs() + rules::random(budget.t, &each);
     let differs = !budget.groups.is_empty() && (one_by_one - total).abs() > 1e-9 * total;
     Handbook { systematic, random, total, one_by_one: differs.then_some(one_by_one), groups }
 }
 
-fn shares(budget: &Budget, errors: &[Contribution], nominal: f64, inputs: &[Swing]) -> Vec<Share> {
-    let mut shares: Vec<Share> = errors
-        .iter()
-        .map(|e| Share {
-            name: e.name.clone(),
-            kind: e.kind,
-            law: e.law,
-            swing: if e.kind == Kind::Random { (-e.value, e.value) } else { (e.value.min(0.0), e.value.max(0.0)) },
-            variance_share: if e.kind == Kind::Random { e.law.lambda() * e.value * e.value } else { 0.0 },
-        })
-        .collect();
-    if let Some(model) = &budget.model {
-        shares.push(Share {
-            name: format!("{}, as it stands", model.model.source.name),
-            kind: Kind::Systematic,
-            law: Law::Normal,
-            swing: (nominal.min(0.0), nominal.max(0.0)),
-            variance_share: 0.0,
-        });
-    }
-    shares.extend(inputs.iter().map(|(name, law, swing)| Share {
+fn shares(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Vec<Share> {
+    let share = |name: String, kind: Kind, law: Law, value: f64| Share {
+        name,
+        kind,
+        law,
+        swing: if kind == Kind::Random { (-value, value) } else { (value.min(0.0), value.max(0.0)) },
+        variance_share: if kind == Kind::Random { law.lambda() * value * value } else { 0.0 },
+    };
+    let mut shares: Vec<Share> = errors.iter().map(|e| share(e.name.clone(), e.kind, e.law, e.value)).collect();
+    shares.extend(budget.models.parts.iter().zip(figures).map(|(part, figure)| {
+        let fixed = if part.kind == Kind::Systematic { ", as it stands" } else { "" };
+        share(format!("{}{fixed}", part.name), part.kind, part.law, *figure)
+    }));
+    shares.extend(swings.iter().map(|(name, law, swing)| Share {
         name: name.clone(),
         kind: Kind::Random,
         law: *law,

@@ -1,9 +1,11 @@
 //! Laws of distribution of an error over its field.
 
 use super::Stream;
+use crate::input::{Bounds, Reader};
+use crate::units::NUMBER;
 
 /// Distribution of an error over ±Δ.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// Normal, Δ being three standard deviations.
     Normal,
@@ -11,6 +13,9 @@ pub enum Law {
     Triangular,
     /// Uniform over ±Δ; also assumed where nothing is known.
     Uniform,
+    /// Symmetric beta law over ±Δ whose coefficient λ this is, in (0, 1/2]: a stretch of uniform at 1/3, drawn to
+    /// the middle below and to the ends above it.
+    Scatter(f64),
 }
 
 impl Law {
@@ -28,6 +33,7 @@ impl Law {
             Self::Normal => "normal",
             Self::Triangular => "triangular",
             Self::Uniform => "uniform",
+            Self::Scatter(_) => "by lambda",
         }
     }
 
@@ -37,6 +43,7 @@ impl Law {
             Self::Normal => 1.0 / 9.0,
             Self::Triangular => 1.0 / 6.0,
             Self::Uniform => 1.0 / 3.0,
+            Self::Scatter(lambda) => lambda,
         }
     }
 
@@ -53,6 +60,26 @@ impl Law {
             Self::Normal => (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos() / 3.0,
             Self::Triangular => u + v - 1.0,
             Self::Uniform => 2.0 * u - 1.0,
+            // A point within the unit disc, evenly round, seen from the side: (1 − x²)^(a − 1) where the square of
+            // its distance has the power a − 1/2 [Ulrich, Statistics and Computing 1984; Devroye 1986, IX.3].
+            // The variance 1/(2a + 1) is λ.
+            Self::Scatter(lambda) => {
+                let power = 0.5 * (1.0 / lambda - 2.0);
+                let distance = if power > 0.0 { -(u.ln() / power).exp_m1() } else { 1.0 };
+                distance.sqrt() * (std::f64::consts::TAU * v).cos()
+            }
         }
+    }
+
+    /// Reads the law of a table: a word, or its coefficient λ; `None` where neither is given.
+    pub(super) fn read(t: &Reader, about: &'static str, usual: Self) -> Option<Self> {
+        let given = t.has("distribution");
+        let word = t.choice("distribution", about, Self::WORDS).or_first(usual);
+        let about = "coefficient of relative scatter of another law, instead of `distribution`";
+        let lambda = t.quantity("lambda", NUMBER, about).bounds(Bounds::Within(0.0, 0.5)).optional();
+        if given && lambda.is_some() {
+            t.problem("lambda", "the law is given twice", "keep either `distribution` or `lambda`");
+        }
+        lambda.map(Self::Scatter).or(given.then_some(word))
     }
 }

@@ -14,6 +14,7 @@ mod part;
 mod random;
 mod read;
 pub mod rules;
+mod sizes;
 mod validation;
 
 pub use drill::{Drill, Unknown};
@@ -21,7 +22,7 @@ pub use error::{Contribution, Group, Kind, Source};
 pub use estimate::{Estimate, Handbook, Share, estimate};
 pub use law::Law;
 pub use monte_carlo::{Drawn, Measured, Rejects};
-pub use part::{Input, ModelPart, Target};
+pub use part::{Figure, Input, ModelPart, Models, Target};
 pub use random::Stream;
 pub use read::load;
 pub use validation::cases as validation;
@@ -49,8 +50,8 @@ pub struct Budget {
     pub errors: Vec<Contribution>,
     /// Groups of errors that enter the total as one.
     pub groups: Vec<Group>,
-    /// Figure of a model with inputs that vary, if a model is named.
-    pub model: Option<ModelPart>,
+    /// Figures of models with inputs that vary.
+    pub models: Models,
     /// Hole made by a tool of its size, if there is one.
     pub drill: Option<Drill>,
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
-use super::{Budget, Contribution, Stream};
+use super::{Budget, Contribution, Kind, Models, Stream};
 use crate::process::Failure;
 use crate::progress::Progress;
 
@@ -46,15 +46,20 @@ pub struct Drawn {
     pub redrawn: u64,
 }
 
-/// Draws the samples of a budget, its errors with the given signs.
+/// Draws the samples of a budget, its errors with the given signs, and those of the figures of its models.
 ///
 /// # Errors
-/// The model cannot be computed at a draw.
-pub fn draw(budget: &Budget, errors: &[Contribution], progress: &Progress) -> Result<Drawn, Failure> {
+/// A model cannot be computed at a draw.
+pub(super) fn draw(
+    budget: &Budget,
+    errors: &[Contribution],
+    signs: &[f64],
+    progress: &Progress,
+) -> Result<Drawn, Failure> {
     progress.expect(budget.samples as u64);
     let redrawn = AtomicU64::new(0);
     let sample = |i: usize| {
-        let result = one(budget, errors, &Stream::new(budget.seed, i as u64), &redrawn);
+        let result = one(budget, (errors, signs), &Stream::new(budget.seed, i as u64), &redrawn);
         progress.advance(1);
         result
     };
@@ -90,15 +95,20 @@ pub fn draw(budget: &Budget, errors: &[Contribution], progress: &Progress) -> Re
 }
 
 /// Total on one part, m.
-fn one(budget: &Budget, errors: &[Contribution], stream: &Stream, redrawn: &AtomicU64) -> Result<f64, Failure> {
+fn one(
+    budget: &Budget,
+    (errors, signs): (&[Contribution], &[f64]),
+    stream: &Stream,
+    redrawn: &AtomicU64,
+) -> Result<f64, Failure> {
     let (mut total, mut dimension) = (0.0, 0);
     for error in errors {
         total += error.draw(stream, dimension);
         dimension += error.dimensions();
     }
-    let Some(model) = &budget.model else { return Ok(total) };
-    let mut values = Vec::with_capacity(model.inputs.len());
-    for input in &model.inputs {
+    let Models { parts, inputs } = &budget.models;
+    let mut values = Vec::with_capacity(inputs.len());
+    for input in inputs {
         let Some((value, again)) = input.draw(stream, dimension) else {
             return Err(Failure {
                 message: format!("hardly any draw of {} is a possible value", input.name),
@@ -109,7 +119,14 @@ fn one(budget: &Budget, errors: &[Contribution], stream: &Stream, redrawn: &Atom
         values.push(value);
         dimension += 1;
     }
-    Ok(total + model.result(&values)?)
+    for ((part, figure), sign) in parts.iter().zip(budget.models.results(&values)?).zip(signs) {
+        total += match part.kind {
+            Kind::Systematic => sign * figure,
+            Kind::Random => figure * part.law.draw(stream, dimension, 0),
+        };
+        dimension += 1;
+    }
+    Ok(total)
 }
 
 /// Quantile p of the sorted samples; its standard error from the samples one standard deviation of the

@@ -7,9 +7,9 @@ use std::path::Path;
 
 use toml_edit::Document;
 
-use super::{Budget, Contribution, Drill, Group, Kind, Law, Source, part, rules};
+use super::{Budget, Contribution, Drill, Group, Kind, Law, part, sizes};
 use crate::input::{InputError, Kept, Problem, Reader, Source as File, nearest};
-use crate::units::{CONTACT_COEFFICIENT, FORCE, MICRO, NUMBER};
+use crate::units::{MICRO, NUMBER};
 
 /// Largest budget file, bytes.
 const LARGEST: u64 = 1_000_000;
@@ -55,7 +55,7 @@ fn read(reader: &Reader, file: &File, broken: &RefCell<Option<InputError>>) -> B
     let title = reader.text("title", "what is added up, for people");
     let groups = reader.list("group", "sets of errors that enter the total as one random error", |t, _| Group {
         name: named(t),
-        law: t.choice("distribution", "law of the set's total", Law::WORDS).or_first(Law::Normal),
+        law: Law::read(t, "law of the set's total", Law::Normal).unwrap_or(Law::Normal),
     });
     let taken = RefCell::new(BTreeSet::new());
     let errors = reader.list("error", "errors that are given", |t, _| {
@@ -65,18 +65,16 @@ fn read(reader: &Reader, file: &File, broken: &RefCell<Option<InputError>>) -> B
         }
         error
     });
-    let model = part::read(reader, broken);
-    let rest = reader.optional_table("budget", "how the errors are added up", |t| read_rules(t, model.is_some()));
-    let (t, tolerance, samples, seed) =
-        rest.unwrap_or((3.0, None, if model.is_some() { MODEL_SAMPLES } else { SAMPLES }, 1));
+    let models = part::read(reader, broken);
+    let has_model = !models.parts.is_empty();
+    let rest = reader.optional_table("budget", "how the errors are added up", |t| read_rules(t, has_model));
+    let (t, tolerance, samples, seed) = rest.unwrap_or((3.0, None, if has_model { MODEL_SAMPLES } else { SAMPLES }, 1));
     let drill = reader.optional_table("drill", "a hole made by a tool of its size", read_drill).flatten();
-    for key in ["error", "model", "drill"] {
-        if reader.has(key) {
-            return Budget { file: file.clone(), title, t, tolerance, samples, seed, errors, groups, model, drill };
-        }
+    if !["error", "model", "drill"].into_iter().any(|key| reader.has(key)) {
+        let help = "add an [[error]], a [model] or a [drill]; `fem new budget` shows all";
+        reader.problem("", "the budget is empty", help);
     }
-    reader.problem("", "the budget is empty", "add an [[error]], a [model] or a [drill]; `fem new budget` shows all");
-    Budget { file: file.clone(), title, t, tolerance, samples, seed, errors, groups, model, drill }
+    Budget { file: file.clone(), title, t, tolerance, samples, seed, errors, groups, models, drill }
 }
 
 fn named(t: &Reader) -> String {
@@ -107,28 +105,8 @@ fn read_rules(t: &Reader, has_model: bool) -> (f64, Option<(f64, f64)>, usize, u
 fn read_error(t: &Reader, groups: &[Group]) -> Contribution {
     let name = named(t);
     let kind = t.choice("kind", "how the error adds", Kind::WORDS).required(Kind::Random);
-    let law = t.choice("distribution", "law of a random error over its field; uniform if unknown", Law::WORDS);
-    let law = if t.has("distribution") {
-        Some(law.or_first(Law::Uniform))
-    } else {
-        law.or_first(Law::Uniform);
-        None
-    };
-    let sizes = [
-        read_value(t, kind, law),
-        t.optional_table("trial_parts", "setting by trial parts", |t| read_trial_parts(t, law)),
-        t.optional_table("template", "setting by a template", |t| read_template(t, law)),
-        t.optional_table("clamping", "contact under a clamping force that varies", |t| read_clamping(t, law)),
-        t.optional_table("locating", "locating elements, their wear, and the fixture's mounting", |t| {
-            read_locating(t, law)
-        }),
-    ];
-    let given = sizes.iter().flatten().count();
-    if given != 1 && !t.is_described() {
-        let message = if given == 0 { "the error has no size" } else { "the error has several sizes" };
-        t.problem("", message, "give one of `value`, `trial_parts`, `template`, `clamping` and `locating`");
-    }
-    let (value, law, source) = sizes.into_iter().flatten().next().unwrap_or((0.0, Law::Uniform, Source::Given));
+    let law = Law::read(t, "law of a random error over its field; uniform if unknown", Law::Uniform);
+    let (value, law, source) = sizes::read(t, kind, law);
     let group = t.text("group", "the set that it belongs to");
     if let Some(unknown) = group.as_ref().filter(|g| !groups.iter().any(|known| known.name == **g)) {
         let near = nearest(unknown, groups.iter().map(|g| g.name.as_str()));
@@ -136,65 +114,6 @@ fn read_error(t: &Reader, groups: &[Group]) -> Contribution {
         t.problem("group", format!("`{unknown}` is no group of this budget"), help);
     }
     Contribution { name, kind, value, law, source, group }
-}
-
-type Size = Option<(f64, Law, Source)>;
-
-fn read_value(t: &Reader, kind: Kind, law: Option<Law>) -> Size {
-    let about = "size with its sign if systematic, half of the field if random";
-    let field = t.quantity("value", MICRO, about);
-    let value = if kind == Kind::Random { field.not_negative() } else { field }.optional()?;
-    Some((value, law.unwrap_or(Law::Uniform), Source::Given))
-}
-
-/// Reads an error of setting by trial parts: (33), (34), (44)–(46).
-fn read_trial_parts(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
-    let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
-    let measuring = half("measuring", "error of measuring a trial part, Δ_meas");
-    let adjusting = half("adjusting", "error of adjusting the tool, Δ_adj");
-    let field = half("field", "field over which the process scatters, T = 6σ");
-    let parts = t.count("parts", "trial parts, usually 5 to 10").between(1, 1000).required();
-    let parts = [measuring, adjusting, rules::calculation(field, parts)].map(|half| (Law::Uniform, half));
-    of_parts(law.unwrap_or(Law::Normal), parts.to_vec())
-}
-
-fn read_template(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
-    let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
-    let template = half("making", "error of the template, usually 10 to 20 um");
-    let mounting = half("mounting", "error of bringing the tool to it, usually 2 to 50 um");
-    of_parts(law.unwrap_or(Law::Normal), vec![(Law::Uniform, template), (Law::Uniform, mounting)])
-}
-
-/// Reads an error of clamping: (47).
-fn read_clamping(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
-    let coefficient = |key, about| t.quantity(key, CONTACT_COEFFICIENT, about).not_negative().required();
-    let force = |key, about| t.quantity(key, FORCE, about).not_negative().required();
-    let c = (coefficient("c_min", "least coefficient"), coefficient("c_max", "largest coefficient"));
-    let force = (force("force_min", "least force"), force("force_max", "largest force"));
-    let exponent = t.quantity("n", NUMBER, "exponent of the force").within(0.0, 1.0).required();
-    for (key, (low, high)) in [("c_max", c), ("force_max", force)] {
-        if high < low {
-            t.problem(key, "the largest is below the least", "exchange the two");
-        }
-    }
-    let [y1, y2] = rules::clamping_ends(c, force, exponent);
-    let law = law.unwrap_or(Law::Normal);
-    let value = Contribution::of_parts(law, &[(Law::Normal, y1), (Law::Normal, y2)]);
-    (value, law, Source::Clamping { c, force, exponent })
-}
-
-/// Reads an error of a fixture: (48).
-fn read_locating(t: &Reader, law: Option<Law>) -> (f64, Law, Source) {
-    let half = |key, about| t.quantity(key, MICRO, about).not_negative().required();
-    let locators = half("locators", "error of the locating elements");
-    let wear = half("wear", "their wear");
-    let mounting = half("mounting", "error of the fixture's place on the machine");
-    let parts = vec![(Law::Normal, locators), (Law::Uniform, wear), (Law::Normal, mounting)];
-    of_parts(law.unwrap_or(Law::Normal), parts)
-}
-
-fn of_parts(law: Law, parts: Vec<(Law, f64)>) -> (f64, Law, Source) {
-    (Contribution::of_parts(law, &parts), law, Source::Parts(parts))
 }
 
 fn read_drill(t: &Reader) -> Option<Drill> {

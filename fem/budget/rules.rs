@@ -1,4 +1,4 @@
-//! Rules of the handbook for adding errors up [seed 002 (33)–(52)], with its misprints corrected: (47)
+//! Rules of the handbook for adding errors up [seed 002 (27)–(52)], with its misprints corrected: (47)
 //! without the stray Q_maxⁿ, (49) with ε on the left.
 
 use super::Law;
@@ -42,6 +42,11 @@ pub fn clamping_ends(c: (f64, f64), force: (f64, f64), exponent: f64) -> [f64; 2
     [c.0 * rise, c.1 * rise]
 }
 
+/// (30): ε_з = y_max − y_min of a size whose base moves with the contact.
+pub fn clamping_scatter(c: (f64, f64), force: (f64, f64), exponent: f64) -> f64 {
+    c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent)
+}
+
 /// (48): ε_пр = √(ε_уэ² + 3ε_и² + ε_с²) of locating elements, wear and mounting, t = 3.
 pub fn fixture(locators: f64, wear: f64, mounting: f64) -> f64 {
     random(3.0, &[(Law::Normal, locators), (Law::Uniform, wear), (Law::Normal, mounting)])
@@ -63,4 +68,20 @@ pub fn setup_in_one_fixture(basing: f64, clamping: f64, fixture: f64) -> f64 {
 pub fn batch(inherited: f64, setup: f64, wear: f64, thermal: f64, setting: f64, form: f64) -> f64 {
     let scattering = [(Law::Normal, inherited), (Law::Normal, setup), (Law::Uniform, wear), (Law::Uniform, thermal)];
     random(3.0, &scattering) + setting + form
+}
+
+/// (27): Δ_γ = c·Δ_заг/(j + c), what a cut of force per depth c in a system of stiffness j copies of a blank's
+/// error.
+pub fn inherited(blank: f64, force_per_depth: f64, stiffness: f64) -> f64 {
+    force_per_depth * blank / (stiffness + force_per_depth)
+}
+
+/// (32): Δ_и = u·L.
+pub fn wear(rate: f64, path: f64) -> f64 {
+    rate * path
+}
+
+/// (36): Δ_т = α·L·t.
+pub fn heating(expansion: f64, length: f64, rise: f64) -> f64 {
+    expansion * length * rise
 }

@@ -123,8 +123,15 @@ impl<'a> Objective<'a> {
         }
         let coordinates = self.data.model.process.coordinates();
         let column = coordinates.iter().position(|c| Some(c.name) == entry.along)?;
-        let values = || self.data.rows.columns[column].iter().copied().filter(|v| v.is_finite());
-        let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+        let ends = |rows: &Rows| {
+            let values = || rows.columns[column].iter().copied().filter(|v| v.is_finite());
+            (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+        };
+        let (low, high) = match ends(&self.data.rows) {
+            (low, high) if low <= high => (low, high),
+            // What the rows leave to the model, as the cutting path.
+            _ => ends(&self.data.model.system.resolved(&self.data.rows)),
+        };
         (low < high).then_some((low, high))
     }
 

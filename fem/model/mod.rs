@@ -101,20 +101,39 @@ impl Model {
     /// # Errors
     /// The values make no model.
     pub fn forward_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn ForwardModel>, Failure> {
-        if let Some((mut effects, terms)) = self.effects_at(values) {
+        self.forward_of(values, |mut effects| {
             effects.extend_from_slice(added);
-            return Ok(self.behind(self.system.with_effects(&effects), &terms));
+            effects
+        })
+    }
+
+    /// Forward model with the parameters at these values and without one of its effects, by its name.
+    ///
+    /// # Errors
+    /// The values make no model.
+    pub fn forward_without(&self, values: &[f64], effect: &str) -> Result<Box<dyn ForwardModel>, Failure> {
+        self.forward_of(values, |mut effects| {
+            effects.retain(|e| e.description.name != effect);
+            effects
+        })
+    }
+
+    /// Forward model with the parameters at these values, and of its effects what `choose` makes of them.
+    fn forward_of(
+        &self,
+        values: &[f64],
+        choose: impl FnOnce(Vec<Active>) -> Vec<Active>,
+    ) -> Result<Box<dyn ForwardModel>, Failure> {
+        if let Some((effects, terms)) = self.effects_at(values) {
+            return Ok(self.behind(self.system.with_effects(&choose(effects)), &terms));
         }
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
-        let ((_, system, mut effects, terms), found) =
+        let ((_, system, effects, terms), found) =
             Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, trial, |model| {
                 read(model, self.process)
             });
         match (system, found.problems.first()) {
-            (Some(system), None) => {
-                effects.extend_from_slice(added);
-                Ok(self.behind(system.with_effects(&effects), &terms))
-            }
+            (Some(system), None) => Ok(self.behind(system.with_effects(&choose(effects)), &terms)),
             (_, problem) => Err(Failure {
                 message: problem.map_or("the values make no model".into(), |p| p.message.clone()),
                 help: problem.and_then(|p| p.help.clone()).unwrap_or_default(),

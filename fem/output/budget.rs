@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
-use crate::budget::{Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, Share, Source, Unknown};
+use crate::budget::{Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, ModelPart, Share, Source, Unknown};
 
 /// Unit of all lengths.
 const UNIT: &str = "um";
@@ -23,7 +23,8 @@ pub fn json(budget: &Budget, estimate: Option<&Estimate>) -> Json {
         "schema": "fem-budget/1",
         "budget": &*budget.file.name,
         "title": budget.title,
-        "model": budget.model.as_ref().map(|m| m.model.source.name.to_string()),
+        "model": budget.models.parts.first().map(|m| m.model.source.name.to_string()),
+        "models": budget.models.parts.iter().map(model_json).collect::<Vec<_>>(),
         "unit": UNIT,
         "t": budget.t,
         "risk": budget.risk(),
@@ -34,6 +35,16 @@ pub fn json(budget: &Budget, estimate: Option<&Estimate>) -> Json {
         "contributions": estimate.map(|e| e.shares.iter().map(share_json).collect::<Vec<_>>()),
         "drill": budget.drill.as_ref().map(drill_json),
         "warnings": warnings(budget, estimate),
+    })
+}
+
+fn model_json(part: &ModelPart) -> Json {
+    json!({
+        "name": part.name,
+        "file": &*part.model.source.name,
+        "process": part.model.process.name(),
+        "effect": part.effect,
+        "kind": part.kind.word(),
     })
 }
 
@@ -69,6 +80,7 @@ fn share_json(share: &Share) -> Json {
         "name": share.name,
         "kind": share.kind.word(),
         "distribution": (share.kind == Kind::Random).then(|| share.law.word()),
+        "lambda": (share.kind == Kind::Random).then(|| share.law.lambda()),
         "from": um(share.swing.0),
         "to": um(share.swing.1),
         "variance_share": share.variance_share,
@@ -133,7 +145,10 @@ pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
             /// Range of that ratio in which the rule agrees with the samples.
             const CLOSE: std::ops::Range<f64> = 0.8..1.25;
             let half = 0.5 * (c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent));
-            if CLOSE.contains(&(error.value.abs() / half)) || error.value.abs() == half {
+            let ratio = error.value.abs() / half;
+            // (30) takes the whole of it, and says so.
+            let is_whole = (ratio - 2.0).abs() < 1e-9;
+            if CLOSE.contains(&ratio) || is_whole || error.value.abs() == half {
                 continue;
             }
             warnings.push(format!(

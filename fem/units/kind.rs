@@ -72,6 +72,7 @@ kinds! {
     REMOVAL_RATE = "a removal rate" in "mm^2/s", as "10";
     SPECIFIC_HEAT = "a specific heat" in "J/kg/K", as "470";
     HEAT_CAPACITY = "a heat capacity" in "J/K", as "10";
+    VOLUME = "a volume" in "cm^3", as "400";
     FACTOR = "a factor" in "", as "1";
 }
 

@@ -17,6 +17,8 @@ const UNITS: &[Named] = &[
     Named("N", 1.0, [1, 1, -2, 0, 0], true),
     Named("Pa", 1.0, [-1, 1, -2, 0, 0], true),
     Named("J", 1.0, [2, 1, -2, 0, 0], true),
+    // The calorie of the International Table, as old handbooks of engineering have it.
+    Named("cal", 4.1868, [2, 1, -2, 0, 0], true),
     Named("W", 1.0, [2, 1, -3, 0, 0], true),
     Named("Hz", 1.0, [0, 0, -1, 0, 0], true),
     Named("bar", 1e5, [-1, 1, -2, 0, 0], true),
@@ -258,6 +260,7 @@ mod tests {
             ("kg*mm", 1e-3, "m·kg"),
             ("J/kg/K", 1.0, "m^2·s^-2·K^-1"),
             ("in", 0.0254, "m"),
+            ("kcal", 4186.8, "m^2·kg·s^-2"),
         ];
         for (text, factor, dimension) in cases {
             let unit = Unit::parse(text).unwrap();

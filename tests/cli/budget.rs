@@ -112,6 +112,99 @@ fn draws_without_a_model_are_drawn_again_and_told() {
     assert!(answer.err.contains("draws fell where the model has no value"), "{}", answer.err);
 }
 
+/// A seat at a rigid centre, where only the carriage yields: (23) pass by pass. Its wear is u·L, its spread along
+/// the shaft that of the slope.
+const SEAT: &str = r#"process = "turning"
+[workpiece]
+material = "steel"
+segments = [{ length = "500 mm", diameter = "40 mm" }]
+blank_points = [{ at = "0 mm", error = "0.6 +- 0.05 mm" }]
+[workholding]
+type = "centres"
+[[pass]]
+depth = "1 mm"
+[cut]
+depth = "0.5 mm"
+feed = "0.2 mm/rev"
+spindle_speed = "600 rpm"
+radial_force = "400 N"
+[effects.carriage-compliance]
+stiffness = "2 N/um"
+[effects.force-feedback]
+exponent = 1.0
+[effects.tool-wear]
+rate = "6 um/km"
+[effects.guideway-taper]
+slope = "20 um/m"
+"#;
+
+/// Blank, passes, wear and form of one file, each as a term: the sum by hand, and the same parts drawn.
+#[test]
+fn several_models_give_their_terms() {
+    let place = Place::new();
+    place.write("seat.toml", SEAT);
+    let text = r#"
+budget = { samples = 5000 }
+[[model]]
+name = "cut"
+file = "seat.toml"
+at = { x = "500 mm", path = "0 m" }
+[[model]]
+name = "cut again"
+file = "seat.toml"
+at = { x = "500 mm", path = "0 m" }
+[[model]]
+name = "wear"
+file = "seat.toml"
+effect = "tool-wear"
+at = { x = "500 mm", path = "1.5 km" }
+kind = "random"
+lambda = 0.25
+factor = 0.5
+[[model]]
+name = "form"
+file = "seat.toml"
+effect = "guideway-taper"
+figure = "spread"
+[[input]]
+coordinate = "radial_force"
+model = "cut again"
+value = "400 N"
+half_field = "0 N"
+"#;
+    place.write("budget.toml", text);
+    let found = json(&place, "budget.toml");
+    // Of all it meets, depth and all, a pass of C = 0.8 N/um against 2 N/um leaves 0.8/2.8.
+    let left = 0.8 / 2.8;
+    let cut = left * (1000.0 + left * (2000.0 + 600.0)) + 2.0 * 20.0 * 0.5;
+    let form = 2.0 * 20.0 * 0.5;
+    // One blank varies in both figures: what it does to them adds up, not their squares.
+    let blank = 2.0 * left * left * 150.0;
+    let wear = 2.0 * 6.0 * 1.5 * 0.5;
+    let expected =
+        [("systematic", 2.0 * cut + form), ("random", 3.0 * f64::sqrt(blank * blank / 9.0 + 0.25 * wear * wear))];
+    for (key, expected) in expected {
+        let value = found["handbook"][key].as_f64().unwrap();
+        assert!((value / expected - 1.0).abs() < 1e-9, "{key}: {value} for {expected}");
+    }
+    let drawn = |key: &str, name: &str| found["monte_carlo"][key][name].as_f64().unwrap();
+    for (key, expected) in [("mean", expected[0].1), ("std", expected[1].1 / 3.0)] {
+        let (value, error) = (drawn(key, "value"), drawn(key, "standard_error"));
+        assert!((value - expected).abs() < 3.0 * error, "{key}: {value} for {expected}, {error}");
+    }
+    assert_eq!(found["models"].as_array().unwrap().len(), 4);
+    let cases: &[Mistake] = &[
+        ("name = \"cut again\"", "name = \"cut\"", "two models are called `cut`", "a `name` of its own"),
+        ("model = \"cut again\"", "model = \"cutt\"", "`cutt` is no model of this budget", "known are cut"),
+        ("effect = \"tool-wear\"", "effect = \"tool-ware\"", "has no effect `tool-ware`", "did you mean `tool-wear`?"),
+        ("figure = \"spread\"", "figure = \"spread\"\nat = { part = 2 }", "has no such rows", "name a part"),
+        ("lambda = 0.25", "lambda = 0.75", "`lambda` is 0.75", "at most 0.5"),
+        ("lambda = 0.25", "lambda = 0.25\ndistribution = \"normal\"", "the law is given twice", "keep either"),
+        ("kind = \"random\"\n", "", "a systematic figure has no law", "add kind"),
+    ];
+    place.refuses(("budget", "budget.toml"), text, cases);
+}
+
 /// (in the budget, replaced by, part of the message, part of the remedy)
 const CASES: &[Mistake] = &[
     ("kind = \"random\"", "kind = \"rondom\"", "`kind` is", "did you mean \"random\"?"),

@@ -40,7 +40,7 @@ fn every_model_gives_the_number_of_its_header() {
 /// `# Total by the handbook: 30.761 um`, and a Monte Carlo that is the same on every machine.
 #[test]
 fn every_budget_gives_the_number_of_its_header() {
-    for name in ["budget.toml", "budget-lathe.toml"] {
+    for name in ["budget.toml", "budget-lathe.toml", "budget-part.toml"] {
         let budget = fem::budget::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(name)).unwrap();
         let line = budget.file.text.lines().take(5).find_map(|l| l.strip_prefix("# Total by the handbook: ")).unwrap();
         let stated: f64 = line.split(' ').next().unwrap().parse().unwrap();

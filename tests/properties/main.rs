@@ -16,7 +16,12 @@ use fem::units::Unit;
 fn models(process: &dyn Process) -> Vec<Model> {
     let start = process.starting_model();
     let variants = match process.name() {
-        "turning" => vec![start.to_string(), start.replace("\"centres\"", "\"chuck-and-centre\"")],
+        "turning" => vec![
+            start.to_string(),
+            start.replace("\"centres\"", "\"chuck-and-centre\""),
+            start.replace("type = \"centres\"", "type = \"centres\"\nguideway_spacing = \"300 mm\""),
+            format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
+        ],
         "ring" => vec![start.to_string(), start.replace("\"least-squares-circle\"", "\"absolute\"")],
         _ => vec![start.to_string()],
     };

@@ -16,19 +16,12 @@ fn random(half: f64, law: &str) -> String {
 }
 
 fn drawn(errors: &str) -> Option<super::super::Drawn> {
-    budget(&format!("budget = {{ samples = {SAMPLES}, seed = 20 }}\n{errors}")).map(|e| e.monte_carlo)
+    super::rig::drawn(errors, SAMPLES as usize)
 }
 
 /// Mean and standard deviation of a law with this standard deviation (um) and kurtosis.
-fn moments(name: &str, errors: &str, (mean, std, kurtosis): (f64, f64, f64), source: &'static str) -> Vec<Case> {
-    let drawn = drawn(errors);
-    let of = |figure: fn(&super::super::Drawn) -> f64| drawn.as_ref().map_or(f64::NAN, figure);
-    let errors = [std / SAMPLES.sqrt(), std * ((kurtosis - 1.0) / (4.0 * SAMPLES)).sqrt()];
-    let [of_mean, of_std] = errors.map(|e| Tolerance::Absolute(3.0 * e));
-    vec![
-        row(name, "mean", (mean, of(|d| d.mean.value)), of_mean, source),
-        row(name, "standard deviation", (std, of(|d| d.std.value)), of_std, source),
-    ]
+fn moments(name: &str, errors: &str, known: (f64, f64, f64), source: &'static str) -> Vec<Case> {
+    super::rig::moments(name, (errors, SAMPLES as usize), known, source)
 }
 
 fn laws() -> Vec<Case> {

@@ -4,10 +4,11 @@
 mod drawing;
 mod formulas;
 mod rig;
+mod terms;
 
 use crate::process::Case;
 
 /// All cases, simple ones first.
 pub fn cases() -> Vec<Case> {
-    [formulas::cases(), drawing::cases()].concat()
+    [formulas::cases(), terms::cases(), drawing::cases()].concat()
 }

@@ -1,6 +1,6 @@
 //! Budgets from their texts, and rows about them.
 
-use super::super::{Estimate, estimate, read};
+use super::super::{Drawn, Estimate, estimate, read};
 use crate::input::Source;
 use crate::process::{Case, Tolerance};
 use crate::progress::Progress;
@@ -30,4 +30,28 @@ pub fn row(
     source: &'static str,
 ) -> Case {
     Case { name: name.into(), quantity, expected, computed: 1e6 * computed, unit: "um", tolerance, source }
+}
+
+/// Draws the errors of a text so many times.
+pub fn drawn(errors: &str, samples: usize) -> Option<Drawn> {
+    budget(&format!("budget = {{ samples = {samples}, seed = 20 }}\n{errors}")).map(|e| e.monte_carlo)
+}
+
+/// Makes rows of mean and standard deviation of a drawn law with this mean, standard deviation (um) and kurtosis:
+/// within three standard errors.
+pub fn moments(
+    name: &str,
+    (errors, samples): (&str, usize),
+    (mean, std, kurtosis): (f64, f64, f64),
+    source: &'static str,
+) -> Vec<Case> {
+    let drawn = drawn(errors, samples);
+    let of = |figure: fn(&Drawn) -> f64| drawn.as_ref().map_or(f64::NAN, figure);
+    let count = samples as f64;
+    let errors = [std / count.sqrt(), std * ((kurtosis - 1.0) / (4.0 * count)).sqrt()];
+    let [of_mean, of_std] = errors.map(|e| Tolerance::Absolute(3.0 * e));
+    vec![
+        row(name, "mean", (mean, of(|d| d.mean.value)), of_mean, source),
+        row(name, "standard deviation", (std, of(|d| d.std.value)), of_std, source),
+    ]
 }

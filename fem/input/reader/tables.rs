@@ -108,6 +108,20 @@ impl<'a> Reader<'a> {
         values
     }
 
+    /// A table, or a list of tables, of which it is the only one: `[model]` or `[[model]]`.
+    pub fn one_or_list<T>(
+        &self,
+        key: &'static str,
+        about: &'static str,
+        read: impl Fn(&Reader<'a>, usize) -> T,
+    ) -> Vec<T> {
+        let is_table = matches!(self.item(key), Some(Item::Table(_) | Item::Value(Value::InlineTable(_))));
+        if is_table {
+            return self.optional_table(key, about, |t| read(t, 0)).into_iter().collect();
+        }
+        self.list(key, about, read)
+    }
+
     /// Tables with names of the user's choice: `[effects.NAME]`. Each is read with its name.
     pub fn named_tables<T>(
         &self,

@@ -1,9 +1,9 @@
 //! The table of a source of heat.
 
 use super::body::Body;
-use crate::input::{Along, Reader};
+use crate::input::{Along, Reader, Varying};
 use crate::solve::rod::{Heater, History, PointSource, Power, Pulse};
-use crate::units::{CONDUCTANCE, FACTOR, HEAT_CAPACITY, LENGTH, POWER, TIME};
+use crate::units::{CONDUCTANCE, FACTOR, HEAT, HEAT_CAPACITY, LENGTH, POWER, TIME};
 
 /// Reads a source; a record of its power must reach over the `run`.
 pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
@@ -22,7 +22,8 @@ pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
             "let the heat in through an edge: [[boundary]] with flux",
         );
     }
-    let level = History::from(t.quantity("power", POWER, "heat that it gives").varying(run));
+    let power = t.quantity("power", POWER, "heat that it gives").optional_varying(run);
+    let whole = t.quantity("heat", HEAT, "all the heat that it gives while it is on, instead of a power").optional();
     let factors = t.quantities("pulses", FACTOR, "part of the power that each interval of `on` has; 1 if left out");
     let on = read_on(t, factors.as_deref().unwrap_or_default());
     if let Some(factors) = factors
@@ -32,7 +33,34 @@ pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
         let message = format!("`pulses` has {} factors, and `on` {} intervals", factors.len(), on.len());
         t.problem("pulses", message, "give one factor for each interval, in the order of `on`");
     }
+    let level = read_level(t, power, whole, &on);
     PointSource { at, power: Power { level, on }, heater: read_heater(t, body) }
+}
+
+/// The power of a source: its own, or what gives all its heat (J) evenly while it is on.
+fn read_level(t: &Reader, power: Option<Varying>, whole: Option<f64>, on: &[Pulse]) -> History {
+    let duration: f64 = on.iter().map(|pulse| pulse.factor * (pulse.to - pulse.from)).sum();
+    match (power, whole) {
+        (Some(_), Some(_)) if !t.is_described() => {
+            t.problem("heat", "the heat is given twice", "keep either `power` or `heat`");
+            History::from(Varying::Constant(0.0))
+        }
+        (Some(power), _) => History::from(power),
+        (None, Some(heat)) => {
+            if duration <= 0.0 {
+                let help = "add on = [[\"0 min\", \"5 min\"]]";
+                t.problem("heat", "it is not said in what time the heat is given", help);
+            }
+            History::from(Varying::Constant(heat / duration))
+        }
+        (None, None) => {
+            if !t.has("power") && !t.has("heat") {
+                let help = "add power = \"80 W\", or heat = \"12 kcal\" with `on`";
+                t.problem("", "the heat of the source is missing", help);
+            }
+            History::from(Varying::Constant(0.0))
+        }
+    }
 }
 
 /// Intervals in which something is on, in their order in time, with the factors of their power in the order

@@ -86,7 +86,11 @@ fn read_force(t: &Reader) -> Force {
         let number = |key, about| t.quantity(key, NUMBER, about);
         let coefficient = number("C", "coefficient C").positive().required();
         let depth_exponent = number("x", "exponent of the depth").within(0.0, 1.0).required();
-        let feed_exponent = number("y", "exponent of the feed").within(0.0, 1.0).required();
+        let feed_exponent = number("y", "exponent of the feed; 0 where the force does not depend on it");
+        let feed_exponent = feed_exponent.not_negative().required();
+        if feed_exponent > 1.0 {
+            t.problem("y", format!("`y` is {feed_exponent}"), "it must be from 0 to 1");
+        }
         let hardness_exponent = number("n", "exponent of the hardness").not_negative().or(0.0);
         let hardness = number("HB", "Brinell hardness").positive();
         let hardness = if hardness_exponent == 0.0 { hardness.or(1.0) } else { hardness.required() };

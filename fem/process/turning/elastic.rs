@@ -40,15 +40,19 @@ impl<'a> Elastic<'a> {
     }
 
     /// The diameter error (m) that the passes before the last leave at x with the tool there, at position
-    /// number `i`: where the force is fed back each copies what it meets.
+    /// number `i`, at an angle (rad) around the part or on the mean: where the force is fed back each copies what it
+    /// meets.
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn before(&self, i: usize, x: f64) -> Result<f64, JointsError> {
+    pub fn before(&self, i: usize, x: f64, angle: Option<f64>) -> Result<f64, JointsError> {
         if self.feedback.is_none_or(|exponent| exponent == 0.0) {
             return Ok(0.0);
         }
-        let blank = self.setup.blank.error(x, self.setup.length());
+        let blank = &self.setup.blank;
+        // Half of a diameter is what the tool meets at one angle.
+        let around = angle.map_or(0.0, |angle| 2.0 * blank.around(angle));
+        let blank = blank.error(x, self.setup.length()) + around;
         self.setup.passes.iter().try_fold(blank, |error, pass| Ok(self.pass(i, pass.conditions(error))?.1))
     }
 

@@ -1,11 +1,13 @@
 //! What every row would show: the shaft in equilibrium under the tool, and what shifts the tool against the
 //! work.
 
+use std::f64::consts::PI;
+
 use rayon::prelude::*;
 
 use super::elastic::{Deflection, Elastic};
 use super::machine::{Machine, Moment};
-use super::rows::{self, BLANK, DIAMETER, X};
+use super::rows::{self, ANGLE, BLANK, DIAMETER, X};
 use crate::process::{Failure, Rows};
 use crate::progress::Progress;
 use crate::solve::{Condensed, JointsError, ShaftError};
@@ -33,7 +35,7 @@ pub fn deflections(
 ) -> Result<Vec<Deflection>, Failure> {
     let elastic = Elastic::new(machine, shaft);
     let deflect = |(i, x): (usize, &f64)| {
-        let before = elastic.before(i, *x);
+        let before = elastic.before(i, *x, None);
         let deflection = before.and_then(|before| elastic.deflect(i, machine.setup.conditions(before)));
         progress.advance(1);
         deflection.map_err(Failure::from)
@@ -48,6 +50,10 @@ pub fn deflections(
 /// As [`condense`] and [`deflections`].
 pub fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {
     let setup = &machine.setup;
+    if !setup.blank.is_round() {
+        // The programme's rows are at one angle, and the mean around the part is not that.
+        return observe(machine, programme);
+    }
     let positions = setup.sweep();
     let deflections = deflections(machine, &condense(machine, &positions)?, &positions, progress)?;
     let mut errors = vec![0.0; programme.len()];
@@ -78,14 +84,24 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let x = at(row);
         let diameter = setup.diameter(x);
         let i = positions.partition_point(|p| *p < x);
-        let mut conditions = rows::conditions(setup, rows, row, diameter);
-        if rows.get(BLANK, row).is_none() {
-            conditions.set_depth += 0.5 * elastic.before(i, x)?;
-        }
+        let conditions = rows::conditions(setup, rows, row, diameter);
+        let gap = |angle: Option<f64>| -> Result<f64, Failure> {
+            let mut at = conditions;
+            if rows.get(BLANK, row).is_none() {
+                at.set_depth += 0.5 * elastic.before(i, x, angle)?;
+            }
+            Ok(elastic.deflect(i, at)?.total)
+        };
+        // A diameter reaches from one side to the other.
+        let angle = rows.get(ANGLE, row).unwrap_or(0.0);
+        let gaps = match setup.blank.is_round() {
+            true => 2.0 * gap(None)?,
+            false => gap(Some(angle))? + gap(Some(angle + PI))?,
+        };
         let (time, path) = rows::moment(setup, rows, row, rows::part(rows, row), x);
         let set = if rows.observable[row] == DIAMETER { diameter } else { 0.0 };
         let shift = machine.shift_at(&Moment { x, diameter, time, path });
-        Ok(set + 2.0 * elastic.deflect(i, conditions)?.total + shift)
+        Ok(set + gaps + shift)
     };
     (0..rows.len()).into_par_iter().with_min_len(256).map(one).collect()
 }

@@ -26,6 +26,9 @@ pub struct Moment {
 /// A change of diameter that does not depend on the force, m.
 pub type Shift = Box<dyn Fn(&Moment) -> f64 + Send + Sync>;
 
+/// How far the edge has drawn back after a cutting path, both in m.
+pub type Wear = Box<dyn Fn(f64) -> f64 + Send + Sync>;
+
 /// A lathe with its effects. Effects act on it by yielding at a joint, by tilting the chuck, by feeding the
 /// deflection back into the force, or by adding a shift.
 pub struct Machine {
@@ -45,6 +48,8 @@ pub struct Machine {
     pub shifts: Vec<Shift>,
     /// What moves the nose up or down, out of that plane, m.
     pub lifts: Vec<Shift>,
+    /// What wears the edge back; each shows twice on the diameter.
+    pub wears: Vec<Wear>,
     /// Why an effect cannot be computed; the machine then predicts nothing.
     pub failure: Option<Failure>,
 }
@@ -64,6 +69,7 @@ impl Machine {
             feedback: None,
             shifts: Vec::new(),
             lifts: Vec::new(),
+            wears: Vec::new(),
             failure: None,
         }
     }
@@ -78,11 +84,21 @@ impl Machine {
         self.lifts.push(Box::new(lift));
     }
 
+    /// Wears the edge back along the cutting path, m.
+    pub fn add_wear(&mut self, wear: impl Fn(f64) -> f64 + Send + Sync + 'static) {
+        self.wears.push(Box::new(wear));
+    }
+
+    /// How far the edge has drawn back after a cutting path (m), m.
+    pub fn wear(&self, path: f64) -> f64 {
+        self.wears.iter().map(|by| by(path)).sum()
+    }
+
     /// Everything but force that changes the diameter at a moment, m: the nose stands at √(r² + z²) from the axis,
     /// with all that moves it across in r and all that moves it up in z [seed 002 (2), (3)].
     pub fn shift_at(&self, moment: &Moment) -> f64 {
         let all = |moves: &[Shift]| moves.iter().map(|by| by(moment)).sum::<f64>();
-        let (across, up) = (all(&self.shifts), 2.0 * all(&self.lifts));
+        let (across, up) = (all(&self.shifts) + 2.0 * self.wear(moment.path), 2.0 * all(&self.lifts));
         let diameter = moment.diameter + across;
         // √(D² + z²) − D without the loss of digits in the difference.
         let raised = if up == 0.0 { 0.0 } else { up * up / (diameter.hypot(up) + diameter) };

@@ -4,6 +4,7 @@
 //! that moves the tool nose toward or away from the axis adds to it.
 
 mod cut;
+mod edge;
 mod effects;
 mod elastic;
 mod forward;

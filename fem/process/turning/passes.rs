@@ -5,7 +5,8 @@
 //! work is too large by e (of the diameter) it is set to t + e/2, and leaves e' = 2y, y the deflection under
 //! the force of the depth that is really cut. What moves the tool alike in every pass (a guideway, a
 //! setting) copies nothing. The shaft is the finished one throughout, and stiffer than that while it is
-//! still thick.
+//! still thick. A blank that is oval or lobed around gives a depth of its own at every angle, to which the
+//! deflection settles at once: t_rest(θ) = C·(t_n(θ) − t_rest)^e/j [seed 002 (22), (24)].
 
 use std::f64::consts::TAU;
 
@@ -16,6 +17,8 @@ use crate::units::{ANGLE, FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
 
 /// Most passes: more than any shaft gets.
 const MOST: usize = 100;
+/// Most lobes around a blank: beyond them it is rough, and not out of round.
+const MOST_LOBES: usize = 500;
 
 /// A pass before the last.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,11 +39,13 @@ pub struct Blank {
     waves: Vec<Wave>,
     /// (x, error), rising, linear between; m.
     points: Vec<(f64, f64)>,
+    /// Of the radius, around the blank.
+    lobes: Vec<Wave>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Wave {
-    /// Along the whole shaft.
+    /// Along the whole shaft, or once around it.
     waves: f64,
     /// m.
     amplitude: f64,
@@ -122,12 +127,33 @@ impl Blank {
         if points.windows(2).any(|w| w[1].0 <= w[0].0) {
             t.problem("blank_points", "the places do not rise", "give them from the headstock on, each once");
         }
-        Self { waves, points }
+        let lobes =
+            t.list("lobes", "lobes of the blank's radius around it, which force-feedback copies", |t, _| Wave {
+                waves: t.count("lobes", "lobes in a turn: 2 of an oval").between(1, MOST_LOBES).required() as f64,
+                amplitude: t.quantity("amplitude", LENGTH, "half of peak to valley of the radius").required(),
+                phase: t.quantity("phase", ANGLE, "angle of a crest, from the mark on the part").or(0.0),
+            });
+        Self { waves, points, lobes }
+    }
+
+    /// Whether it is round.
+    pub fn is_round(&self) -> bool {
+        self.lobes.is_empty()
+    }
+
+    /// Error of the radius at an angle (rad) around it, m.
+    pub fn around(&self, angle: f64) -> f64 {
+        self.lobes.iter().map(|w| w.amplitude * (w.waves * (angle - w.phase)).cos()).sum()
+    }
+
+    /// Most lobes in a turn; 0 where it is round.
+    pub fn most_lobes(&self) -> usize {
+        self.lobes.iter().map(|w| w.waves as usize).max().unwrap_or(0)
     }
 
     /// Whether there is none.
     pub fn is_true(&self) -> bool {
-        self.waves.is_empty() && self.points.is_empty()
+        self.waves.is_empty() && self.points.is_empty() && self.lobes.is_empty()
     }
 
     /// Diameter error at x on a shaft of `length`, m.

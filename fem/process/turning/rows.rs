@@ -14,6 +14,9 @@ const PARTS: usize = 12;
 /// Long enough for a machine to be cold again, s.
 const REST: f64 = 4.0 * 3600.0;
 
+/// Path to which wear is followed beyond the batch, in paths of the batch.
+const FURTHER: f64 = 1.5;
+
 /// A diameter is the set diameter plus its error.
 pub const OBSERVABLES: &[Observable] = &[
     Observable { name: "diameter_error", words: "the diameter", kind: MICRO },
@@ -37,6 +40,9 @@ pub const TIME_OF_ROW: usize = 7;
 /// The cutting path of the tool so far.
 pub const PATH_OF_ROW: usize = 8;
 
+/// The angle around the part.
+pub const ANGLE: usize = 9;
+
 /// Force, depth, feed and speed of a row act on its own force only; the schedule stays the model's, but for
 /// a row's own time and path.
 pub const COORDINATES: &[Coordinate] = &[
@@ -49,6 +55,12 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new("blank", "diameter before the cut", Holds::Quantity(LENGTH), Absent::Model),
     Coordinate::new("time", "time since the batch began", Holds::Quantity(TIME), Absent::Model),
     Coordinate::new("path", "cutting path of the tool so far", Holds::Quantity(PATH), Absent::Model),
+    Coordinate::new(
+        "angle",
+        "angle around the part, from its mark",
+        Holds::Quantity(crate::units::ANGLE),
+        Absent::Value(0.0),
+    ),
 ];
 
 /// Rows off the shaft, beyond the batch, or cut with what no cut can have.
@@ -86,6 +98,7 @@ pub fn programme(setup: &Setup) -> Rows {
     let (sweep, parts) = (setup.sweep(), setup.schedule.parts);
     let mut columns = vec![vec![f64::NAN; sweep.len()]; COORDINATES.len()];
     columns[X].clone_from(&sweep);
+    columns[ANGLE].fill(0.0);
     let first = resolved(setup, &Rows { columns, observable: vec![0; sweep.len()] });
     // Parts differ in their number, and in time and path.
     let each = |of: &dyn Fn(usize, f64) -> f64| {
@@ -187,6 +200,9 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let (time, path) = (setup.schedule.time(number, to) + REST, setup.schedule.path(number, to));
     let words = "let the machine rest for four hours and turn another part".into();
     add(words, TIME_OF_ROW, vec![time], another(&[(TIME_OF_ROW, time), (PATH_OF_ROW, path)]));
+    let further = path * FURTHER;
+    let words = "turn another part after the edge has cut half as far again".into();
+    add(words, PATH_OF_ROW, vec![further], another(&[(PATH_OF_ROW, further)]));
     let measured: BTreeSet<usize> = (0..rows.len()).map(|r| part(rows, r)).collect();
     let missed = (1..=setup.schedule.parts).filter(|p| !measured.contains(p)).take(PARTS);
     let missed: Vec<f64> = missed.map(|p| p as f64).collect();
@@ -220,6 +236,7 @@ fn at(like: &Rows, places: &[f64], part: f64, changes: &[(usize, f64)]) -> Rows 
     let mut columns = vec![vec![f64::NAN; places.len()]; like.columns.len()];
     columns[X] = places.to_vec();
     columns[PART] = vec![part; places.len()];
+    columns[ANGLE] = vec![0.0; places.len()];
     for &(column, value) in changes {
         columns[column] = vec![value; places.len()];
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::cut::{Conditions, Cut, Force};
+use super::edge::Edge;
 use super::heating::HeatedRods;
 use super::passes::{Blank, EarlierPass};
 use super::schedule::{Pause, Schedule};
@@ -53,6 +54,8 @@ pub struct Setup {
     pub workholding: Workholding,
     /// Height of the spindle axis above the guideways, m.
     pub centre_height: f64,
+    /// Distance between front and rear guideway, m, if the model tells of it.
+    pub guideway_spacing: Option<f64>,
     /// Springs under it.
     pub steady_rests: Vec<Rest>,
     /// Compliance of the tool holder, m/N; 0 without `[tool]`.
@@ -65,6 +68,8 @@ pub struct Setup {
     pub blank: Blank,
     /// Pass, parts, pauses.
     pub schedule: Schedule,
+    /// The cutting edge, if the model tells of it.
+    pub edge: Option<Edge>,
     /// Positions at which the profile is predicted.
     pub positions: usize,
     /// Longest beam element that is shown, m.
@@ -100,12 +105,15 @@ impl Setup {
             let help = "add segments = [{ length = \"300 mm\", diameter = \"50 mm\" }]";
             model.problem("workpiece", "the shaft has no segments", help);
         }
-        let (workholding, centre_height, steady_rests) = model.table("workholding", "how the shaft is held", |t| {
-            let kind = t.choice("type", "how the shaft is held", Workholding::WORDS).required(Workholding::Centres);
-            let height = t.quantity("centre_height", LENGTH, "height of the spindle axis above the guideways");
-            let height = height.positive().or(CENTRE_HEIGHT);
-            (kind, height, t.list("steady_rests", "springs under the shaft", |t, _| read_rest(t, length)))
-        });
+        let (workholding, centre_height, guideway_spacing, steady_rests) =
+            model.table("workholding", "how the shaft is held", |t| {
+                let kind = t.choice("type", "how the shaft is held", Workholding::WORDS).required(Workholding::Centres);
+                let height = t.quantity("centre_height", LENGTH, "height of the spindle axis above the guideways");
+                let height = height.positive().or(CENTRE_HEIGHT);
+                let spacing = t.quantity("guideway_spacing", LENGTH, "distance between front and rear guideway");
+                let spacing = spacing.positive().optional();
+                (kind, height, spacing, t.list("steady_rests", "springs under the shaft", |t, _| read_rest(t, length)))
+            });
         let holder_compliance =
             model.optional_table("tool", "the tool holder, a cantilever", read_holder).unwrap_or(0.0);
         let (cut, pass) = Cut::read(model, length);
@@ -122,6 +130,7 @@ impl Setup {
             let message = format!("{positions} positions on {parts} parts are more than {MOST_POINTS} points");
             model.problem("batch", message, "take fewer positions or parts");
         }
+        let edge = Edge::read(model, &schedule);
         let (element_size, beam) = read_mesh(model, length);
         let ends = segments.iter().scan(0.0, |x, s| {
             *x += s.length;
@@ -133,12 +142,14 @@ impl Setup {
             segments,
             workholding,
             centre_height,
+            guideway_spacing,
             steady_rests,
             holder_compliance,
             cut,
             passes,
             blank,
             schedule,
+            edge,
             positions,
             element_size,
             beam,

@@ -1,5 +1,6 @@
 //! The report of a run: figures, the profile, plots, and the body in space.
 
+pub mod ground;
 mod scene;
 
 use self::scene::{Hottest, Scene};
@@ -33,6 +34,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     figures.extend(scene.elongation.iter().flat_map(|values| growth(&scene.times, values)));
     figures.extend(hottest(setup, &scene));
     figures.extend(bow(&scene));
+    figures.extend(ground::figure(&setup.body, &setup.boundaries, &scene));
     figures.push(energy(&scene.energy));
     figures.push(steps(setup, &scene));
     let text = format!("leave some {left:.1e} K, by what twice as long ones change");

@@ -10,12 +10,28 @@ use super::super::rows::{elongations, temperatures};
 use super::super::setup::Setup;
 use super::rig::*;
 use crate::input::Record;
-use crate::process::{Case, Rows, Tolerance};
+use crate::process::{Case, Rows, Tolerance, figure_of};
 use crate::solve::conduction::{Energy, Run};
 use crate::solve::rod::{History, Power};
 
 pub fn cases() -> Vec<Case> {
-    [rooms(), powers(), edges(), pulses(), heaters()].concat()
+    [rooms(), powers(), whole_heats(), edges(), pulses(), heaters()].concat()
+}
+
+/// 2 kcal over two intervals, the second with half the power, into an insulated rod: t = Q/(c·V·ρ), and α·L·t once
+/// all is in.
+fn whole_heats() -> Vec<Case> {
+    let source = "at = \"200 mm\", heat = \"2 kcal\", pulses = [1.0, 0.5], on = [[\"0 min\", \"5 min\"], [\"10 min\", \"20 min\"]]";
+    let heated = body(&ROD.replace("at = \"200 mm\", power = \"15 W\"", source), "");
+    let heat = 2.0 * 4186.8;
+    // 10 s steps meet the ends of the intervals, and the balance of heat is that of every step.
+    let balance = Tolerance::Relative(1e-9);
+    let of = |key: &str, path: &str| figure_of(&heated, key, path);
+    let growth = 1e6 * ALPHA * heat / (RHO_C * AREA);
+    vec![
+        row("2 kcal over two intervals", "heat", (heat, of("energy", "supplied"), "J"), balance, "1 cal = 4.1868 J"),
+        row("2 kcal in a rod", "elongation", (growth, of("largest", "value"), "um"), balance, "seed 002 (35), (36)"),
+    ]
 }
 
 /// A record of points (s, SI).

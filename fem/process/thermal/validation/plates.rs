@@ -1,6 +1,7 @@
 //! Plates: growth and bow under a gradient, a passing strip, and a bar that is both rod and plate.
 
 use super::super::follow::Look;
+use super::super::report::ground::{Wheel, hollow};
 use super::rig::*;
 use crate::process::{Case, Tolerance};
 
@@ -16,7 +17,34 @@ pub fn cases() -> Vec<Case> {
     cases.extend(through());
     cases.push(strip());
     cases.push(bar());
+    cases.extend(ground());
     cases
+}
+
+/// A wheel at 10 mm/s over 400 mm: a bow that stays leaves its own depth in the middle; one that grows as b = k·t
+/// leaves most where ξ²(1 − ξ) is largest, 16/27·k·L/v at ξ = 2/3.
+fn ground() -> Vec<Case> {
+    let wheel = Wheel { speed: 10e-3, from: 0.0, length: 0.4 };
+    let times: Vec<f64> = (0..=6000).map(|i| 0.01 * f64::from(i)).collect();
+    let depth = |bow: fn(f64) -> f64| {
+        let bows: Vec<f64> = times.iter().map(|t| bow(*t)).collect();
+        hollow(wheel, &times, &bows).map_or([f64::NAN; 2], |(x, depth)| [1e3 * x, 1e6 * depth])
+    };
+    let ([middle, stays], [place, grows]) = (depth(|_| 20e-6), depth(|t| 1e-6 * t));
+    // Steps of 0.1 mm of the wheel: half of one, and the parabola at the top over it.
+    let (step, top) = (Tolerance::Absolute(0.05), Tolerance::Relative(1e-6));
+    vec![
+        row("ground while bowed by 20 um", "hollow", (20.0, stays, "um"), top, "parabola of the bow"),
+        row("ground while bowed by 20 um", "place", (200.0, middle, "mm"), step, "parabola of the bow"),
+        row(
+            "ground while the bow grows by 1 um/s",
+            "hollow",
+            (40.0 * 16.0 / 27.0, grows, "um"),
+            top,
+            "xi^2(1 - xi) at 2/3",
+        ),
+        row("ground while the bow grows by 1 um/s", "place", (800.0 / 3.0, place, "mm"), step, "xi^2(1 - xi) at 2/3"),
+    ]
 }
 
 /// Below at 20, above at 32: without stress, whatever the shape of the ends.

@@ -19,7 +19,10 @@ pub static GUIDEWAY_WEAR: Effect<3> = Effect {
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),
         Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
     ],
-    look_alikes: &[],
+    look_alikes: &[(
+        "front-guideway-wear",
+        "a level across the carriage along the bed: a tilt shows on it; diameters alone cannot tell",
+    )],
     needs: nothing,
     act: |[depth, centre, width], machine| {
         machine.add_shift(move |at| 2.0 * depth * (-0.5 * ((at.x - centre) / width).powi(2)).exp())

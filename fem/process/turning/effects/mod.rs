@@ -1,9 +1,11 @@
 //! The effects of turning. One file and one line each; effects of several joints share a file.
 
+mod bed_sag;
 mod bed_twist;
 mod carriage_compliance;
 mod chuck_tilt;
 mod force_feedback;
+mod front_guideway_wear;
 mod guideway_height;
 mod guideway_taper;
 mod guideway_wear;
@@ -12,8 +14,10 @@ mod setting_error;
 mod spindle_thermal_drift;
 mod support_compliance;
 mod tailstock_offset;
+mod tool_breakdown;
 mod tool_thermal_growth;
 mod tool_wear;
+mod wear_land;
 mod workpiece_heating;
 
 pub use force_feedback::contradiction;
@@ -33,6 +37,8 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &chuck_tilt::CHUCK_TILT,
     &force_feedback::FORCE_FEEDBACK,
     &tool_wear::TOOL_WEAR,
+    &tool_breakdown::TOOL_BREAKDOWN,
+    &wear_land::WEAR_LAND,
     &tool_thermal_growth::TOOL_THERMAL_GROWTH,
     &workpiece_heating::WORKPIECE_HEATING,
     &spindle_thermal_drift::SPINDLE_THERMAL_DRIFT,
@@ -40,6 +46,8 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &bed_twist::BED_TWIST,
     &guideway_height::GUIDEWAY_HEIGHT,
     &guideway_wear::GUIDEWAY_WEAR,
+    &front_guideway_wear::FRONT_GUIDEWAY_WEAR,
+    &bed_sag::BED_SAG,
     &tailstock_offset::TAILSTOCK_OFFSET,
     &setting_error::SETTING_ERROR,
 ];
@@ -63,7 +71,12 @@ mod bench {
 
     /// The lathe with one effect of these canonical values.
     pub fn lathe(workholding: &str, name: &str, canonical: &[f64]) -> Assembled<Turning> {
-        with_effect(&MODEL.replace("WORKHOLDING", workholding), name, canonical)
+        with_effect(&model(workholding), name, canonical)
+    }
+
+    /// The text of the lathe.
+    pub fn model(workholding: &str) -> String {
+        MODEL.replace("WORKHOLDING", workholding)
     }
 
     /// What the effect adds to the diameter, in um, whatever the force.

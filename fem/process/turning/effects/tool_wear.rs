@@ -1,8 +1,8 @@
 //! The tool wears: the edge draws back, and parts grow.
 //!
 //! ΔD += 2·U(ℓ), U = run_in·(1 − e^(−ℓ/run_in_path)) + rate·ℓ [seed 002 (31), (32)], ℓ the cutting path
-//! since the batch began (m). The first term is the running-in, the second the steady wear. Valid until the
-//! third period, in which the edge breaks down, begins.
+//! since the batch began (m). The first term is the running-in, the second the steady wear; the third period, in
+//! which the edge breaks down, is `tool-breakdown`.
 
 use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};
@@ -21,11 +21,12 @@ pub static TOOL_WEAR: Effect<3> = Effect {
     ],
     look_alikes: &[
         ("tool-thermal-growth", "a pause: wear stays, growth goes back"),
+        ("tool-breakdown", "more parts before and after the onset: steady wear grows from the first part on"),
         ("spindle-thermal-drift", "a pause with the spindle off, and x: drift fades toward the tailstock"),
     ],
     needs: nothing,
     act: |[run_in, run_in_path, rate], machine| {
-        machine.add_shift(move |at| 2.0 * (run_in * -(-at.path / run_in_path).exp_m1() + rate * at.path))
+        machine.add_wear(move |path| run_in * -(-path / run_in_path).exp_m1() + rate * path)
     },
 };
 

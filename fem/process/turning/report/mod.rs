@@ -1,8 +1,13 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
+mod compliance;
+mod edge;
 mod form;
+mod roundness;
 mod shapes;
 
+use self::compliance::Compliance;
+use self::roundness::Roundness;
 use super::elastic::Deflection;
 use super::forward::{condense, deflections, rest_forces};
 use super::machine::Machine;
@@ -20,7 +25,8 @@ use crate::units::{FORCE, LENGTH, MICRO, PATH, TIME};
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
     let (setup, rows, errors) = (&machine.setup, forward.programme, forward.prediction);
     let positions = &setup.sweep();
-    let deflections = &deflections(machine, &condense(machine, positions)?, positions, &Progress::default())?;
+    let shaft = condense(machine, positions)?;
+    let deflections = &deflections(machine, &shaft, positions, &Progress::default())?;
     let first = &errors[..positions.len()];
     let mut figures = vec![
         extreme(setup, rows, errors, ("largest", "largest diameter error"), f64::gt),
@@ -30,15 +36,28 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     ];
     figures.extend(batch(setup, &part_means(positions.len(), errors)));
     figures.push(forces(deflections));
+    let compliance = Compliance::of(&shaft, deflections);
+    figures.extend(compliance.as_ref().and_then(|c| c.figure(positions)));
     figures.push(schedule(setup));
+    let worn = edge::figure(machine);
+    figures.extend(worn.iter().map(|(figure, _)| figure.clone()));
     let refinement = Refinement::of(machine, positions)?;
     figures.extend(refinement.iter().map(Refinement::figure));
+    let roundness = Roundness::of(machine, positions)?;
+    figures.extend(roundness.iter().map(|r| r.figure(positions)));
     Ok(RunReport {
         profile: profile(setup, rows, errors),
-        tables: refinement.iter().map(|r| ("passes", r.table(positions))).collect(),
+        tables: (refinement.iter().map(|r| ("passes", r.table(positions))))
+            .chain(compliance.iter().map(|c| ("compliance", c.table(positions))))
+            .chain(roundness.iter().map(|r| ("roundness", r.table(positions))))
+            .collect(),
         figures,
         plots: plots(positions, errors),
-        warnings: warnings(machine, positions, deflections)?,
+        warnings: [
+            warnings(machine, positions, deflections)?,
+            worn.and_then(|(_, warning)| warning).into_iter().collect(),
+        ]
+        .concat(),
         animation: Some(shapes::animation(machine)?),
         ..RunReport::default()
     })

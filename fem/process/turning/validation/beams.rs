@@ -2,10 +2,10 @@
 
 use super::rig::*;
 use crate::element::Round;
-use crate::process::{Case, Tolerance};
+use crate::process::{Case, Tolerance, figure_of};
 
 pub fn cases() -> Vec<Case> {
-    [slender(), handbook(), shear(), springs(), rests(), sections()].concat()
+    [slender(), handbook(), shear(), springs(), compliance(), rests(), sections()].concat()
 }
 
 /// P a³ b² (4L − a)/(12 E I L³): a propped cantilever, the load at a from the clamp.
@@ -145,6 +145,46 @@ fn springs() -> Vec<Case> {
             "force method",
         ),
         holder(),
+    ]
+}
+
+/// ω = Σ ωᵢ at the weakest of 101 places, and the share of each there; j by (11).
+fn compliance() -> Vec<Case> {
+    let effects = "headstock-compliance.stiffness = \"60 N/um\"\ntailstock-compliance.stiffness = \"40 N/um\"\n\
+                   carriage-compliance.stiffness = \"50 N/um\"";
+    let lathe = uniform("centres", effects);
+    let of = |key: &str| figure_of(&lathe, "stiffness", key);
+    let s = shaft40();
+    let at = |x: f64| {
+        let (l, ei) = (s.length, s.ei);
+        let bending = x * x * (l - x).powi(2) / (3.0 * ei * l);
+        [bending, (1.0 - x / l).powi(2) / 60e6, (x / l).powi(2) / 40e6, 1.0 / 50e6]
+    };
+    let whole = |x: f64| at(x).iter().sum::<f64>();
+    let worst = (0..=100).map(|i| s.length * f64::from(i) / 100.0).max_by(|a, b| whole(*a).total_cmp(&whole(*b)));
+    let x = worst.unwrap_or(f64::NAN);
+    let share = |i: usize, name: &'static str| {
+        row(
+            format!("compliance at the weakest place, {name}"),
+            "share",
+            (at(x)[i] / whole(x), of(name), "-"),
+            ROUND_OFF,
+            "seed 002 (10)",
+        )
+    };
+    vec![
+        row(
+            "stiffness at the weakest place",
+            "stiffness",
+            (1e-6 / whole(x), of("least"), "N/um"),
+            ROUND_OFF,
+            "seed 002 (11), (13)",
+        ),
+        row("weakest place", "x", (1e3 * x, of("x"), "mm"), ROUND_OFF, "seed 002 (11), (13), over 101 places"),
+        share(0, "shaft"),
+        share(1, "headstock"),
+        share(2, "tailstock"),
+        share(3, "carriage"),
     ]
 }
 

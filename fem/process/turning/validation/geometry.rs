@@ -4,7 +4,7 @@ use super::rig::*;
 use crate::process::{Case, Tolerance};
 
 pub fn cases() -> Vec<Case> {
-    [shifts(), hyperboloid()].concat()
+    [shifts(), carriage(), hyperboloid()].concat()
 }
 
 fn shifts() -> Vec<Case> {
@@ -31,6 +31,41 @@ fn shifts() -> Vec<Case> {
         at("setting error -6 um", "[setting-error]\noffset = \"-6 um\"", 0.1, -12e-6, "seed 002 (33), (34)"),
         at("guideway wear, worst place", worn, 0.2, 16e-6, "seed 002, wear of the guideways"),
         at("guideway wear, one width off", worn, 0.25, 16e-6 * (-0.5f64).exp(), "seed 002, wear of the guideways"),
+    ]
+}
+
+/// A carriage on two guideways 300 mm apart that have sunk apart: the rigid body turned exactly, on its front foot.
+/// The nose stands 250 mm above them and 100 mm behind the front one, so that a turn by θ is off by 0.2·θ.
+fn carriage() -> Vec<Case> {
+    let toward_front = |front: f64, rear: f64| {
+        let turn = ((front - rear) / 0.3).atan();
+        0.25 * turn.sin() + 0.1 * (1.0 - turn.cos())
+    };
+    let on_two = |effect: &str| lathe(&UNIFORM.replace("HELD\"", "centres\", guideway_spacing = \"300 mm\""), effect);
+    let worn = on_two("[front-guideway-wear]\nwear = \"30 um\"\ncentre = \"200 mm\"\nwidth = \"50 mm\"");
+    let sagged = on_two("[bed-sag]\nfront = \"40 um\"\nrear = \"-20 um\"");
+    let fallen = on_two("[bed-sag]\nfront = \"200 um\"\nrear = \"200 um\"");
+    let (turned, source) = (Tolerance::Relative(0.2 * 2e-4), "rigid carriage turned on its front foot");
+    let at = |name: &str, expected: f64, lathe: &Option<Lathe>, x: f64, tolerance, source| {
+        row(name, "diameter error", (expected, shift(lathe, 1, x), "m"), tolerance, source)
+    };
+    let root = 2.0 * (0.02f64.powi(2) + 200e-6f64.powi(2)).sqrt() - 0.04;
+    let exact = Tolerance::Relative(1e-9);
+    let half = (-0.5f64).exp();
+    let beside = 2.0 * toward_front(half * 30e-6, half * 6e-6);
+    vec![
+        at("front guideway worn 30 um", 2.0 * toward_front(30e-6, 6e-6), &worn, 0.2, turned, source),
+        at("the same, one width off", beside, &worn, 0.25, turned, source),
+        at(
+            "guideways that sag 40 and -20 um, middle",
+            2.0 * toward_front(40e-6, -20e-6),
+            &sagged,
+            0.25,
+            turned,
+            source,
+        ),
+        at("the same, a tenth along", 2.0 * toward_front(14.4e-6, -7.2e-6), &sagged, 0.05, turned, source),
+        at("guideways that sag alike by 200 um, middle", root, &fallen, 0.25, exact, "seed 002 (2)"),
     ]
 }
 

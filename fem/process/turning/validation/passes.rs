@@ -2,8 +2,9 @@
 //! carriage yields.
 
 use super::super::refinement::Refinement;
+use super::super::rows::ANGLE;
 use super::rig::*;
-use crate::process::{Case, Tolerance};
+use crate::process::{Case, Tolerance, figure_of};
 
 /// j = 20 N/um; C = P₀/t₀ = 400 N / 0.5 mm = 0.8 N/um.
 const CARRIAGE: &str = "[carriage-compliance]\nstiffness = \"20 N/um\"\n[force-feedback]\nexponent = EXPONENT";
@@ -42,7 +43,32 @@ pub fn cases() -> Vec<Case> {
     let copies = |passes: &str| Refinement::of(turned(large, passes, 1.0)?.machine(), &[0.5]).ok()?;
     let inherited = |passes: &str| copies(passes).map_or(f64::NAN, |r| r.inherited);
     let time = |passes: &str| turned(large, passes, 1.0).map_or(f64::NAN, |l| l.setup().schedule.start(1) / 60.0);
+    let lobed = |lobes: usize| format!("lobes = [{{ lobes = {lobes}, amplitude = \"100 um\" }}]");
+    let roundness =
+        |lobes: usize, passes: &str, e: f64| figure_of(&turned(&lobed(lobes), passes, e), "roundness", "largest");
+    // Crest and valley of the blank, each turned by itself.
+    let bent = 0.5 * (root(500.0 + 100.0, 0.75) - root(500.0 - 100.0, 0.75));
+    let across = |lobes: usize, angle: f64| {
+        let at = [(ANGLE, angle.to_radians())];
+        turned(&lobed(lobes), "", 1.0).map_or(f64::NAN, |lathe| 1e6 * observed(&lathe, 0.5, &at))
+    };
     vec![
+        um("oval blank of +-100 um, one pass", left * 200.0, roundness(2, "", 1.0), "seed 002 (24)-(27)"),
+        um(
+            "oval blank of +-100 um, three passes",
+            left.powi(3) * 200.0,
+            roundness(2, two, 1.0),
+            "seed 002 (27), cubed",
+        ),
+        um("oval blank of +-100 um, exponent 0.75", bent, roundness(2, "", 0.75), "seed 002 (22), (24), by bisection"),
+        um("oval blank, diameter across its crests", pass(500.0, 200.0), across(2, 0.0), linear),
+        um("oval blank, diameter at 30 deg", pass(500.0, 100.0), across(2, 30.0), linear),
+        um(
+            "blank of three lobes, diameter anywhere",
+            pass(500.0, 0.0),
+            across(3, 20.0),
+            "odd lobes: a constant diameter",
+        ),
         um("one pass, blank 0.6 mm too large", pass(500.0, 600.0), end(&turned(large, "", 1.0)), linear),
         um("one pass, blank with a wave", pass(500.0, 150.0), end(&turned(wave, "", 1.0)), linear),
         um("three passes, blank 0.6 mm too large", thrice(600.0), end(&turned(large, two, 1.0)), linear),

@@ -4,7 +4,8 @@ use super::super::Turning;
 use super::super::cut::Conditions;
 use super::super::elastic::Elastic;
 use super::super::forward::condense;
-use crate::process::{Assembled, Case, ForwardModel, Tolerance, assembled};
+use super::super::rows::{COORDINATES, X};
+use crate::process::{Assembled, Case, ForwardModel, Rows, Tolerance, assembled};
 pub(super) use crate::process::{bisect, row};
 use crate::progress::Progress;
 
@@ -46,6 +47,15 @@ pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) 
         Elastic::new(lathe.machine(), &shaft).deflect(0, conditions).ok().map(|d| d.total)
     };
     lathe.as_ref().and_then(solve).unwrap_or(f64::NAN)
+}
+
+/// What is measured at x (m) under the given coordinates, m.
+pub fn observed(lathe: &Lathe, x: f64, given: &[(usize, f64)]) -> f64 {
+    let mut columns = vec![vec![f64::NAN]; COORDINATES.len()];
+    columns[X] = vec![x];
+    given.iter().for_each(|(column, value)| columns[*column] = vec![*value]);
+    let rows = Rows { columns, observable: vec![0] };
+    lathe.observe(&rows).map_or(f64::NAN, |values| values[0])
 }
 
 /// What the force does not do to the diameter at x (m) of a part, m.

@@ -27,6 +27,7 @@ pub fn cases() -> Vec<Case> {
         row("stepped shaft, whole pass", "cutting path", (stepped_path(), stepped(), "m"), ROUND_OFF, source),
     ];
     cases.extend(wear(2.4 * whole));
+    cases.extend(edge(2.4 * whole));
     cases.extend(growth());
     cases.extend(drift());
     cases
@@ -43,6 +44,39 @@ fn stepped() -> f64 {
     );
     lathe(&text, "").map_or(f64::NAN, |l| l.setup().schedule.path(1, 0.0))
 }
+
+/// The third period, and the land from which wear is told: one part and two paths by hand.
+fn edge(path: f64) -> Vec<Case> {
+    let onset = 200.0;
+    let breakdown = |exponent: f64| {
+        let effect = format!(
+            "[tool-breakdown]\nwear = \"80 um\"\nonset = \"{onset} m\"\nexponent = {exponent}\n[tool-wear]\nrate = \"10 um/km\""
+        );
+        shift(&lathe(BATCH, &effect), 3, 0.3)
+    };
+    let beyond = |exponent: f64| 2.0 * (80e-6 * (1e-3 * (path - onset)).powf(exponent) + 1e-8 * path);
+    let third = "power law beyond the onset, ours; steady wear by seed 002 (32)";
+    let land = "land = [{ path = \"0 m\", width = \"40 um\" }, { path = \"2 km\", width = \"200 um\" }]";
+    let with = |more: &str| format!("{BATCH}\nedge = {{ clearance_angle = \"8 deg\", {more} }}");
+    let by_land = shift(&lathe(&with(land), "[wear-land]"), 3, 0.3);
+    let tangent = 8f64.to_radians().tan();
+    let drawn_back = 2.0 * (40e-6 + 160e-6 * path / 2000.0) * tangent;
+    // 10 um/km reach 0.1 mm of land at U = 0.1 mm·tan α.
+    let lasting = lathe(&with("largest_land = \"0.1 mm\""), "[tool-wear]\nrate = \"10 um/km\"");
+    let life = 1e-4 * tangent / 1e-8;
+    let told = |key: &str| crate::process::figure_of(&lasting, "wear_land", key);
+    let land_law = "seed 002 (31): U = h tan(alpha)";
+    vec![
+        diameter_error("third period, exponent 2, part 3", (beyond(2.0), breakdown(2.0)), third),
+        diameter_error("third period, exponent 1.5, part 3", (beyond(1.5), breakdown(1.5)), third),
+        diameter_error("wear land over the path, part 3, x = 0.3 m", (drawn_back, by_land), land_law),
+        row("largest land of 0.1 mm", "cutting path", (life, told("life"), "m"), ROUND_OFF, land_law),
+        row("largest land of 0.1 mm", "path left", (life - path / 2.4 * 3.0, told("left"), "m"), LIFE, land_law),
+    ]
+}
+
+/// A difference of paths that are exact to round-off.
+const LIFE: Tolerance = Tolerance::Relative(1e-10);
 
 fn wear(path: f64) -> Vec<Case> {
     let worn = lathe(BATCH, "[tool-wear]\nrun_in = \"3 um\"\nrun_in_path = \"300 m\"\nrate = \"10 um/km\"");

@@ -25,6 +25,11 @@ pub fn additive_error(job: &Job, causes: &[Cause]) -> Vec<f64> {
                 let path = job.path(part, x);
                 2.0 * (size("run_in") * (1.0 - (-path / size("run_in_path")).exp()) + size("rate") * path * 1e-3)
             }),
+            "tool-breakdown" => Box::new(|part, x| {
+                // The third period: nothing up to its onset, then a power of the path beyond, in km.
+                let beyond = 1e-3 * (job.path(part, x) - size("onset"));
+                if beyond > 0.0 { 2.0 * size("wear") * (size("exponent") * beyond.ln()).exp() } else { 0.0 }
+            }),
             "tool-thermal-growth" => {
                 Box::new(|part, x| -2.0 * growth(job, size("elongation"), size("time_constant"), part, x))
             }

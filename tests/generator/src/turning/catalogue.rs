@@ -1,4 +1,4 @@
-//! The 17 effects of turning: their parameters, plausible sizes, and which workholding admits them.
+//! The 18 effects of turning: their parameters, plausible sizes, and which workholding admits them.
 
 use super::job::Holding;
 use crate::law::{Law, Parameter, Role};
@@ -12,6 +12,11 @@ const WEAR: &[Parameter] = &[
     Parameter("run_in", "um", 1.0, 4.0, Role::Amplitude),
     Parameter("run_in_path", "m", 300.0, 900.0, Role::Shape),
     Parameter("rate", "um/km", 3.0, 15.0, Role::Amplitude),
+];
+const BREAKDOWN: &[Parameter] = &[
+    Parameter("wear", "um", 20.0, 200.0, Role::Amplitude),
+    Parameter("onset", "m", 200.0, 1500.0, Role::Shape),
+    Parameter("exponent", "", 1.2, 2.5, Role::Shape),
 ];
 const GROWTH: &[Parameter] = &[
     Parameter("elongation", "um", 5.0, 15.0, Role::Amplitude),
@@ -53,6 +58,7 @@ pub const LAWS: &[Law] = &[
     ("guideway-wear", HOLLOW),
     ("tailstock-offset", TAILSTOCK),
     ("setting-error", SETTING),
+    ("tool-breakdown", BREAKDOWN),
 ];
 
 /// The laws that meet in the force equilibrium; the others add.

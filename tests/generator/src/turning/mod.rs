@@ -76,7 +76,7 @@ impl crate::job::Job for Job {
     fn draws(&self, effect: &str) -> usize {
         match effect {
             "workpiece-heating" => 2,
-            "guideway-wear" | "tool-thermal-growth" | "tool-wear" => 30,
+            "guideway-wear" | "tool-thermal-growth" | "tool-wear" | "tool-breakdown" => 30,
             _ => 6,
         }
     }

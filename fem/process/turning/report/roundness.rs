@@ -1,0 +1,80 @@
+//! Roundness of the turned shaft, section by section: what is left of a blank that is oval or lobed.
+
+use std::f64::consts::TAU;
+
+use super::super::elastic::Elastic;
+use super::super::forward::condense;
+use super::super::machine::Machine;
+use crate::process::{Column, Failure, Figure, Table, first_extreme};
+use crate::units::{LENGTH, MICRO};
+
+/// Angles that are tried for each lobe of a turn.
+const PER_LOBE: usize = 24;
+/// Fewest angles in a turn.
+const FEWEST: usize = 360;
+
+/// Out-of-roundness along a shaft, m.
+pub struct Roundness {
+    /// Peak to valley of the radius of the blank.
+    blank: f64,
+    /// The same of the turned section at every place: Δ = t_rest,max − t_rest,min [seed 002 (24)].
+    sections: Vec<f64>,
+}
+
+impl Roundness {
+    /// Turns the sections at positions (m) at every angle. `None` of a blank that is round, or where nothing is copied.
+    ///
+    /// # Errors
+    /// No equilibrium at some position.
+    pub fn of(machine: &Machine, positions: &[f64]) -> Result<Option<Self>, Failure> {
+        let setup = &machine.setup;
+        if setup.blank.is_round() || !machine.feeds_back() {
+            return Ok(None);
+        }
+        let count = FEWEST.max(PER_LOBE * setup.blank.most_lobes());
+        let angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
+        let shaft = condense(machine, positions)?;
+        let elastic = Elastic::new(machine, &shaft);
+        let section = |(i, x): (usize, &f64)| -> Result<f64, Failure> {
+            let radii = angles.iter().map(|angle| -> Result<f64, Failure> {
+                let at = setup.conditions(elastic.before(i, *x, Some(*angle))?);
+                Ok(0.5 * elastic.pass(i, at)?.1)
+            });
+            Ok(spread(&radii.collect::<Result<Vec<f64>, Failure>>()?))
+        };
+        let sections = positions.iter().enumerate().map(section).collect::<Result<_, Failure>>()?;
+        let blank: Vec<f64> = angles.iter().map(|angle| setup.blank.around(*angle)).collect();
+        Ok(Some(Self { blank: spread(&blank), sections }))
+    }
+
+    /// The worst section.
+    pub fn figure(&self, positions: &[f64]) -> Figure {
+        let worst = first_extreme(&self.sections, f64::gt);
+        let (left, x) = (self.sections[worst], positions[worst]);
+        let told = format!(
+            "{:.3} at most, at x = {:.1}, of {:.3} of the blank",
+            MICRO.shown(left),
+            LENGTH.shown(x),
+            MICRO.shown(self.blank)
+        );
+        Figure::new("roundness", "out of round by")
+            .line(told)
+            .quantity("largest", MICRO, left)
+            .quantity("x", LENGTH, x)
+            .quantity("blank", MICRO, self.blank)
+            .entry("refinement", self.blank / left)
+    }
+
+    /// Section by section.
+    pub fn table(&self, positions: &[f64]) -> Table {
+        let columns =
+            vec![Column::quantities("x", LENGTH, positions), Column::quantities("roundness", MICRO, &self.sections)];
+        Table { columns }
+    }
+}
+
+fn spread(values: &[f64]) -> f64 {
+    let ends = |(low, high): (f64, f64), v: &f64| (low.min(*v), high.max(*v));
+    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+    high - low
+}
