@@ -21,7 +21,7 @@ use crate::compare::{SIGNIFICANCE, compare};
 use crate::fit::fit;
 use crate::model::Data;
 use crate::noise::{Acts, Term};
-use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Table, Target, Tolerance};
+use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Steps, Table, Target, Tolerance};
 use crate::process::{Failure, ForwardModel, Positioning};
 use crate::progress::Progress;
 
@@ -34,12 +34,17 @@ pub struct Compensation {
     pub reversal: Option<Reversal>,
     /// Pitch errors from target to target.
     pub pitch: PitchErrors,
-    /// Parts of the reversal, constant and growing along the screw; `None` where the targets are too few.
+    /// Parts of the reversal without what the controller compensates, constant and growing along the screw; `None`
+    /// where the targets are too few.
     pub lost_motion: Option<LostMotion>,
     /// Tolerances of the axis.
     pub tolerance: Tolerance,
     /// Tolerances checked against the test as measured.
     pub before: Vec<Check>,
+    /// What the controller compensated during the test.
+    pub active: Option<Table>,
+    /// Points at which the controller takes increments.
+    pub steps: Option<Steps>,
     /// Ways of compensating: points, segments, both directions.
     pub schemes: [Scheme; 3],
     /// Whether compensation brings the axis within its tolerances.
@@ -63,8 +68,10 @@ pub struct Scheme {
     pub key: &'static str,
     /// Name for people.
     pub name: &'static str,
-    /// Table that is entered.
+    /// Table that goes onto what the controller had during the test.
     pub table: Table,
+    /// Table that is entered: the sum of both.
+    pub entered: Table,
     /// Evaluation of the measured axis with the table: every reading with the correction at its target.
     pub after: Evaluation,
     /// Tolerances checked with the table.
@@ -134,7 +141,8 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     let approaches: Vec<Approach> = kept.iter().map(|row| all[*row]).collect();
     let observed: Vec<f64> = kept.iter().map(|row| data.observed[*row]).collect();
     let evaluation = Evaluation::of(&approaches, &observed);
-    let (tolerance, resolution) = (axis.tolerance(), axis.resolution());
+    let (tolerance, resolution, active) = (axis.tolerance(), axis.resolution(), axis.active());
+    let alone = active.map_or_else(|| observed.clone(), |active| active.removed(&approaches, &observed));
     let between = axis.between(&data.rows);
     let course = Course { approaches: axis.approaches(&between), deviations: forward.observe(&between)? };
     let scheme = |key, name, table: Table| {
@@ -149,6 +157,7 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
             left_out: tolerance.checks(&left_out),
             after,
             modelled,
+            entered: active.map_or_else(|| table.clone(), |active| table.and(active)),
             table,
         }
     };
@@ -166,9 +175,11 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     Ok(Compensation {
         reversal: Reversal::of(&evaluation),
         pitch: PitchErrors::of(&evaluation),
-        lost_motion: LostMotion::of(&evaluation, |x| axis.screw_compliance(x)),
+        lost_motion: LostMotion::of(&Evaluation::of(&approaches, &alone), |x| axis.screw_compliance(x)),
+        active: active.cloned(),
+        steps: axis.steps(),
         causes: causes::causes(&approaches, &observed, &evaluation, feasibility),
-        cautions: [of_instrument(data), cautions(&evaluation, &schemes[0].modelled, agreement, &tolerance)].concat(),
+        cautions: [of_instrument(data), cautions(&evaluation, &schemes[0], agreement, &tolerance)].concat(),
         wrong_readings,
         modelled_lost_motion: if agreement.adequate { lost_motion_of(&*forward) } else { None },
         model: agreement,
@@ -260,16 +271,16 @@ fn of_instrument(data: &Data) -> Vec<String> {
     cautions
 }
 
-fn cautions(evaluation: &Evaluation, left: &Course, model: ModelAgreement, tolerance: &Tolerance) -> Vec<String> {
+fn cautions(evaluation: &Evaluation, points: &Scheme, model: ModelAgreement, tolerance: &Tolerance) -> Vec<String> {
     let mut cautions = evaluation.departures();
     if evaluation.runs() < 2 {
         cautions.push("a single approach has no scatter: A and R, and with them the tolerances, are not known".into());
     }
-    if Reversal::of(evaluation).is_some_and(|r| r.value < 0.0) {
+    if Reversal::of(evaluation).is_some() && points.entered.backlash() < 0.0 {
         let ahead = "the axis runs ahead after a reversal, and few controllers take a backlash value below zero";
         cautions.push(format!("{ahead}: use the table for each direction"));
     }
-    let width = left.spread();
+    let width = points.modelled.spread();
     if !model.adequate {
         let doubt =
             "the model does not explain what was measured, so that what it says between the targets is doubtful";

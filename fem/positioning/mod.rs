@@ -11,7 +11,7 @@ mod tolerance;
 pub use evaluation::{EDITION, Evaluation, Side, Target};
 pub use pitch::{PitchErrors, Reversal, Step};
 pub use quantity::Quantity;
-pub use table::{Law, Node, Table};
+pub use table::{Increment, Law, Node, Steps, Table};
 pub use tolerance::{Check, Tolerance};
 
 /// The direction from which a target is approached.

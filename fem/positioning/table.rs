@@ -31,7 +31,66 @@ pub struct Table {
     pub nodes: Vec<Node>,
 }
 
+/// Points of equal distance, counted from a controller's reference point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Steps {
+    /// Position of the reference point, m.
+    pub reference: f64,
+    /// Distance from one point to the next, m.
+    pub interval: f64,
+}
+
+/// What a controller adds from one point to the next. m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Increment {
+    /// Number of the point, 0 at the reference point.
+    pub number: i64,
+    /// Position of the point.
+    pub position: f64,
+    /// What is added there more than at the reference point.
+    pub from_reference: f64,
+    /// What is added there more than at the point before.
+    pub increment: f64,
+}
+
 impl Table {
+    /// What a controller adds that has this table beside another: the sum, at the points of either. Segments
+    /// keep their own.
+    #[must_use]
+    pub fn and(&self, other: &Self) -> Self {
+        let mut places: Vec<f64> = self.nodes.iter().map(|n| n.position).collect();
+        if self.law == Law::Points {
+            places.extend(other.nodes.iter().map(|n| n.position));
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+        }
+        let sum = |at, direction| self.correction(at, direction) + other.correction(at, direction);
+        let node = |position| Node {
+            position,
+            forward: sum(position, Direction::Forward),
+            backward: sum(position, Direction::Backward),
+        };
+        Self { law: self.law, nodes: places.into_iter().map(node).collect() }
+    }
+
+    /// The table as increments forwards at points of equal distance over its length [seed 001: each from the
+    /// point before, entered by the number of the reference point].
+    pub fn increments(&self, Steps { reference, interval }: Steps) -> Vec<Increment> {
+        let Some((first, last)) = self.nodes.first().zip(self.nodes.last()) else { return Vec::new() };
+        // A point that a rounding has put beyond the end stands at it.
+        let number = |position: f64| (position - reference) / interval;
+        let numbers = (number(first.position) - 1e-9).ceil() as i64..=(number(last.position) + 1e-9).floor() as i64;
+        let at = |number: i64| reference + number as f64 * interval;
+        let added = |number: i64| self.correction(at(number), Direction::Forward);
+        let step = |number| Increment {
+            number,
+            position: at(number),
+            from_reference: added(number) - self.correction(reference, Direction::Forward),
+            increment: added(number) - added(number - 1),
+        };
+        numbers.map(step).collect()
+    }
+
     /// One pitch table for both directions and one value for backlash: at each target the mean error of both
     /// sides is taken out, and what its reversal differs from the backlash value by stays, half on either
     /// side. Entries are rounded to the controller's resolution (m; 0 for none).
@@ -88,6 +147,12 @@ impl Table {
         }
     }
 
+    /// Deviations as they would have been without the table in the controller.
+    pub fn removed(&self, approaches: &[Approach], deviations: &[f64]) -> Vec<f64> {
+        let of = |(a, d): (&Approach, &f64)| d - self.correction(a.position, a.direction);
+        approaches.iter().zip(deviations).map(of).collect()
+    }
+
     /// Deviations as they would be with the table in the controller.
     pub fn applied(&self, approaches: &[Approach], deviations: &[f64]) -> Vec<f64> {
         let of = |(a, d): (&Approach, &f64)| d + self.correction(a.position, a.direction);
@@ -114,4 +179,38 @@ impl Table {
 
 fn rounded(value: f64, resolution: f64) -> f64 {
     if resolution > 0.0 { (value / resolution).round() * resolution } else { value }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(backlash: f64, points: &[(f64, f64)]) -> Table {
+        let node =
+            |(mm, um): &(f64, f64)| Node { position: 1e-3 * mm, forward: 1e-6 * um, backward: 1e-6 * (um - backlash) };
+        Table { law: Law::Points, nodes: points.iter().map(node).collect() }
+    }
+
+    #[test]
+    fn what_is_entered_is_the_sum_at_the_points_of_either() {
+        let active = table(5.0, &[(0.0, 0.0), (200.0, 8.0)]);
+        let sum = table(3.0, &[(0.0, 1.0), (100.0, 2.0), (300.0, -2.0)]).and(&active);
+        // 8 um hold beyond 200 mm.
+        let expected = table(8.0, &[(0.0, 1.0), (100.0, 6.0), (200.0, 8.0), (300.0, 6.0)]);
+        assert_eq!(sum.nodes.len(), 4);
+        for (found, expected) in sum.nodes.iter().zip(&expected.nodes) {
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-15;
+            assert!(near(found.position, expected.position) && near(found.forward, expected.forward), "{found:?}");
+            assert!(near(found.backward, expected.backward), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn increments_are_counted_from_the_reference_point() {
+        let table = table(0.0, &[(0.0, 1.0), (100.0, 6.0), (300.0, -2.0)]);
+        let steps = table.increments(Steps { reference: 0.2, interval: 0.1 });
+        let told: Vec<(i64, f64, f64)> =
+            steps.iter().map(|s| (s.number, (1e6 * s.from_reference).round(), (1e6 * s.increment).round())).collect();
+        assert_eq!(told, [(-2, -1.0, 0.0), (-1, 4.0, 5.0), (0, 0.0, -4.0), (1, -4.0, -4.0)]);
+    }
 }

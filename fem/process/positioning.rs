@@ -2,7 +2,7 @@
 //! it by name.
 
 use super::Rows;
-use crate::positioning::{Approach, Tolerance};
+use crate::positioning::{Approach, Steps, Table, Tolerance};
 
 /// A system that moves to targets from either side.
 pub trait Positioning {
@@ -17,6 +17,12 @@ pub trait Positioning {
 
     /// To which a controller rounds its compensation, m; 0 for none.
     fn resolution(&self) -> f64;
+
+    /// What the controller compensated already during the test; `None` for nothing.
+    fn active(&self) -> Option<&Table>;
+
+    /// Points at which the controller takes increments, where they are told.
+    fn steps(&self) -> Option<Steps>;
 
     /// How far the drive gives way at a position by its own length, m/N: the part of elastic lost motion
     /// that varies along the travel.

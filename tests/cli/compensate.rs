@@ -267,3 +267,56 @@ fn a_place_of_extra_drag_is_found_and_no_part_named() {
     }
     assert!(!answer.out.contains("the elastic part rules"), "{}", answer.out);
 }
+
+/// An axis of 20 um of play and a scale of 60 um/m: measured, entered, measured again with the entries active, and
+/// entered again. The sum of both is what the first test alone would give, and what is added the second time nothing.
+#[test]
+fn what_is_entered_is_what_was_there_and_what_is_added() {
+    let place = Place::new();
+    let bare = |x: f64, s: f64| 60.0 * x + if s < 0.0 { 20.0 } else { 0.0 };
+    // The control takes 25 um for the play and adds −30 um/m from 0 to 300 mm, and no more beyond.
+    let active = |x: f64, s: f64| -30.0 * x.min(0.3) - if s < 0.0 { 25.0 } else { 0.0 };
+    let controller = "[controller]\nbacklash = \"25 um\"\nsteps = { reference = \"240 mm\", interval = \"120 mm\" }\n\
+                      points = [{ at = \"0 mm\", added = \"0 um\" }, { at = \"300 mm\", added = \"-9 um\" }]\n";
+    place.write("axis.toml", format!("{AXIS}{controller}"));
+    place.write("m.csv", test(|x, s, run| bare(x, s) + active(x, s) + noise(run)));
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "m.csv", "--json", "-o", "out"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let json: Json = serde_json::from_str(&place.read("out/compensation.json")).unwrap();
+    assert!((json["reversal"]["backlash_value"].as_f64().unwrap() + 5.0).abs() < 1e-9);
+    // The play of the axis itself, not what the control makes of it; and no backlash value below zero is entered.
+    assert!((json["lost_motion"]["constant"]["value"].as_f64().unwrap() - 20.0).abs() < 1e-9);
+    assert!(!json["cautions"].to_string().contains("runs ahead"), "{}", json["cautions"]);
+    let entered = json["schemes"][0]["entered"].as_array().unwrap();
+    for entry in entered {
+        let [at, forward, backward] =
+            ["position", "added_forward", "added_backward"].map(|key| entry[key].as_f64().unwrap());
+        // Linear between targets, so that what is added at 300 mm is that of targets beside it: a straight line too.
+        assert!((forward + 0.06 * at).abs() < 0.3 && (forward - backward - 20.0).abs() < 1e-9, "{entry}");
+        if at != 300.0 {
+            assert!((forward + 0.06 * at).abs() < 1e-9, "{entry}");
+        }
+    }
+    assert!(entered.iter().any(|e| e["position"] == 300.0), "{entered:?}");
+    // From 240 mm, points at 0, 120, … 480 mm: 7.2 um less from each to the next, but for the kink at 300 mm.
+    let steps: Vec<Vec<f64>> = place
+        .read("out/increments.csv")
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    assert_eq!(steps.iter().map(|s| s[0]).collect::<Vec<_>>(), [-2.0, -1.0, 0.0, 1.0, 2.0]);
+    assert!(steps[2][2] == 0.0 && (steps[1][2] - 7.2).abs() < 0.3 && (steps[3][3] + 7.2).abs() < 0.3, "{steps:?}");
+    assert!(place.read("out/entered.csv").lines().count() == 1 + entered.len());
+}
+
+#[test]
+fn a_controllers_table_must_rise() {
+    let place = Place::new();
+    let points = "points = [{ at = \"100 mm\", added = \"1 um\" }, { at = \"50 mm\", added = \"2 um\" }]";
+    place.write("axis.toml", format!("{AXIS}[controller]\n{points}\n"));
+    place.write("m.csv", test(|_, _, run| noise(run)));
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "m.csv"]);
+    assert_eq!(answer.status, 2);
+    assert!(answer.err.contains("the positions do not rise"), "{}", answer.err);
+}

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use crate::compensate::{Compensation, Course};
-use crate::positioning::{Direction, Table as Entries};
+use crate::positioning::{Direction, Steps, Table as Entries};
 use crate::process::{Column, Table};
 
 /// Most triplets that LinuxCNC takes for a joint.
@@ -58,6 +58,19 @@ pub fn both_directions(table: &Entries) -> Table {
             Column::numbers("position", Some("mm"), mm(table.nodes.iter().map(|n| n.position))),
             Column::numbers("added_forward", Some("um"), um(table.nodes.iter().map(|n| n.forward))),
             Column::numbers("added_backward", Some("um"), um(table.nodes.iter().map(|n| n.backward))),
+        ],
+    }
+}
+
+/// Makes one row a point at which the controller takes an increment, counted from its reference point.
+pub fn increments(table: &Entries, steps: Steps) -> Table {
+    let steps = table.increments(steps);
+    Table {
+        columns: vec![
+            Column::numbers("number", None, steps.iter().map(|s| s.number as f64).collect()),
+            Column::numbers("position", Some("mm"), mm(steps.iter().map(|s| s.position))),
+            Column::numbers("from_reference", Some("um"), um(steps.iter().map(|s| s.from_reference))),
+            Column::numbers("increment", Some("um"), um(steps.iter().map(|s| s.increment))),
         ],
     }
 }

@@ -140,6 +140,7 @@ fn scheme(s: &Scheme) -> Json {
         "scheme": s.key,
         "name": s.name,
         "entries": s.table.nodes.iter().map(entry).collect::<Vec<_>>(),
+        "entered": s.entered.nodes.iter().map(entry).collect::<Vec<_>>(),
         "after": quantities(&s.after),
         "checks": s.checks.iter().map(check).collect::<Vec<_>>(),
         "left_out": s.left_out.iter().map(check).collect::<Vec<_>>(),

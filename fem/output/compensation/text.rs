@@ -148,6 +148,9 @@ fn reversal(text: &mut String, c: &Compensation) {
             let _ = writeln!(text, "                 {}", step(found));
         }
     }
+    if c.active.is_some() {
+        let _ = writeln!(text, "                 without what the controller compensated during the test");
+    }
     if let Some(told) = &c.modelled_lost_motion {
         let _ = writeln!(text, "                 the model, which agrees with the test, has it {told}");
     }
@@ -238,16 +241,17 @@ fn entries(text: &mut String, c: &Compensation) {
     let _ = writeln!(
         text,
         "\nto enter: backlash {:.4} um, and at each point (linear between)",
-        1e6 * points.table.backlash()
+        1e6 * points.entered.backlash()
     );
     let _ = writeln!(text, "  {:>10}  {:>10} {:>10}", "position", "added", "increment");
-    for node in points.table.nodes.iter().take(LISTED) {
+    for node in points.entered.nodes.iter().take(LISTED) {
         let step = before.map_or("-".into(), |b: f64| format!("{:+.4}", 1e6 * (node.forward - b)));
         let _ = writeln!(text, "  {:>10.3}  {:>+10.4} {step:>10}", 1e3 * node.position, 1e6 * node.forward);
         before = Some(node.forward);
     }
-    let _ = writeln!(
-        text,
-        "  in mm and um, onto what the controller had during the test; then measure again, until the axis keeps its tolerance"
-    );
+    let onto = match c.active {
+        Some(_) => "with what the controller had during the test, and in its place",
+        None => "onto what the controller had during the test",
+    };
+    let _ = writeln!(text, "  in mm and um, {onto}; then measure again, until the axis keeps its tolerance");
 }

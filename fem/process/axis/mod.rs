@@ -4,6 +4,7 @@
 //! run, at a time. The ideal axis goes where it is told; the ball screw is a bar on its bearing, stretched
 //! by whatever the slide's friction asks of it [seed 000, fig. 2].
 
+mod controller;
 mod effects;
 mod forward;
 mod machine;

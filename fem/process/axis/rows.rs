@@ -1,7 +1,7 @@
 //! Deviations as they are measured: which target, from which side, in which run, when.
 
 use super::setup::Setup;
-use crate::positioning::{Approach, Direction, Tolerance};
+use crate::positioning::{Approach, Direction, Steps, Table, Tolerance};
 use crate::process::{
     Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows,
 };
@@ -205,7 +205,15 @@ impl Positioning for Setup {
     }
 
     fn resolution(&self) -> f64 {
-        self.resolution
+        self.controller.resolution
+    }
+
+    fn active(&self) -> Option<&Table> {
+        self.controller.active.as_ref()
+    }
+
+    fn steps(&self) -> Option<Steps> {
+        self.controller.steps
     }
 
     fn screw_compliance(&self, position: f64) -> f64 {

@@ -1,11 +1,12 @@
 //! The tables of an axis model.
 
+use super::controller::Controller;
 use crate::element::Round;
 use crate::input::{Along, Reader, Varying};
 use crate::material::Material;
 use crate::positioning::Tolerance;
 use crate::solve::Bar;
-use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
+use crate::units::{LENGTH, TEMPERATURE, TIME};
 
 /// Most rows of a test: more than any test has.
 const MOST_ROWS: usize = 1_000_000;
@@ -69,8 +70,8 @@ pub struct Setup {
     pub test: Test,
     /// Deviations that the axis is allowed.
     pub tolerance: Tolerance,
-    /// Step to which the controller rounds its compensation, m; 0 for none.
-    pub resolution: f64,
+    /// The controller's compensation.
+    pub controller: Controller,
 }
 
 impl Spacing {
@@ -107,12 +108,8 @@ impl Setup {
             });
         let tolerance =
             model.optional_table("tolerance", "what the axis is allowed, for `fem compensate`", read_tolerance);
-        let resolution =
-            model.optional_table("controller", "the controller's compensation, for `fem compensate`", |t| {
-                t.quantity("resolution", MICRO, "to which compensation values are rounded; exact if left out")
-                    .positive()
-                    .or(0.0)
-            });
+        let about = "the controller's compensation, for `fem compensate`";
+        let controller = model.optional_table("controller", about, |t| Controller::read(t, travel));
         Self {
             from,
             travel,
@@ -124,7 +121,7 @@ impl Setup {
             warmth,
             test,
             tolerance: tolerance.unwrap_or_default(),
-            resolution: resolution.unwrap_or(0.0),
+            controller: controller.unwrap_or_default(),
         }
     }
 

@@ -1,0 +1,51 @@
+//! What the controller is told of the axis: how finely, and what it compensated already during the test.
+
+use crate::input::Reader;
+use crate::positioning::{Law, Node, Steps, Table};
+use crate::units::{LENGTH, MICRO};
+
+/// Most points at which increments are told.
+const MOST_POINTS: f64 = 10_000.0;
+
+/// The controller's compensation. SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Controller {
+    /// Step to which it rounds, m; 0 for none.
+    pub resolution: f64,
+    /// What it compensated during the test; `None` for nothing.
+    pub active: Option<Table>,
+    /// Points at which it takes increments, counted from its reference point.
+    pub steps: Option<Steps>,
+}
+
+impl Controller {
+    /// Reads `[controller]` for an axis of `travel` m.
+    pub fn read(t: &Reader, travel: f64) -> Self {
+        let about = "to which compensation values are rounded; exact if left out";
+        let resolution = t.quantity("resolution", MICRO, about).positive().or(0.0);
+        let about = "backlash that it compensated during the test; none if left out";
+        let backlash = t.quantity("backlash", MICRO, about).or(0.0);
+        let about = "pitch table that it had during the test, linear between; none if left out";
+        let points = t.list("points", about, |t, _| {
+            let at = t.quantity("at", LENGTH, "position of the point").required();
+            (at, t.quantity("added", MICRO, "added to the command there").required())
+        });
+        if points.windows(2).any(|w| w[1].0 <= w[0].0) {
+            t.problem("points", "the positions do not rise", "give them from the least on, each once");
+        }
+        let steps = t.optional_table("steps", "points of equal distance at which it takes increments", |t| {
+            let reference = t.quantity("reference", LENGTH, "position of the reference point").required();
+            let interval = t.quantity("interval", LENGTH, "from one point to the next").positive().required();
+            if travel > MOST_POINTS * interval {
+                let message = format!("{} on {} are too many points", LENGTH.told(interval), LENGTH.told(travel));
+                t.problem("interval", message, format!("at most {MOST_POINTS:.0} points are told"));
+            }
+            Steps { reference, interval }
+        });
+        let node = |(position, added): (f64, f64)| Node { position, forward: added, backward: added - backlash };
+        let nodes: Vec<Node> =
+            if points.is_empty() { vec![node((0.0, 0.0))] } else { points.into_iter().map(node).collect() };
+        let is_active = nodes.iter().any(|n| n.forward != 0.0 || n.backward != 0.0);
+        Self { resolution, active: is_active.then_some(Table { law: Law::Points, nodes }), steps }
+    }
+}
