@@ -145,8 +145,8 @@ const CASES: &[Mistake] = &[
     ),
     ("step = \"0.5 mm\"", "step = \"0.5 mm\"\nends = \"half\"", "half", "half-error"),
     (
-        "stock = \"20 um\" ",
-        "[before]\nstep = \"1 mm\"\n[cut] ",
+        "[cut]\nstock = \"20 um\"",
+        "[before]\nstep = \"1 mm\"\n\n[cut]",
         "the layer between the two passes is not known",
         "add stock",
     ),

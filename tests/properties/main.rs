@@ -23,9 +23,17 @@ fn models(process: &dyn Process) -> Vec<Model> {
             format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
         ],
         "ring" => vec![start.to_string(), start.replace("\"least-squares-circle\"", "\"absolute\"")],
+        "contour" => vec![start.to_string(), equipped(start)],
         _ => vec![start.to_string()],
     };
     variants.into_iter().map(|text| Model::parse(Source::new("model.toml", text)).unwrap()).collect()
+}
+
+/// A contour with what some effects need: screws, a frequency, and the force of a cut.
+fn equipped(start: &str) -> String {
+    let screw = "{ screw = { material = \"steel\", diameter = \"32 mm\", fixed_at = \"-400 mm\" } }";
+    let drives = format!("[drives]\nfrequency = \"3 Hz\"\nx = {screw}\ny = {screw}");
+    start.replace("[drives]", &drives) + "\n[cut]\nnormal_force = \"200 N\"\ntangential_force = \"120 N\"\n"
 }
 
 /// What must act for an effect to be felt at all: surroundings that drift are felt through what loses heat.

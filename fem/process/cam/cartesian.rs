@@ -24,6 +24,16 @@ pub enum Block {
     Circular,
 }
 
+impl Block {
+    /// Widest angle about the cam's axis that a block may take up, rad.
+    fn widest(self) -> f64 {
+        match self {
+            Self::Straight => 0.9 * PI,
+            Self::Circular => 1.5 * PI,
+        }
+    }
+}
+
 /// The fewest blocks that keep a tolerance (m) between two places of a profile, their ends on it.
 pub fn fewest(profile: &Profile, guide: &Guide, block: Block, range: (f64, f64), tolerance: f64) -> usize {
     fewest::places(profile, range, tolerance, |from, to| error(profile, guide, block, from, to)).len()
@@ -31,6 +41,10 @@ pub fn fewest(profile: &Profile, guide: &Guide, block: Block, range: (f64, f64),
 
 /// The largest error of a block between two places on either side, m.
 pub fn error(profile: &Profile, guide: &Guide, block: Block, from: f64, to: f64) -> f64 {
+    // Ends that come together again make no block.
+    if guide.turn(to).1 - guide.turn(from).1 > block.widest() {
+        return f64::INFINITY;
+    }
     let radius = guide.radius();
     let [a, middle, b] = [from, 0.5 * (from + to), to].map(|s| profile.at(s).outside(radius));
     let arc = match block {

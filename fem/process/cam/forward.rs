@@ -52,12 +52,17 @@ fn deviation(machine: &Machine, run: &Run, s: f64) -> Result<f64, Failure> {
 /// what lies above the wheel, less what stays by giving way: y = part·(above − y).
 pub fn left(machine: &Machine, run: &Run, s: f64) -> Option<f64> {
     let own = reach(machine, run, s)?.left;
+    Some(with_yielding(machine, run, s, (own, surface(machine, run, s))))
+}
+
+/// The same where the motion alone leaves `own`, and the pass before has left a surface at another height, m.
+pub fn with_yielding(machine: &Machine, run: &Run, s: f64, (own, surface): (f64, Option<f64>)) -> f64 {
     let part = machine.yielding(s, run.pass);
-    Some(match surface(machine, run, s) {
+    match surface {
         Some(before) if before <= own => before,
         Some(before) => own + part / (1.0 + part) * (before - own),
         None => own + part * machine.setup.stock.unwrap_or(0.0),
-    })
+    }
 }
 
 /// Height above the profile at s of what the pass before has left, m; `None` where its programme was the

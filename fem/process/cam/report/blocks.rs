@@ -149,13 +149,15 @@ impl View<'_> {
     fn sample(&self, s: f64) -> Option<Sample> {
         let reach = forward::reach(self.machine, self.run, s)?;
         let legs = self.motion.legs().len();
-        let layer = forward::surface(self.machine, self.run, s).map(|before| before - reach.left);
+        let surface = forward::surface(self.machine, self.run, s);
+        let shown = forward::with_yielding(self.machine, self.run, s, (reach.left, surface));
+        let layer = surface.map(|before| before - reach.left);
         let by = match reach.at {
             0.0 => Shaper::Imprint((reach.leg + legs - 1) % legs),
             1.0 => Shaper::Imprint(reach.leg),
             _ => Shaper::Envelope(self.motion.legs()[reach.leg].block),
         };
-        Some(Sample { s, left: reach.left, shown: forward::left(self.machine, self.run, s)?, layer, by })
+        Some(Sample { s, left: reach.left, shown, layer, by })
     }
 
     /// Everything about a block but lengths and removal.

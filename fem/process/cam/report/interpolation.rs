@@ -8,10 +8,12 @@ use super::super::fewest::errors;
 use super::super::guide::Guide;
 use super::super::program::points;
 use super::super::setup::Setup;
-use super::contact::MOST_BLOCKS;
 use crate::process::{Datum, Figure};
 use crate::units::MICRO;
 
+/// Blocks of a programme that is compared with others: of more the search for the fewest takes longer than
+/// the run.
+const MOST_BLOCKS: usize = 200;
 /// Errors below this are none, m.
 const NONE: f64 = 1e-10;
 
