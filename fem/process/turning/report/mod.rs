@@ -3,7 +3,7 @@
 mod compliance;
 mod edge;
 mod form;
-mod roundness;
+pub mod roundness;
 mod shapes;
 
 use self::compliance::Compliance;
