@@ -38,8 +38,7 @@ pub fn price(noise: &Noise, measurements: &Measurements) -> f64 {
     noise.terms.iter().map(|term| penalty(term, measurements)).sum()
 }
 
-/// Penalty on a term: the logarithm of what tells its size, the rows, or the levels for zeros of their own
-/// (Pauler 1998: what a zero takes up is in the determinant already), and what it was chosen from.
+/// Penalty on a term: ln n for its size, as for any parameter, and what it was chosen from.
 fn penalty(term: &Term, measurements: &Measurements) -> f64 {
     let n = (measurements.len() as f64).ln();
     match term.effect.acts {
@@ -47,9 +46,8 @@ fn penalty(term: &Term, measurements: &Measurements) -> f64 {
         // Read off the values, stated by the model, or taken from a file: not chosen by the residuals.
         Acts::Rounds | Acts::Reads | Acts::Given => 0.0,
         // A place among all rows counts as two parameters (Zhang and Siegmund 2007).
-        _ if *term.effect == effects::JUMP => 2.0 * n,
-        Acts::Shared(_) => (count(measurements, &term.by) as f64).ln(),
-        Acts::Neighbours | Acts::Scales => n,
+        _ if *term.effect == effects::JUMP => 3.0 * n,
+        _ => n,
     }
 }
 

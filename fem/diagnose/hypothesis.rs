@@ -8,6 +8,7 @@ use super::verdict::is_explained;
 use super::{bent_law, instrument, lead};
 use crate::measure::Repeats;
 use crate::noise::{Acts, Term, effects};
+use crate::process::Holds;
 
 /// Ratio of held-out errors from which an effect misleads.
 const WORSE: f64 = 1.1;
@@ -44,8 +45,12 @@ impl<'a> Hypothesis<'a> {
         }
     }
 
-    /// Leaves out effects of the machine that explain no more than if the law of another one bends.
+    /// Leaves out effects of the machine that explain no more than if the law of another one bends. Noise that could
+    /// swallow what a model lacks swallows what a bend leaves too, and tells nothing.
     pub fn leave_out_decoration(&mut self) {
+        if self.is_greedy() {
+            return;
+        }
         if let Some(plainer) = bent_law::plainer(&self.found) {
             self.replace(Some(plainer));
         }
@@ -84,11 +89,23 @@ impl<'a> Hypothesis<'a> {
     /// more causes: then nothing shows that the machine is at fault.
     pub fn is_plainer_than(&self, other: &Self) -> bool {
         let (own, others) = (self.found.best(), other.found.best());
-        let of_zero = own.objective.noise.terms.last();
-        let is_of_zero = of_zero.is_some_and(|t| [&effects::ZERO_SHIFT, &effects::JUMP].contains(&t.effect));
+        let coordinates = own.objective.data.model.process.coordinates();
+        // What goes with a condition, a force or a place, follows a law rather than a hand that sets a zero.
+        let is_label =
+            |i: &usize| coordinates.get(*i).is_none_or(|c| matches!(c.holds, Holds::Number(_) | Holds::Word(_)));
+        let of_zero =
+            |t: &Term| [&effects::ZERO_SHIFT, &effects::JUMP].contains(&t.effect) && t.by.iter().all(is_label);
+        let is_of_zero = own.objective.noise.terms.last().is_some_and(of_zero);
         let causes = |trial: &CandidateModel| trial.members.len() + trial.objective.noise.terms.len();
         let is_less = own.members.len() < others.members.len() && causes(own) <= causes(others);
-        is_of_zero && self.explains && is_less && self.criterion <= other.criterion + EQUAL_FIT
+        // What zeros take up is in the determinant already: none pays for its size once more, as where chance is
+        // to be kept from adding one.
+        let sizes = |trial: &CandidateModel| {
+            let shared = trial.objective.noise.terms.iter().filter(|t| matches!(t.effect.acts, Acts::Shared(_)));
+            shared.count() as f64 * (trial.objective.data.len() as f64).ln()
+        };
+        let rise = (self.criterion - sizes(own)) - (other.criterion - sizes(others));
+        is_of_zero && self.explains && is_less && rise <= EQUAL_FIT
     }
 
     /// Whether a curve that no law has stands in its noise.

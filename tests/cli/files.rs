@@ -10,7 +10,8 @@ fn a_run_writes_its_files_and_no_others() {
     place.write("lathe.toml", model("lathe.toml").replace("positions = 101", "positions = 4"));
     assert_eq!(place.fem(&["run", "lathe.toml", "-o", "results"]).status, 0);
     let frames: Vec<String> = (0..4).map(|i| format!("results/shaft/shaft_{i:04}.vtu")).collect();
-    let mut expected = vec!["lathe.toml".to_string(), "results/profile.csv".into(), "results/shaft.pvd".into()];
+    let mut expected =
+        ["lathe.toml", "results/compliance.csv", "results/profile.csv", "results/shaft.pvd"].map(String::from).to_vec();
     expected.extend(frames);
     expected.push("results/summary.json".into());
     expected.sort();

@@ -65,7 +65,7 @@ fn the_right_model_is_adequate() {
     let comparison = compared(blind);
     assert_eq!((comparison.noise.source, comparison.p_value), (NoiseSource::Estimated, None));
     assert!((1e6 * comparison.noise.rms() - 1.0).abs() < 0.4, "{}", comparison.noise.rms());
-    assert!(comparison.adequate(), "{:?}", comparison.features);
+    assert!(comparison.adequate(), "{:?} {:?}", comparison.features, comparison.suspects);
 }
 
 #[test]

@@ -43,16 +43,11 @@ fn winding() -> Vec<Case> {
     let elastic = |sign: f64| 2e6 * friction * (1.0 / stiffness + (stands(sign, gap) + 0.4) / rigidity);
     // Where the drive turns round, and not the slide some micrometres behind it.
     let tolerance = crate::process::Tolerance::Relative(1e-5);
-    for (key, sign) in [("greatest_elastic", 1.0), ("least_elastic", -1.0)] {
+    for (key, end, sign) in [("greatest_elastic", "far from", 1.0), ("least_elastic", "close to", -1.0)] {
         let computed = figure_of(&both, "lost_motion", &format!("/x/{key}"));
-        let name = "600 N on a screw of 32 mm".to_string();
-        cases.push(row(
-            name,
-            "elastic clearance",
-            (elastic(sign), computed, "um"),
-            tolerance,
-            "seed 000, fig. 2b: 2F/C(x)",
-        ));
+        let name = format!("600 N on a screw of 32 mm, {end} its bearing");
+        let source = "seed 000, fig. 2b: 2F/C(x)";
+        cases.push(row(name, "elastic clearance", (elastic(sign), computed, "um"), tolerance, source));
     }
     cases
 }
