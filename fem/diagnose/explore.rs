@@ -13,7 +13,7 @@ use crate::compare::{PROMISING, is_round_off};
 use crate::fit::{Objective, Solution};
 use crate::measure::Repeats;
 use crate::noise::MeasurementEffect;
-use crate::process::{Description, Failure};
+use crate::process::{Description, Failure, Holds};
 use crate::progress::Progress;
 
 /// Most effects of the measurement that are sought.
@@ -99,8 +99,9 @@ impl Exploration<'_> {
             let bent = bent_law::bend(&last.found, last.found.best()).map_or(0.0, |bend| bend.evidence);
             let curves = instrument::curves(last.found.best(), self.repeats);
             let bare = instrument::curves(&last.found.base, self.repeats);
-            // A curve that is sized without a cause takes it up, and the cause is not seen beside it any more.
-            let singles = last.found.singles.iter().flatten();
+            // A curve by place and direction that is sized without play takes up the play, which is not seen beside
+            // it any more.
+            let singles = last.found.singles.iter().flatten().filter(|single| goes_by_words(single, &last.found.base));
             let beside = singles.flat_map(|single| instrument::curves(single, self.repeats));
             let least = last.criterion - bent + INSTEAD;
             let curves = curves.into_iter().chain(bare).chain(beside).filter(|p| p.criterion < least).collect();
@@ -218,4 +219,27 @@ impl Exploration<'_> {
     fn extent<'k, 'a>(&'k self, known: &'k [CandidateModel<'a>]) -> Extent<'k, 'a> {
         Extent { most: self.most, breadth: Breadth::USUAL, deepens: false, known, progress: self.progress }
     }
+}
+
+/// Whether what an effect adds is the same at every place, and differs from one direction or branch to the other.
+fn goes_by_words(single: &CandidateModel, base: &CandidateModel) -> bool {
+    /// Largest share of its variance within a direction.
+    const WITHIN: f64 = 0.01;
+    let data = base.objective.data;
+    let coordinates = data.model.process.coordinates();
+    let words = data.given.iter().copied().filter(|i| matches!(coordinates[*i].holds, Holds::Word(_)));
+    let levels = data.levels(&words.collect::<Vec<_>>());
+    let added: Vec<f64> =
+        single.solution.predicted.iter().zip(&base.solution.predicted).map(|(with, without)| with - without).collect();
+    let scatter = |level: &dyn Fn(usize) -> usize| {
+        let mut sums = vec![(0.0, 0.0, 0.0); added.len()];
+        for (row, value) in added.iter().enumerate() {
+            let (n, sum, square) = &mut sums[level(row)];
+            *n += 1.0;
+            *sum += value;
+            *square += value * value;
+        }
+        sums.iter().filter(|s| s.0 > 0.0).map(|(n, sum, square)| square - sum * sum / n).sum::<f64>()
+    };
+    scatter(&|row| levels[row]) < WITHIN * scatter(&|_| 0)
 }

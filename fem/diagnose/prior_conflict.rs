@@ -40,7 +40,7 @@ impl PriorConflict {
 }
 
 /// Finds the parameter (by position) without whose prior the model fits down to the noise, and better than
-/// with the effects that the search found.
+/// with the effects that the search found, or as well where those are two more.
 pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usize, PriorConflict)> {
     let best = found.best();
     let mut released: Vec<(usize, CandidateModel)> = [&found.base, best]
@@ -48,8 +48,13 @@ pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usi
         .flat_map(|trial| far(trial).into_iter().map(move |i| (trial, i)))
         .filter_map(|(trial, i)| Some((i, release(trial, i)?)))
         .collect();
-    released
-        .retain(|(_, trial)| trial.penalised_bic() < best.penalised_bic() - EQUAL_FIT && is_explained(trial, repeats));
+    // One number that is written wrongly is likelier than two causes that make up for it.
+    let margin = |trial: &CandidateModel| match best.members.len() > trial.members.len() + 1 {
+        true => EQUAL_FIT,
+        false => -EQUAL_FIT,
+    };
+    let is_better = |trial: &CandidateModel| trial.penalised_bic() < best.penalised_bic() + margin(trial);
+    released.retain(|(_, trial)| is_better(trial) && is_explained(trial, repeats));
     let (i, trial) = released.into_iter().min_by(|a, b| a.1.penalised_bic().total_cmp(&b.1.penalised_bic()))?;
     let variable = &trial.objective.variables[i];
     let parameter = trial.objective.parameters[i].clone();
