@@ -262,3 +262,19 @@ fn what_is_wrong_with_a_model_in_a_budget_is_told() {
     let answer = place.fem(&["budget", "budget.toml"]);
     assert!(answer.status == 2 && answer.err.contains("lathe.toml:45"), "{}", answer.err);
 }
+
+/// A shaft in a chuck bends in proportion to the force, and so does what its ends differ by: a tenth of the force as
+/// standard uncertainty is three tenths of the spread at three standard deviations.
+#[test]
+fn a_spread_follows_what_the_model_knows_roughly() {
+    let place = Place::new();
+    let model = "process = \"turning\"\n\
+        workpiece = { material = \"steel\", segments = [{ length = \"200 mm\", diameter = \"40 mm\" }] }\n\
+        workholding.type = \"chuck\"\n\
+        cut = { depth = \"1 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"800 rpm\", radial_force = \"300 +- 30 N\" }\n";
+    place.write("shaft.toml", model);
+    place.write("budget.toml", "budget = { samples = 2000 }\n[model]\nfile = \"shaft.toml\"\nfigure = \"spread\"\n");
+    let found = json(&place, "budget.toml");
+    let [spread, random] = ["systematic", "random"].map(|key| found["handbook"][key].as_f64().unwrap());
+    assert!(spread > 1.0 && (random / spread - 0.3).abs() < 1e-6, "{random} of {spread}");
+}

@@ -51,8 +51,11 @@ pub fn deflections(
 pub fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {
     let setup = &machine.setup;
     if !setup.blank.is_round() {
-        // The programme's rows are at one angle, and the mean around the part is not that.
-        return observe(machine, programme);
+        // The programme's rows are at one angle, and the mean around the part is not that. They name the diameter
+        // that was meant; what the blank is off by comes to it.
+        let mut rows = programme.clone();
+        rows.columns[BLANK].fill(f64::NAN);
+        return observe(machine, &rows);
     }
     let positions = setup.sweep();
     let deflections = deflections(machine, &condense(machine, &positions)?, &positions, progress)?;
