@@ -100,7 +100,7 @@ impl Suspicion<'_> {
         let all: Vec<(f64, Noise)> = sets.collect::<Vec<_>>().into_par_iter().map(judge).collect();
         let likely = all.into_iter().filter(|(at, noise)| *at < here - PROMISING && is_rough(noise, self.residuals));
         let best = likely.min_by(|a, b| a.0.total_cmp(&b.0));
-        let is_new = |term: &Term| self.noise.terms.iter().all(|t| !t.is_like(term));
+        let is_new = |term: &Term| !term.is_among(&self.noise.terms);
         best.map_or_else(Vec::new, |(_, noise)| noise.terms.into_iter().filter(is_new).collect())
     }
 
@@ -115,7 +115,7 @@ impl Suspicion<'_> {
         for by in groupings(data) {
             for observable in own_observables(data) {
                 let term = Term { by: by.clone(), observable, ..Term::new(&effects::ZERO_SHIFT) };
-                if present.iter().all(|t| !t.is_like(&term)) {
+                if !term.is_among(present) {
                     with(term);
                 }
             }
@@ -132,7 +132,7 @@ impl Suspicion<'_> {
             let step = Term { observable, ..Term::new(&effects::JUMP) };
             with(Term { rows: vec![self.step_at(&step)], ..step.clone() });
             let drift = Term { observable, ..Term::new(&effects::DRIFT) };
-            if present.iter().all(|t| !t.is_like(&drift)) {
+            if !drift.is_among(present) {
                 with(drift);
             }
         }

@@ -107,7 +107,7 @@ pub fn bend(found: &SearchResult, set: &CandidateModel) -> Option<Bend> {
 /// What a member adds to the prediction of every row, SI.
 fn signature(found: &SearchResult, set: &CandidateModel, member: usize) -> Option<Vec<f64>> {
     let rest = bare(&found.base, &found.candidates, set, member)?;
-    Some(set.solution.predicted.iter().zip(&rest.solution.predicted).map(|(with, without)| with - without).collect())
+    Some(set.change_from(&rest).collect())
 }
 
 /// Shapes that the share may have over the rows, a column each, with the coordinate along which they run.

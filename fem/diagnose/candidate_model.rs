@@ -32,9 +32,18 @@ impl CandidateModel<'_> {
     /// Penalised BIC by which candidate models are ranked: χ² with a penalty on every parameter (Schwarz
     /// 1978) and on every effect that is larger than is plausible.
     pub fn penalised_bic(&self) -> f64 {
+        self.solution.chi2 + self.penalty()
+    }
+
+    /// Penalty on the parameters and on what is larger than is plausible.
+    pub fn penalty(&self) -> f64 {
         let parameters = self.objective.variables.len() - self.objective.priors();
-        let penalty = parameters as f64 * (self.objective.data.len() as f64).ln();
-        self.solution.chi2 + penalty + IMPLAUSIBLE * self.implausible() as f64
+        parameters as f64 * (self.objective.data.len() as f64).ln() + IMPLAUSIBLE * self.implausible() as f64
+    }
+
+    /// By how much its prediction of every row differs from that of another model, SI.
+    pub fn change_from(&self, other: &CandidateModel) -> impl Iterator<Item = f64> {
+        self.solution.predicted.iter().zip(&other.solution.predicted).map(|(own, other)| own - other)
     }
 
     /// Number of added effects that are larger than is plausible.

@@ -109,8 +109,7 @@ fn confounding<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, member: 
 
 /// Variants of another effect that come closest to the contribution of the member.
 fn imitations(best: &CandidateModel, bare: &CandidateModel, stranger: &CandidateEffect) -> Vec<(usize, Gain)> {
-    let rows = best.solution.predicted.iter().zip(&bare.solution.predicted).map(|(p, q)| p - q);
-    let made = best.objective.whiten(rows);
+    let made = best.objective.whiten(best.change_from(bare));
     let imitation =
         |v: &Variant| gain(&(v.columns.transpose() * &v.columns), &(v.columns.transpose() * &made), &v.signed);
     promising(stranger.variants.iter().map(imitation).collect())
@@ -124,8 +123,7 @@ fn alternative<'a>(
     candidate: usize,
 ) -> Option<Alternative<'a>> {
     let jacobian = trial.objective.jacobian(&trial.solution)?;
-    let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).map(|(p, q)| p - q);
-    let apart = trial.objective.noise.whiten(rows).into_iter().chain(priors_apart(best, &trial));
+    let apart = trial.objective.noise.whiten(best.change_from(&trial)).into_iter().chain(priors_apart(best, &trial));
     let separation = length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2);
     let delta_chi2 = trial.solution.chi2 - best.solution.chi2;
     Some(Alternative { model: trial, candidate, delta_chi2, separation })

@@ -229,17 +229,18 @@ fn goes_by_words(single: &CandidateModel, base: &CandidateModel) -> bool {
     let coordinates = data.model.process.coordinates();
     let words = data.given.iter().copied().filter(|i| matches!(coordinates[*i].holds, Holds::Word(_)));
     let levels = data.levels(&words.collect::<Vec<_>>());
-    let added: Vec<f64> =
-        single.solution.predicted.iter().zip(&base.solution.predicted).map(|(with, without)| with - without).collect();
-    let scatter = |level: &dyn Fn(usize) -> usize| {
-        let mut sums = vec![(0.0, 0.0, 0.0); added.len()];
-        for (row, value) in added.iter().enumerate() {
-            let (n, sum, square) = &mut sums[level(row)];
-            *n += 1.0;
-            *sum += value;
-            *square += value * value;
-        }
-        sums.iter().filter(|s| s.0 > 0.0).map(|(n, sum, square)| square - sum * sum / n).sum::<f64>()
-    };
-    scatter(&|row| levels[row]) < WITHIN * scatter(&|_| 0)
+    let added: Vec<f64> = single.change_from(base).collect();
+    sum_of_squares(&added, &levels) < WITHIN * sum_of_squares(&added, &vec![0; added.len()])
+}
+
+/// Sum of squares of values about the mean of their level.
+fn sum_of_squares(values: &[f64], levels: &[usize]) -> f64 {
+    let mut sums = vec![(0.0, 0.0, 0.0); values.len()];
+    for (value, level) in values.iter().zip(levels) {
+        let (n, sum, square) = &mut sums[*level];
+        *n += 1.0;
+        *sum += value;
+        *square += value * value;
+    }
+    sums.iter().filter(|s| s.0 > 0.0).map(|(n, sum, square)| square - sum * sum / n).sum()
 }

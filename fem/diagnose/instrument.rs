@@ -20,8 +20,7 @@ pub fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Nois
 
 /// −2 ln L of a fitted model with penalties on its parameters and on the terms of its noise.
 pub fn criterion(trial: &CandidateModel) -> f64 {
-    let penalties = trial.penalised_bic() - trial.solution.chi2;
-    minus_two_log(trial) + penalties + price(&trial.objective.noise, trial.objective.data)
+    minus_two_log(trial) + trial.penalty() + price(&trial.objective.noise, trial.objective.data)
 }
 
 /// −2 ln L of a fitted model, less a constant. Repeats that happen to scatter more than what is left do not tell the
@@ -74,13 +73,9 @@ fn proposed(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Suspicion)
 /// The noise of a model less each of the terms that were found, the least needed first.
 pub fn with_a_term_less(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
     let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
-    let (stated, terms) = (&trial.objective.data.terms, &trial.objective.noise.terms);
-    let found = (0..terms.len()).filter(|i| stated.iter().all(|t| !t.is_like(&terms[*i])));
-    let less = |left_out: usize| {
-        let others = terms.iter().enumerate().filter(|(i, _)| *i != left_out);
-        others.map(|(_, t)| t.clone()).collect()
-    };
-    judged(trial, repeats, &mean, found.map(less).collect())
+    let (stated, noise) = (&trial.objective.data.terms, &trial.objective.noise);
+    let found = (0..noise.terms.len()).filter(|number| !noise.terms[*number].is_among(stated));
+    judged(trial, repeats, &mean, found.map(|number| noise.terms_but(number)).collect())
 }
 
 /// Estimates the sizes of each of these sets of terms beside a model, and fits it again under each.

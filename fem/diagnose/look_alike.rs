@@ -42,8 +42,10 @@ pub fn look_alikes<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, repe
     let mut all: Vec<LookAlike<'a>> = of_members.collect();
     let data = best.objective.data;
     for (number, term) in best.objective.noise.terms.iter().enumerate() {
-        let is_new = data.terms.iter().all(|t| !t.is_like(term));
-        if is_new && matches!(term.effect.acts, Acts::Shared(_)) && *term.effect != effects::DISCREPANCY {
+        if !term.is_among(&data.terms)
+            && matches!(term.effect.acts, Acts::Shared(_))
+            && *term.effect != effects::DISCREPANCY
+        {
             all.extend(effects_instead(found, best, number, repeats));
         }
     }
@@ -160,8 +162,7 @@ fn effects_instead<'a>(
 /// The best model under its noise less one term, fitted again.
 fn without_term<'a>(best: &CandidateModel<'a>, number: usize, repeats: &Repeats) -> Option<CandidateModel<'a>> {
     let data = best.objective.data;
-    let terms: Vec<Term> =
-        best.objective.noise.terms.iter().enumerate().filter(|(i, _)| *i != number).map(|(_, t)| t.clone()).collect();
+    let terms = best.objective.noise.terms_but(number);
     let mut rest = best.clone();
     rest.objective.noise = Noise::beside(&terms, data, repeats, &best.residuals()).0.with(terms, data);
     rest.solution = minimise(&mut rest.objective, &best.solution.position, &[], StoppingCriterion::FULL)?;
@@ -172,7 +173,6 @@ fn without_term<'a>(best: &CandidateModel<'a>, number: usize, repeats: &Repeats)
 /// second can bridge, in standard uncertainties.
 fn separation(best: &CandidateModel, trial: &mut CandidateModel) -> Option<f64> {
     let jacobian = trial.objective.jacobian(&trial.solution)?;
-    let rows = best.solution.predicted.iter().zip(&trial.solution.predicted).map(|(p, q)| p - q);
-    let apart = trial.objective.noise.whiten(rows).into_iter().chain(priors_apart(best, trial));
+    let apart = trial.objective.noise.whiten(best.change_from(trial)).into_iter().chain(priors_apart(best, trial));
     Some(length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2))
 }

@@ -43,8 +43,7 @@ pub fn told(
     let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
     let whole = restricted.minus_two_log(noise);
     let tell = |(number, term): (usize, &Term)| {
-        let others: Vec<Term> =
-            noise.terms.iter().enumerate().filter(|(i, _)| *i != number).map(|(_, t)| t.clone()).collect();
+        let others = noise.terms_but(number);
         let (own, _) = instrument::plain(best, repeats, &others);
         let without = restricted.minus_two_log(&restricted.estimate(&own, &others, others.len()));
         let mut grown = plain.clone();
@@ -70,7 +69,7 @@ pub fn told(
             bend: None,
         }
     };
-    let is_new = |(_, term): &(usize, &Term)| data.terms.iter().all(|t| !t.is_like(term));
+    let is_new = |(_, term): &(usize, &Term)| !term.is_among(&data.terms);
     noise.terms.iter().enumerate().filter(is_new).map(tell).collect()
 }
 

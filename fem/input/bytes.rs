@@ -2,6 +2,7 @@
 
 use std::io::Read;
 use std::path::Path;
+use std::string::FromUtf8Error;
 use std::sync::Arc;
 
 use encoding_rs::WINDOWS_1252;
@@ -15,16 +16,9 @@ impl Source {
     /// The file cannot be read, is larger than `limit`, or is not UTF-8 (the error points at the first bad
     /// byte).
     pub fn read(path: &Path, limit: u64) -> Result<Self, InputError> {
-        let name: Arc<str> = path.display().to_string().into();
-        let refuse = |problem: Problem| InputError::one(Self::new(name.clone(), ""), problem);
-        let bytes = read(path, limit).map_err(refuse)?;
-        let text =
-            String::from_utf8(bytes).map_err(|e| refuse(not_text(e.as_bytes(), e.utf8_error().valid_up_to())))?;
-        Ok(Self::new(name, text))
+        Self::decoded(path, limit, |e| Err(not_text(e.as_bytes(), e.utf8_error().valid_up_to())))
     }
-}
 
-impl Source {
     /// Reads a table as an instrument or a spreadsheet writes it, of at most `limit` bytes: UTF-8; UTF-16 with a byte
     /// order mark; else a code page in which `µ` and `°` stand where Windows-1252 has them, as all western, Greek and
     /// Cyrillic ones do.
@@ -32,18 +26,28 @@ impl Source {
     /// # Errors
     /// The file cannot be read, is larger than `limit`, or is no text.
     pub fn read_exported(path: &Path, limit: u64) -> Result<Self, InputError> {
-        let name: Arc<str> = path.display().to_string().into();
-        let refuse = |problem: Problem| InputError::one(Self::new(name.clone(), ""), problem);
-        let bytes = read(path, limit).map_err(refuse)?;
-        let text = String::from_utf8(bytes).or_else(|e| {
+        Self::decoded(path, limit, |e| {
             // The mark of UTF-16 is heeded.
             let text = WINDOWS_1252.decode(e.as_bytes()).0.into_owned();
             match text.chars().any(|c| c.is_control() && !c.is_whitespace()) {
                 true => Err(Problem::new("this is no text").help("save it as CSV: .xlsx and .ods are no text")),
                 false => Ok(text),
             }
-        });
-        text.map(|text| Self::new(name.clone(), text)).map_err(refuse)
+        })
+    }
+
+    /// Reads a file, and decodes in another way what is not UTF-8.
+    fn decoded(
+        path: &Path,
+        limit: u64,
+        other: impl FnOnce(FromUtf8Error) -> Result<String, Problem>,
+    ) -> Result<Self, InputError> {
+        let name: Arc<str> = path.display().to_string().into();
+        let text = read(path, limit).and_then(|bytes| String::from_utf8(bytes).or_else(other));
+        match text {
+            Ok(text) => Ok(Self::new(name, text)),
+            Err(problem) => Err(InputError::one(Self::new(name, ""), problem)),
+        }
     }
 }
 

@@ -188,6 +188,12 @@ impl Noise {
         Self { own, ..self.clone() }.with(self.terms.clone(), measurements)
     }
 
+    /// All of its terms but one.
+    pub fn terms_but(&self, number: usize) -> Vec<Term> {
+        let others = self.terms.iter().enumerate().filter(|(i, _)| *i != number);
+        others.map(|(_, term)| term.clone()).collect()
+    }
+
     /// The same noise with another size of one term.
     #[must_use]
     pub fn resized(&self, number: usize, size: f64, measurements: &Measurements) -> Self {

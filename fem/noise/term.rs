@@ -179,4 +179,9 @@ impl Term {
         let bare = |term: &Self| Self { size: 0.0, table: String::new(), ..term.clone() };
         bare(self) == bare(other)
     }
+
+    /// Whether the same term stands among others, whatever its size and its table.
+    pub fn is_among(&self, others: &[Self]) -> bool {
+        others.iter().any(|other| other.is_like(self))
+    }
 }

@@ -37,8 +37,7 @@ impl Before {
         let (drawn, division, speed) = (drawn?, division?, speed?);
         let wheel_radius = radius.unwrap_or(wheel);
         let own = vec![None; drawn.segments.len()];
-        let is_known = wheel_radius.is_finite() && wheel_radius > 0.0;
-        (is_known && division.check(t, &drawn.profile, &own, wheel_radius)).then(|| Self {
+        division.check(t, &drawn.profile, &own, wheel_radius).then(|| Self {
             program: Program::new(&drawn.profile, wheel_radius, &division, &own, &speed),
             wheel_radius,
             stock: stock.unwrap_or(0.0),

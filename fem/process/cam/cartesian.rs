@@ -7,13 +7,10 @@
 
 use std::f64::consts::PI;
 
-use super::fewest;
+use super::fewest::{self, SAMPLES};
 use super::guide::Guide;
 use super::profile::{Profile, Vector, direction, turn};
 use super::search::peak;
-
-/// Places at which the error of a block is looked at first.
-const SAMPLES: usize = 9;
 
 /// The way of the wheel's centre within a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -22,12 +22,7 @@ pub struct Accelerations {
 }
 
 impl Accelerations {
-    /// Nothing limits them: blocks pass without rest.
-    pub fn unlimited() -> Self {
-        Self { cam: f64::INFINITY, slide: f64::INFINITY }
-    }
-
-    /// Whether blocks pass without rest.
+    /// Whether nothing limits them, and blocks pass without rest.
     pub fn are_unlimited(&self) -> bool {
         self.cam.is_infinite() && self.slide.is_infinite()
     }

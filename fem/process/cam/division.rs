@@ -123,9 +123,12 @@ impl Division {
         }
     }
 
-    /// Whether a profile can be divided so, for a wheel of `radius`; else a problem is noted. `own` are the
-    /// blocks that segments ask for themselves.
+    /// Whether a profile can be divided so, for a wheel of `radius`; else a problem is noted, save where the
+    /// radius is not known. `own` are the blocks that segments ask for themselves.
     pub fn check(&self, t: &Reader, profile: &Profile, own: &[Option<usize>], radius: f64) -> bool {
+        if !(radius.is_finite() && radius > 0.0) {
+            return false;
+        }
         let most = MOST_BLOCKS as f64;
         let (key, count) = match self.by {
             By::Step => ("step", profile.length() / self.size),

@@ -12,7 +12,7 @@ use super::search::peak;
 /// A block is as long as it can be to this part of its length.
 pub const PRECISION: f64 = 1e-5;
 /// Places at which the error of a block is looked at first.
-const SAMPLES: usize = 9;
+pub const SAMPLES: usize = 9;
 
 /// Places at which blocks begin between two others so that none errs by more than `tolerance` (m), with the
 /// last place and without the first. `error` is that of a block between two places, m.
@@ -52,22 +52,23 @@ pub fn longest(rest: f64, guess: f64, excess: impl Fn(f64) -> f64) -> f64 {
     good
 }
 
-/// The larger of what a single block leaves between its ends and of what it cuts too deep anywhere, m.
-pub fn error(profile: &Profile, guide: &Guide, from: f64, to: f64) -> f64 {
-    let (thick, deep) = errors(profile, &guide.block((from, 0.0), (to, 0.0)), guide.radius(), (from, to));
+/// The larger of what a single block leaves between its ends, each a place with its shift, and of what it cuts
+/// too deep anywhere, m.
+pub fn error(profile: &Profile, guide: &Guide, from: (f64, f64), to: (f64, f64)) -> f64 {
+    let (thick, deep) = errors(profile, guide, from, to);
     thick.max(deep)
 }
 
 /// The most that a single block leaves between its ends, and the depth to which it cuts too deep anywhere,
 /// m.
-pub fn errors(profile: &Profile, leg: &Leg, radius: f64, (from, to): (f64, f64)) -> (f64, f64) {
+pub fn errors(profile: &Profile, guide: &Guide, from: (f64, f64), to: (f64, f64)) -> (f64, f64) {
+    let (leg, radius, range) = (guide.block(from, to), guide.radius(), (from.0, to.0));
     let left = |s: f64| {
         let mut best = Reach::none();
         leg.lower(&Ray::from(profile.at(s)), radius, 0, (0.0, 1.0), &mut best);
         best.left
     };
-    let thick = peak(left, from, to, SAMPLES).1;
-    (thick, overcut(profile, leg, radius, (from, to)))
+    (peak(left, range.0, range.1, SAMPLES).1, overcut(profile, &leg, radius, range))
 }
 
 /// Depth to which a wheel of `radius` cuts on a leg that is to grind the profile between two places, m: the

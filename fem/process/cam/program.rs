@@ -44,34 +44,19 @@ impl Program {
         let points: Vec<(f64, f64, f64)> =
             places.iter().zip(&shifts).map(|(s, shift)| guide.point(*s, *shift)).collect();
         let through: Vec<f64> = points.iter().map(|p| p.1).collect();
-        let (turns, slides) = points.iter().map(|p| (p.0, p.2)).unzip();
-        let times: Vec<f64> = match speed.pace {
+        let (turns, slides): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.0, p.2)).unzip();
+        let steady: Vec<f64> = match speed.pace {
             Pace::CamSpeed(speed) => through.iter().map(|angle| angle / speed).collect(),
             Pace::Feed(feed) => places.iter().map(|s| s / feed).collect(),
         };
-        let steady_time = times.last().copied().unwrap_or(f64::NAN);
-        let courses = vec![Course::STEADY; places.len() - 1];
-        let axes = Axes { times, turns, slides };
-        let mut program = Self { places, shifts, axes, steady_time, courses, mean_speed: f64::NAN };
-        if !speed.accelerations.are_unlimited() {
-            program.limit(&speed.accelerations);
-        }
-        program.mean_speed = TAU / program.axes.times.last().copied().unwrap_or(f64::NAN);
-        program
-    }
-
-    /// Stretches the time of every block to what the accelerations allow.
-    fn limit(&mut self, accelerations: &Accelerations) {
-        let steady = std::mem::replace(&mut self.axes.times, vec![0.0]);
-        let mut end = 0.0;
-        for block in 0..self.courses.len() {
-            let [turned, slid] = [&self.axes.turns, &self.axes.slides].map(|axis| axis[block + 1] - axis[block]);
-            let acceleration = accelerations.of_block(turned, slid);
-            let (time, course) = Course::limited(steady[block + 1] - steady[block], acceleration);
-            end += time;
-            self.axes.times.push(end);
-            self.courses[block] = course;
-        }
+        let end = |times: &[f64]| times.last().copied().unwrap_or(f64::NAN);
+        let steady_time = end(&steady);
+        let (times, courses) = match speed.accelerations.are_unlimited() {
+            true => (steady, vec![Course::STEADY; places.len() - 1]),
+            false => limited(&steady, [&turns, &slides], &speed.accelerations),
+        };
+        let mean_speed = TAU / end(&times);
+        Self { places, shifts, axes: Axes { times, turns, slides }, steady_time, courses, mean_speed }
     }
 
     /// The programme as it runs when nothing else is said.
@@ -120,6 +105,19 @@ impl Program {
     }
 }
 
+/// Times stretched to what the accelerations allow in every block, and its course.
+fn limited(steady: &[f64], axes: [&[f64]; 2], accelerations: &Accelerations) -> (Vec<f64>, Vec<Course>) {
+    let (mut times, mut courses, mut end) = (vec![0.0], Vec::new(), 0.0);
+    for (block, ends) in steady.windows(2).enumerate() {
+        let [turned, slid] = axes.map(|axis| axis[block + 1] - axis[block]);
+        let (time, course) = Course::limited(ends[1] - ends[0], accelerations.of_block(turned, slid));
+        end += time;
+        times.push(end);
+        courses.push(course);
+    }
+    (times, courses)
+}
+
 /// Places at which blocks begin, and the end, each with its shift, m.
 pub fn points(guide: &Guide, profile: &Profile, division: &Division, own: &[Option<usize>]) -> Vec<(f64, f64)> {
     let joints = profile.joints();
@@ -141,7 +139,7 @@ pub fn points(guide: &Guide, profile: &Profile, division: &Division, own: &[Opti
                 points.extend(places.into_iter().zip(shifts).skip(1));
             }
             (None, Ends::OnProfile) => {
-                let error = |from: f64, to: f64| fewest::error(profile, guide, from, to);
+                let error = |from: f64, to: f64| fewest::error(profile, guide, (from, 0.0), (to, 0.0));
                 points.extend(fewest::places(profile, (from, to), division.size, error).into_iter().map(|s| (s, 0.0)));
             }
             (None, Ends::HalfError) => points.extend(shifted::fewest(guide, profile, (from, to), division.size)),

@@ -72,11 +72,10 @@ impl Setup {
         let (speed, programmed) = model.table("program", "how the cam is programmed", |t| {
             let speed = Speed::read(t);
             let division = Division::read(t, speed.map(|s| s.pace));
-            let (Some(drawn), Some(division), Some(pace)) = (&drawn, division, speed) else { return (speed, None) };
+            let (Some(drawn), Some(division), Some(run)) = (&drawn, division, speed) else { return (speed, None) };
             let own: Vec<Option<usize>> = drawn.segments.iter().map(|s| s.blocks).collect();
-            let is_known = wheel_radius.is_finite() && wheel_radius > 0.0;
-            let is_possible = is_known && division.check(t, &drawn.profile, &own, wheel_radius);
-            let program = || Program::new(&drawn.profile, wheel_radius, &division, &own, &pace);
+            let is_possible = division.check(t, &drawn.profile, &own, wheel_radius);
+            let program = || Program::new(&drawn.profile, wheel_radius, &division, &own, &run);
             (speed, is_possible.then(|| (division, program())))
         });
         let before = model.optional_table("before", "the pass before, if its programme was another", |t| {

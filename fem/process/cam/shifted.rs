@@ -11,7 +11,7 @@
 //! its error; the block beside one is (1 + √2)/2 as long as without shifts, and its error falls by less
 //! than half.
 
-use super::fewest::{PRECISION, errors, longest, shortest};
+use super::fewest::{PRECISION, error, errors, longest, shortest};
 use super::guide::Guide;
 use super::profile::Profile;
 
@@ -21,11 +21,11 @@ const ROUND_OFF: f64 = 1e-12;
 /// Shifts along the normal at places where blocks begin, the first and the last of which stay: half of the
 /// larger error beside each, to the other side; nothing where the errors beside it have opposite signs, m.
 pub fn shifts(guide: &Guide, profile: &Profile, places: &[f64]) -> Vec<f64> {
-    let error = |w: &[f64]| {
-        let (thick, deep) = errors(profile, &guide.block((w[0], 0.0), (w[1], 0.0)), guide.radius(), (w[0], w[1]));
+    let signed = |w: &[f64]| {
+        let (thick, deep) = errors(profile, guide, (w[0], 0.0), (w[1], 0.0));
         if thick > deep { thick } else { -deep }
     };
-    let own: Vec<f64> = places.windows(2).map(error).collect();
+    let own: Vec<f64> = places.windows(2).map(signed).collect();
     let between = own.windows(2).map(|e| match e[0] * e[1] > ROUND_OFF * ROUND_OFF {
         true if e[0].abs() > e[1].abs() => -0.5 * e[0],
         true => -0.5 * e[1],
@@ -77,8 +77,7 @@ struct Blocks<'a> {
 impl Blocks<'_> {
     /// The error of a block between two places over what its ends, shifted, allow, by the parabola.
     fn excess(&self, (from, u): (f64, f64), (to, v): (f64, f64)) -> f64 {
-        let leg = self.guide.block((from, 0.0), (to, 0.0));
-        let (thick, deep) = errors(self.profile, &leg, self.guide.radius(), (from, to));
+        let (thick, deep) = errors(self.profile, self.guide, (from, 0.0), (to, 0.0));
         let allowed = |u: f64, v: f64| {
             let root = |shift: f64| (self.tolerance - shift).max(0.0).sqrt();
             (0.5 * (root(u) + root(v))).powi(2) + PRECISION * self.tolerance
@@ -88,8 +87,6 @@ impl Blocks<'_> {
 
     /// Whether the block with its ends shifted keeps the tolerance.
     fn keeps(&self, from: (f64, f64), to: (f64, f64)) -> bool {
-        let leg = self.guide.block(from, to);
-        let (thick, deep) = errors(self.profile, &leg, self.guide.radius(), (from.0, to.0));
-        thick.max(deep) <= self.tolerance * (1.0 + 3.0 * PRECISION)
+        error(self.profile, self.guide, from, to) <= self.tolerance * (1.0 + 3.0 * PRECISION)
     }
 }

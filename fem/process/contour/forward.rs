@@ -123,7 +123,7 @@ impl<'m> Lap<'m> {
     /// The lap of a machine.
     pub fn new(machine: &'m Machine, direction: Direction, feed: f64) -> Self {
         let motion = |axis| Motion::of(&machine.setup.path, axis, machine.gains[axis], feed, direction);
-        Self { machine, direction, feed, axes: [0, 1].map(|axis| Axis::new(motion(axis), machine.play(axis))) }
+        Self { machine, direction, feed, axes: [0, 1].map(|axis| Axis::new(motion(axis), machine.plays[axis].clone())) }
     }
 
     /// s within the lap at which a point is commanded.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::play::{Play, Winding};
+use super::play::Play;
 use super::setup::Setup;
 use crate::process;
 
@@ -16,10 +16,8 @@ pub struct Machine {
     pub setup: Arc<Setup>,
     /// Kv of each axis, 1/s.
     pub gains: [f64; 2],
-    /// Play of each axis, m.
-    pub gaps: [f64; 2],
-    /// What friction winds up in each axis.
-    pub lost: [Option<Lost>; 2],
+    /// Lost motion of each axis.
+    pub plays: [Play; 2],
     /// Compliance between tool and work along each axis, m/N.
     pub compliances: [f64; 2],
     /// Part by which each gain changes when its axis goes at the feed of the model.
@@ -47,15 +45,6 @@ pub struct Cyclic {
     pub phase: f64,
 }
 
-/// Friction on a spring.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lost {
-    /// Friction of the slide, N.
-    pub friction: f64,
-    /// Stiffness of nut and bearing together, N/m.
-    pub stiffness: f64,
-}
-
 /// height·e^(−Δt/time_constant), outwards along the axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spike {
@@ -72,8 +61,7 @@ impl Machine {
         Self {
             setup,
             gains,
-            gaps: [0.0; 2],
-            lost: [None; 2],
+            plays: Default::default(),
             compliances: [0.0; 2],
             gain_changes: [0.0; 2],
             stick_slip: [Cyclic::default(); 2],
@@ -83,15 +71,6 @@ impl Machine {
             centre: [0.0; 2],
             spikes: [Spike::default(); 2],
         }
-    }
-
-    /// Everything that an axis loses where it turns round.
-    pub fn play(&self, axis: usize) -> Play {
-        let wound = |Lost { friction, stiffness }| {
-            let screw = self.setup.drives[axis].screw.clone()?;
-            Some(Winding { friction, stiffness, screw })
-        };
-        Play { gap: self.gaps[axis], winding: self.lost[axis].and_then(wound) }
     }
 
     /// Gain of an axis at its own speed (m/s), 1/s.

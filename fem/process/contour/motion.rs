@@ -108,8 +108,8 @@ impl Motion {
         match self {
             Self::Wave { amplitude, frequency, lag } => amplitude * (frequency * time - lag).cos(),
             Self::Ramps { gain, ramps, .. } => {
-                let i = ramps.partition_point(|r| r.begin <= time).saturating_sub(1);
-                ramps[i].position(*gain, time - ramps[i].begin)
+                let ramp = ramp_at(ramps, time);
+                ramp.position(*gain, time - ramp.begin)
             }
         }
     }
@@ -119,7 +119,7 @@ impl Motion {
     pub fn speed(&self, time: f64) -> f64 {
         match self {
             Self::Wave { amplitude, frequency, lag } => -amplitude * frequency * (frequency * time - lag).sin(),
-            Self::Ramps { ramps, .. } => ramps[ramps.partition_point(|r| r.begin <= time).saturating_sub(1)].velocity,
+            Self::Ramps { ramps, .. } => ramp_at(ramps, time).velocity,
         }
     }
 
@@ -144,6 +144,11 @@ impl Ramp {
     fn position(&self, gain: f64, since: f64) -> f64 {
         self.from + self.velocity * (since - 1.0 / gain) + self.excess * (-gain * since).exp()
     }
+}
+
+/// The ramp of a time within the lap.
+fn ramp_at(ramps: &[Ramp], time: f64) -> &Ramp {
+    &ramps[ramps.partition_point(|r| r.begin <= time).saturating_sub(1)]
 }
 
 /// On a ramp that goes the other way than the last one that went anywhere, the axis turns round when v =

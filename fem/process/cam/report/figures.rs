@@ -136,7 +136,7 @@ fn feed(blocks: &[Block]) -> Figure {
     let within = (range(blocks.iter().map(|b| b.feed.0)).0, range(blocks.iter().map(|b| b.feed.1)).1);
     let envelope = range(blocks.iter().map(Block::envelope_feed));
     let [by_block, of_point, along] = [mean, within, envelope].map(|feeds| from_to(FEED_RATE, feeds, 1));
-    let mut figure = Figure::new("feed", "feed along the cam")
+    let figure = Figure::new("feed", "feed along the cam")
         .line(format!("{by_block} by block; {of_point} of the grinding point within blocks"))
         .quantity("least_mean", FEED_RATE, mean.0)
         .quantity("greatest_mean", FEED_RATE, mean.1)
@@ -144,19 +144,17 @@ fn feed(blocks: &[Block]) -> Figure {
         .quantity("greatest", FEED_RATE, within.1)
         .quantity("least_of_envelope", FEED_RATE, envelope.0)
         .quantity("greatest_of_envelope", FEED_RATE, envelope.1);
-    let tenths = blocks.iter().flat_map(|b| b.tenths.iter().copied());
-    figure = match blocks.iter().any(|b| b.tenths.is_empty()) {
+    match blocks.iter().any(|b| b.tenths.is_empty()) {
         true => figure.line(format!("along the envelope {along} by block")),
         false => {
-            let tenths = range(tenths);
+            let tenths = range(blocks.iter().flat_map(|b| b.tenths.iter().copied()));
             let told = from_to(FEED_RATE, tenths, 1);
             figure
                 .line(format!("along the envelope {along} by block, {told} by tenths of their time"))
                 .quantity("least_of_a_tenth", FEED_RATE, tenths.0)
                 .quantity("greatest_of_a_tenth", FEED_RATE, tenths.1)
         }
-    };
-    figure
+    }
 }
 
 /// What starting and stopping in every block costs, where accelerations are limited.

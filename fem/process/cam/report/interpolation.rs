@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::super::cartesian::{self, Block};
 use super::super::division::{By, Division, Ends};
-use super::super::fewest::errors;
+use super::super::fewest::error;
 use super::super::guide::Guide;
 use super::super::program::points;
 use super::super::setup::Setup;
@@ -17,12 +17,6 @@ const MOST_BLOCKS: usize = 200;
 /// Errors below this are none, m.
 const NONE: f64 = 1e-10;
 
-/// The largest errors of blocks by their geometry alone, m: as they are, and with their ends on the profile.
-struct Errors {
-    as_they_are: f64,
-    on_profile: f64,
-}
-
 /// What shifted ends bring, and which interpolation needs how many blocks; nothing where there are too many
 /// blocks to look at.
 pub fn figures(setup: &Setup) -> Vec<Figure> {
@@ -30,34 +24,29 @@ pub fn figures(setup: &Setup) -> Vec<Figure> {
         return Vec::new();
     }
     let guide = Guide::new(&setup.profile, setup.wheel_radius);
-    let errors = largest(setup, &guide);
-    let shifted = (setup.division.ends == Ends::HalfError).then(|| shifted(setup, &guide, &errors));
-    shifted.into_iter().chain(coordinates(setup, &guide, &errors)).collect()
+    let error = largest(setup, &guide, |i| setup.program.shifts[i]);
+    let shifted = (setup.division.ends == Ends::HalfError).then(|| shifted(setup, &guide, error));
+    shifted.into_iter().chain(coordinates(setup, &guide, error)).collect()
 }
 
-fn largest(setup: &Setup, guide: &Guide) -> Errors {
+/// The largest error of the blocks by their geometry alone, their ends shifted so, m.
+fn largest(setup: &Setup, guide: &Guide, shift: impl Fn(usize) -> f64 + Sync) -> f64 {
     let program = &setup.program;
-    let of = |block: usize| {
-        let ends = [block, block + 1].map(|i| (program.places[i], program.shifts[i]));
-        let range = (ends[0].0, ends[1].0);
-        [ends, ends.map(|(s, _)| (s, 0.0))].map(|[from, to]| {
-            let (thick, deep) = errors(&setup.profile, &guide.block(from, to), setup.wheel_radius, range);
-            thick.max(deep)
-        })
-    };
-    let both: Vec<[f64; 2]> = (0..program.blocks()).into_par_iter().map(of).collect();
-    let [as_they_are, on_profile] = [0, 1].map(|i| both.iter().map(|b| b[i]).fold(0.0, f64::max));
-    Errors { as_they_are, on_profile }
+    let end = |i: usize| (program.places[i], shift(i));
+    let of = |block: usize| error(&setup.profile, guide, end(block), end(block + 1));
+    let errors: Vec<f64> = (0..program.blocks()).into_par_iter().map(of).collect();
+    errors.into_iter().fold(0.0, f64::max)
 }
 
-fn shifted(setup: &Setup, guide: &Guide, errors: &Errors) -> Figure {
+fn shifted(setup: &Setup, guide: &Guide, error: f64) -> Figure {
+    let unshifted = largest(setup, guide, |_| 0.0);
     let by = setup.program.shifts.iter().map(|shift| shift.abs()).fold(0.0, f64::max);
-    let [most, left, without] = [by, errors.as_they_are, errors.on_profile].map(|v| MICRO.shown(v));
+    let [most, left, without] = [by, error, unshifted].map(|v| MICRO.shown(v));
     let figure = Figure::new("shifted_ends", "shifted ends")
         .line(format!("up to {most:.3}: blocks err by {left:.3} at most, with ends on the profile by {without:.3}"))
         .quantity("largest_shift", MICRO, by)
-        .quantity("largest_error", MICRO, errors.as_they_are)
-        .quantity("largest_error_on_profile", MICRO, errors.on_profile);
+        .quantity("largest_error", MICRO, error)
+        .quantity("largest_error_on_profile", MICRO, unshifted);
     if setup.division.by != By::Tolerance {
         return figure;
     }
@@ -72,9 +61,9 @@ fn shifted(setup: &Setup, guide: &Guide, errors: &Errors) -> Figure {
 
 /// Blocks that keep the tolerance of the programme, or what its blocks err by, for each way of
 /// interpolating, segment by segment; their ends on the profile and at its joints.
-fn coordinates(setup: &Setup, guide: &Guide, errors: &Errors) -> Option<Figure> {
+fn coordinates(setup: &Setup, guide: &Guide, error: f64) -> Option<Figure> {
     let division = &setup.division;
-    let tolerance = if division.by == By::Tolerance { division.size } else { errors.as_they_are };
+    let tolerance = if division.by == By::Tolerance { division.size } else { error };
     if tolerance < NONE {
         return None;
     }

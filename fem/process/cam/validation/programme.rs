@@ -32,7 +32,7 @@ fn shifted() -> Vec<Case> {
             let setup = cam.setup();
             let guide = Guide::new(&setup.profile, setup.wheel_radius);
             let [from, to] = [number, number + 1].map(|i| (setup.program.places[i], setup.program.shifts[i]));
-            let (thick, deep) = errors(&setup.profile, &guide.block(from, to), setup.wheel_radius, (from.0, to.0));
+            let (thick, deep) = errors(&setup.profile, &guide, from, to);
             1e6 * if part > 0.0 { thick } else { -deep }
         });
         // The error changes from block to block, and its parabola is the first term, by the angle of a
@@ -89,8 +89,6 @@ fn cartesian_blocks() -> Vec<Case> {
     let square = Tolerance::Relative(angle * angle);
     let (along, by_square) =
         (error(Block::Straight, arc, arc + 14.0 * angle), "s^2/(8(rho + R)); tolerance: square of its angle");
-    let row =
-        |name: &str, quantity, values, tolerance, source| row(name.to_string(), quantity, values, tolerance, source);
     vec![
         row("straight block on an arc", "error", (sagitta, along, "um"), ROUND_OFF, "(rho + R)(1 - cos(angle/2))"),
         row(

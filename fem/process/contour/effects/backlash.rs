@@ -16,14 +16,14 @@ pub static X: Effect<1> = backlash(
     "backlash-x",
     "x loses its play whenever it turns round, and flats stay on the circle",
     &[("elastic-lost-motion-x", FLATS)],
-    |[gap], machine| machine.gaps[0] = gap,
+    |[gap], machine| machine.plays[0].gap = gap,
 );
 /// `backlash-y`.
 pub static Y: Effect<1> = backlash(
     "backlash-y",
     "y loses its play whenever it turns round, and flats stay on the circle",
     &[("elastic-lost-motion-y", FLATS)],
-    |[gap], machine| machine.gaps[1] = gap,
+    |[gap], machine| machine.plays[1].gap = gap,
 );
 
 /// What separates play from elastic clearance.

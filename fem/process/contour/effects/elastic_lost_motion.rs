@@ -7,8 +7,9 @@
 //! bearing, and the two flats of an axis differ. Left out: friction that depends on the speed, and screws
 //! with two fixed bearings.
 
-use super::super::machine::{Effect, Lost, Machine};
+use super::super::machine::{Effect, Machine};
 use super::super::path::AXES;
+use super::super::play::Winding;
 use super::super::setup::Setup;
 use crate::process::Parameter;
 use crate::units::{FORCE, STIFFNESS};
@@ -56,7 +57,8 @@ const fn elastic_lost_motion(
 }
 
 fn wind(machine: &mut Machine, axis: usize, friction: f64, stiffness: f64) {
-    machine.lost[axis] = Some(Lost { friction, stiffness });
+    let screw = machine.setup.drives[axis].screw.clone();
+    machine.plays[axis].winding = screw.map(|screw| Winding { friction, stiffness, screw });
 }
 
 fn a_screw(setup: &Setup, axis: usize) -> Result<(), String> {

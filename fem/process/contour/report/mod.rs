@@ -7,8 +7,7 @@ mod shapes;
 
 use super::forward::Lap;
 use super::machine::Machine;
-use super::path::AXES;
-use super::path::{Direction, Path};
+use super::path::{AXES, Direction, Path};
 use super::rows::{self, ANGLE_OF_ROW, COORDINATES, DIRECTION, FEED, OBSERVABLES};
 use super::setup::Setup;
 use crate::process::{Failure, Figure, Forward, Plot, Rows, RunReport, Table, extremes};

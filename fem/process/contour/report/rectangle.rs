@@ -3,8 +3,7 @@
 use super::super::forward::Lap;
 use super::super::machine::Machine;
 use super::super::motion::in_order;
-use super::super::path::AXES;
-use super::super::path::{Direction, Path};
+use super::super::path::{AXES, Direction, Path};
 use super::super::rows;
 use super::super::setup::Setup;
 use crate::process::{Datum, Figure};

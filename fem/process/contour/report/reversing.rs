@@ -2,8 +2,7 @@
 
 use super::super::forward::Lap;
 use super::super::machine::Machine;
-use super::super::path::AXES;
-use super::super::path::Path;
+use super::super::path::{AXES, Path};
 use crate::process::{Datum, Figure};
 use crate::units::{ANGLE, LENGTH, MICRO};
 
@@ -19,7 +18,7 @@ pub fn reversals(machine: &Machine) -> Figure {
     for direction in &setup.directions {
         let (lap, word) = (Lap::new(machine, *direction, setup.feed), direction.word());
         for (axis, name) in AXES.iter().enumerate() {
-            let (is_lost, height) = (machine.play(axis).is_any(), machine.spikes[axis].height);
+            let (is_lost, height) = (machine.plays[axis].is_any(), machine.spikes[axis].height);
             let mut angles = Vec::new();
             for turn in lap.axes[axis].reversals() {
                 let (time, rest) = (turn.time, lap.axes[axis].rest(turn));
@@ -61,7 +60,7 @@ pub fn reversals(machine: &Machine) -> Figure {
 /// Where to turn round instead of on the work, if anything would stay there.
 pub fn advice(machine: &Machine) -> Option<Figure> {
     let setup = &machine.setup;
-    let marks = |axis: &usize| machine.play(*axis).is_any() || machine.spikes[*axis].height > 0.0;
+    let marks = |axis: &usize| machine.plays[*axis].is_any() || machine.spikes[*axis].height > 0.0;
     let axes: Vec<usize> = (0..2).filter(marks).collect();
     let names: Vec<&'static str> = axes.iter().map(|axis| AXES[*axis]).collect();
     let turning = names.join(" and ");
@@ -118,7 +117,7 @@ pub fn lost_motion(machine: &Machine) -> Option<Figure> {
             continue;
         }
         is_any = true;
-        let gap = machine.gaps[axis];
+        let gap = machine.plays[axis].gap;
         let rules = match gap > 0.5 * (least + greatest) {
             true => "kinematic",
             false => "elastic",
