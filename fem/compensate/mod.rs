@@ -142,7 +142,7 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     let observed: Vec<f64> = kept.iter().map(|row| data.observed[*row]).collect();
     let evaluation = Evaluation::of(&approaches, &observed);
     let (tolerance, resolution, active) = (axis.tolerance(), axis.resolution(), axis.active());
-    let alone = active.map_or_else(|| observed.clone(), |active| active.removed(&approaches, &observed));
+    let alone = active.map(|active| Evaluation::of(&approaches, &active.removed(&approaches, &observed)));
     let between = axis.between(&data.rows);
     let course = Course { approaches: axis.approaches(&between), deviations: forward.observe(&between)? };
     let scheme = |key, name, table: Table| {
@@ -175,7 +175,7 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     Ok(Compensation {
         reversal: Reversal::of(&evaluation),
         pitch: PitchErrors::of(&evaluation),
-        lost_motion: LostMotion::of(&Evaluation::of(&approaches, &alone), |x| axis.screw_compliance(x)),
+        lost_motion: LostMotion::of(alone.as_ref().unwrap_or(&evaluation), |x| axis.screw_compliance(x)),
         active: active.cloned(),
         steps: axis.steps(),
         causes: causes::causes(&approaches, &observed, &evaluation, feasibility),
@@ -220,16 +220,20 @@ fn known(data: &Data, approaches: &[Approach]) -> Result<(Box<dyn ForwardModel>,
 fn scatter_explains(approaches: &[Approach], left: &[f64], parameters: usize) -> bool {
     let evaluation = Evaluation::of(approaches, left);
     let sides = || evaluation.targets.iter().flat_map(Target::sides);
-    let groups = sides().count();
-    let within = (approaches.len() - groups) as f64;
-    let between = groups.saturating_sub(parameters) as f64;
-    let of_scatter: f64 = sides().filter_map(|s| Some((s.count - 1) as f64 * s.scatter?.powi(2))).sum();
+    let between = sides().count().saturating_sub(parameters) as f64;
     let of_means: f64 = sides().map(|s| s.count as f64 * s.mean.powi(2)).sum();
-    match FisherSnedecor::new(between, within) {
-        Ok(chance) if of_scatter > 0.0 => chance.sf((of_means / between) / (of_scatter / within)) >= SIGNIFICANCE,
-        // Without repeats there is no test.
-        _ => true,
-    }
+    // Without repeats there is no test.
+    is_scatter(&evaluation.targets, of_means, between).unwrap_or(true)
+}
+
+/// Whether the scatter at the targets, each from one side, explains squares of `between` degrees of freedom (F
+/// test); `None` without repeats.
+fn is_scatter(targets: &[Target], squares: f64, between: f64) -> Option<bool> {
+    let sides = || targets.iter().flat_map(Target::sides);
+    let within: f64 = sides().map(|s| (s.count - 1) as f64).sum();
+    let of_scatter: f64 = sides().filter_map(|s| Some((s.count - 1) as f64 * s.scatter?.powi(2))).sum();
+    let chance = FisherSnedecor::new(between, within).ok().filter(|_| of_scatter > 0.0)?;
+    Some(chance.sf((squares / between) / (of_scatter / within)) >= SIGNIFICANCE)
 }
 
 /// Lost motion that a model finds, if any.

@@ -9,8 +9,7 @@
 //! targets by more than the approaches scatter, neither is named, and a step b₀ + F·2c(x) + h·[x > x_s] is tried,
 //! which is what a place leaves from which on the slide goes harder.
 
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
-
+use super::is_scatter;
 use crate::compare::SIGNIFICANCE;
 use crate::positioning::{Evaluation, Side, Target};
 
@@ -220,14 +219,9 @@ impl Line {
 
 /// Whether the scatter of the approaches explains what two parameters leave of the targets' lost motions (F test).
 fn scatter_explains(targets: &[Target], left: &[f64]) -> Option<bool> {
-    let sides = || targets.iter().flat_map(Target::sides);
-    let within: f64 = sides().map(|s| (s.count - 1) as f64).sum();
-    let of_scatter: f64 = sides().filter_map(|s| Some((s.count - 1) as f64 * s.scatter?.powi(2))).sum();
     let of_mean = |t: &Target| t.sides().map(|s: &Side| 1.0 / s.count as f64).sum::<f64>();
     let of_lost: f64 = targets.iter().zip(left).map(|(t, left)| left * left / of_mean(t)).sum();
-    let between = (left.len() - 2) as f64;
-    let chance = FisherSnedecor::new(between, within).ok().filter(|_| of_scatter > 0.0)?;
-    Some(chance.sf((of_lost / between) / (of_scatter / within)) >= SIGNIFICANCE)
+    is_scatter(targets, of_lost, (left.len() - 2) as f64)
 }
 
 #[cfg(test)]

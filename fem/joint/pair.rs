@@ -17,18 +17,20 @@ pub struct Pair<'a> {
     joint: &'a Joint,
     /// Preload P, N.
     preload: f64,
+    /// u(P), m.
+    pressed: f64,
 }
 
 impl<'a> Pair<'a> {
     /// Two joints of this law under a preload of `preload` N; 0 for one joint.
     pub fn new(joint: &'a Joint, preload: f64) -> Self {
-        Self { joint, preload }
+        Self { joint, preload, pressed: joint.displacement(preload) }
     }
 
     /// y under the force `s` (N), m.
     pub fn displacement(&self, s: f64) -> f64 {
         let [first, _] = self.forces(s.abs());
-        (self.joint.displacement(first) - self.joint.displacement(self.preload)).copysign(s)
+        (self.joint.displacement(first) - self.pressed).copysign(s)
     }
 
     /// Tangent compliance dy/dS under the force `s` (N), m/N: u₁′·u₂′/(u₁′ + u₂′) while both press, u₁′ beyond.
@@ -46,21 +48,20 @@ impl<'a> Pair<'a> {
 
     /// The force at which the second joint is relaxed, u(S) = 2·u(P), N.
     pub fn relaxed_at(&self) -> f64 {
-        self.alone(2.0 * self.joint.displacement(self.preload))
+        self.alone(2.0 * self.pressed)
     }
 
     /// The force under which the pair gives way by `displacement` (m), N.
     ///
     /// The first joint is pressed to u(P) + y and the second relieved to u(P) − y, or to nothing.
     pub fn force_at(&self, displacement: f64) -> f64 {
-        let pressed = self.joint.displacement(self.preload);
         let y = displacement.abs();
-        (self.alone(pressed + y) - self.alone((pressed - y).max(0.0))).copysign(displacement)
+        (self.alone(self.pressed + y) - self.alone((self.pressed - y).max(0.0))).copysign(displacement)
     }
 
     /// Forces Q₁ and Q₂ under `s` ≥ 0, N.
     fn forces(&self, s: f64) -> [f64; 2] {
-        let together = 2.0 * self.joint.displacement(self.preload);
+        let together = 2.0 * self.pressed;
         if self.joint.displacement(s) >= together {
             return [s, 0.0];
         }

@@ -96,18 +96,14 @@ pub fn linuxcnc(table: &Entries) -> Option<String> {
 pub fn predicted(compensation: &Compensation) -> Table {
     let [points, segments, both] = &compensation.schemes;
     let course = &points.modelled;
-    let before = course
-        .approaches
-        .iter()
-        .zip(&course.deviations)
-        .map(|(a, d)| d - points.table.correction(a.position, a.direction));
+    let before = points.table.removed(&course.approaches, &course.deviations);
     let after = |name, course: &Course| Column::numbers(name, Some("um"), um(course.deviations.iter().copied()));
     let backward = |a: &crate::positioning::Approach| f64::from(u8::from(a.direction == Direction::Backward));
     Table {
         columns: vec![
             Column::numbers("position", Some("mm"), mm(course.approaches.iter().map(|a| a.position))),
             Column::words("direction", course.approaches.iter().map(backward).collect(), &["+", "-"]),
-            Column::numbers("deviation", Some("um"), um(before)),
+            Column::numbers("deviation", Some("um"), um(before.into_iter())),
             after("with_points", &points.modelled),
             after("with_segments", &segments.modelled),
             after("with_both_directions", &both.modelled),

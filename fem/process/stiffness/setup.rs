@@ -47,13 +47,11 @@ impl Setup {
 
     /// Forces of the programme, rising, N.
     pub fn forces(&self) -> Vec<f64> {
-        let steps = self.steps as f64;
-        let rising = (0..=self.steps).map(|i| self.max_force * (i as f64 / steps));
-        match self.loading {
-            Loading::FromZero => rising.collect(),
-            Loading::Reversed => {
-                (1..=self.steps).rev().map(|i| -self.max_force * (i as f64 / steps)).chain(rising).collect()
-            }
-        }
+        let last = self.steps as i64;
+        let first = match self.loading {
+            Loading::FromZero => 0,
+            Loading::Reversed => -last,
+        };
+        (first..=last).map(|i| self.max_force * (i as f64 / last as f64)).collect()
     }
 }

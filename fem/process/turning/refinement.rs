@@ -196,7 +196,8 @@ impl Refinement {
     }
 }
 
-fn spread(errors: &[f64]) -> f64 {
+/// The largest less the smallest.
+pub fn spread(errors: &[f64]) -> f64 {
     let high = errors.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     high - errors.iter().copied().fold(f64::INFINITY, f64::min)
 }

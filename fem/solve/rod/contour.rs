@@ -44,8 +44,8 @@ impl Reach {
         Self { edge, spectrum: edge * BUCKET.powf(buckets) }
     }
 
-    /// Number of points, a multiple of those worked on side by side: the sum's error is some exp(−π²/2 · points / (ln((Λ + p)/p) + 1.4)), the modulus of
-    /// the annulus for a long spectrum.
+    /// Number of points, a multiple of those worked on side by side: the sum's error is some exp(−π²/2 · points /
+    /// (ln((Λ + p)/p) + 1.4)), the modulus of the annulus for a long spectrum.
     pub fn count(self) -> usize {
         let length = ((self.spectrum + self.edge) / self.edge).ln() + 1.4;
         let needed = -TOLERANCE.ln() * length * 2.0 / (std::f64::consts::PI * std::f64::consts::PI);

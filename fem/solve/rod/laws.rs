@@ -70,6 +70,11 @@ pub struct Stretch {
 }
 
 impl Laws {
+    /// Number of groups of points that are worked on side by side.
+    pub fn groups(&self) -> usize {
+        self.contour.points.len() / LANES
+    }
+
     pub fn new(programme: &Programme) -> Self {
         let contour = programme.reach.contour();
         let steps = Steps::between(&programme.intervals, programme.step);

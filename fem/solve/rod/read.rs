@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::contour::Reach;
-use super::lanes::{LANES, Lanes};
+use super::lanes::Lanes;
 use super::laws::{Laws, Programme};
 use super::response::{Input, Response};
 use super::transfer::{Body, Inlet};
@@ -106,7 +106,7 @@ impl RodSystem {
         let body = Body::new(self, inlets, probes);
         let inlets = body.inlets();
         let transfers = known.transfers.get_or((reach, body), |(_, body)| Ok(body.transfers(&laws.contour)))?;
-        let groups = laws.contour.points.len() / LANES;
+        let groups = laws.groups();
         let mut shown: Vec<Vec<f64>> = Vec::with_capacity(sensors.len());
         for (i, sensor) in sensors.iter().enumerate() {
             let own = &transfers[groups * inlets * i..];
@@ -180,7 +180,7 @@ struct Seen<'l> {
 
 impl<'l> Seen<'l> {
     fn new(laws: &'l Laws) -> Self {
-        let first = vec![vec![Lanes::default(); laws.contour.points.len() / LANES]; laws.stretches.len()];
+        let first = vec![vec![Lanes::default(); laws.groups()]; laws.stretches.len()];
         Self { laws, marks: vec![0.0; laws.marks.len()], first }
     }
 

@@ -14,11 +14,12 @@ use super::{History, Power, Swing};
 /// Everything on which a response depends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    pub programme: Arc<Programme>,
-    /// What comes in, per unit.
-    pub unit: Power,
     /// Time constant of what shows it, s.
     pub lag: f64,
+    /// What comes in, per unit.
+    pub unit: Power,
+    /// When; compared last, for it is long and most inputs that are known have the same.
+    pub programme: Arc<Programme>,
 }
 
 /// What is shown of an input, for each z = 1/(s + A).
@@ -55,7 +56,7 @@ struct State {
 
 impl Input {
     pub fn response(&self, laws: &Laws) -> Response {
-        let groups = laws.contour.points.len() / LANES;
+        let groups = laws.groups();
         let lags: Vec<[f64; 3]> = laws.lengths.iter().map(|length| lag(*length, self.lag)).collect();
         let waves = waves(&self.unit.level);
         let mut state = vec![State::default(); groups];

@@ -2,9 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use rayon::prelude::*;
+
 use super::super::elastic::Elastic;
 use super::super::forward::condense;
 use super::super::machine::Machine;
+use super::super::refinement::spread;
 use crate::process::{Column, Failure, Figure, Table, first_extreme};
 use crate::units::{LENGTH, MICRO};
 
@@ -42,7 +45,7 @@ impl Roundness {
             });
             Ok(spread(&radii.collect::<Result<Vec<f64>, Failure>>()?))
         };
-        let sections = positions.iter().enumerate().map(section).collect::<Result<_, Failure>>()?;
+        let sections = positions.par_iter().enumerate().map(section).collect::<Result<_, Failure>>()?;
         let blank: Vec<f64> = angles.iter().map(|angle| setup.blank.around(*angle)).collect();
         Ok(Some(Self { blank: spread(&blank), sections }))
     }
@@ -71,10 +74,4 @@ impl Roundness {
             vec![Column::quantities("x", LENGTH, positions), Column::quantities("roundness", MICRO, &self.sections)];
         Table { columns }
     }
-}
-
-fn spread(values: &[f64]) -> f64 {
-    let ends = |(low, high): (f64, f64), v: &f64| (low.min(*v), high.max(*v));
-    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), ends);
-    high - low
 }
