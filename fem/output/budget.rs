@@ -4,7 +4,9 @@ use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
-use crate::budget::{Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, ModelPart, Share, Source, Unknown};
+use crate::budget::{
+    Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, ModelPart, Share, Source, Unknown, rules,
+};
 
 /// Unit of all lengths.
 const UNIT: &str = "um";
@@ -144,7 +146,7 @@ pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
         if let Source::Clamping { c, force, exponent } = error.source {
             /// Range of that ratio in which the rule agrees with the samples.
             const CLOSE: std::ops::Range<f64> = 0.8..1.25;
-            let half = 0.5 * (c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent));
+            let half = 0.5 * rules::clamping_scatter(c, force, exponent);
             let ratio = error.value.abs() / half;
             // (30) takes the whole of it, and says so.
             let is_whole = (ratio - 2.0).abs() < 1e-9;

@@ -8,7 +8,6 @@ use super::setup::Time;
 use super::{plate, rod};
 use crate::process::{Failure, Rows};
 use crate::solve::conduction::Run;
-use crate::solve::rod::lagged;
 use crate::units::TEMPERATURE_RISE;
 
 /// The elongation (m) or the temperature (K) of every row.
@@ -41,17 +40,13 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
 
 /// What is seen, each reading by the position of its look and its time (s).
 fn read(machine: &Machine, looks: &[Look], readings: &[(usize, f64)], run: &Run) -> Result<Vec<f64>, Failure> {
-    let plane = match &machine.setup.body {
-        Body::Rod(segments) => return rod::read(machine, segments, looks, readings, run),
-        Body::Plane(plane) => plane,
-    };
-    let Followed { mut track, .. } = plate::follow(machine, plane, looks, run, &mut |_, _| ())?;
-    for (look, values) in looks.iter().zip(&mut track.values) {
-        if machine.lag_of(*look) > 0.0 {
-            *values = lagged(&track.times, values, machine.lag_of(*look));
+    match &machine.setup.body {
+        Body::Rod(segments) => rod::read(machine, segments, looks, readings, run),
+        Body::Plane(plane) => {
+            let Followed { track, .. } = plate::follow(machine, plane, looks, run, &mut |_, _| ())?;
+            Ok(track.shown(looks.iter().map(|look| machine.lag_of(*look)), readings))
         }
     }
-    Ok(readings.iter().map(|(look, time)| track.at(&track.values[*look], *time)).collect())
 }
 
 /// Follows a body from the start to the end of a run.

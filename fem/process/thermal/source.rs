@@ -41,24 +41,24 @@ pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
 fn read_level(t: &Reader, power: Option<Varying>, whole: Option<f64>, on: &[Pulse]) -> History {
     let duration: f64 = on.iter().map(|pulse| pulse.factor * (pulse.to - pulse.from)).sum();
     match (power, whole) {
-        (Some(_), Some(_)) if !t.is_described() => {
+        (Some(_), Some(_)) => {
             t.problem("heat", "the heat is given twice", "keep either `power` or `heat`");
-            History::from(Varying::Constant(0.0))
+            History::Constant(0.0)
         }
-        (Some(power), _) => History::from(power),
+        (Some(power), None) => History::from(power),
         (None, Some(heat)) => {
             if duration <= 0.0 {
                 let help = "add on = [[\"0 min\", \"5 min\"]]";
                 t.problem("heat", "it is not said in what time the heat is given", help);
             }
-            History::from(Varying::Constant(heat / duration))
+            History::Constant(heat / duration)
         }
         (None, None) => {
             if !t.has("power") && !t.has("heat") {
                 let help = "add power = \"80 W\", or heat = \"12 kcal\" with `on`";
                 t.problem("", "the heat of the source is missing", help);
             }
-            History::from(Varying::Constant(0.0))
+            History::Constant(0.0)
         }
     }
 }

@@ -7,7 +7,7 @@ use super::lanes::Lanes;
 use super::laws::{Laws, Programme};
 use super::response::{Input, Response};
 use super::transfer::{Body, Inlet};
-use super::{History, Power, Probe, RodError, RodSystem, Stepping, Track, lagged};
+use super::{History, Power, Probe, RodError, RodSystem, Stepping, Track};
 use crate::input::Cache;
 
 /// A probe, and the instrument that shows it.
@@ -77,12 +77,7 @@ impl RodSystem {
         self.run(stepping, ambient, |time, nodes, switched| {
             track.push(time, switched, sensors.iter().map(|sensor| sensor.probe.read(nodes)));
         })?;
-        for (sensor, values) in sensors.iter().zip(&mut track.values) {
-            if sensor.lag > 0.0 {
-                *values = lagged(&track.times, values, sensor.lag);
-            }
-        }
-        Ok(readings.iter().map(|(sensor, time)| track.at(&track.values[*sensor], *time)).collect())
+        Ok(track.shown(sensors.iter().map(|sensor| sensor.lag), readings))
     }
 
     /// Sums up on a contour.

@@ -51,6 +51,17 @@ impl Track {
         let Smooth { from, times, time, cell } = Smooth::of(&self.times, &self.switches, time);
         cubic(time, cell, times.len(), |i| (times[i], values[from + i]))
     }
+
+    /// What instruments with these time constants (s, one for every probe) show, each reading by the position of
+    /// its probe and its time (s).
+    pub fn shown(mut self, lags: impl Iterator<Item = f64>, readings: &[(usize, f64)]) -> Vec<f64> {
+        for (lag, values) in lags.zip(&mut self.values) {
+            if lag > 0.0 {
+                *values = lagged(&self.times, values, lag);
+            }
+        }
+        readings.iter().map(|(probe, time)| self.at(&self.values[*probe], *time)).collect()
+    }
 }
 
 /// The smooth stretch about a time.

@@ -63,7 +63,7 @@ fn alone() -> Vec<Case> {
 fn together() -> Vec<Case> {
     let all = [GAP, CONTACT, FRICTION, PRELOAD].concat();
     // 200 N have taken the clearance up, and press both contacts.
-    let expected = |s: f64| pressed(s, 200.0);
+    let expected = |s: f64| pressed(0.2, s, 200.0);
     vec![
         // At 50 N the clearance is taken up though friction still holds the spring.
         displacement("gap and friction", &[GAP, FRICTION].concat(), false, 50.0, 5.0),

@@ -39,17 +39,18 @@ fn by_hand() -> Vec<Case> {
     let closed = gap.clone() + &preload(400.0);
     // √Q = q solves q²/80 + q/4 = 20, twice u(400 N) = 10 um.
     let relaxed = (((0.0625f64 + 1.0).sqrt() - 0.25) * 40.0).powi(2);
-    let second = {
-        let u = |q: f64| q / 80.0 + 0.25 * q.sqrt();
-        bisect(0.0, 400.0, |q| u(900.0 + q) + u(q) - 20.0)
-    };
-    let pressed = (900.0 + second) / 80.0 + 0.25 * (900.0 + second).sqrt() - 10.0;
     let pair = contact(0.25) + &preload(400.0);
     vec![
         y("a gap of 3 um", &gap, 1000.0, 15.5, "seed 000, fig. 5 a: y1 = y + y0"),
         y("a gap that 400 N take up, one side relaxed", &closed, 1000.0, 7.5, "seed 000, fig. 5 b: y2 = y - u(P)"),
         y("a gap that 400 N take up, both sides", &closed, 400.0, 2.5, BY_HAND),
-        y("400 N on contacts, both sides", &pair, 900.0, pressed, "the same, the second force by bisection"),
+        y(
+            "400 N on contacts, both sides",
+            &pair,
+            900.0,
+            pressed(0.25, 900.0, 400.0),
+            "the same, the second force by bisection",
+        ),
         y("400 N on contacts, one side relaxed", &pair, 1600.0, 30.0 - 10.0, BY_HAND),
         row(
             "400 N on contacts",
@@ -106,7 +107,7 @@ fn both_signs() -> Vec<Case> {
     add("preload", PRELOAD, &[(false, -1000.0, -10.0), (true, -160.0, -1.0), (true, 1000.0, 10.0)]);
     add("contact", CONTACT, &[(false, -400.0, -9.0), (true, 400.0, 9.0)]);
     let all = [GAP, CONTACT, FRICTION, PRELOAD].concat();
-    add("all four", &all, &[(false, -500.0, -pressed(580.0, 200.0)), (true, -500.0, -pressed(420.0, 200.0))]);
+    add("all four", &all, &[(false, -500.0, -pressed(0.2, 580.0, 200.0)), (true, -500.0, -pressed(0.2, 420.0, 200.0))]);
     cases
 }
 

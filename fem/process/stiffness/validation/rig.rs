@@ -29,10 +29,10 @@ pub fn under(force: &str, loading: &str, effects: &str) -> Option<Machine> {
     assembled(&format!("joint = {{ stiffness = \"80 N/um\" }}\n{test}"), effects)
 }
 
-/// y (um) under S (N) of two joints of 80 N/um and the contact of 0.2 um/N^0.5 that press on each other with
+/// y (um) under S (N) of two joints of 80 N/um and the contact of `c` um/N^0.5 that press on each other with
 /// `preload` N: the force of the second by bisection.
-pub fn pressed(s: f64, preload: f64) -> f64 {
-    let u = |q: f64| q / 80.0 + 0.2 * q.sqrt();
+pub fn pressed(c: f64, s: f64, preload: f64) -> f64 {
+    let u = |q: f64| q / 80.0 + c * q.sqrt();
     let second = bisect(0.0, preload, |q| u(s + q) + u(q) - 2.0 * u(preload));
     u(s + second) - u(preload)
 }

@@ -9,6 +9,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
+use super::guideway_wear::{LEVEL, part};
 use crate::process::Parameter;
 use crate::units::{LENGTH, MICRO};
 
@@ -26,15 +27,12 @@ pub static FRONT_GUIDEWAY_WEAR: Effect<3> = Effect {
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),
         Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
     ],
-    look_alikes: &[(
-        "guideway-wear",
-        "a level across the carriage along the bed: a tilt shows on it; diameters alone cannot tell",
-    )],
+    look_alikes: &[("guideway-wear", LEVEL)],
     needs: two_guideways,
     act: |[wear, centre, width], machine| {
         let Some(spacing) = machine.setup.guideway_spacing else { return };
         let lever = (1.0 - 1.0 / FRONT_OVER_REAR) * machine.setup.centre_height / spacing;
-        machine.add_shift(move |at| 2.0 * lever * wear * (-0.5 * ((at.x - centre) / width).powi(2)).exp());
+        machine.add_shift(move |at| 2.0 * lever * wear * part(at.x, centre, width));
     },
 };
 

@@ -19,15 +19,18 @@ pub static GUIDEWAY_WEAR: Effect<3> = Effect {
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),
         Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
     ],
-    look_alikes: &[(
-        "front-guideway-wear",
-        "a level across the carriage along the bed: a tilt shows on it; diameters alone cannot tell",
-    )],
+    look_alikes: &[("front-guideway-wear", LEVEL)],
     needs: nothing,
-    act: |[depth, centre, width], machine| {
-        machine.add_shift(move |at| 2.0 * depth * (-0.5 * ((at.x - centre) / width).powi(2)).exp())
-    },
+    act: |[depth, centre, width], machine| machine.add_shift(move |at| 2.0 * depth * part(at.x, centre, width)),
 };
+
+/// What tells worn guideways apart.
+pub const LEVEL: &str = "a level across the carriage along the bed: a tilt shows on it; diameters alone cannot tell";
+
+/// Wear at x (m) over that at its worst place.
+pub fn part(x: f64, centre: f64, width: f64) -> f64 {
+    (-0.5 * ((x - centre) / width).powi(2)).exp()
+}
 
 #[cfg(test)]
 mod tests {

@@ -39,8 +39,8 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     let compliance = Compliance::of(&shaft, deflections);
     figures.extend(compliance.as_ref().and_then(|c| c.figure(positions)));
     figures.push(schedule(setup));
-    let worn = edge::figure(machine);
-    figures.extend(worn.iter().map(|(figure, _)| figure.clone()));
+    let (worn, nearly_worn) = edge::figure(machine).unzip();
+    figures.extend(worn);
     let refinement = Refinement::of(machine, positions)?;
     figures.extend(refinement.iter().map(Refinement::figure));
     let roundness = Roundness::of(machine, positions)?;
@@ -53,11 +53,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
             .collect(),
         figures,
         plots: plots(positions, errors),
-        warnings: [
-            warnings(machine, positions, deflections)?,
-            worn.and_then(|(_, warning)| warning).into_iter().collect(),
-        ]
-        .concat(),
+        warnings: [warnings(machine, positions, deflections)?, nearly_worn.flatten().into_iter().collect()].concat(),
         animation: Some(shapes::animation(machine)?),
         ..RunReport::default()
     })

@@ -170,13 +170,7 @@ impl Joint {
             return self.approach(force);
         }
         let pressed = self.approach(self.preload);
-        let (mut low, mut high) = (0.0, self.approach(force));
-        for _ in 0..HALVES {
-            let y = 0.5 * (low + high);
-            let carried = self.closing(pressed + y) - self.closing(pressed - y);
-            if carried > force { high = y } else { low = y }
-        }
-        0.5 * (low + high)
+        halved(self.approach(force), |y| self.closing(pressed + y) - self.closing(pressed - y) > force)
     }
 
     /// What one side approaches under a force.
@@ -187,11 +181,16 @@ impl Joint {
 
     /// The force under which one side approaches by so much, nothing where it is open.
     fn closing(&self, approach: f64) -> f64 {
-        let (mut low, mut high) = (0.0, (self.stiffness * approach).max(0.0));
-        for _ in 0..HALVES {
-            let force = 0.5 * (low + high);
-            if self.approach(force) > approach { high = force } else { low = force }
-        }
-        0.5 * (low + high)
+        halved((self.stiffness * approach).max(0.0), |force| self.approach(force) > approach)
     }
+}
+
+/// Where `is_beyond` begins between zero and `high`.
+fn halved(mut high: f64, is_beyond: impl Fn(f64) -> bool) -> f64 {
+    let mut low = 0.0;
+    for _ in 0..HALVES {
+        let middle = 0.5 * (low + high);
+        if is_beyond(middle) { high = middle } else { low = middle }
+    }
+    0.5 * (low + high)
 }
