@@ -164,7 +164,7 @@ impl Step {
             let left = Line::of(stretch, &behind)?;
             let height = left.left.iter().zip(&line.left).map(|(a, b)| a * b).sum::<f64>() / left.squares();
             let rest: Vec<f64> = lost.iter().zip(&behind).map(|(b, h)| b - height * h).collect();
-            let rest = Line::of(stretch, &rest).filter(|rest| rest.misfit().is_finite())?;
+            let rest = Line::of(stretch, &rest).filter(|rest| rest.squares().is_finite())?;
             Some((first, height, rest))
         };
         let tried: Vec<_> = (BESIDE..=places.len() - BESIDE).filter_map(stepped).collect();

@@ -154,3 +154,15 @@ fn a_reversed_force_is_read_and_what_needs_a_first_loading_refused() {
     assert_eq!(refused.status, 2);
     assert!(refused.err.contains("needs a first loading"), "{}", refused.err);
 }
+
+/// Friction that the force never overcomes: nothing moves, and nothing is told with a sign.
+#[test]
+fn a_reversed_force_that_friction_holds_does_no_work() {
+    let place = Place::new();
+    let held = "process = \"stiffness\"\njoint.stiffness = \"80 N/um\"\n\
+        test = { max_force = \"100 N\", loading = \"reversed\" }\neffects.dry-friction.force = \"200 N\"\n";
+    place.write("held.toml", held);
+    let ran = place.fem(&["run", "held.toml"]);
+    assert_eq!(ran.status, 0, "{}", ran.err);
+    assert!(ran.out.contains("work of friction         0.0 uJ") && !ran.out.contains("-0.0 uJ"), "{}", ran.out);
+}

@@ -53,7 +53,7 @@ impl Curve {
     /// S, the force on the joint under F, N. Friction holds the first f of the load; when the force turns
     /// back it holds until 2f are gone.
     pub fn spring_force(&self, force: f64, branch: Branch) -> f64 {
-        let most = (self.max_force - self.friction).max(0.0);
+        let most = self.largest();
         match (branch, self.loading) {
             (Branch::Load, Loading::FromZero) => (force - self.friction).max(0.0),
             (Branch::Load, Loading::Reversed) => (force - self.friction).max(-most),
@@ -84,7 +84,7 @@ impl Curve {
 
     /// S at the largest force, N.
     fn largest(&self) -> f64 {
-        self.spring_force(self.max_force, Branch::Load)
+        (self.max_force - self.friction).max(0.0)
     }
 
     /// The joint, alone or pressed against its like.
