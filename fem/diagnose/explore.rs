@@ -9,6 +9,7 @@ use super::instrument::{self, Proposal};
 use super::null_distribution::variance;
 use super::search::{Breadth, Extent, SIGNIFICANCE, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
+use super::verdict::is_explained;
 use crate::compare::{PROMISING, is_round_off};
 use crate::fit::{Objective, Solution};
 use crate::measure::Repeats;
@@ -65,7 +66,30 @@ impl Exploration<'_> {
             }
             self.grow(&mut path, |proposal| !is_greedy(&proposal.noise.terms))?;
         }
+        if path.last().is_some_and(|h| !h.found.best().members.is_empty()) {
+            let alone = path.first().map_or(Ok(None), |first| self.alone(first))?;
+            let criterion = path.last().map_or(f64::INFINITY, |h| h.criterion);
+            path.extend(alone.filter(|alone| alone.explains && alone.criterion < criterion));
+        }
         self.last_resort(path)
+    }
+
+    /// Adds terms to the model alone, one after another, and searches under those that explain everything together:
+    /// several zeros that were set anew can look like effects of the machine as long as one of them is missing.
+    fn alone<'a>(&self, first: &Hypothesis<'a>) -> Result<Option<Hypothesis<'a>>, Failure> {
+        let mut trial = first.found.base.clone();
+        let mut found = None;
+        for _ in 0..MOST_TERMS {
+            let least = instrument::criterion(&trial) - PROMISING;
+            let is_wanted = |p: &Proposal| p.criterion < least && !is_greedy(&p.noise.terms);
+            let Some(proposal) = instrument::proposals(&trial, self.repeats).into_iter().find(is_wanted) else { break };
+            trial.objective.noise = proposal.noise.clone();
+            let Some(resized) = instrument::resized(&trial, self.repeats) else { break };
+            trial = resized;
+            found = Some(proposal);
+        }
+        let explains = |proposal: &Proposal| is_explained(&trial, &proposal.repeats);
+        found.filter(explains).map(|proposal| self.under(&first.found, proposal)).transpose()
     }
 
     /// Adds terms that are wanted to the last hypothesis, one after another, as long as they are worth it.
