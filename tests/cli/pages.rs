@@ -59,6 +59,7 @@ fn json_is_one_document_with_the_contracts_keys() {
     );
     let validation = parse(&["validate", "--json"]);
     assert_eq!(validation["schema"], "fem-validation/1");
+    assert_eq!(validation["total"].as_u64(), validation["cases"].as_array().map(|cases| cases.len() as u64));
     let case = &validation["cases"][0];
     for key in ["name", "quantity", "expected", "computed", "unit", "error", "tolerance", "source", "passed"] {
         assert!(!case[key].is_null(), "{key}");

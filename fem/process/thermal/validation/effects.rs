@@ -82,7 +82,7 @@ fn shapes() -> Vec<Case> {
             "elongation",
             (expected, grown, "um"),
             Tolerance::Relative(1e-9),
-            "all heat stays inside",
+            "seed 002 (35)-(37): all heat stays inside",
         ),
     ]
 }
@@ -125,7 +125,13 @@ fn sources_and_sensors() -> Vec<Case> {
     let kept = |name: &str, heat: f64, body: &Heated| {
         let expected = 1e6 * ALPHA * heat / (RHO_C * AREA);
         let computed = 1e6 * elongation(body, time);
-        row(name, "elongation", (expected, computed, "um"), Tolerance::Relative(1e-9), "all heat stays inside")
+        row(
+            name,
+            "elongation",
+            (expected, computed, "um"),
+            Tolerance::Relative(1e-9),
+            "seed 002 (35)-(37): all heat stays inside",
+        )
     };
     let bearing = rod("[extra-source]\nat = \"63 mm\"\npower = \"4 W\"");
     let turns = "power = \"15 W\", on = [[\"1.3 min\", \"10.7 min\"], [\"20 min\", \"21 min\"]]";

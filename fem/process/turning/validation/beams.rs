@@ -136,7 +136,7 @@ fn springs() -> Vec<Case> {
             "place / L",
             (0.4, thinnest as f64 / 1000.0, "-"),
             Tolerance::Absolute(2e-3),
-            "k_t/(k_h + k_t), from seed 002 (8), (11)",
+            "seed 002 (8), (11): k_t/(k_h + k_t)",
         ),
         deflection("chuck that tilts, free end", (free(0.5), gap(&uniform("chuck", tilting), 0.5)), "statics"),
         deflection(

@@ -28,7 +28,13 @@ fn shifts() -> Vec<Case> {
         at("bed twist 30 um/m/m, x = 0.4 m", "[bed-twist]\ntwist = \"30 um/m/m\"", 0.4, 6e-6, "geometry of guideways"),
         at("guideway taper 30 um/m, x = 0.4 m", "[guideway-taper]\nslope = \"30 um/m\"", 0.4, 24e-6, "seed 002 (6)"),
         at("tailstock offset 10 um, x = 0.3 L", "[tailstock-offset]\noffset = \"10 um\"", 0.15, 6e-6, "statics"),
-        at("setting error -6 um", "[setting-error]\noffset = \"-6 um\"", 0.1, -12e-6, "seed 002 (33), (34)"),
+        at(
+            "setting error -6 um",
+            "[setting-error]\noffset = \"-6 um\"",
+            0.1,
+            -12e-6,
+            "seed 002 (6): the nose off by dy",
+        ),
         at("guideway wear, worst place", worn, 0.2, 16e-6, "seed 002, wear of the guideways"),
         at("guideway wear, one width off", worn, 0.25, 16e-6 * (-0.5f64).exp(), "seed 002, wear of the guideways"),
     ]
@@ -45,7 +51,10 @@ fn carriage() -> Vec<Case> {
     let worn = on_two("[front-guideway-wear]\nwear = \"30 um\"\ncentre = \"200 mm\"\nwidth = \"50 mm\"");
     let sagged = on_two("[bed-sag]\nfront = \"40 um\"\nrear = \"-20 um\"");
     let fallen = on_two("[bed-sag]\nfront = \"200 um\"\nrear = \"200 um\"");
-    let (turned, source) = (Tolerance::Relative(0.2 * 2e-4), "rigid carriage turned on its front foot");
+    let (turned, source) = (
+        Tolerance::Relative(0.2 * 2e-4),
+        "seed 002, wear and sag of the guideways: rigid carriage turned on its front foot",
+    );
     let at = |name: &str, expected: f64, lathe: &Option<Lathe>, x: f64, tolerance, source| {
         row(name, "diameter error", (expected, shift(lathe, 1, x), "m"), tolerance, source)
     };
