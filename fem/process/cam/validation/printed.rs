@@ -36,6 +36,38 @@ pub fn cases() -> Vec<Case> {
         overcut("nose in five, the fifth", -0.0649, &studied, NOSE + 4),
         overcut("nose in one block", -1.468, &whole, 3),
     ];
+    // Lengths by the blocks: of the profile, and of the wheel's centre between them.
+    let length = |numbers: std::ops::Range<usize>| -> f64 {
+        let ends = studied.as_ref().map(|b| (b.list.get(numbers.start), b.list.get(numbers.end - 1)));
+        let Some((Some(first), Some(last))) = ends else { return f64::NAN };
+        last.places.1 - first.places.0
+    };
+    let way = |numbers: std::ops::Range<usize>| -> f64 {
+        let cam = seed(&[], "");
+        let Some(axes) = cam.as_ref().map(|cam| &cam.setup().program.axes) else { return f64::NAN };
+        let chord = |i: usize| {
+            let (near, far) = (axes.slides[i], axes.slides[i + 1]);
+            (near * near + far * far - 2.0 * near * far * (axes.turns[i + 1] - axes.turns[i]).cos()).sqrt()
+        };
+        numbers.map(chord).sum()
+    };
+    let printed = |name: &str, quantity, figure: f64, computed: f64, digits: f64, source| {
+        mm(name, quantity, (figure, computed), Tolerance::Absolute(digits), source)
+    };
+    let [line_by, nose_by] = ["seed 003, 2.1, printed: some 15 mm in four blocks", "seed 003, 2.2.1, printed"];
+    cases.extend([
+        printed("line", "length", 15.0, length(1..5), 0.5, line_by),
+        printed(line, "length", 3.75, length(1..2), 0.005, line_by),
+        printed("nose", "length", 2.5, length(NOSE..NOSE + 5), 0.05, nose_by),
+        printed(
+            "nose, the wheel's centre",
+            "way",
+            148.0,
+            way(NOSE..NOSE + 5),
+            0.5 + 0.2,
+            "seed 003, 2.2.1, printed; chords of five blocks are 0.2 mm shorter than their arc",
+        ),
+    ]);
     for (k, first, last) in [(1, 1.0, 6.0), (3, 3.0, 6.0), (5, 3.0, 9.0)] {
         type End = (&'static str, f64, fn(&[usize]) -> Option<&usize>);
         let ends: [End; 2] =

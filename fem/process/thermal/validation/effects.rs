@@ -105,11 +105,19 @@ fn steady() -> Vec<Case> {
         row(name, place, (expected, computed, "K"), SETTLED, "resistances in series")
     };
     let jointed = "joint of 3000 W/m^2/K at 70 mm, steady";
+    let linear = POWER / 0.5 + 0.5 * flow * LENGTH;
     vec![
         fins("rise of the heated end", LENGTH),
         fins("rise of the far end", 0.0),
         held("base of 0.5 W/K, steady", "rise of the base", POWER / 0.5, at(base, 0.0)),
         held("base of 0.5 W/K, steady", "rise of the heated end", POWER / 0.5 + flow * LENGTH, at(base, LENGTH)),
+        row(
+            "base of 0.5 W/K, steady",
+            "elongation",
+            (1e6 * ALPHA * LENGTH * linear, 1e6 * elongation(&still(base), 6e8), "um"),
+            SETTLED,
+            "seed 002 (37): alpha times the integral of a linear rise",
+        ),
         held(jointed, "rise before it", POWER / 0.5 + flow * 0.07, at(&joint, 0.07)),
         held(
             jointed,
