@@ -18,6 +18,7 @@ mod measurement;
 mod mesh_file;
 mod pages;
 mod passes;
+mod records;
 mod ring;
 mod stiffness;
 mod story;

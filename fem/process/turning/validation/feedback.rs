@@ -80,6 +80,6 @@ fn force_law() -> Case {
         .replace("HELD", "centres")
         .replace("radial_force = \"400 N\"", "force = { C = 243.0, x = 0.9, y = 0.6, n = 0.3, HB = 200.0 }");
     // 0.2^0.6·0.5^0.9·200^0.3 = (0.2²·0.5³·200)^0.3 = 1, so that P = C.
-    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.setup().conditions(0.0).force);
+    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.setup().conditions(0.0, 0.0).force);
     row("force law, s = 0.2 mm/rev, t = 0.5 mm", "radial force", (243.0, computed, "N"), ROUND_OFF, "seed 002 (16)")
 }
