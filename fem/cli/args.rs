@@ -299,7 +299,14 @@ pub struct Import {
 }
 
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  fem validate
+  fem validate --source 'seed 002 (29)'
+  fem validate --source NAFEMS --json")]
 pub struct Validate {
+    /// Only the cases whose source says this, such as `seed-002` or `NAFEMS`
+    #[arg(long, value_name = "TEXT")]
+    pub source: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

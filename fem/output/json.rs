@@ -29,7 +29,7 @@ impl Format for Json {
                 let own = entries.iter().map(|(process, e)| effect(*process, e));
                 own.chain(of_measurement.iter().map(|e| measurement::entry(e))).collect()
             }
-            Report::Validation(cases) => validation(cases),
+            Report::Validation(cases, total) => validation(cases, *total),
         };
         Ok(format!("{value:#}\n"))
     }
@@ -142,7 +142,7 @@ fn effect(process: &dyn Process, effect: &Description) -> Value {
 }
 
 /// `fem validate --json`: `fem-validation/1`.
-fn validation(cases: &[Case]) -> Value {
+fn validation(cases: &[Case], total: usize) -> Value {
     let number = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
     let case = |c: &Case| {
         json!({
@@ -158,5 +158,5 @@ fn validation(cases: &[Case]) -> Value {
             "passed": c.passed(),
         })
     };
-    json!({ "schema": "fem-validation/1", "cases": cases.iter().map(case).collect::<Vec<_>>() })
+    json!({ "schema": "fem-validation/1", "cases": cases.iter().map(case).collect::<Vec<_>>(), "total": total })
 }

@@ -30,8 +30,8 @@ pub enum Report<'a> {
     /// `fem effects`: entries of the catalogue, those of processes and those of the measurement, as a list or
     /// as a page each.
     Effects(&'a [(&'a dyn Process, Description)], &'a [&'a MeasurementEffect], Detail),
-    /// `fem validate`.
-    Validation(&'a [Case]),
+    /// `fem validate`: the cases to be shown, and how many there are in all.
+    Validation(&'a [Case], usize),
 }
 
 /// How much is told of each of many.

@@ -29,7 +29,7 @@ impl Format for Text {
                 let own = entries.iter().map(|(process, e)| effect(process.name(), e));
                 own.chain(of_measurement.iter().map(|e| measurement::page(e))).collect::<Vec<_>>().join("\n")
             }
-            Report::Validation(cases) => validation(cases),
+            Report::Validation(cases, total) => validation(cases, *total),
         })
     }
 }
@@ -130,7 +130,7 @@ fn parameter_line(p: &Parameter) -> String {
 }
 
 /// The validation table.
-fn validation(cases: &[Case]) -> String {
+fn validation(cases: &[Case], total: usize) -> String {
     let width = cases.iter().map(|c| c.name.chars().count() + c.quantity.chars().count() + 2).max().unwrap_or(0);
     let mut text = format!(
         "{:<width$} {:>16} {:>16} {:<8} {:>9} {:>9}\n",
@@ -152,7 +152,8 @@ fn validation(cases: &[Case]) -> String {
         );
     }
     let failed = cases.iter().filter(|c| !c.passed()).count();
-    let _ = writeln!(text, "\n{} cases, {failed} failed", cases.len());
+    let part = if cases.len() < total { format!(" of {total}") } else { String::new() };
+    let _ = writeln!(text, "\n{}{part} cases, {failed} failed", cases.len());
     text
 }
 

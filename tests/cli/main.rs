@@ -23,4 +23,5 @@ mod ring;
 mod stiffness;
 mod story;
 mod thermal;
+mod validate;
 mod written;

@@ -1,6 +1,7 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
 mod compliance;
+mod conic;
 mod edge;
 mod form;
 pub mod roundness;
@@ -34,6 +35,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         form::taper(positions, first),
         form::form(positions, first),
     ];
+    figures.extend(conic::figure(machine));
     figures.extend(batch(setup, &part_means(positions.len(), errors)));
     figures.push(forces(deflections));
     let compliance = Compliance::of(&shaft, deflections);
