@@ -15,12 +15,10 @@ pub use feasibility::Feasibility;
 pub use reversal::{Kinematic, LostMotion, Rules, Step};
 pub use wrong::WrongReading;
 
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
-
 use crate::compare::{SIGNIFICANCE, compare};
 use crate::fit::fit;
 use crate::model::Data;
-use crate::noise::{Acts, Term};
+use crate::noise::{Acts, Term, beyond_f};
 use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Steps, Table, Target, Tolerance};
 use crate::process::{Failure, ForwardModel, Positioning};
 use crate::progress::Progress;
@@ -232,8 +230,8 @@ fn is_scatter(targets: &[Target], squares: f64, between: f64) -> Option<bool> {
     let sides = || targets.iter().flat_map(Target::sides);
     let within: f64 = sides().map(|s| (s.count - 1) as f64).sum();
     let of_scatter: f64 = sides().filter_map(|s| Some((s.count - 1) as f64 * s.scatter?.powi(2))).sum();
-    let chance = FisherSnedecor::new(between, within).ok().filter(|_| of_scatter > 0.0)?;
-    Some(chance.sf((squares / between) / (of_scatter / within)) >= SIGNIFICANCE)
+    let ratio = Some((squares / between) / (of_scatter / within)).filter(|_| of_scatter > 0.0)?;
+    Some(beyond_f(between, within, ratio)? >= SIGNIFICANCE)
 }
 
 /// Lost motion that a model finds, if any.

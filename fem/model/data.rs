@@ -53,7 +53,8 @@ impl<'m> Data<'m> {
                 .help("mend the row, or let the model cover it")
         };
         let source = Source::new(measurements.name.clone(), "");
-        Err(InputError { source, problems: misplaced.iter().take(MOST_PROBLEMS).map(problem).collect() })
+        let problems: Vec<Problem> = misplaced.iter().take(MOST_PROBLEMS).map(problem).collect();
+        Err(InputError { found: misplaced.len(), ..InputError::new(source, problems) })
     }
 
     /// Makes a design of rows that the model itself proposes, which need no check. Of its effects of the
