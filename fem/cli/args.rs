@@ -73,6 +73,9 @@ pub struct Run {
     /// Where to write; out/<model name> if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -126,6 +129,9 @@ pub struct Compare {
     /// Where to write residuals.csv and compared.pvd; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -142,6 +148,9 @@ pub struct Fit {
     /// Write the model with the fitted values and their uncertainties
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -167,6 +176,9 @@ pub struct Diagnose {
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -213,6 +225,9 @@ pub struct Compensate {
     /// Where to write the tables; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -265,6 +280,9 @@ pub struct Add {
     /// The file to write
     #[arg(short, long, value_name = "NEW.toml")]
     pub output: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Debug, clap::Args)]
@@ -294,6 +312,9 @@ pub struct Import {
     /// The file to write
     #[arg(short, long, value_name = "FILE.csv")]
     pub output: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
     #[command(flatten)]
     pub reading: Reading,
 }

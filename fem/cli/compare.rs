@@ -6,6 +6,7 @@ use super::terminal::{notes, page, print};
 use crate::compare::compare;
 use crate::input::{InputError, Problem};
 use crate::model::{Data, Model};
+use crate::output::files::Guard;
 use crate::output::{Folder, Format, Report};
 use crate::progress::Progress;
 
@@ -36,7 +37,8 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     let report = Report::Comparison(&models, &measurements, &comparisons);
     if let Some(directory) = &args.output {
         refuse_namesakes(&models)?;
-        Folder { directory, reads: &args.data.with, progress: &Progress::default() }.write(&report)?;
+        let guard = Guard { reads: &args.data.with, force: args.force };
+        Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
     }
     notes(&measurements.notes);
     print(&page(&report, args.json)?)

@@ -7,6 +7,7 @@ use super::terminal::{notes, page, print};
 use crate::compensate::compensate;
 use crate::input::Problem;
 use crate::model::{Data, Model};
+use crate::output::files::Guard;
 use crate::output::{Folder, Format, LINUXCNC, Report};
 use crate::progress::Progress;
 
@@ -23,7 +24,9 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
     let mut written = String::new();
     if let Some(directory) = &args.output {
         let reads = args.data.reads(&args.model);
-        written = Folder { directory, reads: &reads, progress: &Progress::default() }.write(&report)?;
+        written =
+            Folder { directory, guard: Guard { reads: &reads, force: args.force }, progress: &Progress::default() }
+                .write(&report)?;
         if !written.contains(LINUXCNC) {
             say!("note: no {LINUXCNC}: it takes fewer targets than these");
         }

@@ -75,6 +75,10 @@ impl Error {
                 tell(&error.to_string(), Some("name another file; models and measurements are never overwritten"));
                 ExitCode::from(2)
             }
+            Self::Output(error @ OutputError::Exists { .. }) => {
+                tell(&error.to_string(), Some("name another place, or let it be replaced with --force"));
+                ExitCode::from(2)
+            }
             Self::Output(error) => {
                 tell(&error.to_string(), Some("choose another place with -o, or make room"));
                 ExitCode::from(1)

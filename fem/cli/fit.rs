@@ -7,13 +7,15 @@ use super::terminal::{notes, page, print};
 use crate::fit::{fit, fitted_text, has_nothing_to_fit};
 use crate::input::{Problem, Source};
 use crate::model::{Data, Model};
-use crate::output::{Report, files};
+use crate::output::Report;
+use crate::output::files::{self, Guard};
 
 pub fn run(args: &args::Fit) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let reads = args.data.reads(&args.model);
+    let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
-        files::refuse_reads(new, &reads)?;
+        guard.check(new)?;
     }
     if has_nothing_to_fit(&model) {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
@@ -25,7 +27,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         let text = fitted_text(&data, &fit);
         // A fitted value outside its bounds would make a file that cannot be read: better none.
         let fitted = Model::parse(Source::new(model.source.name.clone(), text))?;
-        files::write(new, fitted.text_at(new).as_bytes(), &reads)?;
+        files::write(new, fitted.text_at(new).as_bytes(), guard)?;
         say!("written {}", new.display());
         let sizes = fit.sizes.iter().filter(|s| !s.is_told()).map(|s| &s.estimate);
         for open in fit.estimates.iter().filter(|e| !e.is_closed()).chain(sizes) {

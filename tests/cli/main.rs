@@ -22,4 +22,5 @@ mod ring;
 mod stiffness;
 mod story;
 mod thermal;
+mod writing;
 mod written;
