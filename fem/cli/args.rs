@@ -1,10 +1,14 @@
 //! What can be typed.
 
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
 
 use clap::{Parser, Subcommand};
 
 use crate::model::Setting;
+use crate::progress::Progress;
+use crate::units::{Knowledge, Quantity, TIME};
 
 /// Predicts what a machine, fixture and workpiece do to a part.
 #[derive(Debug, Parser)]
@@ -91,6 +95,30 @@ pub struct Data {
     pub reading: Reading,
 }
 
+/// How long a command may take.
+#[derive(Debug, clap::Args)]
+pub struct Limit {
+    /// When to stop with what is found by then, as '30 s' or '5 min'; what is left undone is told
+    #[arg(long, value_name = "TIME", value_parser = time)]
+    pub time_limit: Option<Duration>,
+}
+
+fn time(text: &str) -> Result<Duration, String> {
+    let wrong = |message: &str| format!("{message}: write '30 s' or '5 min'");
+    let time = Quantity::parse(text, &TIME).map_err(|error| wrong(&error.message))?;
+    match time.knowledge {
+        Knowledge::Known => Duration::try_from_secs_f64(time.value).map_err(|_| wrong("no such time")),
+        _ => Err(wrong("a limit is known")),
+    }
+}
+
+impl Limit {
+    /// The progress of a command that is watched and may take so long.
+    pub fn progress(&self) -> Arc<Progress> {
+        Arc::new(Progress::within(self.time_limit))
+    }
+}
+
 /// What a file does not say itself.
 #[derive(Debug, clap::Args)]
 pub struct Reading {
@@ -151,6 +179,8 @@ pub struct Fit {
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -179,6 +209,8 @@ pub struct Diagnose {
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -203,6 +235,8 @@ pub struct Plan {
     /// Standard uncertainty of a row, where the design has no column u; once for each observable
     #[arg(long, value_name = "SIZE")]
     pub noise: Vec<String>,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

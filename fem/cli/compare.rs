@@ -3,6 +3,7 @@
 use super::args;
 use super::error::Error;
 use super::terminal::{notes, page, print};
+use super::watch::watched;
 use crate::compare::compare;
 use crate::input::{InputError, Problem};
 use crate::model::{Data, Model};
@@ -31,7 +32,7 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     let mut comparisons = Vec::new();
     for model in &models {
         let data = Data::of(model, measurements)?;
-        comparisons.push(compare(&data)?);
+        comparisons.push(watched(&data.progress, || compare(&data))?);
         measurements = data.into_measurements();
     }
     let report = Report::Comparison(&models, &measurements, &comparisons);

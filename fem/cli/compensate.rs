@@ -4,6 +4,7 @@ use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
+use super::watch::watched;
 use crate::compensate::compensate;
 use crate::input::Problem;
 use crate::model::{Data, Model};
@@ -19,7 +20,7 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
         return Err(Error::Request(problem.help(help)));
     };
     let data = Data::of(&model, args.data.load(model.process)?)?;
-    let found = compensate(&data, axis)?;
+    let found = watched(&data.progress, || compensate(&data, axis))?;
     let report = Report::Compensation(&data, &found);
     let mut written = String::new();
     if let Some(directory) = &args.output {

@@ -1,18 +1,16 @@
 //! `fem diagnose`.
 
-use std::sync::Arc;
-
+use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
-use super::{args, watch};
+use super::watch::watched;
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::fit::fitted_text;
 use crate::input::Source;
 use crate::model::{Data, Model, add_effect};
 use crate::output::files::{self, Guard};
 use crate::output::{Folder, Format, Report, additions};
-use crate::progress::Progress;
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
@@ -21,12 +19,9 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
-    let data = Data::of(&model, args.data.load(model.process)?)?;
-    let progress = Arc::new(Progress::default());
-    let bar = watch::show(&progress);
-    let diagnosis = diagnose(&data, usize::from(args.max_effects), &progress);
-    bar.finish();
-    let diagnosis = diagnosis?;
+    let progress = args.limit.progress();
+    let data = Data::of(&model, args.data.load(model.process)?)?.watched(progress.clone());
+    let diagnosis = watched(&progress, || diagnose(&data, usize::from(args.max_effects), &progress))?;
     if diagnosis.rows < data.len() {
         say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
     }

@@ -4,6 +4,7 @@ use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
+use super::watch::watched;
 use crate::fit::{fit, fitted_text, has_nothing_to_fit};
 use crate::input::{Problem, Source};
 use crate::model::{Data, Model};
@@ -21,8 +22,8 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
         return Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")));
     }
-    let data = Data::of(&model, args.data.load(model.process)?)?;
-    let fit = fit(&data)?;
+    let data = Data::of(&model, args.data.load(model.process)?)?.watched(args.limit.progress());
+    let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {
         let text = fitted_text(&data, &fit);
         // A fitted value outside its bounds would make a file that cannot be read: better none.

@@ -15,7 +15,6 @@ pub use feasibility::Feasibility;
 pub use reversal::{Kinematic, LostMotion, Rules, Step};
 pub use wrong::WrongReading;
 
-use std::sync::Arc;
 use crate::compare::{SIGNIFICANCE, compare};
 use crate::fit::{Estimate, fit};
 use crate::input::Parameter;
@@ -25,6 +24,7 @@ use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal
 use crate::process::{Failure, ForwardModel, Positioning, System};
 use crate::progress::Progress;
 use crate::units::Knowledge;
+use std::sync::Arc;
 
 /// Evaluation of an axis and of its compensation. SI units.
 #[derive(Clone, Debug)]
@@ -234,7 +234,8 @@ fn assumed(estimate: &Estimate) -> Option<String> {
     let Parameter { path, kind, quantity, .. } = &estimate.parameter;
     let is_assumed = quantity.knowledge == Knowledge::Free && !estimate.is_closed() && !path.starts_with("effects.");
     let value = || format!("{:.4} {}", kind.from_si(estimate.value), kind.unit);
-    is_assumed.then(|| format!("`{path}` is unknown, and the test does not tell it: what hangs on it takes {}", value()))
+    is_assumed
+        .then(|| format!("`{path}` is unknown, and the test does not tell it: what hangs on it takes {}", value()))
 }
 
 /// Whether the scatter about the means of the residuals at the targets, each from one side, explains those

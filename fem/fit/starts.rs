@@ -22,6 +22,9 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     settle_linear(objective);
     let mut tried: Vec<Solution> = Vec::new();
     for start in combinations(objective) {
+        if !tried.is_empty() && !objective.data.progress.permits("further places from which the fit could begin") {
+            break;
+        }
         if let Some(solution) = minimise(objective, &start, &[], SHORT) {
             tried.push(solution);
         }
@@ -49,7 +52,7 @@ const SURVEYS: usize = 6;
 fn survey(objective: &mut Objective, mut best: Solution) -> Solution {
     for i in (0..objective.variables.len()).filter(|i| objective.variables[*i].is_surveyed).collect::<Vec<_>>() {
         for _ in 0..SURVEYS {
-            if is_explained(objective, &best) {
+            if is_explained(objective, &best) || !objective.data.progress.permits("the survey for deeper minima") {
                 return best;
             }
             let starts = valleys(objective, &best, i);
@@ -96,6 +99,9 @@ fn between(objective: &mut Objective, mut best: Solution) -> Solution {
         let gap = (high - low) / starts.len() as f64 * 2.0;
         let middle = best.position[i];
         for k in -FINE..=FINE {
+            if !objective.data.progress.permits("places between those from which the fit began") {
+                return best;
+            }
             let mut moved = best.position.clone();
             moved[i] = middle + gap * f64::from(k) / f64::from(FINE);
             let found = minimise(objective, &moved, &[i], SHORT);
