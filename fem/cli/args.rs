@@ -1,10 +1,14 @@
 //! What can be typed.
 
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
 
 use clap::{Parser, Subcommand};
 
 use crate::model::Setting;
+use crate::progress::Progress;
+use crate::units::{Knowledge, Quantity, TIME};
 
 /// Predicts what a machine, fixture and workpiece do to a part.
 #[derive(Debug, Parser)]
@@ -73,6 +77,9 @@ pub struct Run {
     /// Where to write; out/<model name> if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -86,6 +93,30 @@ pub struct Data {
     pub with: Vec<PathBuf>,
     #[command(flatten)]
     pub reading: Reading,
+}
+
+/// How long a command may take.
+#[derive(Debug, clap::Args)]
+pub struct Limit {
+    /// When to stop with what is found by then, as '30 s' or '5 min'; what is left undone is told
+    #[arg(long, value_name = "TIME", value_parser = time)]
+    pub time_limit: Option<Duration>,
+}
+
+fn time(text: &str) -> Result<Duration, String> {
+    let wrong = |message: &str| format!("{message}: write '30 s' or '5 min'");
+    let time = Quantity::parse(text, &TIME).map_err(|error| wrong(&error.message))?;
+    match time.knowledge {
+        Knowledge::Known => Duration::try_from_secs_f64(time.value).map_err(|_| wrong("no such time")),
+        _ => Err(wrong("a limit is known")),
+    }
+}
+
+impl Limit {
+    /// The progress of a command that is watched and may take so long.
+    pub fn progress(&self) -> Arc<Progress> {
+        Arc::new(Progress::within(self.time_limit))
+    }
 }
 
 /// What a file does not say itself.
@@ -126,6 +157,9 @@ pub struct Compare {
     /// Where to write residuals.csv and compared.pvd; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -142,6 +176,11 @@ pub struct Fit {
     /// Write the model with the fitted values and their uncertainties
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -167,6 +206,11 @@ pub struct Diagnose {
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -191,6 +235,8 @@ pub struct Plan {
     /// Standard uncertainty of a row, where the design has no column u; once for each observable
     #[arg(long, value_name = "SIZE")]
     pub noise: Vec<String>,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -213,6 +259,9 @@ pub struct Compensate {
     /// Where to write the tables; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -265,6 +314,9 @@ pub struct Add {
     /// The file to write
     #[arg(short, long, value_name = "NEW.toml")]
     pub output: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Debug, clap::Args)]
@@ -294,6 +346,9 @@ pub struct Import {
     /// The file to write
     #[arg(short, long, value_name = "FILE.csv")]
     pub output: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
     #[command(flatten)]
     pub reading: Reading,
 }

@@ -3,9 +3,11 @@
 use super::args;
 use super::error::Error;
 use super::terminal::{notes, page, print};
+use super::watch::watched;
 use crate::compare::compare;
 use crate::input::{InputError, Problem};
 use crate::model::{Data, Model};
+use crate::output::files::Guard;
 use crate::output::{Folder, Format, Report};
 use crate::progress::Progress;
 
@@ -30,13 +32,14 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     let mut comparisons = Vec::new();
     for model in &models {
         let data = Data::of(model, measurements)?;
-        comparisons.push(compare(&data)?);
+        comparisons.push(watched(&data.progress, || compare(&data))?);
         measurements = data.into_measurements();
     }
     let report = Report::Comparison(&models, &measurements, &comparisons);
     if let Some(directory) = &args.output {
         refuse_namesakes(&models)?;
-        Folder { directory, reads: &args.data.with, progress: &Progress::default() }.write(&report)?;
+        let guard = Guard { reads: &args.data.with, force: args.force };
+        Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
     }
     notes(&measurements.notes);
     print(&page(&report, args.json)?)

@@ -14,7 +14,7 @@ pub struct Json;
 
 impl Format for Json {
     fn write(&self, report: &Report) -> Result<String, OutputError> {
-        let value = match report {
+        let mut value = match report {
             Report::Run(model, found) => run(model, found),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
@@ -31,6 +31,10 @@ impl Format for Json {
             }
             Report::Validation(cases, total) => validation(cases, *total),
         };
+        let undone = report.left_undone();
+        if let (Value::Object(all), false) = (&mut value, undone.is_empty()) {
+            all.insert("left_undone".into(), json!(undone));
+        }
         Ok(format!("{value:#}\n"))
     }
 }

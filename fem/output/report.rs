@@ -34,6 +34,24 @@ pub enum Report<'a> {
     Validation(&'a [Case], usize),
 }
 
+impl Report<'_> {
+    /// What was left undone for want of time, a few of many.
+    pub fn left_undone(&self) -> Vec<String> {
+        /// Most that are named.
+        const MOST: usize = 12;
+        let (Self::Fit(data, _) | Self::Diagnosis(data, _) | Self::Plan(data, _) | Self::Compensation(data, _)) = self
+        else {
+            return Vec::new();
+        };
+        let mut all = data.progress.left_undone();
+        all.sort_unstable();
+        let more = all.len().saturating_sub(MOST);
+        all.truncate(MOST);
+        all.extend((more > 0).then(|| format!("{more} more")));
+        all
+    }
+}
+
 /// How much is told of each of many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {

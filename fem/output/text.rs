@@ -13,7 +13,7 @@ pub struct Text;
 
 impl Format for Text {
     fn write(&self, report: &Report) -> Result<String, OutputError> {
-        Ok(match report {
+        let page = match report {
             Report::Run(model, found) => run(model, found),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
@@ -30,7 +30,16 @@ impl Format for Text {
                 own.chain(of_measurement.iter().map(|e| measurement::page(e))).collect::<Vec<_>>().join("\n")
             }
             Report::Validation(cases, total) => validation(cases, *total),
-        })
+        };
+        Ok(page + &left_undone(&report.left_undone()))
+    }
+}
+
+/// What the time limit has cut off.
+fn left_undone(undone: &[String]) -> String {
+    match undone {
+        [] => String::new(),
+        undone => format!("\nthe time was over; left undone:\n  {}\n", undone.join("\n  ")),
     }
 }
 

@@ -24,4 +24,5 @@ mod stiffness;
 mod story;
 mod thermal;
 mod validate;
+mod writing;
 mod written;

@@ -14,8 +14,9 @@ use crate::process::Segment;
 use crate::solve::{Hold, Rest, Shaft};
 use crate::units::{LENGTH, STIFFNESS, TIME};
 
-/// Largest number of predicted points, rows of `profile.csv`; beyond it a slip is more likely than a wish.
-const MOST_POINTS: usize = 20_000_000;
+/// Largest number of predicted points, rows of `profile.csv`, which take some 300 MB; beyond it a slip is more
+/// likely than a wish.
+const MOST_POINTS: usize = 1_000_000;
 /// Largest number of beam elements.
 const MOST_ELEMENTS: f64 = 1e6;
 /// Height of the spindle axis above the guideways where a model does not say, m: a lathe that swings 500 mm.
