@@ -89,6 +89,9 @@ impl Exploration<'_> {
         let mut trial = first.found.base.clone();
         let mut found = None;
         for _ in 0..MOST_TERMS {
+            if !self.progress.permits(MEASUREMENT) {
+                break;
+            }
             let least = instrument::criterion(&trial) - PROMISING;
             let is_wanted = |p: &Proposal| p.criterion < least && !is_greedy(&p.noise.terms);
             let Some(proposal) = instrument::proposals(&trial, self.repeats).into_iter().find(is_wanted) else { break };
