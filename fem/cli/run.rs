@@ -9,7 +9,7 @@ use super::say::say;
 use super::terminal::{page, print};
 use super::watch;
 use crate::model::Model;
-use crate::output::{Folder, Format, Report};
+use crate::output::{Folder, Format, Pictures, Report};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Run) -> Result<(), Error> {
@@ -20,7 +20,10 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let run = model.run(&progress)?;
     let report = Report::Run(&model, &run);
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model));
-    let written = Folder { directory: &directory, reads: &[], progress: &progress }.write(&report)?;
+    let written = match &args.plot {
+        Some(directory) => Pictures { directory, reads: &model.paths() }.write(&report)?,
+        None => Folder { directory: &directory, reads: &[], progress: &progress }.write(&report)?,
+    };
     bar.finish();
     for warning in &run.report.warnings {
         say!("warning: {warning}");

@@ -6,11 +6,11 @@ use rayon::prelude::*;
 
 use super::files::{self, Stage};
 use super::report::{Format, Report};
-use super::{Json, OutputError, comparison, compensation, csv, diagnosis, svg, vtk};
+use super::{Json, OutputError, comparison, compensation, csv, diagnosis, pictures, vtk};
 use crate::compare::Comparison;
 use crate::measure::Measurements;
 use crate::model::{Model, Run};
-use crate::process::{Animation, Drawing};
+use crate::process::Animation;
 use crate::progress::Progress;
 
 /// The files of a report, which appear all together or not at all.
@@ -33,7 +33,7 @@ impl Format for Folder<'_> {
             }
             Report::Diagnosis(data, diagnosis) => self.files([
                 ("diagnosis.json", Some(Json.write(report)?)),
-                ("diagnosis.svg", Some(diagnosis::falling(data, diagnosis).svg())),
+                ("diagnosis.svg", Some(diagnosis::falling(data, diagnosis).svg().file())),
             ])?,
             Report::Compensation(_, found) => self.files(
                 compensation::tables(found).into_iter().chain([("compensation.json", Some(Json.write(report)?))]),
@@ -74,7 +74,7 @@ impl Folder<'_> {
     }
 
     /// `profile.csv`, further tables as `NAME.csv`, the animation as `NAME.pvd` with its frames in `NAME/`,
-    /// drawings as `NAME.svg`, and `summary.json`.
+    /// figures as `NAME.svg`, and `summary.json`.
     fn run(&self, model: &Model, run: &Run, report: &Report) -> Result<Vec<PathBuf>, OutputError> {
         let reads = [self.reads, &model.paths()].concat();
         let stage = Folder { reads: &reads, ..*self }.stage(self.directory)?;
@@ -89,9 +89,7 @@ impl Folder<'_> {
         if let Some(animation) = &found.animation {
             written.push(self.animation(animation, &stage)?);
         }
-        for drawing in &found.drawings {
-            written.push(write_drawing(drawing, &stage)?);
-        }
+        written.extend(pictures::stage_all(pictures::of_run(model, run), &stage)?);
         stage.write(Path::new("summary.json"), Json.write(report)?.as_bytes())?;
         written.push("summary.json".into());
         stage.publish()?;
@@ -118,7 +116,7 @@ impl Folder<'_> {
     }
 
     /// `residuals.csv`; the measured and the predicted shape as `compared.pvd`, where the process has a
-    /// body to show; `compared.svg`, where it makes a contour.
+    /// body to show; the figures.
     fn comparison(
         &self,
         model: &Model,
@@ -136,11 +134,7 @@ impl Folder<'_> {
         if let Some(shapes) = &shapes {
             written.push(self.animation(shapes, &stage)?);
         }
-        if let (Some(places), Some(nominal)) = (&places, model.system.contour()) {
-            let rows = model.system.resolved(&measurements.rows);
-            let drawing = comparison::drawing(nominal, model.process.coordinates(), &rows, places, comparison);
-            written.push(write_drawing(&drawing, &stage)?);
-        }
+        written.extend(pictures::stage_all(pictures::of_comparison(model, measurements, comparison), &stage)?);
         stage.publish()?;
         if let Some(shapes) = shapes {
             files::remove_frames_from(&directory.join(shapes.name), shapes.name, shapes.frames);
@@ -167,10 +161,4 @@ impl Folder<'_> {
         stage.write(&path, text.as_bytes())?;
         Ok(path)
     }
-}
-
-fn write_drawing(drawing: &Drawing, stage: &Stage) -> Result<PathBuf, OutputError> {
-    let path = PathBuf::from(format!("{}.svg", drawing.name));
-    stage.write(&path, svg::drawing(drawing).as_bytes())?;
-    Ok(path)
 }

@@ -12,6 +12,7 @@ fn a_run_writes_its_files_and_no_others() {
     let frames: Vec<String> = (0..4).map(|i| format!("results/shaft/shaft_{i:04}.vtu")).collect();
     let mut expected =
         ["lathe.toml", "results/compliance.csv", "results/profile.csv", "results/shaft.pvd"].map(String::from).to_vec();
+    expected.extend(["machine", "map", "profile"].map(|name| format!("results/{name}.svg")));
     expected.extend(frames);
     expected.push("results/summary.json".into());
     expected.sort();
