@@ -68,7 +68,8 @@ pub fn written(args: &args::Report, depth: Depth, live: Option<u64>, progress: &
     let data = if is_deep { some.unwrap_or(all) } else { all };
     let diagnosis = if is_deep { Some(diagnose(&data, usize::from(args.max_effects), progress)?) } else { None };
     let better = diagnosis.as_ref().and_then(|d| complete(&data, d, progress));
-    let run = if model.require_values().is_ok() { Some(model.run(progress)?) } else { None };
+    let is_best = better.is_none() && model.require_values().is_ok();
+    let run = if is_best { Some(model.run(progress)?) } else { None };
     let evidence = Evidence {
         data: &data,
         comparisons: &comparisons,

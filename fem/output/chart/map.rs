@@ -44,17 +44,17 @@ pub fn draw(chart: &Chart, [x, y, value]: [&Axis; 3], cells: &[[f64; 3]]) -> Svg
     // A cell is as wide as half of the way to its neighbours; of several rows in one cell, the mean is shown.
     let place = |edges: &[f64], v: f64| edges.partition_point(|e| *e <= v).clamp(1, edges.len().max(2) - 1) - 1;
     let (wide, high) = (columns.len().saturating_sub(1), rows.len().saturating_sub(1));
-    let (mut sums, mut counts) = (vec![0.0; wide * high], vec![0.0; wide * high]);
-    for cell in &cells {
-        let at = place(&rows, cell[1]) * wide + place(&columns, cell[0]);
-        sums[at] += cell[2];
-        counts[at] += 1.0;
+    // Sums of abscissa, ordinate and value of the rows of each cell, and their number.
+    let mut sums = vec![[0.0; 4]; wide * high];
+    for [x, y, value] in cells {
+        let sum = &mut sums[place(&rows, *y) * wide + place(&columns, *x)];
+        [*x, *y, *value, 1.0].into_iter().zip(sum).for_each(|(own, sum)| *sum += own);
     }
     svg.axes = [x, y, value].map(Axis::clone).into();
     // Cells meet without seams.
     svg.push("<g shape-rendering=\"crispEdges\">");
-    for i in (0..wide * high).filter(|i| counts[*i] > 0.0) {
-        let (mean, column, row) = (sums[i] / counts[i], i % wide, i / wide);
+    for (i, [x, y, value, count]) in sums.into_iter().enumerate().filter(|(_, sum)| sum[3] > 0.0) {
+        let (mean, column, row) = (value / count, i % wide, i / wide);
         let (left, right) = (xs.at(columns[column]), xs.at(columns[column + 1]));
         let (low, top) = (ys.at(rows[row]), ys.at(rows[row + 1]));
         // Cells overlap by a hair, so that no ground shines through.
@@ -63,10 +63,7 @@ pub fn draw(chart: &Chart, [x, y, value]: [&Axis; 3], cells: &[[f64; 3]]) -> Svg
             "<path class=\"{}\" d=\"M{left:.1} {top:.1}h{width:.1}v{height:.1}h-{width:.1}z\"/>",
             class(mean)
         ));
-        let centre = [0.5 * (columns[column] + columns[column + 1]), 0.5 * (rows[row] + rows[row + 1])];
-        let own = cells.iter().find(|c| place(&columns, c[0]) == column && place(&rows, c[1]) == row);
-        let [cx, cy] = own.map_or(centre, |c| [c[0], c[1]]);
-        svg.mark([0.5 * (left + right), 0.5 * (low + top)], "", &[cx, cy, mean]);
+        svg.mark([0.5 * (left + right), 0.5 * (low + top)], "", &[x / count, y / count, mean]);
     }
     svg.push("</g>");
     Frame { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM }.axes(&mut svg, (x, &xs), (y, &ys));

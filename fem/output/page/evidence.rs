@@ -5,9 +5,13 @@ use super::html::{self, Cell};
 use super::section::Section;
 use super::step::{Step, steps};
 use super::subject::{Evidence, Subject};
+use crate::compare::Comparison;
 use crate::output::chart::{Chart, Svg, draw, number};
 use crate::output::falling::Falling;
 use crate::output::{comparison, diagnosis, drawing, plots};
+
+/// Most coordinates along which the residuals of every step are drawn.
+const MOST_ALONG: usize = 3;
 
 /// The figures at the head of the page.
 pub fn facts(found: &Evidence) -> Vec<(String, String)> {
@@ -72,71 +76,29 @@ fn charts(all: &[Chart]) -> String {
 
 fn falling(subject: &Subject, found: &Evidence, steps: &[Step]) -> Section {
     let kind = found.data.kind();
-    let noise = steps.last().map(|s| kind.from_si(s.noise.level(found.data).together())).unwrap_or(f64::NAN);
-    let mut blocks = Vec::new();
-    let told: Vec<_> = found
-        .comparisons
-        .iter()
-        .map(|c| {
-            let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
-            let numbers = [
-                (rms, format!("{rms:.3}")),
-                (bias, format!("{bias:+.3}")),
-                (worst, format!("{worst:+.3}")),
-                (c.reduced_chi2, format!("{:.3}", c.reduced_chi2)),
-            ];
-            let numbers = numbers.into_iter().map(|(v, t)| Cell::Number(t, v));
-            let verdict = Cell::Text(comparison::verdict(c).to_string());
-            std::iter::once(Cell::Text(c.model.clone())).chain(numbers).chain([verdict]).collect::<Vec<_>>()
-        })
-        .collect();
-    for caution in found
-        .diagnosis
-        .iter()
-        .flat_map(|d| &d.cautions)
-        .chain(found.comparisons.iter().flat_map(|c| &c.cautions).filter(|_| found.diagnosis.is_none()))
-    {
-        blocks.push(html::paragraph("caution", &format!("Caution: {caution}")));
-    }
+    let level = match (found.diagnosis, steps.last()) {
+        (Some(d), _) => d.noise.together(),
+        (None, Some(last)) => last.noise.level(found.data).together(),
+        (None, None) => f64::NAN,
+    };
+    let noise = kind.from_si(level);
+    let (cautions, features) = match (found.diagnosis, found.comparisons) {
+        (Some(d), _) => (&d.cautions[..], &d.features[..]),
+        (None, [.., c]) => (&c.cautions[..], &c.features[..]),
+        (None, []) => (&[][..], &[][..]),
+    };
+    let mut blocks: Vec<String> =
+        cautions.iter().map(|c| html::paragraph("caution", &format!("Caution: {c}"))).collect();
     if steps.len() > 1 {
         let title = format!("root mean square error of {}", subject.model().stem().display());
         let stem = |s: &Step| s.label.rsplit('/').next().unwrap_or(&s.label).to_string();
         let fallen = Falling { title, steps: steps.iter().map(|s| (stem(s), s.rms)).collect(), noise, unit: kind.unit };
-        let svg = fallen.svg();
-        blocks.push(html::figures([("falling-error", &svg)]));
+        blocks.push(html::figures([("falling-error", &fallen.svg())]));
     }
-    if found.diagnosis.is_some() && subject.models.len() < 2 && !steps.is_empty() {
-        let held = found.diagnosis.and_then(|d| d.cross_validation_by).map(|by| format!("held out by {by}"));
-        let held = held.unwrap_or_else(|| "held out".into());
-        let row = |s: &Step| {
-            let out = s.held_out.map_or(Cell::Text("\u{2013}".into()), |h| Cell::Number(format!("{h:.3}"), h));
-            vec![
-                Cell::Text(s.label.clone()),
-                Cell::Number(format!("{:.3}", s.rms), s.rms),
-                Cell::Number(format!("{:.3}", s.reduced_chi2), s.reduced_chi2),
-                out,
-            ]
-        };
-        let all: Vec<_> = steps.iter().map(row).collect();
-        let caption =
-            format!("Every step is fitted anew to all rows; errors in {}, noise {noise:.3} {}", kind.unit, kind.unit);
-        blocks.push(html::table(&caption, &["model", "rms", "\u{3c7}\u{b2}/dof", &held], &all, false));
+    if found.diagnosis.is_some() && subject.models.len() < 2 {
+        blocks.push(refitted(found, steps, noise));
     }
-    if !told.is_empty() {
-        let caption =
-            format!("As fem compare says of the models as they are written, in {}, measured less predicted", kind.unit);
-        blocks.push(html::table(
-            &caption,
-            &["model", "rms", "bias", "worst", "\u{3c7}\u{b2}/dof", "verdict"],
-            &told,
-            false,
-        ));
-    }
-    let features = match (found.diagnosis, found.comparisons) {
-        (Some(d), _) => &d.features[..],
-        (None, [.., c]) => &c.features[..],
-        _ => &[],
-    };
+    blocks.push(compared(found));
     let list: Vec<String> =
         comparison::told(features).map(|f| format!("{:.0} %: {}", 100.0 * f.share, f.text)).collect();
     if !list.is_empty() {
@@ -144,21 +106,61 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step]) -> Section {
         blocks.push(html::list(&list));
     }
     if steps.len() > 1 {
-        let largest = steps.iter().flat_map(|s| &s.residuals).fold(0.0f64, |size, r| size.max(r.abs()));
-        // Several observables have no scale in common.
-        let limits = (found.data.observables.len() == 1).then_some(largest);
-        let block = |step: &Step| {
-            let rows = rows(subject, found, step);
-            let mut shown = plots::along(&rows, limits);
-            shown.truncate(3);
-            shown.extend(plots::maps(&rows, limits).into_iter().take(1));
-            let title = format!("{}: {:.3} {}", step.label, step.rms, kind.unit);
-            (title, charts(&shown))
-        };
         blocks.push(html::heading("What each step leaves"));
-        blocks.push(html::steps(&steps.iter().map(block).collect::<Vec<_>>()));
+        blocks.push(slider(subject, found, steps));
     }
     Section { id: "error", title: if steps.len() > 1 { "The error falling" } else { "The error" }, blocks }
+}
+
+/// The table of the steps of a diagnosis.
+fn refitted(found: &Evidence, steps: &[Step], noise: f64) -> String {
+    let unit = found.data.kind().unit;
+    let held = found.diagnosis.and_then(|d| d.cross_validation_by).map(|by| format!("held out by {by}"));
+    let held = held.unwrap_or_else(|| "held out".into());
+    let number = |v: f64| Cell::Number(format!("{v:.3}"), v);
+    let row = |s: &Step| {
+        let out = s.held_out.map_or(Cell::Text("\u{2013}".into()), number);
+        vec![Cell::Text(s.label.clone()), number(s.rms), number(s.reduced_chi2), out]
+    };
+    let caption = format!("Every step is fitted anew to all rows; errors in {unit}, noise {noise:.3} {unit}");
+    let head = ["model", "rms", "\u{3c7}\u{b2}/dof", &held];
+    html::table(&caption, &head, &steps.iter().map(row).collect::<Vec<_>>(), false)
+}
+
+/// The table of `fem compare`.
+fn compared(found: &Evidence) -> String {
+    let kind = found.data.kind();
+    let row = |c: &Comparison| {
+        let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
+        vec![
+            Cell::Text(c.model.clone()),
+            Cell::Number(format!("{rms:.3}"), rms),
+            Cell::Number(format!("{bias:+.3}"), bias),
+            Cell::Number(format!("{worst:+.3}"), worst),
+            Cell::Number(format!("{:.3}", c.reduced_chi2), c.reduced_chi2),
+            Cell::Text(comparison::verdict(c).to_string()),
+        ]
+    };
+    let all: Vec<_> = found.comparisons.iter().map(row).collect();
+    let caption =
+        format!("As fem compare says of the models as they are written, in {}, measured less predicted", kind.unit);
+    let head = ["model", "rms", "bias", "worst", "\u{3c7}\u{b2}/dof", "verdict"];
+    if all.is_empty() { String::new() } else { html::table(&caption, &head, &all, false) }
+}
+
+/// What each step leaves, all on the scale of the largest residual.
+fn slider(subject: &Subject, found: &Evidence, steps: &[Step]) -> String {
+    let largest = steps.iter().flat_map(|s| &s.residuals).fold(0.0f64, |size, r| size.max(r.abs()));
+    // Several observables have no scale in common.
+    let limits = (found.data.observables.len() == 1).then_some(largest);
+    let block = |step: &Step| {
+        let rows = rows(subject, found, step);
+        let mut shown = plots::along(&rows, limits);
+        shown.truncate(MOST_ALONG);
+        shown.extend(plots::maps(&rows, limits).into_iter().take(1));
+        (format!("{}: {:.3} {}", step.label, step.rms, found.data.kind().unit), charts(&shown))
+    };
+    html::steps(&steps.iter().map(block).collect::<Vec<_>>())
 }
 
 fn measured(subject: &Subject, found: &Evidence, last: &Step) -> Section {

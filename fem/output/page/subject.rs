@@ -8,7 +8,7 @@ use crate::model::{Data, Model, Run};
 pub struct Subject<'a> {
     /// In the order in which they were named; there is at least one.
     pub models: &'a [Model],
-    /// The run of the last of them; `None` where it leaves values open.
+    /// The run of the last of them; `None` where it leaves values open, or a completed one takes its place.
     pub run: Option<&'a Run>,
     /// What measurements say.
     pub evidence: Option<Evidence<'a>>,
