@@ -17,6 +17,7 @@ use crate::units::{Knowledge, Quantity, TIME};
     version,
     about,
     after_help = "Examples:
+  fem demo                           a story to try everything on
   fem new turning -o shaft.toml      a commented model to start from
   fem run shaft.toml                 predict, summarise, write out/shaft/
   fem compare shaft.toml --with measured.csv
@@ -26,8 +27,9 @@ use crate::units::{Knowledge, Quantity, TIME};
 Exit status: 0 done, 1 the computation or the writing failed, 2 the input is wrong."
 )]
 pub struct Args {
+    /// What to do next is told where none is named
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -44,6 +46,8 @@ pub enum Command {
     Plan(Plan),
     /// An axis: backlash value, pitch tables, what they leave, and what they cannot do
     Compensate(Compensate),
+    /// One page of everything: prediction, residuals, causes, what to do next
+    Report(Report),
     /// Add errors up, by the handbook's rules and by Monte Carlo
     Budget(Budget),
     /// The catalogue of effects: law, parameters, units, neutral value, source
@@ -52,6 +56,8 @@ pub enum Command {
     Add(Add),
     /// Write a commented model to start from
     New(New),
+    /// Write a model and measurements to try everything on
+    Demo(Demo),
     /// Write a measurement file of what an instrument or a spreadsheet wrote
     Import(Import),
     /// The JSON Schema of model files, for editors
@@ -70,6 +76,7 @@ pub enum Command {
 #[command(after_help = "Examples:
   fem run models/lathe.toml
   fem run models/lathe.toml -o results
+  fem run models/lathe.toml --plot figures
   fem run models/lathe.toml --json | jq .findings.largest")]
 pub struct Run {
     /// The model file
@@ -80,6 +87,9 @@ pub struct Run {
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,
+    /// Write the figures alone, as SVG, into this folder
+    #[arg(long, value_name = "DIR", conflicts_with = "output")]
+    pub plot: Option<PathBuf>,
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -120,7 +130,7 @@ impl Limit {
 }
 
 /// What a file does not say itself.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 pub struct Reading {
     /// What columns are: 'Zeit=time [s],T1=temperature@x=12 mm'; - leaves one out
     #[arg(long, value_name = "HEADING=NAME,..")]
@@ -154,12 +164,15 @@ pub struct Compare {
     pub models: Vec<PathBuf>,
     #[command(flatten)]
     pub data: Data,
-    /// Where to write residuals.csv and compared.pvd; nothing is written if left out
+    /// Where to write residuals.csv, figures and compared.pvd; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,
+    /// Write the figures alone, as SVG, into this folder
+    #[arg(long, value_name = "DIR", conflicts_with = "output")]
+    pub plot: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -267,6 +280,42 @@ pub struct Compensate {
     pub json: bool,
 }
 
+#[derive(Clone, Debug, clap::Args)]
+#[command(
+    after_help = "The page is one HTML file that asks for nothing from the network. Without --with it shows the prediction; with several
+models the error falls from one to the next, and the last is diagnosed.
+
+Examples:
+  fem report shaft.toml -o report.html
+  fem report shaft.toml --with measured.csv -o report.html
+  fem report shaft.toml --with measured.csv --serve"
+)]
+pub struct Report {
+    /// The model files
+    #[arg(required = true, value_name = "MODEL")]
+    pub models: Vec<PathBuf>,
+    /// The measurements; once for each of several files
+    #[arg(long, value_name = "DATA.csv")]
+    pub with: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: Reading,
+    /// The page to write
+    #[arg(short, long, value_name = "FILE.html", required_unless_present = "serve")]
+    pub output: Option<PathBuf>,
+    /// Replace a file that is no such page
+    #[arg(long)]
+    pub force: bool,
+    /// How many effects to look for together, at most
+    #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
+    pub max_effects: u8,
+    /// Show the page at an address of this computer alone, and renew it whenever a file changes
+    #[arg(long)]
+    pub serve: bool,
+    /// Port of that address; any free one if left out
+    #[arg(long, value_name = "PORT", default_value_t = 0, requires = "serve")]
+    pub port: u16,
+}
+
 #[derive(Debug, clap::Args)]
 #[command(after_help = "The file lists errors, or names a model whose inputs vary; `fem new budget` explains it.
 
@@ -320,13 +369,21 @@ pub struct Add {
 }
 
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:\n  fem new turning -o shaft.toml")]
+#[command(after_help = "Examples:\n  fem new\n  fem new turning -o shaft.toml")]
 pub struct New {
-    /// The process to model, or `budget`
-    pub process: String,
+    /// The process to model, or `budget`; what there is if left out
+    pub process: Option<String>,
     /// The file to write; it must not exist. Printed if left out
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  fem demo")]
+pub struct Demo {
+    /// The folder to write
+    #[arg(value_name = "FOLDER", default_value = "fem-demo")]
+    pub directory: PathBuf,
 }
 
 #[derive(Debug, clap::Args)]

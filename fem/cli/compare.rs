@@ -8,23 +8,14 @@ use crate::compare::compare;
 use crate::input::{InputError, Problem};
 use crate::model::{Data, Model};
 use crate::output::files::Guard;
-use crate::output::{Folder, Format, Report};
+use crate::output::{Folder, Format, Pictures, Report};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Compare) -> Result<(), Error> {
     let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     let Some(first) = models.first() else { return Ok(()) };
     let process = first.process;
-    if let Some(other) = models.iter().find(|m| m.process.name() != process.name()) {
-        let message = format!(
-            "{} models {}, {} models {}",
-            first.source.name,
-            process.name(),
-            other.source.name,
-            other.process.name()
-        );
-        return Err(Error::Request(Problem::new(message).help("compare models of one process")));
-    }
+    refuse_mixed(&models)?;
     for model in &models {
         model.require_values()?;
     }
@@ -36,13 +27,33 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
         measurements = data.into_measurements();
     }
     let report = Report::Comparison(&models, &measurements, &comparisons);
-    if let Some(directory) = &args.output {
+    if args.output.is_some() || args.plot.is_some() {
         refuse_namesakes(&models)?;
+    }
+    let read = || models.iter().flat_map(Model::paths).chain(args.data.with.iter().cloned()).collect::<Vec<_>>();
+    if let Some(directory) = &args.plot {
+        Pictures { directory, guard: Guard { reads: &read(), force: args.force } }.write(&report)?;
+    }
+    if let Some(directory) = &args.output {
         let guard = Guard { reads: &args.data.with, force: args.force };
         Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
     }
     notes(&measurements.notes);
     print(&page(&report, args.json)?)
+}
+
+/// Models of several processes have no measurements in common.
+pub fn refuse_mixed(models: &[Model]) -> Result<(), Error> {
+    let Some(first) = models.first() else { return Ok(()) };
+    let Some(other) = models.iter().find(|m| m.process.name() != first.process.name()) else { return Ok(()) };
+    let message = format!(
+        "{} models {}, {} models {}",
+        first.source.name,
+        first.process.name(),
+        other.source.name,
+        other.process.name()
+    );
+    Err(Error::Request(Problem::new(message).help("compare models of one process")))
 }
 
 /// Several models are written into a folder each, by the names of their files.

@@ -43,7 +43,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
 }
 
 /// The model with the missing effects and every fitted value.
-fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
+pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
     let text = fitted_text(data, &diagnosis.fit);
     let mut better = Model::parse(Source::new(data.model.source.name.to_string(), text))?;
     for (name, settings) in additions(data, diagnosis) {

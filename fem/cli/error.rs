@@ -1,6 +1,5 @@
 //! Errors of commands, and their report.
 
-use std::io::IsTerminal;
 use std::process::ExitCode;
 
 use miette::{
@@ -8,6 +7,7 @@ use miette::{
     SourceSpan, SpanContents,
 };
 
+use super::look;
 use super::say::say;
 use crate::input::{Excerpt, InputError, Problem};
 use crate::output::OutputError;
@@ -60,7 +60,7 @@ impl Error {
     pub fn report(self) -> ExitCode {
         match self {
             Self::Input(error) => {
-                say!("{}", rendered(&error).trim_end());
+                say!("{}", rendered(&error, look::has_colour()).trim_end());
                 ExitCode::from(2)
             }
             Self::Request(problem) => {
@@ -100,12 +100,13 @@ fn tell(message: &str, help: Option<&str>) {
 }
 
 /// Renders every problem with its line and a mark under the text in question.
-fn rendered(error: &InputError) -> String {
-    let handler = if std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
-        GraphicalReportHandler::new_themed(GraphicalTheme::unicode())
-    } else {
-        GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
+pub fn rendered(error: &InputError, has_colour: bool) -> String {
+    let theme = match (look::is_ascii(), has_colour) {
+        (true, _) => GraphicalTheme::none(),
+        (false, true) => GraphicalTheme::unicode(),
+        (false, false) => GraphicalTheme::unicode_nocolor(),
     };
+    let handler = GraphicalReportHandler::new_themed(theme);
     let mut text = String::new();
     for problem in &error.problems {
         let excerpt = problem.span.as_ref().map(|span| Excerpt::new(&error.source, span));

@@ -6,16 +6,22 @@ mod budget;
 mod compare;
 mod compensate;
 mod data;
+mod demo;
 mod diagnose;
 mod effects;
 mod error;
 mod fit;
 mod import;
+mod look;
 mod new;
 mod plan;
+mod report;
 mod run;
 mod say;
 mod schema;
+mod serve;
+mod start;
+mod story;
 mod terminal;
 mod validate;
 mod watch;
@@ -32,20 +38,23 @@ pub fn main() -> ExitCode {
     watch::prepare();
     let args = Args::parse();
     let result = match args.command {
-        Command::Run(args) => run::run(&args),
-        Command::Compare(args) => compare::run(&args),
-        Command::Fit(args) => fit::run(&args),
-        Command::Diagnose(args) => diagnose::run(&args),
-        Command::Compensate(args) => compensate::run(&args),
-        Command::Plan(args) => plan::run(&args),
-        Command::Budget(args) => budget::run(&args),
-        Command::Effects(args) => effects::effects(&args),
-        Command::Add(args) => add::add(&args),
-        Command::New(args) => new::new(&args),
-        Command::Import(args) => import::import(&args),
-        Command::Schema => schema::schema(),
-        Command::Validate(args) => validate::validate(&args),
-        Command::Completions { shell } => {
+        None => start::start(),
+        Some(Command::Run(args)) => run::run(&args),
+        Some(Command::Compare(args)) => compare::run(&args),
+        Some(Command::Fit(args)) => fit::run(&args),
+        Some(Command::Diagnose(args)) => diagnose::run(&args),
+        Some(Command::Compensate(args)) => compensate::run(&args),
+        Some(Command::Report(args)) => report::run(&args),
+        Some(Command::Plan(args)) => plan::run(&args),
+        Some(Command::Budget(args)) => budget::run(&args),
+        Some(Command::Effects(args)) => effects::effects(&args),
+        Some(Command::Add(args)) => add::add(&args),
+        Some(Command::Demo(args)) => demo::demo(&args),
+        Some(Command::New(args)) => new::new(&args),
+        Some(Command::Import(args)) => import::import(&args),
+        Some(Command::Schema) => schema::schema(),
+        Some(Command::Validate(args)) => validate::validate(&args),
+        Some(Command::Completions { shell }) => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Args::command(), "fem", &mut script);
             print(&String::from_utf8_lossy(&script))

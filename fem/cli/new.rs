@@ -18,10 +18,11 @@ pub fn new(args: &args::New) -> Result<(), Error> {
         .map(|p| (p.name(), format!("{}\n{}", p.starting_model(), commented(*p)), "run"))
         .chain([("budget", budget::STARTING.to_string(), "budget")])
         .collect();
-    let Some((_, text, command)) = starts.iter().find(|s| s.0 == args.process) else {
+    let Some(name) = &args.process else { return print(&listed()) };
+    let Some((_, text, command)) = starts.iter().find(|s| s.0 == *name) else {
         let names: Vec<&str> = starts.iter().map(|s| s.0).collect();
-        let meant = did_you_mean(&args.process, names.iter().copied(), '`');
-        let problem = Problem::new(format!("`{}` is no process known here", args.process));
+        let meant = did_you_mean(name, names.iter().copied(), '`');
+        let problem = Problem::new(format!("`{name}` is no process known here"));
         return Err(Error::Request(problem.help(format!("{meant}known are {}", names.join(", ")))));
     };
     let Some(path) = &args.output else { return print(text) };
@@ -31,4 +32,19 @@ pub fn new(args: &args::New) -> Result<(), Error> {
     }
     files::write(path, text.as_bytes(), Guard { reads: &[], force: false })?;
     print(&format!("written {}; next: fem {command} {}\n", path.display(), path.display()))
+}
+
+/// What can be modelled, and how to begin.
+fn listed() -> String {
+    let about = |name: &str, about: &str| format!("  {name:<11} {about}\n");
+    let all: String = process::ALL.iter().map(|p| about(p.name(), p.about())).collect();
+    let first = process::ALL.first().map_or("", |p| p.name());
+    format!(
+        "a model says what is made and on what; these can be modelled\n{all}{}
+  fem new {first} -o model.toml   writes a model in which every line is explained; change it to yours
+  fem run model.toml              predicts
+  fem effects {first}             what else could be happening, to be added to the model
+",
+        about("budget", "errors that are added up, by rules and by drawing")
+    )
 }

@@ -10,7 +10,7 @@ use super::terminal::{page, print};
 use super::watch::watched;
 use crate::model::Model;
 use crate::output::files::Guard;
-use crate::output::{Folder, Format, Report};
+use crate::output::{Folder, Format, Pictures, Report};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Run) -> Result<(), Error> {
@@ -20,8 +20,16 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let run = watched(&progress, || model.run(&progress))?;
     let report = Report::Run(&model, &run);
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model));
-    let folder = Folder { directory: &directory, guard: Guard { reads: &[], force: args.force }, progress: &progress };
-    let written = watched(&progress, || folder.write(&report))?;
+    let written = match &args.plot {
+        Some(directory) => {
+            Pictures { directory, guard: Guard { reads: &model.paths(), force: args.force } }.write(&report)?
+        }
+        None => {
+            let guard = Guard { reads: &[], force: args.force };
+            let folder = Folder { directory: &directory, guard, progress: &progress };
+            watched(&progress, || folder.write(&report))?
+        }
+    };
     for warning in &run.report.warnings {
         say!("warning: {warning}");
     }

@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use super::error::Error;
+use super::look;
 use super::say::say;
 use crate::output::{Format, Json, Report, Text};
 
@@ -17,8 +18,12 @@ pub fn print(text: &str) -> Result<(), Error> {
 
 /// A report for people, or as JSON.
 pub fn page(report: &Report, json: bool) -> Result<String, Error> {
-    let format: &dyn Format = if json { &Json } else { &Text };
-    Ok(format.write(report)?)
+    if json {
+        return Ok(Json.write(report)?);
+    }
+    let columns = look::columns();
+    let text = columns.map_or(Text::default(), |columns| Text { columns }).write(report)?;
+    Ok(look::fitted(&text, columns, look::is_ascii()))
 }
 
 /// Prints the notes of a file of measurements.

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::look;
 use super::say::say;
 use crate::output::files;
 use crate::progress::Progress;
@@ -80,9 +81,11 @@ fn line(progress: &Progress, so_far: Duration) -> String {
 }
 
 fn draw(progress: &Progress, done: &AtomicBool) {
-    let bar = ProgressBar::new(1);
+    // A dumb terminal cannot go back to draw a bar anew.
+    let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    let bar = if is_dumb { ProgressBar::hidden() } else { ProgressBar::new(1) };
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} so far, {eta} left") {
-        bar.set_style(style);
+        bar.set_style(if look::is_ascii() { style.progress_chars("#>-") } else { style });
     }
     while !done.load(Ordering::Relaxed) {
         let (finished, total) = progress.read();

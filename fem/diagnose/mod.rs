@@ -64,14 +64,19 @@ const MOST_ROWS: usize = 2000;
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     let coordinates = data.model.process.coordinates();
-    let all = repeats(data, coordinates);
-    let every = data.len().div_ceil(MOST_ROWS);
-    if every > 1 {
-        let keep = data.one_in(every, &all);
-        let some = data.some(|row| keep[row]);
-        return diagnose_all(&some, &repeats(&some, coordinates), most, progress);
+    match thinned(data) {
+        Some(some) => diagnose_all(&some, &repeats(&some, coordinates), most, progress),
+        None => diagnose_all(data, &repeats(data, coordinates), most, progress),
     }
-    diagnose_all(data, &all, most, progress)
+}
+
+/// The rows that a diagnosis uses, where there are too many of them to use all.
+pub fn thinned<'m>(data: &Data<'m>) -> Option<Data<'m>> {
+    let every = data.len().div_ceil(MOST_ROWS);
+    (every > 1).then(|| {
+        let keep = data.one_in(every, &repeats(data, data.model.process.coordinates()));
+        data.some(|row| keep[row])
+    })
 }
 
 fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {

@@ -19,6 +19,8 @@ pub struct Estimate {
     pub interval: Interval,
     /// Cautions for the user.
     pub warnings: Vec<String>,
+    /// Profile of χ² as far as it was walked: values (SI), rising, the best one among them, with the rise of χ² there.
+    pub profile: Vec<(f64, f64)>,
 }
 
 impl Estimate {
@@ -41,9 +43,9 @@ pub fn estimates(
     objective: &Objective,
     solution: &Solution,
     covariance: &DMatrix<f64>,
-    intervals: Vec<Interval>,
+    intervals: Vec<(Interval, Vec<(f64, f64)>)>,
 ) -> Vec<Estimate> {
-    let estimate = |(i, found): (usize, Interval)| {
+    let estimate = |(i, (found, walked)): (usize, (Interval, Vec<(f64, f64)>))| {
         let (variable, parameter) = (&objective.variables[i], &objective.parameters[i]);
         let position = solution.position[i];
         let own = objective.data.model.effect_parameter(&parameter.path);
@@ -87,7 +89,10 @@ pub fn estimates(
                 ));
             }
         }
-        Estimate { parameter: parameter.clone(), value, std, interval, warnings }
+        let mut profile: Vec<(f64, f64)> = walked.into_iter().map(|(v, rise)| (v + turn, rise)).collect();
+        profile.push((value, 0.0));
+        profile.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Estimate { parameter: parameter.clone(), value, std, interval, warnings, profile }
     };
     intervals.into_iter().enumerate().map(estimate).collect()
 }

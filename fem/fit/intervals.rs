@@ -47,6 +47,8 @@ pub struct ProfiledMinimum {
     pub covariance: DMatrix<f64>,
     /// Interval of every parameter.
     pub intervals: Vec<Interval>,
+    /// Profile of every parameter: values (SI), rising, with the rise of χ² there.
+    pub profiles: Vec<Vec<(f64, f64)>>,
 }
 
 /// Profiles every parameter about a minimum; where a profile comes upon a deeper minimum, starts again from
@@ -63,18 +65,22 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
         // give the same answer.
         let walked = |i: usize| {
             let mut own = objective.clone();
-            let mut profile =
-                Profile { best: &solution, quantile: quantile(&own), deeper: None, goes_on: gone == MOST };
+            let mut profile = Profile {
+                best: &solution,
+                quantile: quantile(&own),
+                deeper: None,
+                goes_on: gone == MOST,
+                seen: Vec::new(),
+            };
             let interval = profile.interval(&mut own, &covariance, i);
-            (interval, profile.deeper, own.evaluations - before.0, own.failures - before.1)
+            (interval, profile.deeper.take(), own.evaluations - before.0, own.failures - before.1, profile.rising())
         };
         let walked: Vec<_> = (0..solution.position.len()).into_par_iter().map(walked).collect();
         objective.evaluations += walked.iter().map(|w| w.2).sum::<usize>();
         objective.failures += walked.iter().map(|w| w.3).sum::<usize>();
-        let (intervals, deeper): (Vec<Interval>, Vec<Option<Solution>>) =
-            walked.into_iter().map(|w| (w.0, w.1)).unzip();
-        let Some(deeper) = deeper.into_iter().flatten().next() else {
-            return Ok(ProfiledMinimum { solution, covariance, intervals });
+        let Some(deeper) = walked.iter().find_map(|w| w.1.clone()) else {
+            let (intervals, profiles) = walked.into_iter().map(|w| (w.0, w.4)).unzip();
+            return Ok(ProfiledMinimum { solution, covariance, intervals, profiles });
         };
         solution = minimise(objective, &deeper.position, &[], StoppingCriterion::FULL).unwrap_or(deeper);
         gone += 1;
@@ -89,6 +95,8 @@ struct Profile<'a> {
     deeper: Option<Solution>,
     /// Whether the walk goes on past a deeper minimum.
     goes_on: bool,
+    /// Values that were visited, and the rise of χ² there.
+    seen: Vec<(f64, f64)>,
 }
 
 impl Profile<'_> {
@@ -131,6 +139,14 @@ impl Profile<'_> {
         } else {
             Interval { low: down, high: up }
         }
+    }
+
+    /// The profile as it was walked, by rising values; of equal ones the lower.
+    fn rising(mut self) -> Vec<(f64, f64)> {
+        self.seen.retain(|(value, _)| value.is_finite());
+        self.seen.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        self.seen.dedup_by(|later, first| later.0 == first.0);
+        self.seen
     }
 
     /// Finds the outermost end in one direction: where χ² has several valleys, those that are deep enough
@@ -286,6 +302,7 @@ impl Profile<'_> {
     fn follow(&mut self, objective: &mut Objective, held: usize, start: DVector<f64>) -> Option<Point> {
         let settled = minimise(objective, &start, &[held], FOLLOW)?;
         let rise = (settled.chi2 - self.best.chi2).max(0.0).sqrt();
+        self.seen.push((objective.variables[held].value(settled.position[held]), rise * rise));
         if settled.chi2 < self.best.chi2 - DEEPER && !self.goes_on {
             self.deeper = Some(settled);
             return None;

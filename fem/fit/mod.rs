@@ -114,7 +114,8 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
 
 /// Makes the report of a minimum.
 pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats) -> Fit {
-    let ProfiledMinimum { solution, covariance, intervals } = settled;
+    let ProfiledMinimum { solution, covariance, intervals, profiles } = settled;
+    let intervals = intervals.into_iter().zip(profiles).collect();
     let residuals = objective.data.residuals(&solution.predicted);
     let (reduced_chi2, p_value) = reduced_chi2(objective, &solution, repeats);
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);

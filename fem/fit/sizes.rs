@@ -32,6 +32,7 @@ pub fn size_estimate(
         std: width,
         interval,
         warnings: Vec::new(),
+        profile: Vec::new(),
     }
 }
 

@@ -9,6 +9,8 @@ use crate::units::Kind;
 pub struct Run {
     /// Report of the process.
     pub report: RunReport,
+    /// Prediction of every point of the model's own programme, SI.
+    pub prediction: Vec<f64>,
     /// Contribution of each part of the model to each observable, the ideal system first.
     pub contributions: Vec<Contribution>,
 }
@@ -27,6 +29,8 @@ pub struct Contribution {
     pub smallest: f64,
     /// Largest change.
     pub largest: f64,
+    /// Change at each point of the programme at which the observable is predicted.
+    pub changes: Vec<f64>,
 }
 
 impl Contribution {
@@ -58,18 +62,21 @@ impl Model {
         let contributions = observed.flat_map(|o| changes.iter().map(move |(name, changes)| (*name, o, changes)));
         let contributions =
             contributions.map(|(name, o, changes)| contribution(name, o, changes, &programme)).collect();
-        Ok(Run { report: forward.report(prediction)?, contributions })
+        Ok(Run { report: forward.report(prediction.clone())?, prediction, contributions })
     }
 }
 
 /// Summarises the changes at the points of the programme at which this observable is predicted.
 fn contribution(name: &'static str, observable: usize, changes: &[f64], programme: &[usize]) -> Contribution {
-    let (mut square, mut count, mut smallest, mut largest) = (0.0, 0usize, f64::INFINITY, f64::NEG_INFINITY);
-    for (change, _) in changes.iter().zip(programme).filter(|(_, o)| **o == observable) {
-        square += change * change;
-        count += 1;
-        smallest = change.min(smallest);
-        largest = change.max(largest);
+    let own = changes.iter().zip(programme).filter(|(_, o)| **o == observable);
+    let changes: Vec<f64> = own.map(|(change, _)| *change).collect();
+    let square: f64 = changes.iter().map(|change| change * change).sum();
+    Contribution {
+        name,
+        observable,
+        rms: (square / changes.len().max(1) as f64).sqrt(),
+        smallest: changes.iter().copied().fold(f64::INFINITY, f64::min),
+        largest: changes.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        changes,
     }
-    Contribution { name, observable, rms: (square / count.max(1) as f64).sqrt(), smallest, largest }
 }

@@ -6,11 +6,11 @@ use rayon::prelude::*;
 
 use super::files::{Guard, Stage};
 use super::report::{Format, Report};
-use super::{Json, OutputError, comparison, compensation, csv, diagnosis, svg, vtk};
+use super::{Json, OutputError, comparison, compensation, csv, diagnosis, pictures, vtk};
 use crate::compare::Comparison;
 use crate::measure::Measurements;
 use crate::model::{Model, Run};
-use crate::process::{Animation, Drawing};
+use crate::process::Animation;
 use crate::progress::Progress;
 
 /// The files of a report, which appear all together or not at all.
@@ -35,7 +35,7 @@ impl Format for Folder<'_> {
                 "diagnose",
                 [
                     ("diagnosis.json", Some(Json.write(report)?)),
-                    ("diagnosis.svg", Some(diagnosis::falling(data, diagnosis).svg())),
+                    ("diagnosis.svg", Some(diagnosis::falling(data, diagnosis).svg().file())),
                 ],
             )?,
             Report::Compensation(_, found) => self.files(
@@ -79,7 +79,7 @@ impl Folder<'_> {
     }
 
     /// `profile.csv`, further tables as `NAME.csv`, the animation as `NAME.pvd` with its frames in `NAME/`,
-    /// drawings as `NAME.svg`, and `summary.json`.
+    /// figures as `NAME.svg`, and `summary.json`.
     fn run(&self, model: &Model, run: &Run, report: &Report) -> Result<Vec<PathBuf>, OutputError> {
         let reads = [self.guard.reads, &model.paths()].concat();
         let stage = self.stage("run", Guard { reads: &reads, ..self.guard })?;
@@ -94,9 +94,7 @@ impl Folder<'_> {
         if let Some(animation) = &found.animation {
             written.push(self.animation(animation, Path::new(""), &stage)?);
         }
-        for drawing in &found.drawings {
-            written.push(write_drawing(drawing, Path::new(""), &stage)?);
-        }
+        written.extend(pictures::stage_all(pictures::of_run(model, run), Path::new(""), &stage)?);
         stage.write(Path::new("summary.json"), Json.write(report)?.as_bytes())?;
         written.push("summary.json".into());
         stage.publish()?;
@@ -123,7 +121,7 @@ impl Folder<'_> {
     }
 
     /// `residuals.csv`; the measured and the predicted shape as `compared.pvd`, where the process has a
-    /// body to show; `compared.svg`, where it makes a contour.
+    /// body to show; the figures.
     fn comparison(
         &self,
         model: &Model,
@@ -139,11 +137,7 @@ impl Folder<'_> {
         if let Some(places) = &places {
             written.push(self.animation(&comparison::shapes(places, comparison), own, stage)?);
         }
-        if let (Some(places), Some(nominal)) = (&places, model.system.contour()) {
-            let rows = model.system.resolved(&measurements.rows);
-            let drawing = comparison::drawing(nominal, model.process.coordinates(), &rows, places, comparison);
-            written.push(write_drawing(&drawing, own, stage)?);
-        }
+        written.extend(pictures::stage_all(pictures::of_comparison(model, measurements, comparison), own, stage)?);
         Ok(written)
     }
 
@@ -167,10 +161,4 @@ impl Folder<'_> {
         stage.write(&path, text.as_bytes())?;
         Ok(path)
     }
-}
-
-fn write_drawing(drawing: &Drawing, own: &Path, stage: &Stage) -> Result<PathBuf, OutputError> {
-    let path = own.join(format!("{}.svg", drawing.name));
-    stage.write(&path, svg::drawing(drawing).as_bytes())?;
-    Ok(path)
 }

@@ -2,11 +2,13 @@
 //! [`Format`] is a way to write it. Files appear whole or not at all.
 
 mod budget;
+mod chart;
 mod columns;
 mod comparison;
 mod compensation;
 mod csv;
 mod diagnosis;
+mod drawing;
 mod error;
 mod falling;
 pub mod files;
@@ -15,10 +17,13 @@ mod folder;
 mod json;
 mod measurement;
 mod measurements;
+mod page;
+mod pictures;
 mod plan;
 mod plot;
+mod plots;
 mod report;
-mod svg;
+mod sketch;
 mod text;
 pub mod vtk;
 
@@ -31,5 +36,7 @@ pub use folder::Folder;
 pub use json::Json;
 pub use measurement::MEASUREMENT;
 pub use measurements::measurements;
+pub use page::{Evidence, Subject, page, trouble};
+pub use pictures::Pictures;
 pub use report::{Detail, Format, Report};
 pub use text::Text;

@@ -9,18 +9,29 @@ use crate::noise::MeasurementEffect;
 use crate::process::{Case, Description, Neutral, Observable, Parameter, Process, Tolerance};
 
 /// One page of plain text per report.
-pub struct Text;
+#[derive(Clone, Copy, Debug)]
+pub struct Text {
+    /// Columns that curves may take.
+    pub columns: usize,
+}
+
+impl Default for Text {
+    /// As wide as any terminal.
+    fn default() -> Self {
+        Self { columns: plot::USUAL }
+    }
+}
 
 impl Format for Text {
     fn write(&self, report: &Report) -> Result<String, OutputError> {
         let page = match report {
-            Report::Run(model, found) => run(model, found),
+            Report::Run(model, found) => run(model, found, self.columns),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
-                comparison::text(first.process, measurements, comparisons)
+                comparison::text(first.process, measurements, comparisons, self.columns)
             }
             Report::Fit(data, found) => fit::text(data, found),
-            Report::Diagnosis(data, found) => diagnosis::text(data, found),
+            Report::Diagnosis(data, found) => diagnosis::text(data, found, self.columns),
             Report::Plan(design, found) => plan::text(design, found),
             Report::Compensation(data, found) => compensation::text(data, found),
             Report::Budget(file, estimate) => budget::text(file, *estimate),
@@ -44,7 +55,7 @@ fn left_undone(undone: &[String]) -> String {
 }
 
 /// The terminal summary of a run.
-fn run(model: &Model, run: &Run) -> String {
+fn run(model: &Model, run: &Run, columns: usize) -> String {
     let mut text = String::new();
     let title = model.title.as_deref().unwrap_or(&model.source.name).replace(|c: char| c.is_control(), " ");
     // Writing to a String does not fail, here and below.
@@ -63,7 +74,7 @@ fn run(model: &Model, run: &Run) -> String {
         changes(&mut text, observables, shares);
     }
     for plot in &run.report.plots {
-        let _ = writeln!(text, "\n{}", plot::lines(plot).join("\n"));
+        let _ = writeln!(text, "\n{}", plot::lines(plot, columns).join("\n"));
     }
     text
 }

@@ -1,6 +1,6 @@
 //! What a run reports, before anyone has decided how to write it.
 
-use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows};
+use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch};
 use crate::units::Kind;
 
 /// The results of a run, in terms that every output format understands.
@@ -16,6 +16,8 @@ pub struct RunReport {
     pub plots: Vec<Plot>,
     /// Contours with magnified deviations, a picture file each.
     pub drawings: Vec<Drawing>,
+    /// The machine to scale, if the process has one to draw.
+    pub sketch: Option<Sketch>,
     /// What should not be overlooked.
     pub warnings: Vec<String>,
     /// Shapes to play, if the process has any.

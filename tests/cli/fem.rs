@@ -35,6 +35,12 @@ impl Place {
         std::fs::read_to_string(self.path(name)).unwrap()
     }
 
+    /// SHA-256 of a file as the system's own tool says it.
+    pub fn sha256(&self, name: &str) -> String {
+        let told = Command::new("sha256sum").arg(self.path(name)).output().unwrap().stdout;
+        String::from_utf8(told).unwrap().split_whitespace().next().unwrap().to_string()
+    }
+
     /// `fem ARGS` in this directory.
     pub fn fem(&self, args: &[&str]) -> Answer {
         answer(self.command(args).output().unwrap())
@@ -42,7 +48,13 @@ impl Place {
 
     pub fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_fem"));
-        command.args(args).current_dir(self.0.path()).stdin(Stdio::null()).env("NO_COLOR", "1").env("COLUMNS", "100");
+        command
+            .args(args)
+            .current_dir(self.0.path())
+            .stdin(Stdio::null())
+            .env("NO_COLOR", "1")
+            .env("COLUMNS", "100")
+            .env("LC_ALL", "C.UTF-8");
         command
     }
 

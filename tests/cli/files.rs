@@ -14,6 +14,7 @@ fn a_run_writes_its_files_and_no_others() {
         ["lathe.toml", "results/.fem-files.json", "results/compliance.csv", "results/profile.csv", "results/shaft.pvd"]
             .map(String::from)
             .to_vec();
+    expected.extend(["machine", "map", "profile"].map(|name| format!("results/{name}.svg")));
     expected.extend(frames);
     expected.push("results/summary.json".into());
     expected.sort();

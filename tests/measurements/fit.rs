@@ -2,6 +2,7 @@
 
 use fem::fit::{fit, fitted_text};
 use fem::input::Source;
+use fem::measure::Measurements;
 use fem::model::{Data, Model};
 
 use super::{case_with_effects, truths};
@@ -68,4 +69,32 @@ fn what_cannot_be_told_apart_is_said() {
         fit.estimates[i].parameter.path.contains("taper") || fit.estimates[i].parameter.path.contains("offset")
     };
     assert!(fit.correlated.iter().any(|(i, j, c)| named(*i) && named(*j) && c.abs() > 0.999), "{:?}", fit.correlated);
+}
+
+/// Of a model that is linear in its parameter, χ² rises as the square of the distance in standard uncertainties: with
+/// n rows of 1 um, a zero is known to 1/√n um.
+#[test]
+fn the_profile_of_a_linear_parameter_is_a_parabola() {
+    let text = "process = \"stiffness\"\n[joint]\nstiffness = \"100 N/um\"\n[test]\nmax_force = \"1000 N\"\nsteps = 20\n\
+                [effects.datum-offset]\noffset = \"? um\"\n";
+    let model = Model::parse(Source::new("model.toml", text)).unwrap();
+    // F/k + 3 um, off by a tenth of a micrometre up and down.
+    let row = |i: i32| {
+        let force = 50.0 * f64::from(i);
+        format!("{force},{},1\n", force / 100.0 + 3.0 + if i % 2 == 0 { 0.1 } else { -0.1 })
+    };
+    let csv = "force [N],displacement [um],u [um]\n".to_string() + &(1..=16).map(row).collect::<String>();
+    let measurements = Measurements::parse(Source::new("measured.csv", csv), model.process).unwrap();
+    let fit = fit(&Data::of(&model, measurements).unwrap()).unwrap();
+    let found = &fit.estimates[0];
+    assert!((found.value - 3e-6).abs() < 1e-11, "{}", found.value);
+    assert!(found.profile.len() >= 3 && found.profile.is_sorted_by(|a, b| a.0 <= b.0), "{:?}", found.profile);
+    for (value, rise) in &found.profile {
+        let expected = ((value - 3e-6) / (1e-6 / 4.0)).powi(2);
+        assert!((rise - expected).abs() < 1e-3 * (1.0 + expected), "{value}: {rise} and not {expected}");
+    }
+    // The walk reaches the ends of the interval on either side.
+    let far = |beyond: fn(f64, f64) -> bool, end: f64| found.profile.iter().any(|p| beyond(p.0, end));
+    assert!(far(|v, end| v <= end * 1.001, found.interval.low.unwrap()));
+    assert!(far(|v, end| v >= end * 0.999, found.interval.high.unwrap()));
 }

@@ -1,6 +1,5 @@
 //! Draws measured and predicted deviations on the contour, magnified.
 
-use crate::compare::Comparison;
 use crate::process::{Coordinate, Curve, Drawing, Holds, Places, Rows, Spot};
 
 /// Most frames that can be told apart in one picture.
@@ -8,14 +7,14 @@ const MOST_FRAMES: usize = 4;
 /// Smallest cosine between the outward directions of rows that belong to one line.
 const BENT: f64 = 0.8;
 
-/// Draws the rows of each frame: dots for measured values, a line for predicted ones. Every coordinate of
-/// `rows` is resolved.
+/// Draws the rows of each frame: dots for measured values, a line for predicted ones (SI, with the residuals of every
+/// row). Every coordinate of `rows` is resolved.
 pub fn drawing(
     nominal: Vec<Vec<Spot>>,
     coordinates: &[Coordinate],
     rows: &Rows,
     places: &Places,
-    comparison: &Comparison,
+    (predicted_values, residuals): (&[f64], &[f64]),
 ) -> Drawing {
     let mut frames: Vec<(f64, Vec<usize>)> = Vec::new();
     for (row, frame) in places.frames.iter().enumerate() {
@@ -35,8 +34,8 @@ pub fn drawing(
     for (family, ((_, own), name)) in frames.iter().zip(&names).take(MOST_FRAMES).enumerate() {
         let mut own = own.clone();
         own.sort_by(|a, b| places.along[*a].total_cmp(&places.along[*b]));
-        let measured = own.iter().map(|r| spot(*r, comparison.predicted[*r] + comparison.residuals[*r])).collect();
-        let predicted = own.iter().map(|r| spot(*r, comparison.predicted[*r])).collect();
+        let measured = own.iter().map(|r| spot(*r, predicted_values[*r] + residuals[*r])).collect();
+        let predicted = own.iter().map(|r| spot(*r, predicted_values[*r])).collect();
         let curve = |what, is_measured, pieces| Curve { label: format!("{what}{name}"), family, is_measured, pieces };
         curves.push(curve("predicted", false, lines(predicted)));
         curves.push(curve("measured", true, vec![measured]));

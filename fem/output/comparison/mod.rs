@@ -9,7 +9,7 @@ pub use drawing::drawing;
 pub use residuals::residuals;
 pub use shapes::shapes;
 pub use text::text;
-pub(super) use text::{noise as noise_text, told};
+pub(super) use text::{noise as noise_text, told, verdict};
 
 use serde_json::{Value as Json, json};
 
@@ -103,7 +103,7 @@ pub(super) fn feature(feature: &Feature) -> Json {
 
 /// Makes the JSON of the coordinates of a row that the file gives: labels as numbers or words, quantities
 /// with their units.
-fn place(coordinates: &[Coordinate], measurements: &Measurements, row: usize) -> Json {
+pub(super) fn place(coordinates: &[Coordinate], measurements: &Measurements, row: usize) -> Json {
     let mut place = serde_json::Map::new();
     for &i in &measurements.given {
         let Some(value) = measurements.rows.get(i, row) else { continue };

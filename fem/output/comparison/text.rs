@@ -10,7 +10,7 @@ use crate::output::{measurement, plot};
 use crate::process::{Plot, Process};
 
 /// Writes the models side by side, and where each fails.
-pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> String {
+pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison], columns: usize) -> String {
     let kind = measurements.kind();
     let mut text = format!("{}: {} observations", measurements.name, measurements.len());
     // Writing to a String does not fail, here and below.
@@ -31,27 +31,33 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
     );
     for c in comparisons {
         let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
-        let verdict = match (c.adequate(), c.p_value) {
-            _ if c.adequacy().is_none() => "not judged: too few rows, and no column u",
-            (true, Some(_)) => "adequate: nothing is left but the noise",
-            (false, None) if c.is_rougher() && c.features.is_empty() => {
-                "fails: far more is left than neighbouring rows scatter by, though along no coordinate"
-            }
-            (true, None) => "no structure is left; whether the rest is noise needs repeats or a column u",
-            (false, _) if !c.suspects.is_empty() => "the noise is not what it is taken for",
-            (false, _) => "fails",
-        };
         let _ = writeln!(
             text,
-            "  {:<width$} {rms:>11.3} {bias:>+11.3} {worst:>+11.3} {:>11.3}   {verdict}",
-            c.model, c.reduced_chi2
+            "  {:<width$} {rms:>11.3} {bias:>+11.3} {worst:>+11.3} {:>11.3}   {}",
+            c.model,
+            c.reduced_chi2,
+            verdict(c)
         );
     }
     let _ = writeln!(text, "  rms, bias and worst in {}, measured less predicted", kind.unit);
     for c in comparisons.iter().filter(|c| c.adequacy() == Some(false)) {
-        where_it_fails(&mut text, process, measurements, c);
+        where_it_fails(&mut text, process, measurements, c, columns);
     }
     text
+}
+
+/// The verdict on a model as it is written, in a few words.
+pub(in crate::output) fn verdict(c: &Comparison) -> &'static str {
+    match (c.adequate(), c.p_value) {
+        _ if c.adequacy().is_none() => "not judged: too few rows, and no column u",
+        (true, Some(_)) => "adequate: nothing is left but the noise",
+        (false, None) if c.is_rougher() && c.features.is_empty() => {
+            "fails: far more is left than neighbouring rows scatter by, though along no coordinate"
+        }
+        (true, None) => "no structure is left; whether the rest is noise needs repeats or a column u",
+        (false, _) if !c.suspects.is_empty() => "the noise is not what it is taken for",
+        (false, _) => "fails",
+    }
 }
 
 /// Writes the size of the noise and its source.
@@ -76,7 +82,13 @@ pub(in crate::output) fn told(features: &[Feature]) -> impl Iterator<Item = &Fea
     features.iter().filter(|f| f.share >= SMALLEST_SHARE || features.len() < 3)
 }
 
-fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measurements, c: &Comparison) {
+fn where_it_fails(
+    text: &mut String,
+    process: &dyn Process,
+    measurements: &Measurements,
+    c: &Comparison,
+    columns: usize,
+) {
     let _ = writeln!(text, "\nwhere {} fails", c.model);
     if !c.suspects.is_empty() {
         let all: Vec<String> = c.suspects.iter().map(|t| measurement::words(t, process, Some(measurements))).collect();
@@ -98,6 +110,6 @@ fn where_it_fails(text: &mut String, process: &dyn Process, measurements: &Measu
     if let Some(feature) = c.features.iter().find(|f| f.curve.len() > 2) {
         let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
         let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
-        let _ = writeln!(text, "\n{}", plot::lines(&plot).join("\n"));
+        let _ = writeln!(text, "\n{}", plot::lines(&plot, columns).join("\n"));
     }
 }

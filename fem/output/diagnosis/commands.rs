@@ -94,14 +94,14 @@ pub fn commands(text: &mut String, data: &Data, d: &Diagnosis) {
 }
 
 /// The options that name the measurements and how they are read.
-fn with(data: &Data) -> String {
+pub fn with(data: &Data) -> String {
     let files = data.files.iter().flat_map(|file| ["--with", &*file.name]);
     let words: Vec<String> = files.chain(data.said.iter().map(String::as_str)).map(quoted).collect();
     words.join(" ")
 }
 
 /// Quotes a word for a shell.
-fn quoted(word: &str) -> String {
+pub fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_./+,:@%".contains(c);
     if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }

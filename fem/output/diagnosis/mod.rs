@@ -4,8 +4,9 @@ mod commands;
 mod text;
 
 pub use commands::additions;
-pub(super) use text::bound;
+pub(super) use commands::{commands, name, quoted, with};
 pub use text::text;
+pub(super) use text::{bound, chance, label, note, separated, separated_pairs, unexplained, verdict};
 
 use serde_json::{Map, Value as Json, json};
 
@@ -64,7 +65,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "after": after(d, kind),
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
         "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
-        "unexplained": unexplained(d),
+        "unexplained": remaining(d),
         "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
         "separated_by": text::separated_pairs(d).iter().map(|(a, b, by)| json!({ "separates": [a, b], "text": by })).collect::<Vec<_>>(),
         "held_out_by": d.cross_validation_by,
@@ -182,7 +183,7 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
     })
 }
 
-fn unexplained(diagnosis: &Diagnosis) -> Json {
+fn remaining(diagnosis: &Diagnosis) -> Json {
     match diagnosis.verdict {
         Verdict::Adequate | Verdict::MissingEffect => Json::Null,
         Verdict::PartlyExplained | Verdict::Unexplained => {

@@ -12,7 +12,7 @@ use crate::process::{Description, Holds, Neutral, Plot};
 use crate::units::Kind;
 
 /// Writes the story. Writing to a String does not fail, here and below.
-pub fn text(data: &Data, diagnosis: &Diagnosis) -> String {
+pub fn text(data: &Data, diagnosis: &Diagnosis, columns: usize) -> String {
     let (d, kind) = (diagnosis, data.kind());
     let noise = comparison::noise_text(&d.noise, data);
     let mut text =
@@ -22,7 +22,7 @@ pub fn text(data: &Data, diagnosis: &Diagnosis) -> String {
         let _ = writeln!(text, "\ncaution: {caution}");
     }
     let _ = writeln!(text, "\n{}", verdict(d));
-    where_it_fails(&mut text, d);
+    where_it_fails(&mut text, d, columns);
     for (i, missing) in d.missing.iter().enumerate() {
         cause(&mut text, i + 1, missing, data, d);
     }
@@ -48,7 +48,7 @@ fn structure_remains(d: &Diagnosis) -> bool {
     matches!(d.verdict, Verdict::PartlyExplained | Verdict::Unexplained)
 }
 
-fn verdict(d: &Diagnosis) -> String {
+pub fn verdict(d: &Diagnosis) -> String {
     let names = d.missing.iter().map(|m| m.effect.name).collect::<Vec<_>>().join(", ");
     match d.verdict {
         Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
@@ -61,7 +61,7 @@ fn verdict(d: &Diagnosis) -> String {
     }
 }
 
-fn where_it_fails(text: &mut String, d: &Diagnosis) {
+fn where_it_fails(text: &mut String, d: &Diagnosis, columns: usize) {
     if d.verdict == Verdict::Adequate {
         return;
     }
@@ -78,7 +78,7 @@ fn where_it_fails(text: &mut String, d: &Diagnosis) {
     if let Some(feature) = d.features.iter().find(|f| f.curve.len() > 2) {
         let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
         let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
-        let _ = writeln!(text, "\n{}", plot::lines(&plot).join("\n"));
+        let _ = writeln!(text, "\n{}", plot::lines(&plot, columns).join("\n"));
     }
 }
 
@@ -170,7 +170,7 @@ pub fn separated_pairs(d: &Diagnosis) -> Vec<(&'static str, &'static str, &'stat
 }
 
 /// Writes the p-value of an effect.
-fn chance(p: f64) -> String {
+pub fn chance(p: f64) -> String {
     match p {
         p if p < 1e-6 => "chance alone gives as much in less than one search in a million".into(),
         p => format!("chance alone gives as much in one search of {:.0}", (1.0 / p).max(1.0)),

@@ -1,6 +1,7 @@
 //! The report of a run: figures by ISO 230-2, lost motion, the profile, and the screw in space.
 
 mod shapes;
+mod sketch;
 
 use super::machine::Machine;
 use super::rows::{COORDINATES, DIRECTION, OBSERVABLES, POSITION, RUN, TIME_OF_ROW, approach};
@@ -33,6 +34,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
         figures,
         plots: Direction::BOTH.map(|direction| plot(&evaluation, direction)).into(),
         warnings: warnings(setup),
+        sketch: Some(sketch::sketch(machine)),
         animation: Some(shapes::animation(machine, forward)),
         ..RunReport::default()
     }

@@ -27,6 +27,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
         figures: figures::figures(setup, &blocks),
         plots: vec![plot(rows, deviations)],
         drawings: vec![shapes::drawing(setup, deviations)],
+        sketch: None,
         warnings: warnings(setup, &blocks),
         animation: Some(shapes::animation(setup, run.motion, deviations)),
     }

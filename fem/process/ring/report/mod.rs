@@ -1,6 +1,7 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
 mod shapes;
+mod sketch;
 
 use std::f64::consts::TAU;
 
@@ -50,6 +51,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         plots: vec![Plot { title, x_unit: "deg", points }],
         drawings: vec![drawing(setup, angles, deviations)],
         warnings: warnings(machine),
+        sketch: Some(sketch::sketch(machine)),
         animation: Some(scene.animation()),
         ..RunReport::default()
     })

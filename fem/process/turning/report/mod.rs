@@ -6,6 +6,7 @@ mod edge;
 mod form;
 pub mod roundness;
 mod shapes;
+mod sketch;
 
 use self::compliance::Compliance;
 use self::roundness::Roundness;
@@ -56,6 +57,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         figures,
         plots: plots(positions, errors),
         warnings: [warnings(machine, positions, deflections)?, nearly_worn.flatten().into_iter().collect()].concat(),
+        sketch: Some(sketch::sketch(machine, positions, deflections)?),
         animation: Some(shapes::animation(machine)?),
         ..RunReport::default()
     })

@@ -1,8 +1,7 @@
 //! Draws contours with magnified deviations as SVG: one file that any browser opens, legible on light and
 //! dark backgrounds.
 
-use std::fmt::Write;
-
+use super::chart::{Axis, COLOURS, Svg, grouped, round_below};
 use crate::process::{Drawing, Spot};
 
 /// Side of the square that the drawing fills, and heights of title and one line of the legend, in pixels.
@@ -13,42 +12,37 @@ const LINE: f64 = 22.0;
 const MARGIN: f64 = 34.0;
 /// Largest drawn deviation, as a part of the contour's size.
 const REACH: f64 = 0.42;
+/// Largest drawn deviation, as a part of the radius of curvature on that side: beyond its centre lines would cross.
+const CURVED: f64 = 0.8;
 /// Size below which deviations count as none, m.
 const NONE: f64 = 1e-9;
-/// Colours of the families, which colour-blind people can tell apart too (Okabe and Ito), darkened or
-/// lightened with the background.
-const COLOURS: [(&str, &str); 4] =
-    [("#0072b2", "#56b4e9"), ("#d55e00", "#f0a04b"), ("#00805c", "#2fc79a"), ("#a8437f", "#e29ac4")];
+/// Most spots of a curve at which values can be asked for.
+const MOST_MARKS: usize = 400;
 
-/// Makes the drawing as an `<svg>` element that stands for itself.
-pub fn drawing(drawing: &Drawing) -> String {
+/// Makes the drawing.
+pub fn drawing(drawing: &Drawing) -> Svg {
     let frame = Frame::of(drawing);
-    let families = 1 + drawing.curves.iter().map(|c| c.family).max().unwrap_or(0);
     let height = TITLE + SIDE + LINE * (drawing.curves.len() as f64 + 3.0);
-    // Writing to a String does not fail, here and below.
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIDE} {height}\" width=\"{SIDE}\" height=\"{height}\" role=\"img\">\n\
-         <title>{title}</title>\n{}\
-         <text class=\"t\" x=\"{}\" y=\"28\" text-anchor=\"middle\">{title}</text>\n",
-        style(families),
-        SIDE / 2.0,
-        title = escaped(&drawing.title),
-    );
-    frame.axes(&mut text);
-    frame.grid(&mut text, &drawing.nominal);
+    let mut svg = Svg::new([SIDE, height], &drawing.title, &frame.told());
+    svg.text("t", [SIDE / 2.0, 28.0], "middle", &drawing.title);
+    svg.axes = vec![Axis::new("x", "mm"), Axis::new("y", "mm"), Axis::new("deviation", "um")];
+    let mut labels = frame.axes(&mut svg);
+    frame.grid(&mut svg, &drawing.nominal, &mut labels);
     for curve in &drawing.curves {
         let colour = curve.family % COLOURS.len();
         for piece in &curve.pieces {
             let at = |spot: &Spot| frame.place(spot.magnified(frame.magnification));
             match curve.is_measured {
-                true => dots(&mut text, piece.iter().map(at), colour),
-                false => line(&mut text, piece.iter().map(at), &format!("c c{colour}")),
+                true => dots(&mut svg, piece.iter().map(at), colour),
+                false => svg.line(&format!("c c{colour}"), piece.iter().map(at)),
+            }
+            for spot in piece.iter().step_by(piece.len().div_ceil(MOST_MARKS).max(1)) {
+                svg.mark(at(spot), &curve.label, &[1e3 * spot.at[0], 1e3 * spot.at[1], 1e6 * spot.deviation]);
             }
         }
     }
-    legend(&mut text, drawing, &frame);
-    text.push_str("</svg>\n");
-    text
+    legend(&mut svg, drawing, &frame);
+    svg
 }
 
 /// Position and scale of the plane on the page, and magnification of deviations.
@@ -75,7 +69,9 @@ impl Frame {
         let (low, high) = ([0, 1].map(|i| end(i, f64::min)), [0, 1].map(|i| end(i, f64::max)));
         let half = [0, 1].map(|i| 0.5 * (high[i] - low[i])).into_iter().fold(1e-9, f64::max);
         let largest = spots().fold(NONE, |size, s| size.max(s.deviation.abs()));
-        let magnification = round_below(REACH * half / largest);
+        let most = (REACH * half / largest)
+            .min(CURVED * drawing.nominal.iter().map(|p| bend(p, largest)).fold(f64::INFINITY, f64::min));
+        let magnification = round_below(most);
         let division = round_below(largest / 2.0);
         let lines = (largest / division).ceil() as i32;
         let middle = [0, 1].map(|i| 0.5 * (low[i] + high[i]));
@@ -95,33 +91,25 @@ impl Frame {
         [0.5 * SIDE + self.scale * x, TITLE + 0.5 * SIDE - self.scale * y]
     }
 
-    fn axes(&self, text: &mut String) {
+    /// Draws the axes, and gives the places of their letters.
+    fn axes(&self, svg: &mut Svg) -> Vec<[f64; 2]> {
         let reach = 0.5 * SIDE - MARGIN + 8.0;
         let [x, y] = self.place(self.middle);
-        let _ = writeln!(
-            text,
-            "<path class=\"a\" d=\"M{:.1} {y:.1}H{:.1}M{x:.1} {:.1}V{:.1}\"/>",
-            x - reach,
-            x + reach,
-            y - reach,
-            y + reach
-        );
-        let _ = writeln!(
-            text,
-            "<text class=\"n\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">x</text>",
-            x + reach + 10.0,
-            y + 4.0
-        );
-        let _ = writeln!(
-            text,
-            "<text class=\"n\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">y</text>",
-            y - reach - 6.0
-        );
+        svg.line("g", [[x - reach, y], [x + reach, y]]);
+        svg.line("g", [[x, y - reach], [x, y + reach]]);
+        let letters = [[x + reach + 10.0, y + 4.0], [x, y - reach - 6.0]];
+        svg.text("n", letters[0], "middle", "x");
+        svg.text("n", letters[1], "middle", "y");
+        letters.into()
     }
 
-    /// Draws the contour, and lines of equal deviation beside it, labelled where they cross the diagonal.
-    fn grid(&self, text: &mut String, nominal: &[Vec<Spot>]) {
-        for i in -self.lines..=self.lines {
+    /// Draws the contour, and lines of equal deviation beside it, labelled near the diagonal where no other label
+    /// stands.
+    fn grid(&self, svg: &mut Svg, nominal: &[Vec<Spot>], labels: &mut Vec<[f64; 2]>) {
+        // Zero is labelled first, then what lies farthest from it.
+        let mut order: Vec<i32> = (-self.lines..=self.lines).collect();
+        order.sort_by_key(|i| if *i == 0 { i32::MIN } else { -i.abs() });
+        for i in order {
             let off = f64::from(i) * self.division;
             // A grid that is magnified further than the contour is wide has no inside.
             if self.half + self.magnification * off <= 0.02 * self.half {
@@ -131,7 +119,7 @@ impl Frame {
             let mut label = None;
             for piece in nominal {
                 let places = piece.iter().map(|spot| self.place(spot.off_by(off).magnified(self.magnification)));
-                line(text, places.clone(), class);
+                svg.line(class, places.clone());
                 let diagonal = |[x, y]: [f64; 2]| {
                     let [x, y] = [x - 0.5 * SIDE, TITLE + 0.5 * SIDE - y];
                     // The label stands nearest to 22.5° above the x axis, where curves of two axes seldom
@@ -140,99 +128,60 @@ impl Frame {
                 };
                 label = places.chain(label).min_by(|a, b| diagonal(*a).total_cmp(&diagonal(*b)));
             }
-            // Where lines stand close, every other one is labelled.
-            let every = if self.scale * self.magnification * self.division < 18.0 { 2 } else { 1 };
-            if let Some([x, y]) = label.filter(|_| i % every == 0) {
+            let is_free = |[x, y]: &[f64; 2]| labels.iter().all(|[a, b]| (x - a).abs() > 34.0 || (y - b).abs() > 13.0);
+            if let Some([x, y]) = label.map(|[x, y]| [x + 3.0, y - 3.0]).filter(is_free) {
                 let shown = if i == 0 { "0".to_string() } else { format!("{:+}", micrometres(off)) };
-                let _ = writeln!(text, "<text class=\"n\" x=\"{:.1}\" y=\"{:.1}\">{shown}</text>", x + 3.0, y - 3.0);
+                svg.text("n", [x, y], "start", &shown);
+                labels.push([x, y]);
             }
         }
     }
-}
 
-fn line(text: &mut String, places: impl Iterator<Item = [f64; 2]>, class: &str) {
-    let _ = write!(text, "<polyline class=\"{class}\" points=\"");
-    places.for_each(|[x, y]| {
-        let _ = write!(text, "{x:.1},{y:.1} ");
-    });
-    text.truncate(text.trim_end().len());
-    text.push_str("\"/>\n");
-}
-
-fn dots(text: &mut String, places: impl Iterator<Item = [f64; 2]>, colour: usize) {
-    for [x, y] in places {
-        let _ = writeln!(text, "<circle class=\"d d{colour}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"1.8\"/>");
+    /// The scale, in words.
+    fn told(&self) -> String {
+        format!(
+            "deviations magnified {} times, {} um from line to line, outwards positive",
+            grouped(self.magnification),
+            micrometres(self.division)
+        )
     }
 }
 
-fn legend(text: &mut String, drawing: &Drawing, frame: &Frame) {
+/// Magnification at which a line at the largest deviation beside a piece would reach the nearest centre of curvature.
+fn bend(piece: &[Spot], largest: f64) -> f64 {
+    let radius = |w: &[Spot]| {
+        let [dx, dy] = [w[1].at[0] - w[0].at[0], w[1].at[1] - w[0].at[1]];
+        let turned = w[0].outward[0] * w[1].outward[1] - w[0].outward[1] * w[1].outward[0];
+        // A corner has no centre: both of its sides are moved in parallel.
+        if turned.abs() > 0.3 { f64::INFINITY } else { dx.hypot(dy) / turned.abs().max(1e-12) }
+    };
+    piece.windows(2).map(radius).filter(|r| *r > 0.0).fold(f64::INFINITY, f64::min) / largest
+}
+
+fn dots(svg: &mut Svg, places: impl Iterator<Item = [f64; 2]>, colour: usize) {
+    let caps: String = places.map(|[x, y]| format!("M{x:.1} {y:.1}h0")).collect();
+    svg.push(format!("<path class=\"c c{colour}\" style=\"stroke-width:3.8\" d=\"{caps}\"/>"));
+}
+
+fn legend(svg: &mut Svg, drawing: &Drawing, frame: &Frame) {
     let mut y = TITLE + SIDE + 8.0;
     for curve in &drawing.curves {
         let colour = curve.family % COLOURS.len();
         match curve.is_measured {
-            true => dots(text, [40.0, 52.0, 64.0].into_iter().map(|x| [x, y]), colour),
-            false => line(text, [[36.0, y], [68.0, y]].into_iter(), &format!("c c{colour}")),
+            true => dots(svg, [40.0, 52.0, 64.0].into_iter().map(|x| [x, y]), colour),
+            false => svg.line(&format!("c c{colour}"), [[36.0, y], [68.0, y]]),
         }
-        let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">{}</text>", y + 4.5, escaped(&curve.label));
+        svg.text("x", [80.0, y + 4.5], "start", &curve.label);
         y += LINE;
     }
-    line(text, [[36.0, y], [68.0, y]].into_iter(), "o");
-    let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">as it should be, to scale</text>", y + 4.5);
-    let told = format!(
-        "deviations magnified {} times, {} um from line to line, outwards positive",
-        grouped(frame.magnification),
-        micrometres(frame.division)
-    );
-    let _ = writeln!(text, "<text x=\"80\" y=\"{:.1}\">{told}</text>", y + LINE + 4.5);
-}
-
-fn style(families: usize) -> String {
-    let colours = |pick: fn(&(&'static str, &'static str)) -> &'static str| {
-        let one =
-            |(i, c): (usize, &(&'static str, &'static str))| format!(".c{i}{{stroke:{0}}}.d{i}{{fill:{0}}}", pick(c));
-        COLOURS.iter().take(families).enumerate().map(one).collect::<String>()
-    };
-    format!(
-        "<style>text{{font:13px system-ui,sans-serif;fill:#4d4d4d}}.t{{font-size:17px}}.n{{font-size:11px;fill:#808080}}\
-         .a,.g,.o,.c{{fill:none}}.a{{stroke:#808080;stroke-width:.5;stroke-dasharray:1 3}}.g{{stroke:#808080;stroke-width:.5;stroke-opacity:.45}}\
-         .o{{stroke:#808080;stroke-width:1.4}}.c{{stroke-width:1.8;stroke-linejoin:round}}.d{{fill-opacity:.75}}{}\
-         @media (prefers-color-scheme:dark){{text{{fill:#c8c8c8}}.n{{fill:#909090}}{}}}</style>\n",
-        colours(|c| c.0),
-        colours(|c| c.1)
-    )
-}
-
-/// Largest of 1, 2 and 5 times a power of ten that is not above `value`.
-fn round_below(value: f64) -> f64 {
-    let power = 10f64.powf(value.log10().floor());
-    let digit = value / power;
-    // The comparison allows for round-off, so that 2 stays 2.
-    power * [5.0, 2.0].into_iter().find(|d| digit * (1.0 + 1e-12) >= *d).unwrap_or(1.0)
+    svg.line("o", [[36.0, y], [68.0, y]]);
+    svg.text("x", [80.0, y + 4.5], "start", "as it should be, to scale");
+    svg.text("x", [80.0, y + LINE + 4.5], "start", &frame.told());
 }
 
 /// Converts to micrometres, without the digits that conversion leaves.
 fn micrometres(si: f64) -> f64 {
     format!("{:.6e}", 1e6 * si).parse().unwrap_or(f64::NAN)
-}
-
-/// Writes a round number with its thousands apart.
-fn grouped(value: f64) -> String {
-    if value < 1.0 {
-        return format!("{value}");
-    }
-    let digits = format!("{value:.0}");
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
-            text.push('\u{202f}');
-        }
-        text.push(digit);
-    }
-    text
-}
-
-pub(super) fn escaped(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).collect::<String>().replace('&', "&amp;").replace('<', "&lt;")
 }
 
 #[cfg(test)]
@@ -270,7 +219,7 @@ mod tests {
         let [_, middle] = frame.place([0.0, 0.0]);
         assert!((x - SIDE / 2.0).abs() < 1e-9);
         assert!(((middle - y) / frame.scale - (0.1 + 5000.0 * 7e-6)).abs() < 1e-12);
-        let text = super::drawing(&drawing);
+        let text = super::drawing(&drawing).file();
         assert!(text.contains("magnified 5\u{202f}000 times, 2 um from line to line"), "{text}");
         // A title is text and no element.
         assert!(text.contains("R &amp; D") && text.contains("a &lt; b"));
@@ -281,14 +230,21 @@ mod tests {
     fn a_contour_without_deviation_is_drawn_too() {
         let mut drawing = circle();
         drawing.curves.truncate(0);
-        assert!(!super::drawing(&drawing).contains("NaN"));
-        assert!(!super::drawing(&Drawing::default()).contains("NaN"));
+        assert!(!super::drawing(&drawing).file().contains("NaN"));
+        assert!(!super::drawing(&Drawing::default()).file().contains("NaN"));
     }
 
     #[test]
-    fn round_numbers_are_not_above() {
-        for (value, round) in [(2.0, 2.0), (1.99, 1.0), (4.9e3, 2e3), (5.0e-7, 5e-7), (9.99, 5.0)] {
-            assert!((round_below(value) / round - 1.0).abs() < 1e-12, "{value}");
-        }
+    fn lines_stay_outside_of_the_centres_of_curvature() {
+        // A nose of 2 mm on a body of 100 mm: 0.1 mm of deviation may be drawn 16 times, and is drawn 10 times.
+        let mut drawing = circle();
+        let nose = |i: i32| {
+            let (sine, cosine) = f64::from(5 * i).to_radians().sin_cos();
+            Spot { at: [0.102 + 0.002 * cosine, 0.002 * sine], outward: [cosine, sine], deviation: 0.0 }
+        };
+        drawing.nominal.push((-18..=18).map(nose).collect());
+        drawing.curves[0].pieces[0][0].deviation = -1e-4;
+        let magnification = Frame::of(&drawing).magnification;
+        assert!((magnification - 10.0).abs() < 1e-9, "{magnification}");
     }
 }

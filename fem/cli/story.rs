@@ -1,0 +1,117 @@
+//! The page of `fem report`: models, measurements and a diagnosis brought together.
+
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+use super::args;
+use super::compare::refuse_mixed;
+use super::diagnose::completed;
+use super::error::Error;
+use super::say::say;
+use crate::compare::{Comparison, compare};
+use crate::diagnose::{Diagnosis, diagnose, thinned};
+use crate::input::InputError;
+use crate::measure::Measurements;
+use crate::model::{Data, Model, Run};
+use crate::output::{Evidence, Subject, page};
+use crate::progress::Progress;
+
+/// How far a page goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Depth {
+    /// Models are compared as they are written: at once.
+    Compared,
+    /// The last model is diagnosed too.
+    Diagnosed,
+}
+
+/// A page, and what it was made of.
+pub struct Made {
+    /// The page.
+    pub html: String,
+    /// Notes on the files that were read.
+    pub notes: Vec<String>,
+    /// All files that were read.
+    pub files: Vec<PathBuf>,
+}
+
+/// Makes the page.
+///
+/// # Errors
+/// As those of `fem run`, `fem compare` and `fem diagnose`.
+pub fn written(args: &args::Report, depth: Depth, live: Option<u64>, progress: &Progress) -> Result<Made, Error> {
+    let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
+    refuse_mixed(&models)?;
+    let Some(model) = models.last() else {
+        return Ok(Made { html: String::new(), notes: Vec::new(), files: Vec::new() });
+    };
+    let is_known = models.iter().all(|m| m.require_values().is_ok());
+    let named: Vec<PathBuf> = models.iter().flat_map(Model::paths).chain(args.with.iter().cloned()).collect();
+    let files = named.iter().map(|path| (path.display().to_string(), hash(path))).collect();
+    if args.with.is_empty() {
+        model.require_part()?;
+        let run = model.run(progress)?;
+        let subject = Subject { models: &models, run: Some(&run), evidence: None, files };
+        return Ok(Made { html: page(&subject, live), notes: Vec::new(), files: named });
+    }
+    let measurements = Measurements::load_all(&args.with, model.process, &args.reading.said()?, false)?;
+    let (comparisons, measurements) =
+        if is_known { compared(&models, measurements)? } else { (Vec::new(), measurements) };
+    let all = Data::of(model, measurements)?;
+    let mut notes = all.notes_of_fit();
+    let some = thinned(&all);
+    if let Some(some) = &some {
+        notes.push(format!("{} of {} rows were used for the diagnosis, evenly chosen", some.len(), all.len()));
+    }
+    let is_deep = depth == Depth::Diagnosed;
+    let data = if is_deep { some.unwrap_or(all) } else { all };
+    let diagnosis = if is_deep { Some(diagnose(&data, usize::from(args.max_effects), progress)?) } else { None };
+    let better = diagnosis.as_ref().and_then(|d| complete(&data, d, progress));
+    let is_best = better.is_none() && model.require_values().is_ok();
+    let run = if is_best { Some(model.run(progress)?) } else { None };
+    let evidence = Evidence {
+        data: &data,
+        comparisons: &comparisons,
+        diagnosis: diagnosis.as_ref(),
+        completed: better.as_ref().map(|(model, run)| (model, run)),
+    };
+    let subject = Subject { models: &models, run: run.as_ref(), evidence: Some(evidence), files };
+    Ok(Made { html: page(&subject, live), notes, files: named })
+}
+
+/// Every model as it is written.
+fn compared(models: &[Model], mut measurements: Measurements) -> Result<(Vec<Comparison>, Measurements), Error> {
+    let mut comparisons = Vec::new();
+    for model in models {
+        let data = Data::of(model, measurements)?;
+        comparisons.push(compare(&data)?);
+        measurements = data.into_measurements();
+    }
+    Ok((comparisons, measurements))
+}
+
+/// The model with what was missing, and its run; `None` where values stay open or nothing was found.
+fn complete(data: &Data, diagnosis: &Diagnosis, progress: &Progress) -> Option<(Model, Run)> {
+    if diagnosis.missing.is_empty() && diagnosis.fit.estimates.is_empty() {
+        return None;
+    }
+    let better = match completed(data, diagnosis) {
+        Ok(better) => better,
+        Err(_) => {
+            say!("note: the completed model cannot be written, and its curves are left out");
+            return None;
+        }
+    };
+    better.require_values().ok()?;
+    let run = better.run(progress).ok()?;
+    Some((better, run))
+}
+
+/// SHA-256 of a file as `sha256sum` prints it.
+fn hash(path: &Path) -> String {
+    match std::fs::read(path) {
+        Ok(bytes) => Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect(),
+        Err(error) => format!("unread: {error}"),
+    }
+}

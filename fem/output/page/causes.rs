@@ -1,0 +1,239 @@
+//! The causes, one by one; what to measure next; rows that are wrong; every effect on trial.
+
+use super::html::{self, Cell};
+use super::section::Section;
+use super::subject::{Evidence, Subject};
+use crate::diagnose::{Cause, Diagnosis, Missing};
+use crate::fit::Estimate;
+use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, draw, escaped};
+use crate::output::fit::Short;
+use crate::output::{diagnosis, measurement, plots};
+
+/// Rise of χ² at the ends of a 95 % interval: 95 % point of χ² with one degree of freedom.
+const QUANTILE: f64 = 3.841_458_820_694_124;
+/// Largest rise that is drawn.
+const HIGHEST: f64 = 9.0;
+/// Points between two that were computed.
+const BETWEEN: usize = 12;
+
+/// The missing effects.
+pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
+    let curves = found.completed.map_or(Vec::new(), |(model, run)| plots::changes(model, run));
+    let cards = d.missing.iter().enumerate().map(|(i, m)| card(i + 1, m, &curves, subject)).collect();
+    Section { id: "causes", title: "The causes", blocks: cards }
+}
+
+fn card(number: usize, missing: &Missing, curves: &[(&str, Chart)], subject: &Subject) -> String {
+    let effect = &missing.effect;
+    let mut html = format!(
+        "<article class=\"cause\"><h3><span class=\"number\">{number}</span>{}</h3><p>{}</p>",
+        escaped(&diagnosis::label(missing)),
+        escaped(&capital(&effect.about))
+    );
+    html.push_str(&format!(
+        "<p><code>{}</code><br><span class=\"note\">source: {}</span></p>",
+        escaped(&effect.law),
+        escaped(&effect.source)
+    ));
+    html.push_str(&estimates("Values, with the 95 % intervals of their profiles", &missing.estimates));
+    html.push_str(&html::paragraph("note", &(capital(&diagnosis::chance(missing.p_value)) + ".")));
+    if let Some(bend) = &missing.bend {
+        let along = bend.along.map_or("with its own size".into(), |name| format!("along {name}"));
+        let share = 100.0 * bend.share;
+        let text = format!("Its shape is not wholly this law: it bends {along}, by up to {share:.0} % of itself.");
+        html.push_str(&html::paragraph("caution", &text));
+    }
+    let mut figures: Vec<(String, Svg)> = Vec::new();
+    if matches!(missing.cause, Cause::Physical) {
+        let own = curves.iter().filter(|c| c.0 == effect.name);
+        figures.extend(own.map(|(_, chart)| (chart.name.clone(), draw(chart))));
+    }
+    figures.extend(missing.estimates.iter().filter_map(profile).map(|chart| (chart.name.clone(), draw(&chart))));
+    html.push_str(&html::figures(figures.iter().map(|(name, svg)| (name.as_str(), svg))));
+    let alternative = |other: &crate::process::Description| {
+        let by =
+            diagnosis::separated(effect, other).map_or(String::new(), |by| format!("; what tells them apart: {by}"));
+        format!("{}: {}{by}", other.name, other.about)
+    };
+    if !missing.indistinguishable_from.is_empty() {
+        html.push_str("<h4>These data cannot tell it from</h4>");
+        html.push_str(&html::list(&missing.indistinguishable_from.iter().map(alternative).collect::<Vec<_>>()));
+    }
+    let rivals = effect
+        .look_alikes
+        .iter()
+        .filter(|(name, _)| missing.indistinguishable_from.iter().all(|other| other.name != *name));
+    let rivals: Vec<String> = rivals.map(|(name, by)| format!("{name}: {by}")).collect();
+    if !rivals.is_empty() {
+        html.push_str("<h4>Alike elsewhere, told apart here by</h4>");
+        html.push_str(&html::list(&rivals));
+    }
+    if let Cause::Measurement { effect, by, from, .. } = &missing.cause {
+        if let Some((name, about)) = measurement::curve(effect, by, subject.model().process) {
+            html.push_str(&html::paragraph("", &format!("In this process a {name}: {about}.")));
+        }
+        if let Some(place) = from {
+            html.push_str(&html::paragraph("", &format!("From {place} on.")));
+        }
+        let text = format!("What separates it from effects of the machine: {}.", effect.separates);
+        html.push_str(&html::paragraph("", &text));
+    }
+    html + "</article>"
+}
+
+/// Values with their intervals as a table.
+pub fn estimates(caption: &str, all: &[Estimate]) -> String {
+    let row = |e: &Estimate| {
+        let k = e.parameter.kind;
+        let end = |si: Option<f64>| match si {
+            Some(si) => Cell::Number(format!("{:.4}", Short(k.from_si(si))), k.from_si(si)),
+            None => Cell::Text("open".into()),
+        };
+        let std = e.std / k.canonical().factor;
+        let uncertainty = if std.is_finite() { format!("{:.2}", Short(std)) } else { "unknown".into() };
+        vec![
+            Cell::Text(diagnosis::name(e).into()),
+            Cell::Number(format!("{:.4}", Short(k.from_si(e.value))), k.from_si(e.value)),
+            Cell::Text(k.unit.into()),
+            end(e.interval.low),
+            end(e.interval.high),
+            Cell::Number(uncertainty, std),
+            Cell::Text(e.warnings.join("; ")),
+        ]
+    };
+    let head = ["parameter", "value", "unit", "from", "to", "standard uncertainty", "remarks"];
+    if all.is_empty() {
+        String::new()
+    } else {
+        html::table(caption, &head, &all.iter().map(row).collect::<Vec<_>>(), false)
+    }
+}
+
+/// The profile of χ² of a parameter, where it was walked: √Δχ² runs nearly straight between what was computed.
+fn profile(e: &Estimate) -> Option<Chart> {
+    let kind = e.parameter.kind;
+    let walked: Vec<(f64, f64)> = e
+        .profile
+        .iter()
+        .map(|(v, rise)| (kind.from_si(*v), rise.sqrt().copysign(v - e.value)))
+        .filter(|(v, z)| v.is_finite() && z.abs() <= 2.0 * HIGHEST.sqrt())
+        .collect();
+    if walked.len() < 3 {
+        return None;
+    }
+    let smooth = walked.windows(2).flat_map(|w| {
+        let part = |i: usize| i as f64 / BETWEEN as f64;
+        let (a, b) = (w[0], w[1]);
+        (0..=BETWEEN).map(move |i| Point::new(a.0 + part(i) * (b.0 - a.0), (a.1 + part(i) * (b.1 - a.1)).powi(2)))
+    });
+    let smooth: Vec<Point> = smooth.filter(|p| p.y <= HIGHEST).collect();
+    let ends = [smooth.first()?.x, smooth.last()?.x];
+    let dots = walked.iter().map(|(v, z)| Point::new(*v, z * z)).filter(|p| p.y <= HIGHEST).collect();
+    let series = |label: &str, colour, form, points| Series { label: label.into(), colour, form, points };
+    let name = diagnosis::name(e);
+    Some(Chart {
+        name: format!("profile-{}", e.parameter.path.replace('.', "-")),
+        title: format!("profile of \u{3c7}\u{b2} along {name}"),
+        note: "dots: computed, all other values re-fitted; below the broken line lie 95 %".into(),
+        plane: Plane::Curves {
+            x: Axis::new(name.replace('_', " "), kind.unit),
+            y: Axis { limits: Some((0.0, HIGHEST)), ..Axis::new("rise of \u{3c7}\u{b2}", "") },
+            series: vec![
+                series("95 %", 1, Form::Dashed, ends.map(|x| Point::new(x, QUANTILE)).to_vec()),
+                series("", 0, Form::Line, smooth),
+                series("", 0, Form::Dots, dots),
+            ],
+        },
+    })
+}
+
+/// The next measurement.
+pub fn next(d: &Diagnosis) -> Section {
+    let mut blocks = Vec::new();
+    if let Some(next) = &d.next {
+        let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();
+        let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
+        blocks.push(html::paragraph(
+            "",
+            &format!("{}{often}: {} rows.", capital(&next.experiment.words), next.observations()),
+        ));
+        let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
+        let text = format!("It {tells} {}, by {:.1} standard uncertainties.", pairs.join(", "), next.separation);
+        blocks.push(html::paragraph("", &text));
+    }
+    let said: Vec<String> =
+        diagnosis::separated_pairs(d).iter().map(|(a, b, by)| format!("{a} from {b}: {by}")).collect();
+    blocks.push(html::list(&said));
+    if blocks.iter().all(String::is_empty) && !d.missing.is_empty() {
+        let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |o| (&m.effect, o)));
+        let all: Vec<String> = pairs
+            .filter_map(|(a, b)| Some(format!("{} from {}: {}", a.name, b.name, diagnosis::separated(a, b)?)))
+            .collect();
+        blocks.push(html::list(&all));
+    }
+    Section { id: "next", title: "Measure next", blocks }
+}
+
+/// Rows that are wrong by themselves.
+pub fn outliers(found: &Evidence, d: &Diagnosis) -> Section {
+    let row = |o: &crate::diagnose::Outlier| {
+        let kind = found.data.observables[o.observable].kind;
+        let [value, predicted] = [o.value, o.predicted].map(|si| kind.from_si(si));
+        let file = found.data.file_of_record(o.record - 1).unwrap_or(&found.data.name);
+        vec![
+            Cell::Text(file.to_string()),
+            Cell::Number(o.line.to_string(), o.line as f64),
+            Cell::Number(format!("{value:.3}"), value),
+            Cell::Number(format!("{predicted:.3}"), predicted),
+            Cell::Text(kind.unit.into()),
+            Cell::Number(format!("{:.3}", Short(o.weight)), o.weight),
+        ]
+    };
+    let all: Vec<_> = d.outliers.iter().map(row).collect();
+    let head = ["file", "line", "measured", "predicted", "unit", "weight"];
+    let caption = "Rows that lie far outside of what the others scatter; they count by their weight";
+    let blocks = if all.is_empty() { Vec::new() } else { vec![html::table(caption, &head, &all, true)] };
+    Section { id: "outliers", title: "Outlying rows", blocks }
+}
+
+/// Every effect that was on trial.
+pub fn candidates(found: &Evidence, d: &Diagnosis) -> Section {
+    let kind = found.data.kind();
+    let row = |c: &crate::diagnose::Outlook| {
+        let rms = c.rms.map(|si| kind.from_si(si));
+        vec![
+            Cell::Text(c.effect.name.into()),
+            rms.map_or(Cell::Text("\u{2013}".into()), |v| Cell::Number(format!("{v:.3}"), v)),
+            Cell::Number(format!("{:+.1}", c.delta_bic), c.delta_bic),
+            Cell::Number(
+                if c.p_value < 1e-6 { "< 1e-6".into() } else { format!("{:.2}", Short(c.p_value)) },
+                c.p_value,
+            ),
+            Cell::Text(diagnosis::note(c, d)),
+        ]
+    };
+    let all: Vec<_> = d.candidates.iter().map(row).collect();
+    let head = ["effect", &format!("rms alone [{}]", kind.unit)[..], "\u{394}BIC", "p", "what the data say of it"];
+    let caption = "Each alone added to the model; a \u{394}BIC below zero speaks for it";
+    let mut blocks = Vec::new();
+    if !all.is_empty() {
+        blocks.push(html::table(caption, &head, &all, true));
+    }
+    let own: Vec<Estimate> = d
+        .fit
+        .estimates
+        .iter()
+        .filter(|e| d.missing.iter().all(|m| m.estimates.iter().all(|o| o.parameter.path != e.parameter.path)))
+        .cloned()
+        .collect();
+    if !own.is_empty() {
+        blocks.push(html::heading("What the model leaves open, re-fitted"));
+        blocks.push(estimates("Values with their 95 % intervals", &own));
+    }
+    Section { id: "trial", title: "Every effect on trial", blocks }
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().collect::<String>() + letters.as_str())
+}

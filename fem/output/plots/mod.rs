@@ -1,0 +1,11 @@
+//! Which charts show a prediction, a comparison, a cause: chosen by what the coordinates are, whatever the process.
+
+mod layout;
+mod measured;
+mod positioning;
+mod predicted;
+mod residuals;
+
+pub use measured::{Rows, agreement, measured};
+pub use predicted::{changes, predicted};
+pub use residuals::{along, maps};

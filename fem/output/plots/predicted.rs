@@ -1,0 +1,108 @@
+//! Charts of a prediction.
+
+use super::layout::Layout;
+use super::positioning;
+use crate::model::{Model, Run};
+use crate::output::chart::{Axis, Chart, Form, Plane, Series};
+use crate::units::Kind;
+
+/// The prediction along its coordinates, around its circle, over its pairs, as its standard draws it.
+pub fn predicted(model: &Model, run: &Run) -> Vec<Chart> {
+    let rows = model.system.programme();
+    let all: Vec<usize> = (0..model.process.coordinates().len()).collect();
+    let observables = model.process.observables();
+    let seen: Vec<usize> = (0..observables.len()).filter(|o| rows.observable.contains(o)).collect();
+    if let Some(test) = model.system.positioning() {
+        return vec![positioning::chart(&test.approaches(&rows), &run.prediction, "predicted", None)];
+    }
+    let mut charts = Vec::new();
+    for &observable in &seen {
+        let Some(layout) = Layout::of(model.process, &rows, &all, observable) else { continue };
+        let kind = observables[observable].kind;
+        let of = if seen.len() > 1 { format!("-{}", observables[observable].name) } else { String::new() };
+        let value = |row: usize| kind.from_si(run.prediction[layout.rows[row]]);
+        charts.extend(of_one(&layout, &value, &of));
+    }
+    charts
+}
+
+fn of_one(layout: &Layout, value: &dyn Fn(usize) -> f64, of: &str) -> Vec<Chart> {
+    let (x, y) = layout.axes();
+    let title = format!("predicted {} over {}", y.name, x.name);
+    let named = |name: &str| format!("{name}{of}");
+    let series = layout.lines(value);
+    let chosen = layout.chosen().len();
+    let note = match layout.labels.len() {
+        all if all > chosen => format!("{chosen} of {all} curves in colour, the others in grey"),
+        _ => String::new(),
+    };
+    let mut charts = Vec::new();
+    if layout.is_around() {
+        let plane =
+            Plane::Polar { y: y.clone(), series: series.iter().filter(|s| s.form == Form::Line).cloned().collect() };
+        let title = format!("predicted {} around", y.name);
+        let note = "outwards from the grey circle is positive, magnified".to_string();
+        charts.push(Chart { name: named("polar"), title, note, plane });
+    }
+    let name = named(if layout.is_loop() { "loop" } else { "profile" });
+    charts.push(Chart { name, title, note, plane: Plane::Curves { x, y, series } });
+    let across = layout.telling.iter().copied().find(|at| {
+        let variable = &layout.variables[*at];
+        variable.levels.len() > 2 && variable.axis.words.is_empty()
+    });
+    let beside = across.map(|at| (0, at)).filter(|_| !layout.is_loop());
+    let maps = beside.map(|pair| (pair, "map")).into_iter().chain(layout.plane().map(|pair| (pair, "field")));
+    charts.extend(maps.map(|(pair, name)| map(layout, pair, value, named(name))));
+    charts
+}
+
+/// A map over a pair of variables; of what else varies, the last.
+fn map(layout: &Layout, (a, b): (usize, usize), value: &dyn Fn(usize) -> f64, name: String) -> Chart {
+    let others: Vec<usize> = layout.telling.iter().copied().chain([0]).filter(|at| *at != a && *at != b).collect();
+    let last = |at: &usize| layout.variables[*at].levels.last().copied().unwrap_or(f64::NAN);
+    let is_last = |row: &usize| {
+        others.iter().all(|at| (layout.variables[*at].values[*row] - last(at)).abs() <= 1e-6 * last(at).abs())
+    };
+    let (x, y) = (&layout.variables[a], &layout.variables[b]);
+    let cells: Vec<[f64; 3]> =
+        (0..layout.rows.len()).filter(is_last).map(|row| [x.values[row], y.values[row], value(row)]).collect();
+    let at: Vec<String> = others
+        .iter()
+        .map(|at| format!("{} = {}", layout.variables[*at].axis.name, layout.variables[*at].axis.told(last(at))))
+        .collect();
+    let note = if at.is_empty() { String::new() } else { format!("at {}", at.join(", ")) };
+    let title = format!("predicted {} over {} and {}", layout.value.name, x.axis.name, y.axis.name);
+    let value = Axis { limits: about_zero(&cells), ..layout.value.clone() };
+    Chart { name, title, note, plane: Plane::Map { x: x.axis.clone(), y: y.axis.clone(), value, cells } }
+}
+
+/// Ends of a scale about zero, where values lie on both of its sides.
+fn about_zero(cells: &[[f64; 3]]) -> Option<(f64, f64)> {
+    let (low, high) = cells.iter().map(|c| c[2]).fold((0.0f64, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
+    let most = high.max(-low);
+    (low < -0.1 * most && high > 0.1 * most).then_some((-most, most))
+}
+
+/// What each effect changes, along the abscissa: for each effect by its name a chart of the groups.
+pub fn changes(model: &Model, run: &Run) -> Vec<(&'static str, Chart)> {
+    let rows = model.system.programme();
+    let all: Vec<usize> = (0..model.process.coordinates().len()).collect();
+    let observables = model.process.observables();
+    let mut charts = Vec::new();
+    for share in run.contributions.iter().filter(|c| c.name != "ideal") {
+        let Some(layout) = Layout::of(model.process, &rows, &all, share.observable) else { continue };
+        let kind: Kind = share.kind(observables);
+        let value = |row: usize| kind.from_si(share.changes.get(row).copied().unwrap_or(f64::NAN));
+        let series: Vec<Series> = layout.lines(&value);
+        let (mut x, mut y) = layout.axes();
+        let changed = if layout.is_loop() { &mut x } else { &mut y };
+        (changed.name, changed.unit) = (format!("change of {}", changed.name), kind.unit.to_string());
+        let title = format!("what {} changes", share.name);
+        let note = "the prediction with all effects less that without this one".to_string();
+        charts.push((
+            share.name,
+            Chart { name: format!("change-{}", share.name), title, note, plane: Plane::Curves { x, y, series } },
+        ));
+    }
+    charts
+}

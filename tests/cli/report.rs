@@ -1,0 +1,129 @@
+//! `fem report`: the page says what the other commands say, and a served one follows its files.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Stdio};
+use std::time::{Duration, Instant};
+
+use super::fem::{Place, model};
+
+#[test]
+fn the_page_says_what_the_other_commands_say() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    place.write("measured.csv", model("story/measured.csv"));
+    let made = place.fem(&["report", "rigid.toml", "--with", "measured.csv", "-o", "report.html"]);
+    assert_eq!((made.status, made.out.as_str()), (0, "written report.html\n"), "{}", made.err);
+    let page = place.read("report.html");
+    let json: serde_json::Value =
+        serde_json::from_str(&place.fem(&["diagnose", "rigid.toml", "--with", "measured.csv", "--json"]).out).unwrap();
+    let has = |text: &str| assert!(page.contains(text), "the page lacks {text}");
+    for key in ["before", "after"] {
+        has(&format!("{:.3}", json[key]["rms"].as_f64().unwrap()));
+        has(&format!("{:.3}</td>", json[key]["chi2_per_dof"].as_f64().unwrap()));
+    }
+    let told: Vec<f64> =
+        page.split("data-value=\"").skip(1).map(|v| v.split('"').next().unwrap().parse().unwrap()).collect();
+    // A reader of JSON may be off in the last digit.
+    let has_number = |v: &serde_json::Value| {
+        let number = v.as_f64().unwrap();
+        assert!(told.iter().any(|t| (t - number).abs() <= 1e-12 * number.abs()), "the page lacks {number}");
+    };
+    for cause in json["missing"].as_array().unwrap() {
+        has(&format!("</span>{}</h3>", cause["effect"].as_str().unwrap()));
+        for other in cause["indistinguishable_from"].as_array().unwrap() {
+            has(other.as_str().unwrap());
+        }
+        for (name, value) in cause["parameters"].as_object().unwrap() {
+            has(&format!("profile of \u{3c7}\u{b2} along {name}"));
+            let ends = value["interval95"].as_array().unwrap();
+            for number in [&value["value"], &ends[0], &ends[1]] {
+                has_number(number);
+            }
+        }
+    }
+    let compared: serde_json::Value =
+        serde_json::from_str(&place.fem(&["compare", "rigid.toml", "--with", "measured.csv", "--json"]).out).unwrap();
+    has_number(&compared["models"][0]["bias"]);
+    // What was read can be told from what was not.
+    has(&place.sha256("measured.csv"));
+    has("fem report rigid.toml --with measured.csv -o report.html");
+}
+
+#[test]
+fn a_report_is_not_written_over_what_it_reads() {
+    let place = Place::new();
+    place.write("model.toml", model("stiffness.toml"));
+    let answer = place.fem(&["report", "model.toml", "-o", "model.toml"]);
+    assert!(answer.status == 2 && answer.err.contains("is itself what is read"), "{}", answer.err);
+    assert_eq!(place.fem(&["report", "model.toml"]).status, 2);
+}
+
+/// A served page, ended with the test.
+struct Served {
+    child: Child,
+    address: String,
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        self.child.kill().unwrap();
+        self.child.wait().unwrap();
+    }
+}
+
+impl Served {
+    fn of(place: &Place, args: &[&str]) -> Self {
+        let mut child = place.command(args).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
+        let mut told = String::new();
+        BufReader::new(child.stderr.take().unwrap()).read_line(&mut told).unwrap();
+        let address =
+            told.strip_prefix("http://").unwrap_or_else(|| panic!("{told}")).split('/').next().unwrap().into();
+        Self { child, address }
+    }
+
+    fn get(&self, path: &str, host: &str) -> String {
+        let mut stream = TcpStream::connect(&self.address).unwrap();
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        answer
+    }
+
+    /// Waits until the page holds a text.
+    fn until(&self, text: &str) -> String {
+        let start = Instant::now();
+        loop {
+            let page = self.get("/", &self.address);
+            if page.contains(text) {
+                return page;
+            }
+            assert!(start.elapsed() < Duration::from_secs(60), "no {text} in {page}");
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    }
+}
+
+#[test]
+fn a_served_page_follows_its_files() {
+    let place = Place::new();
+    let text = model("stiffness.toml");
+    place.write("model.toml", &text);
+    let served = Served::of(&place, &["report", "model.toml", "--serve"]);
+    assert!(served.address.starts_with("127.0.0.1:"));
+    let first = served.until("</html>");
+    let version = |page: &str| page.rsplit("live(").next().unwrap().split(')').next().unwrap().to_string();
+    assert!(served.get("/version", &served.address).ends_with(&format!("\r\n\r\n{}", version(&first))));
+    // A name that is not this computer's, as a page elsewhere could point to it.
+    assert!(served.get("/", "evil.example").starts_with("HTTP/1.1 403"));
+    assert!(served.get("/etc/passwd", &served.address).starts_with("HTTP/1.1 404"));
+    // A mistake is told with its place and remedy, and mended again.
+    let wrong = text.replacen("[joint]", "[joynt]", 1);
+    assert_ne!(wrong, text);
+    place.write("model.toml", &wrong);
+    let told = served.until("The page cannot be made");
+    assert!(told.contains("model.toml:") && told.contains("joynt") && told.contains("joint"), "{told}");
+    place.write("model.toml", format!("title = \"Mended\"\n{}", text.replacen("title", "# title", 1)));
+    let mended = served.until("<h1>Mended</h1>");
+    assert_ne!(version(&mended), version(&first));
+}
