@@ -71,7 +71,8 @@ fn line(progress: &Progress, so_far: Duration) -> String {
     let so_far = so_far.as_secs_f64();
     let left = so_far * (total as f64 / finished as f64 - 1.0);
     let told = match (finished, total) {
-        (0, _) | (_, 0) => String::new(),
+        // Nothing is known of what comes: neither before the first part of it, nor behind the last.
+        (finished, total) if finished == 0 || finished >= total => String::new(),
         _ => format!(
             ", {:.0} % of what is known to come is done, about {left:.0} s left",
             100.0 * (so_far / (so_far + left))

@@ -91,11 +91,20 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     measurements.files = vec![MeasuredFile { name: source.name.to_string(), first_record: 0 }];
     (measurements.headings, measurements.said) = (file.headings, said.options());
     measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).collect();
+    if measurements.len() > MANY {
+        let rows = measurements.len();
+        measurements
+            .notes
+            .push(format!("{rows} rows take more than a gigabyte of memory; every tenth would tell as much"));
+    }
     if measurements.observables.is_empty() {
         measurements.observables = MeasuredObservable::of(&measurements.rows, vocabulary.observables);
     }
     Ok(measurements)
 }
+
+/// Rows above which a note tells what they take.
+const MANY: usize = 1_000_000;
 
 /// Most lines that a note lists.
 const MOST_LINES: usize = 10;

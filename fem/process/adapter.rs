@@ -88,7 +88,10 @@ impl<D: Definition> System for Ready<D> {
     }
 
     fn candidate_experiments(&self, rows: &Rows) -> Vec<CandidateExperiment> {
-        D::candidate_experiments(&self.setup, rows)
+        let mut all = D::candidate_experiments(&self.setup, rows);
+        // What hangs on a value that is unknown can be said to nobody.
+        all.retain(|experiment| experiment.values.iter().all(|value| value.is_finite()));
+        all
     }
 
     fn positioning(&self) -> Option<&dyn Positioning> {

@@ -10,6 +10,7 @@ mod cam;
 mod compare;
 mod compensate;
 mod contour;
+mod faults;
 mod fem;
 mod figures;
 mod files;

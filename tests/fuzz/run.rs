@@ -18,7 +18,7 @@ pub enum Fault {
     Status(String),
     /// A number that is none, on a page that was printed with status 0.
     NoNumber(String),
-    /// Longer than it may take.
+    /// Longer computed than it may.
     Endless,
     /// More memory than it may take, kB.
     Memory(u64),
@@ -95,7 +95,7 @@ impl Case {
             }
             memory = memory.max(resident(child.id()));
             let fault = match () {
-                () if start.elapsed() > limits.time => Some(Fault::Endless),
+                () if computed(child.id()) > limits.time || start.elapsed() > 10 * limits.time => Some(Fault::Endless),
                 () if memory > limits.memory => Some(Fault::Memory(memory)),
                 () => None,
             };
@@ -116,6 +116,16 @@ fn resident(process: u32) -> u64 {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     line.and_then(|l| l.split_whitespace().next()).and_then(|kb| kb.parse().ok()).unwrap_or(0)
+}
+
+/// Time that a program has computed for so far, which other programs do not lengthen; none where the system does not
+/// say.
+fn computed(process: u32) -> Duration {
+    let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
+    // The name in parentheses may hold anything; user and system time are the 12th and 13th field behind it.
+    let fields = stat.rsplit(')').next().unwrap_or_default().split_whitespace();
+    let ticks: u64 = fields.skip(11).take(2).filter_map(|field| field.parse::<u64>().ok()).sum();
+    Duration::from_millis(10 * ticks)
 }
 
 /// Judges an exit status and what was printed.

@@ -158,8 +158,10 @@ impl Path {
             .unwrap_or(0);
         let side = sides[hit];
         let at = ray.map(|c| reach(&side) * c);
-        // A side whose length is unknown has no end.
-        let along = dot([at[0] - side.from[0], at[1] - side.from[1]], side.along).max(0.0).min(side.length);
+        let along = dot([at[0] - side.from[0], at[1] - side.from[1]], side.along);
+        // A side whose length is unknown has no end, and nothing lies beyond it.
+        let along = if along > side.length { side.length } else { along };
+        let along = if along < 0.0 { 0.0 } else { along };
         let before: f64 = sides[..hit].iter().map(|s| s.length).sum();
         Point {
             at,

@@ -10,8 +10,8 @@ use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
 
-/// Most elements: more than any ring needs, some seconds and a gigabyte.
-const MOST_ELEMENTS: usize = 150_000;
+/// Most elements: more than any ring needs, some seconds and 800 MB.
+const MOST_ELEMENTS: usize = 120_000;
 /// Elements from jaw to jaw, at least.
 const LEAST_PER_JAW: usize = 8;
 
