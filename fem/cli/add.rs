@@ -5,15 +5,16 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::print;
 use crate::model::{Model, add_effect};
-use crate::output::files;
+use crate::output::files::{self, Guard};
 use crate::units::Knowledge;
 
 pub fn add(args: &args::Add) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let reads = [args.model.clone()];
-    files::refuse_reads(&args.output, &reads)?;
+    let guard = Guard { reads: &reads, force: args.force };
+    guard.check(&args.output)?;
     let written = add_effect(&model, &args.effect, &args.settings)?;
-    files::write(&args.output, written.text_at(&args.output).as_bytes(), &reads)?;
+    files::write(&args.output, written.text_at(&args.output).as_bytes(), guard)?;
     let name = args.output.display();
     let prefixes = [format!("effects.{}.", args.effect), format!("measurement.{}.", args.effect)];
     let own = |path: &str| prefixes.iter().find_map(|prefix| path.strip_prefix(prefix.as_str())).map(str::to_string);

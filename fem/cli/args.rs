@@ -1,10 +1,14 @@
 //! What can be typed.
 
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
 
 use clap::{Parser, Subcommand};
 
 use crate::model::Setting;
+use crate::progress::Progress;
+use crate::units::{Knowledge, Quantity, TIME};
 
 /// Predicts what a machine, fixture and workpiece do to a part.
 #[derive(Debug, Parser)]
@@ -83,6 +87,9 @@ pub struct Run {
     /// Write the figures alone, as SVG, into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "output")]
     pub plot: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -96,6 +103,30 @@ pub struct Data {
     pub with: Vec<PathBuf>,
     #[command(flatten)]
     pub reading: Reading,
+}
+
+/// How long a command may take.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Limit {
+    /// When to stop with what is found by then, as '30 s' or '5 min'; what is left undone is told
+    #[arg(long, value_name = "TIME", value_parser = time)]
+    pub time_limit: Option<Duration>,
+}
+
+fn time(text: &str) -> Result<Duration, String> {
+    let wrong = |message: &str| format!("{message}: write '30 s' or '5 min'");
+    let time = Quantity::parse(text, &TIME).map_err(|error| wrong(&error.message))?;
+    match time.knowledge {
+        Knowledge::Known => Duration::try_from_secs_f64(time.value).map_err(|_| wrong("no such time")),
+        _ => Err(wrong("a limit is known")),
+    }
+}
+
+impl Limit {
+    /// The progress of a command that is watched and may take so long.
+    pub fn progress(&self) -> Arc<Progress> {
+        Arc::new(Progress::within(self.time_limit))
+    }
 }
 
 /// What a file does not say itself.
@@ -139,6 +170,9 @@ pub struct Compare {
     /// Write the figures alone, as SVG, into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "output")]
     pub plot: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -155,6 +189,11 @@ pub struct Fit {
     /// Write the model with the fitted values and their uncertainties
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -180,6 +219,11 @@ pub struct Diagnose {
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -204,6 +248,8 @@ pub struct Plan {
     /// Standard uncertainty of a row, where the design has no column u; once for each observable
     #[arg(long, value_name = "SIZE")]
     pub noise: Vec<String>,
+    #[command(flatten)]
+    pub limit: Limit,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -226,6 +272,9 @@ pub struct Compensate {
     /// Where to write the tables; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -256,6 +305,11 @@ pub struct Report {
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,
+    #[command(flatten)]
+    pub limit: Limit,
+    /// Replace a file that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Show the page at an address of this computer alone, and renew it whenever a file changes
     #[arg(long)]
     pub serve: bool,
@@ -311,6 +365,9 @@ pub struct Add {
     /// The file to write
     #[arg(short, long, value_name = "NEW.toml")]
     pub output: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Debug, clap::Args)]
@@ -348,12 +405,22 @@ pub struct Import {
     /// The file to write
     #[arg(short, long, value_name = "FILE.csv")]
     pub output: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
     #[command(flatten)]
     pub reading: Reading,
 }
 
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  fem validate
+  fem validate --source 'seed 002 (29)'
+  fem validate --source NAFEMS --json")]
 pub struct Validate {
+    /// Only the cases whose source says this, such as `seed-002` or `NAFEMS`
+    #[arg(long, value_name = "TEXT")]
+    pub source: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

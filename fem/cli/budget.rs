@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
-use super::{args, watch};
+use super::watch::watched;
 use crate::budget::{estimate, load};
 use crate::output::{Report, budget_warnings};
 use crate::progress::Progress;
@@ -13,9 +14,7 @@ use crate::progress::Progress;
 pub fn run(args: &args::Budget) -> Result<(), Error> {
     let file = load(&args.file)?;
     let progress = Arc::new(Progress::default());
-    let bar = watch::show(&progress);
-    let estimate = estimate(&file, &progress)?;
-    bar.finish();
+    let estimate = watched(&progress, || estimate(&file, &progress))?;
     for warning in budget_warnings(&file, estimate.as_ref()) {
         say!("warning: {warning}");
     }

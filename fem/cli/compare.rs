@@ -1,11 +1,15 @@
 //! `fem compare`.
 
+use std::path::PathBuf;
+
 use super::args;
 use super::error::Error;
 use super::terminal::{notes, page, print};
+use super::watch::watched;
 use crate::compare::compare;
 use crate::input::{InputError, Problem};
 use crate::model::{Data, Model};
+use crate::output::files::Guard;
 use crate::output::{Folder, Format, Pictures, Report};
 use crate::progress::Progress;
 
@@ -21,19 +25,20 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     let mut comparisons = Vec::new();
     for model in &models {
         let data = Data::of(model, measurements)?;
-        comparisons.push(compare(&data)?);
+        comparisons.push(watched(&data.progress, || compare(&data))?);
         measurements = data.into_measurements();
     }
     let report = Report::Comparison(&models, &measurements, &comparisons);
     if args.output.is_some() || args.plot.is_some() {
         refuse_namesakes(&models)?;
     }
-    let read = || models.iter().flat_map(Model::paths).chain(args.data.with.iter().cloned()).collect::<Vec<_>>();
+    let guard = Guard { reads: &args.data.with, force: args.force };
     if let Some(directory) = &args.plot {
-        Pictures { directory, reads: &read() }.write(&report)?;
+        let reads: Vec<PathBuf> = models.iter().flat_map(Model::paths).chain(args.data.with.iter().cloned()).collect();
+        Pictures { directory, guard: Guard { reads: &reads, ..guard } }.write(&report)?;
     }
     if let Some(directory) = &args.output {
-        Folder { directory, reads: &args.data.with, progress: &Progress::default() }.write(&report)?;
+        Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
     }
     notes(&measurements.notes);
     print(&page(&report, args.json)?)

@@ -1,40 +1,37 @@
 //! `fem diagnose`.
 
-use std::sync::Arc;
-
+use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
-use super::{args, watch};
+use super::watch::watched;
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::fit::fitted_text;
 use crate::input::Source;
 use crate::model::{Data, Model, add_effect};
-use crate::output::{Folder, Format, Report, additions, files};
-use crate::progress::Progress;
+use crate::output::files::{self, Guard};
+use crate::output::{Folder, Format, Report, additions};
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let reads = args.data.reads(&args.model);
+    let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
-        files::refuse_reads(new, &reads)?;
+        guard.check(new)?;
     }
-    let data = Data::of(&model, args.data.load(model.process)?)?;
-    let progress = Arc::new(Progress::default());
-    let bar = watch::show(&progress);
-    let diagnosis = diagnose(&data, usize::from(args.max_effects), &progress);
-    bar.finish();
-    let diagnosis = diagnosis?;
+    let progress = args.limit.progress();
+    let data = Data::of(&model, args.data.load(model.process)?)?.watched(progress.clone());
+    let diagnosis = watched(&progress, || diagnose(&data, usize::from(args.max_effects), &progress))?;
     if diagnosis.rows < data.len() {
         say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
     }
     let report = Report::Diagnosis(&data, &diagnosis);
     if let Some(directory) = &args.output {
-        Folder { directory, reads: &reads, progress: &progress }.write(&report)?;
+        Folder { directory, guard, progress: &progress }.write(&report)?;
     }
     if let Some(new) = &args.add_to {
         let better = completed(&data, &diagnosis)?;
-        files::write(new, better.text_at(new).as_bytes(), &reads)?;
+        files::write(new, better.text_at(new).as_bytes(), guard)?;
         say!("written {}", new.display());
         let own = diagnosis.fit.estimates.iter().take(model.parameters.len());
         for open in own.filter(|e| !e.is_closed()) {

@@ -2,11 +2,14 @@
 
 use std::process::ExitCode;
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource};
+use miette::{
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError, MietteSpanContents, SourceCode,
+    SourceSpan, SpanContents,
+};
 
 use super::look;
 use super::say::say;
-use crate::input::{InputError, Problem};
+use crate::input::{Excerpt, InputError, Problem};
 use crate::output::OutputError;
 use crate::process::Failure;
 
@@ -72,6 +75,10 @@ impl Error {
                 tell(&error.to_string(), Some("name another file; models and measurements are never overwritten"));
                 ExitCode::from(2)
             }
+            Self::Output(error @ OutputError::Exists { .. }) => {
+                tell(&error.to_string(), Some("name another place, or let it be replaced with --force"));
+                ExitCode::from(2)
+            }
             Self::Output(error) => {
                 tell(&error.to_string(), Some("choose another place with -o, or make room"));
                 ExitCode::from(1)
@@ -102,25 +109,58 @@ pub fn rendered(error: &InputError, has_colour: bool) -> String {
     let handler = GraphicalReportHandler::new_themed(theme);
     let mut text = String::new();
     for problem in &error.problems {
-        let place = problem.span.as_ref().map_or(String::new(), |span| {
-            let (line, column) = error.source.line_column(span.start);
+        let excerpt = problem.span.as_ref().map(|span| Excerpt::new(&error.source, span));
+        let place = excerpt.as_ref().map_or(String::new(), |excerpt| {
+            let (line, column) = excerpt.line_column;
             format!(":{line}:{column}")
         });
         let mut diagnostic = MietteDiagnostic::new(format!("{}{place}: {}", error.source.name, problem.message));
         diagnostic.help = problem.help.clone();
-        if let Some(span) = &problem.span {
-            diagnostic = diagnostic.with_label(LabeledSpan::underline(span.clone()));
+        if let Some(excerpt) = &excerpt {
+            diagnostic = diagnostic.with_label(LabeledSpan::underline(excerpt.place.clone()));
         }
-        let source = NamedSource::new(&*error.source.name, error.source.text.to_string());
-        let report = miette::Report::new(diagnostic).with_source_code(source);
+        let report = miette::Report::new(diagnostic);
+        let report = match excerpt {
+            Some(excerpt) => report.with_source_code(Shown { name: error.source.name.clone(), excerpt }),
+            None => report,
+        };
         if !text.is_empty() {
             text.push('\n');
         }
         // Writing to a String does not fail.
         let _ = handler.render_report(&mut text, report.as_ref());
     }
-    if error.problems.len() > 1 {
-        text.push_str(&format!("\n{} problems in {}\n", error.problems.len(), error.source.name));
+    if error.found > 1 {
+        let told = if error.found > error.problems.len() {
+            format!(", of which the first {} are told", error.problems.len())
+        } else {
+            String::new()
+        };
+        text.push_str(&format!("\n{} problems in {}{told}\n", error.found, error.source.name));
     }
     text
+}
+
+/// An excerpt under the name and the line numbers of its source.
+struct Shown {
+    name: std::sync::Arc<str>,
+    excerpt: Excerpt,
+}
+
+impl SourceCode for Shown {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        lines_before: usize,
+        lines_after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let Excerpt { text, first_line, line_column: (line, column), .. } = &self.excerpt;
+        // The place alone is asked for where the head of the excerpt names it.
+        let (line, column) = if lines_before + lines_after == 0 { (line - 1, column - 1) } else { (first_line - 1, 0) };
+        let whole = SourceSpan::from(0..text.len());
+        let span = if lines_before + lines_after == 0 { *span } else { whole };
+        let data = text.as_bytes().get(span.offset()..span.offset() + span.len()).unwrap_or_default();
+        let lines = text.lines().count();
+        Ok(Box::new(MietteSpanContents::new_named(self.name.to_string(), data, span, line, column, lines)))
+    }
 }

@@ -4,28 +4,31 @@ use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
+use super::watch::watched;
 use crate::fit::{fit, fitted_text, has_nothing_to_fit};
 use crate::input::{Problem, Source};
 use crate::model::{Data, Model};
-use crate::output::{Report, files};
+use crate::output::Report;
+use crate::output::files::{self, Guard};
 
 pub fn run(args: &args::Fit) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let reads = args.data.reads(&args.model);
+    let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
-        files::refuse_reads(new, &reads)?;
+        guard.check(new)?;
     }
     if has_nothing_to_fit(&model) {
         let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
         return Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")));
     }
-    let data = Data::of(&model, args.data.load(model.process)?)?;
-    let fit = fit(&data)?;
+    let data = Data::of(&model, args.data.load(model.process)?)?.watched(args.limit.progress());
+    let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {
         let text = fitted_text(&data, &fit);
         // A fitted value outside its bounds would make a file that cannot be read: better none.
         let fitted = Model::parse(Source::new(model.source.name.clone(), text))?;
-        files::write(new, fitted.text_at(new).as_bytes(), &reads)?;
+        files::write(new, fitted.text_at(new).as_bytes(), guard)?;
         say!("written {}", new.display());
         let sizes = fit.sizes.iter().filter(|s| !s.is_told()).map(|s| &s.estimate);
         for open in fit.estimates.iter().filter(|e| !e.is_closed()).chain(sizes) {

@@ -5,7 +5,8 @@ use super::error::Error;
 use super::terminal::{notes, print};
 use crate::input::{Problem, did_you_mean};
 use crate::measure::Measurements;
-use crate::output::{files, measurements};
+use crate::output::files::{self, Guard};
+use crate::output::measurements;
 use crate::process;
 
 pub fn import(args: &args::Import) -> Result<(), Error> {
@@ -17,10 +18,11 @@ pub fn import(args: &args::Import) -> Result<(), Error> {
         return Err(Error::Request(problem.help(format!("{meant}known are {known}"))));
     };
     let reads = [args.file.clone()];
-    files::refuse_reads(&args.output, &reads)?;
+    let guard = Guard { reads: &reads, force: args.force };
+    guard.check(&args.output)?;
     let taken = Measurements::load_as(&args.file, *process, &args.reading.said()?)?;
     let text = measurements(&taken, *process, &format!("Taken from {}.", taken.name));
-    files::write(&args.output, text.as_bytes(), &reads)?;
+    files::write(&args.output, text.as_bytes(), guard)?;
     notes(&taken.notes);
     let observed: Vec<&str> = taken.observables.iter().map(|o| o.name).collect();
     let rows = if taken.len() == 1 { "observation" } else { "observations" };

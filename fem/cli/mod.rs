@@ -35,7 +35,7 @@ use terminal::print;
 
 /// Runs the command that the user typed.
 pub fn main() -> ExitCode {
-    watch::stop_cleanly();
+    watch::prepare();
     let args = Args::parse();
     let result = match args.command {
         None => start::start(),

@@ -5,7 +5,8 @@ use super::error::Error;
 use super::terminal::print;
 use crate::budget;
 use crate::input::{Problem, did_you_mean};
-use crate::output::{commented, files};
+use crate::output::commented;
+use crate::output::files::{self, Guard};
 use crate::process;
 
 /// Name of a starting file, its text, and the command that reads it.
@@ -29,7 +30,7 @@ pub fn new(args: &args::New) -> Result<(), Error> {
         let problem = Problem::new(format!("{} exists already", path.display()));
         return Err(Error::Request(problem.help("name a new file with -o")));
     }
-    files::write(path, text.as_bytes(), &[])?;
+    files::write(path, text.as_bytes(), Guard { reads: &[], force: false })?;
     print(&format!("written {}; next: fem {command} {}\n", path.display(), path.display()))
 }
 

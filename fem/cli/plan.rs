@@ -4,6 +4,7 @@ use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
+use super::watch::watched;
 use crate::diagnose::plan;
 use crate::input::Problem;
 use crate::measure::Measurements;
@@ -29,7 +30,8 @@ pub fn run(args: &args::Plan) -> Result<(), Error> {
     }
     let usual = |(o, sigma): (&Observable, &Option<f64>)| sigma.unwrap_or_else(|| o.error_kind().to_si(1.0));
     let sigma: Vec<f64> = model.process.observables().iter().zip(&sigma).map(usual).collect();
-    let plan = plan(&design, &sigma)?;
+    let design = design.watched(args.limit.progress());
+    let plan = watched(&design.progress, || plan(&design, &sigma))?;
     print(&page(&Report::Plan(&design, &plan), args.json)?)
 }
 

@@ -7,8 +7,9 @@ use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
-use super::watch;
+use super::watch::watched;
 use crate::model::Model;
+use crate::output::files::Guard;
 use crate::output::{Folder, Format, Pictures, Report};
 use crate::progress::Progress;
 
@@ -16,15 +17,17 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     model.require_part()?;
     let progress = Arc::new(Progress::default());
-    let bar = watch::show(&progress);
-    let run = model.run(&progress)?;
+    let run = watched(&progress, || model.run(&progress))?;
     let report = Report::Run(&model, &run);
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model));
+    let guard = Guard { reads: &[], force: args.force };
     let written = match &args.plot {
-        Some(directory) => Pictures { directory, reads: &model.paths() }.write(&report)?,
-        None => Folder { directory: &directory, reads: &[], progress: &progress }.write(&report)?,
+        Some(directory) => Pictures { directory, guard: Guard { reads: &model.paths(), ..guard } }.write(&report)?,
+        None => {
+            let folder = Folder { directory: &directory, guard, progress: &progress };
+            watched(&progress, || folder.write(&report))?
+        }
     };
-    bar.finish();
     for warning in &run.report.warnings {
         say!("warning: {warning}");
     }

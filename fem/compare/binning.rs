@@ -1,10 +1,9 @@
 //! Rows binned along coordinates and pairs of them, and what the bins and waves show of residuals.
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
 use super::Trend;
 use super::waves::{Largest, Waves};
 use crate::measure::Measurements;
+use crate::noise::beyond_chi2;
 use crate::process::Coordinate;
 use crate::units::Kind;
 
@@ -98,7 +97,7 @@ impl Statistic {
     }
 
     fn of(sum: f64, freedom: f64) -> Self {
-        Self { sum, p_value: ChiSquared::new(freedom).map_or(1.0, |d| d.sf(sum)), wave: None }
+        Self { sum, p_value: beyond_chi2(freedom, sum).unwrap_or(1.0), wave: None }
     }
 
     /// The more significant of bins and waves; its p-value is doubled, for both are tested.

@@ -6,14 +6,12 @@
 //! Where the noise is only estimated, a permutation test takes the place of the table: residuals are
 //! shuffled over the rows, and a feature must beat the smallest p-value of each shuffle (max-statistic).
 
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
-
 use super::binning::{Along, Binned, Statistic, binnings};
 use super::rng::Rng;
 use super::sentence::{name, sentence};
 use super::{SIGNIFICANCE, Trend};
 use crate::measure::Measurements;
-use crate::noise::{Noise, NoiseSource};
+use crate::noise::{Noise, NoiseSource, beyond_f};
 use crate::process::Process;
 
 /// Number of rows beyond which the estimated noise is as good as known, and shuffles would take long.
@@ -171,7 +169,7 @@ impl NullDistribution {
             // A shuffle does not change the mean. The noise, from second differences, is known to a third of
             // its rows.
             (Self::Permutation { rows, square, .. }, 0) => {
-                FisherSnedecor::new(1.0, (*rows as f64 / 3.0).max(1.0)).map_or(1.0, |d| d.sf(square * statistic.sum))
+                beyond_f(1.0, (*rows as f64 / 3.0).max(1.0), square * statistic.sum).unwrap_or(1.0)
             }
             (Self::Permutation { smallest, .. }, coordinates) => {
                 let own = &smallest[coordinates - 1];

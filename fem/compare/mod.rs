@@ -20,11 +20,10 @@ pub use suspicion::{PROMISING, Suspicion, is_rough, is_round_off, price};
 pub use trend::Trend;
 
 use nalgebra::DMatrix;
-use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use crate::measure::{MeasuredObservable, Measurements, Repeats, repeats};
 use crate::model::{Data, Model};
-use crate::noise::{Noise, NoiseSource, Term};
+use crate::noise::{Noise, NoiseSource, Term, beyond_chi2, beyond_f};
 use crate::process::Failure;
 
 /// Comparison of one model with one file of measurements. SI units.
@@ -151,7 +150,7 @@ fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usiz
     let z = noise.whiten(residuals.iter().copied());
     let chi2: f64 = z.iter().map(|z| z * z).sum();
     match noise.source {
-        NoiseSource::Column | NoiseSource::Covariance => (chi2 / n, ChiSquared::new(n).ok().map(|d| d.sf(chi2))),
+        NoiseSource::Column | NoiseSource::Covariance => (chi2 / n, beyond_chi2(n, chi2)),
         NoiseSource::Repeats => {
             let (mut sum, mut count) = (vec![0.0; repeats.groups], vec![0.0; repeats.groups]);
             for (&g, z) in repeats.group.iter().zip(&z) {
@@ -161,7 +160,7 @@ fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usiz
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
             let groups = (repeats.groups as f64 - blind as f64 - noise.free_between(&repeats.group)).max(1.0);
             let f = lack / groups;
-            (f, FisherSnedecor::new(groups, repeats.effective_freedom()).ok().map(|d| d.sf(f)))
+            (f, beyond_f(groups, repeats.effective_freedom(), f))
         }
         NoiseSource::Estimated => (chi2 / n, None),
     }

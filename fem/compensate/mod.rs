@@ -15,15 +15,16 @@ pub use feasibility::Feasibility;
 pub use reversal::{Kinematic, LostMotion, Rules, Step};
 pub use wrong::WrongReading;
 
-use statrs::distribution::{ContinuousCDF, FisherSnedecor};
-
 use crate::compare::{SIGNIFICANCE, compare};
-use crate::fit::fit;
+use crate::fit::{Estimate, fit};
+use crate::input::Parameter;
 use crate::model::Data;
-use crate::noise::{Acts, Term};
+use crate::noise::{Acts, Term, beyond_f};
 use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Steps, Table, Target, Tolerance};
-use crate::process::{Failure, ForwardModel, Positioning};
+use crate::process::{Failure, ForwardModel, Positioning, System};
 use crate::progress::Progress;
+use crate::units::Knowledge;
+use std::sync::Arc;
 
 /// Evaluation of an axis and of its compensation. SI units.
 #[derive(Clone, Debug)]
@@ -134,7 +135,9 @@ fn passed(checks: &[Check]) -> bool {
 pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, Failure> {
     let all = axis.approaches(&data.rows);
     let weighed = wrong::weighed(data, &all);
-    let (forward, agreement) = known(&weighed, &all)?;
+    let Known { forward, system, agreement, open } = known(&weighed, &all)?;
+    // What the model left open has a value now.
+    let axis = system.positioning().unwrap_or(axis);
     let wrong_readings = wrong::readings(data, &weighed, &all);
     let out = wrong::stated(&weighed);
     let kept: Vec<usize> = (0..data.len()).filter(|row| !out.contains(row)).collect();
@@ -179,7 +182,7 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
         active: active.cloned(),
         steps: axis.steps(),
         causes: causes::causes(&approaches, &observed, &evaluation, feasibility),
-        cautions: [of_instrument(data), cautions(&evaluation, &schemes[0], agreement, &tolerance)].concat(),
+        cautions: [of_instrument(data), open, cautions(&evaluation, &schemes[0], agreement, &tolerance)].concat(),
         wrong_readings,
         modelled_lost_motion: if agreement.adequate { lost_motion_of(&*forward) } else { None },
         model: agreement,
@@ -191,18 +194,30 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     })
 }
 
-/// Forward model with a value for every parameter, fitted where the model leaves some open; and its
-/// agreement.
-fn known(data: &Data, approaches: &[Approach]) -> Result<(Box<dyn ForwardModel>, ModelAgreement), Failure> {
+/// A model with a value for every parameter.
+struct Known {
+    forward: Box<dyn ForwardModel>,
+    system: Arc<dyn System>,
+    agreement: ModelAgreement,
+    /// Cautions about values that the data do not tell.
+    open: Vec<String>,
+}
+
+/// Takes the model as it is, or fitted where it leaves parameters open.
+fn known(data: &Data, approaches: &[Approach]) -> Result<Known, Failure> {
     let model = data.model;
-    let (forward, agreement) = if model.parameters.is_empty() {
+    let mut open = Vec::new();
+    let (forward, system, agreement) = if model.parameters.is_empty() {
         let comparison = compare(data)?;
-        (model.forward(), ModelAgreement { rms: comparison.rms, adequate: comparison.adequate(), fitted: false })
+        let agreement = ModelAgreement { rms: comparison.rms, adequate: comparison.adequate(), fitted: false };
+        (model.forward(), model.system.clone(), agreement)
     } else {
         let fit = fit(data)?;
         let values: Vec<f64> = fit.estimates.iter().map(|e| e.value).collect();
         let adequate = fit.p_value.is_none_or(|p| p >= SIGNIFICANCE);
-        (model.forward_at(&values)?, ModelAgreement { rms: fit.rms, adequate, fitted: true })
+        open.extend(fit.estimates.iter().filter_map(assumed));
+        let agreement = ModelAgreement { rms: fit.rms, adequate, fitted: true };
+        (model.forward_at(&values)?, model.system_at(&values)?, agreement)
     };
     let predicted = forward.observe(&data.rows)?;
     let left = data.residuals(&predicted);
@@ -211,7 +226,16 @@ fn known(data: &Data, approaches: &[Approach]) -> Result<(Box<dyn ForwardModel>,
     let left: Vec<f64> = kept().map(|row| left[row]).collect();
     let approaches: Vec<Approach> = kept().map(|row| approaches[row]).collect();
     let adequate = agreement.adequate && scatter_explains(&approaches, &left, model.parameters.len());
-    Ok((forward, ModelAgreement { adequate, ..agreement }))
+    Ok(Known { forward, system, agreement: ModelAgreement { adequate, ..agreement }, open })
+}
+
+/// The caution about a value of the set-up that nobody knows: neither the model nor the data.
+fn assumed(estimate: &Estimate) -> Option<String> {
+    let Parameter { path, kind, quantity, .. } = &estimate.parameter;
+    let is_assumed = quantity.knowledge == Knowledge::Free && !estimate.is_closed() && !path.starts_with("effects.");
+    let value = || format!("{:.4} {}", kind.from_si(estimate.value), kind.unit);
+    is_assumed
+        .then(|| format!("`{path}` is unknown, and the test does not tell it: what hangs on it takes {}", value()))
 }
 
 /// Whether the scatter about the means of the residuals at the targets, each from one side, explains those
@@ -232,8 +256,8 @@ fn is_scatter(targets: &[Target], squares: f64, between: f64) -> Option<bool> {
     let sides = || targets.iter().flat_map(Target::sides);
     let within: f64 = sides().map(|s| (s.count - 1) as f64).sum();
     let of_scatter: f64 = sides().filter_map(|s| Some((s.count - 1) as f64 * s.scatter?.powi(2))).sum();
-    let chance = FisherSnedecor::new(between, within).ok().filter(|_| of_scatter > 0.0)?;
-    Some(chance.sf((squares / between) / (of_scatter / within)) >= SIGNIFICANCE)
+    let ratio = Some((squares / between) / (of_scatter / within)).filter(|_| of_scatter > 0.0)?;
+    Some(beyond_f(between, within, ratio)? >= SIGNIFICANCE)
 }
 
 /// Lost motion that a model finds, if any.

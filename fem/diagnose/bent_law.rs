@@ -52,8 +52,9 @@ pub fn plainer<'a>(found: &SearchResult<'a>) -> Option<CandidateModel<'a>> {
     sets.retain(|set| set.solution.chi2 - best.solution.chi2 < LEFT * explained);
     let weigh = |set: CandidateModel<'a>| {
         let value = criterion(&set) - bend(found, &set)?.evidence;
-        // One cause whose law bends is as likely as two whose laws do not; where several act anyway, one more is.
-        let margin = if set.members.len() == 1 { EQUAL_FIT } else { 0.0 };
+        // One cause whose law bends is as likely as two whose laws do not; where several act anyway, one more is, and
+        // what is the same everywhere has no law that could bend.
+        let margin = if set.members.len() == 1 && is_law(found, &set) { EQUAL_FIT } else { 0.0 };
         (value < criterion(best) + margin).then_some((value, set))
     };
     let bent: Vec<(f64, CandidateModel)> = sets.into_par_iter().filter_map(weigh).collect();
@@ -61,6 +62,15 @@ pub fn plainer<'a>(found: &SearchResult<'a>) -> Option<CandidateModel<'a>> {
         a.1.members.len().cmp(&b.1.members.len()).then(a.0.total_cmp(&b.0))
     };
     bent.into_iter().min_by(order).map(|(_, set)| set)
+}
+
+/// Whether what the only member of a set adds differs from row to row.
+fn is_law(found: &SearchResult, set: &CandidateModel) -> bool {
+    /// Least range of its values, as a part of the largest, that is no round-off.
+    const LEAST: f64 = 0.01;
+    let Some(added) = set.members.first().and_then(|member| signature(found, set, *member)) else { return false };
+    let (low, high) = added.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    high - low > LEAST * high.abs().max(low.abs())
 }
 
 /// Every set of fewer members of a set, fitted; each from where a larger one stood.

@@ -47,7 +47,11 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         remaining = features.clone();
     }
     let fit = fit::report(&best.objective, settled, repeats);
-    let confoundings = if best.members.is_empty() { Vec::new() } else { confounding::confoundings(&found) };
+    let progress = &found.base.objective.data.progress;
+    let confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
+        true => confounding::confoundings(&found),
+        false => Vec::new(),
+    };
     let mut missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
     let told = told::told(&found.base, &best, plain.map(|h| &h.found.base), repeats);
     let outliers = told::outliers(&best);
@@ -77,7 +81,7 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         missing.splice(0..0, told);
     }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
-    let look_alikes = match is_explained {
+    let look_alikes = match is_explained && progress.permits("effects of the measurement that look alike") {
         true => look_alike::look_alikes(&found, &best, &all_repeats(&best)),
         false => Vec::new(),
     };
@@ -93,7 +97,10 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     {
         named.bend = Some(bend);
     }
-    let next = next::next(&found, &best, &confoundings, &look_alikes);
+    let next = match progress.permits("what to measure next") {
+        true => next::next(&found, &best, &confoundings, &look_alikes),
+        false => None,
+    };
     let all = found.tried.iter().chain([&found.base, &best]);
     let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
     let candidates = outlooks(&found, &best, variance);
@@ -137,6 +144,9 @@ fn cautions(found: &SearchResult, repeats: &Repeats, verdict: Verdict, conflicts
         !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
     };
     let mut cautions: Vec<String> = conflicts.iter().map(PriorConflict::text).collect();
+    if measurements.progress.is_over() {
+        cautions.push("the time was over before the search was: the verdict is about what was tried by then".into());
+    }
     cautions.extend(measurements.cautions.iter().cloned());
     if !measurements.given.iter().any(varies) {
         cautions
@@ -223,7 +233,10 @@ fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance) -> 
     let projected = ProjectedResidual::new(&mut best.objective.clone(), &best.solution);
     let threshold = found.null_distribution.quantile(SIGNIFICANCE);
     let outlook = |(candidate, single): (&sensitivity::CandidateEffect, &Option<CandidateModel>)| {
-        let detection_limit = projected.as_ref().and_then(|g| detection_limit(g, candidate, threshold));
+        // What was not tried for want of time would not have been found.
+        let is_tried = single.is_some() || !best.objective.data.progress.is_over();
+        let detection_limit =
+            projected.as_ref().filter(|_| is_tried).and_then(|g| detection_limit(g, candidate, threshold));
         let gained = single.as_ref().map_or(0.0, |t| found.base.solution.chi2 - t.solution.chi2);
         let measured =
             single.as_ref().map_or(0.0, |t| variance.statistic(gained, t.solution.chi2, t.objective.freedom()));

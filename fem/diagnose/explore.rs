@@ -9,6 +9,7 @@ use super::instrument::{self, Proposal};
 use super::null_distribution::variance;
 use super::search::{Breadth, Extent, SIGNIFICANCE, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
+use super::verdict::is_explained;
 use crate::compare::{PROMISING, is_round_off};
 use crate::fit::{Objective, Solution};
 use crate::measure::Repeats;
@@ -26,6 +27,9 @@ const INSTEAD: f64 = 15.0;
 const TOGETHER: usize = 3;
 /// Searches in which the sizes of terms settle.
 const ROUNDS: usize = 2;
+
+/// What is left undone where effects of the measurement are not weighed.
+const MEASUREMENT: &str = "effects of the measurement";
 
 /// What stays the same while noises are tried.
 pub struct Exploration<'e> {
@@ -51,10 +55,16 @@ impl Exploration<'_> {
             return Ok(vec![first]);
         }
         let mut path = vec![first];
+        if !self.progress.permits(MEASUREMENT) {
+            return Ok(path);
+        }
         // Rows that contradict their own repeats are wrong whatever the model says.
         let wrong = path.first().and_then(|first| instrument::contradictions(&first.found.base, self.repeats));
         if let (Some(wrong), Some(first)) = (wrong, path.first()) {
             let without = self.under(&first.found, wrong)?;
+            if !self.progress.permits(MEASUREMENT) {
+                return Ok(path);
+            }
             path.push(without);
         }
         self.grow(&mut path, |_| true)?;
@@ -65,12 +75,41 @@ impl Exploration<'_> {
             }
             self.grow(&mut path, |proposal| !is_greedy(&proposal.noise.terms))?;
         }
+        if path.last().is_some_and(|h| !h.found.best().members.is_empty()) {
+            let alone = path.first().map_or(Ok(None), |first| self.alone(first))?;
+            let criterion = path.last().map_or(f64::INFINITY, |h| h.criterion);
+            path.extend(alone.filter(|alone| alone.explains && alone.criterion < criterion));
+        }
         self.last_resort(path)
+    }
+
+    /// Adds terms to the model alone, one after another, and searches under those that explain everything together:
+    /// several zeros that were set anew can look like effects of the machine as long as one of them is missing.
+    fn alone<'a>(&self, first: &Hypothesis<'a>) -> Result<Option<Hypothesis<'a>>, Failure> {
+        let mut trial = first.found.base.clone();
+        let mut found = None;
+        for _ in 0..MOST_TERMS {
+            if !self.progress.permits(MEASUREMENT) {
+                break;
+            }
+            let least = instrument::criterion(&trial) - PROMISING;
+            let is_wanted = |p: &Proposal| p.criterion < least && !is_greedy(&p.noise.terms);
+            let Some(proposal) = instrument::proposals(&trial, self.repeats).into_iter().find(is_wanted) else { break };
+            trial.objective.noise = proposal.noise.clone();
+            let Some(resized) = instrument::resized(&trial, self.repeats) else { break };
+            trial = resized;
+            found = Some(proposal);
+        }
+        let explains = |proposal: &Proposal| is_explained(&trial, &proposal.repeats);
+        found.filter(explains).map(|proposal| self.under(&first.found, proposal)).transpose()
     }
 
     /// Adds terms that are wanted to the last hypothesis, one after another, as long as they are worth it.
     fn grow<'a>(&self, path: &mut Vec<Hypothesis<'a>>, is_wanted: impl Fn(&Proposal) -> bool) -> Result<(), Failure> {
         for _ in 0..MOST_TERMS {
+            if !self.progress.permits(MEASUREMENT) {
+                break;
+            }
             let Some(here) = path.last() else { break };
             let mut proposals = instrument::proposals(here.found.best(), self.repeats);
             proposals.retain(|p| p.criterion < here.criterion - PROMISING);
@@ -88,6 +127,9 @@ impl Exploration<'_> {
     /// Searches widely where structure remains, and beside a curve over places that no law here has, by which
     /// causes are judged; leaves out what cannot be believed.
     fn last_resort<'a>(&self, mut path: Vec<Hypothesis<'a>>) -> Result<Vec<Hypothesis<'a>>, Failure> {
+        if !self.progress.permits("the wider search, and what is left out again") {
+            return Ok(path);
+        }
         let Some(last) = path.pop() else { return Err(unsolvable()) };
         let mut last = self.widened(last)?;
         let explained = last.explains;
@@ -122,6 +164,9 @@ impl Exploration<'_> {
             let most = last.criterion + PROMISING;
             let Some(rest) = rest.into_iter().find(|rest| rest.criterion < most) else { return Ok(last) };
             let without = self.under(&last.found, rest)?;
+            if !self.progress.permits(MEASUREMENT) {
+                return Ok(last);
+            }
             if without.criterion > most || last.explains && !without.explains {
                 return Ok(last);
             }
@@ -141,6 +186,9 @@ impl Exploration<'_> {
         let mut all: Vec<Hypothesis> = Vec::new();
         let mut looked: Vec<&MeasurementEffect> = Vec::new();
         for proposal in proposals {
+            if !self.progress.permits(MEASUREMENT) {
+                break;
+            }
             // The best of each effect is looked at: their neighbours would say the same.
             let Some(newest) = proposal.noise.terms.last().map(|t| t.effect) else { continue };
             if looked.len() == TOGETHER || looked.contains(&newest) {
@@ -151,7 +199,11 @@ impl Exploration<'_> {
                 // What explains everything is not likely to be beaten from so far behind.
                 continue;
             }
-            all.push(self.under(&here.found, proposal)?);
+            let own = self.under(&here.found, proposal)?;
+            // A search that was cut off says nothing about its noise.
+            if self.progress.permits(MEASUREMENT) {
+                all.push(own);
+            }
         }
         all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         let is_better = |h: &Hypothesis| h.criterion < here.criterion - least;
@@ -184,6 +236,9 @@ impl Exploration<'_> {
         };
         let mut found = look(&mut objective, &within, &earlier.tried)?;
         for _ in 0..ROUNDS {
+            if !self.progress.permits(MEASUREMENT) {
+                break;
+            }
             let Some((noise, own)) = instrument::settled(found.best(), self.repeats) else { break };
             let sizes = noise.terms.iter().zip(&found.best().objective.noise.terms);
             let is_settled = sizes.into_iter().all(|(a, b)| (1.0 / SETTLED..SETTLED).contains(&(a.size / b.size)));

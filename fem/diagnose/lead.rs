@@ -126,6 +126,9 @@ pub fn refit<'a>(
     known: &[CandidateModel<'a>],
 ) -> Option<CandidateModel<'a>> {
     let candidate = &candidates[lead.added];
+    if !lead.parent.objective.data.progress.permits(&format!("fits with `{}`", candidate.effect.name)) {
+        return None;
+    }
     let mut objective = lead.parent.objective.with(&candidate.effect);
     let (members, key) = (lead.members(), lead.key());
     let earlier = known.iter().find(|k| k.key() == key);

@@ -92,6 +92,9 @@ fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress
     let mut found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     let mut conflicts = Vec::new();
     while let Some((parameter, conflict)) = prior_conflict::conflicting_prior(&found, &within) {
+        if !progress.permits("the search with a value released that conflicts with what is written") {
+            break;
+        }
         objective.variables[parameter].prior = None;
         conflicts.push(conflict);
         let before = std::mem::take(&mut found.tried);

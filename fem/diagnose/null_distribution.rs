@@ -7,14 +7,13 @@
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::gain::gain;
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::CandidateEffect;
 use crate::compare::Rng;
 use crate::measure::Repeats;
-use crate::noise::{Acts, Noise, NoiseSource};
+use crate::noise::{Acts, Noise, NoiseSource, beyond_chi2};
 
 /// Number of simulated searches.
 const SEARCHES: usize = 1000;
@@ -69,10 +68,10 @@ impl MaxStatistic {
         }
         // Beyond the simulated gains the tail falls like that of χ² with one degree of freedom, times the
         // number of looks.
-        let Ok(tail) = ChiSquared::new(1.0) else { return 1.0 };
+        let tail = |gain: f64| beyond_chi2(1.0, gain).unwrap_or(1.0);
         let known = self.gains[self.gains.len() - FEW];
-        let looks = FEW as f64 / self.gains.len() as f64 / tail.sf(known).max(f64::MIN_POSITIVE);
-        (looks * tail.sf(gain)).min(FEW as f64 / self.gains.len() as f64)
+        let looks = FEW as f64 / self.gains.len() as f64 / tail(known).max(f64::MIN_POSITIVE);
+        (looks * tail(gain)).min(FEW as f64 / self.gains.len() as f64)
     }
 
     /// Gain that chance alone exceeds with this probability.

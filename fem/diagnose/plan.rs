@@ -67,8 +67,11 @@ pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
     let alike = now.alike(&absent);
     let experiments = model.system.candidate_experiments(&design.rows);
     let rate = |experiment: crate::process::CandidateExperiment| {
+        if !design.progress.permits(&format!("whether it helps to {}", experiment.words)) {
+            return Vec::new();
+        }
         let rows = design.rows.and(&experiment.rows);
-        let more = Data::proposed(model, &design.name, rows);
+        let more = Data::proposed(model, &design.name, rows).watched(design.progress.clone());
         let at = |repeats: &usize| {
             let usual = |o: &usize| expected.usual(design, *o) / (*repeats as f64).sqrt();
             let new = experiment.rows.observable.iter().map(usual);

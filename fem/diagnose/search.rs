@@ -56,6 +56,7 @@ pub struct Extent<'e, 'a> {
 const EXCHANGES: usize = 4;
 
 /// Result of a search.
+#[derive(Clone)]
 pub struct SearchResult<'a> {
     /// Model without any candidate effect.
     pub base: CandidateModel<'a>,
@@ -102,6 +103,9 @@ pub fn search<'a>(
     let mut singles = Vec::new();
     progress.expect(most as u64);
     for size in 1..=most.max(1) {
+        if size > 1 && !progress.permits(&format!("sets of {size} effects")) {
+            break;
+        }
         let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
         if size == 2 {
             let pairs = pairs::pairs(&projected, &everyone);
@@ -211,6 +215,9 @@ fn exchange<'a>(
     /// Fall of χ², to first order, for which a set that was tried is fitted again.
     const AGAIN: f64 = 1.0;
     for _ in 0..EXCHANGES {
+        if !base.objective.data.progress.permits("exchanges of one effect for another") {
+            break;
+        }
         let smaller: Vec<CandidateModel> =
             best.members.iter().filter_map(|m| smaller(base, candidates, &best, *m, tried)).collect();
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();

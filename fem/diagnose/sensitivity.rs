@@ -84,6 +84,9 @@ pub fn candidates(objective: &Objective, base: &Solution, effects: &[Description
 fn candidate(objective: &Objective, base: &Solution, effect: &Description) -> CandidateEffect {
     let mut trial = objective.with(effect);
     let variables = trial.variables[objective.variables.len()..].to_vec();
+    if !objective.data.progress.permits(&format!("what `{}` would change", effect.name)) {
+        return CandidateEffect { effect: effect.clone(), variants: Vec::new(), parameters: variables.len() };
+    }
     let mut probe = Probe { trial: &mut trial, base, variables: &variables };
     let variants = probe.variants(effect);
     CandidateEffect { effect: effect.clone(), variants, parameters: variables.len() }
@@ -119,7 +122,16 @@ impl Probe<'_, '_> {
         let Some(first) = points.first() else { return Vec::new() };
         let own = (0..neutral.len()).filter(|i| !nonlinear.contains(i));
         let linear: Vec<LinearParameter> = own.map(|i| self.linear(first, i)).collect();
-        points.into_iter().filter_map(|position| self.variant(effect, position, &linear)).collect()
+        let name = format!("shapes of `{}`", effect.name);
+        let mut variants = Vec::new();
+        for position in points {
+            // One shape is enough to try an effect at all.
+            if !variants.is_empty() && !self.trial.data.progress.permits(&name) {
+                break;
+            }
+            variants.extend(self.variant(effect, position, &linear));
+        }
+        variants
     }
 
     /// Tries whether a parameter is linear or quadratic, at the nonlinear parameters of `at`.

@@ -29,13 +29,23 @@ pub fn look_until_settled<'a>(
     const MOST: usize = 4;
     let mut found = look(objective, solution, absent, repeats, extent)?;
     for _ in 0..if objective.noise.source == NoiseSource::Estimated { MOST } else { 0 } {
+        if !extent.progress.permits("the noise settled with what was found") {
+            return Ok(found);
+        }
+        let before = extent.progress.is_limited().then(|| (found.clone(), objective.noise.clone(), solution.clone()));
         let (next, settled) = look_again(objective, solution, absent, found, repeats, extent)?;
         found = next;
+        if let (Some(before), true) = (before, extent.progress.is_over()) {
+            // A search that was cut off finds less than the one before it.
+            (found, objective.noise, *solution) = before;
+            break;
+        }
         if settled {
             break;
         }
     }
-    if extent.deepens && deepen(&mut found, repeats)? && objective.noise.source == NoiseSource::Estimated {
+    let is_time = extent.progress.permits("deeper minima of the best set");
+    if extent.deepens && is_time && deepen(&mut found, repeats)? && objective.noise.source == NoiseSource::Estimated {
         found = look_again(objective, solution, absent, found, repeats, extent)?.0;
     }
     Ok(found)

@@ -1,7 +1,5 @@
 //! Tells the effects of the measurement that a diagnosis has found.
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
 use super::candidate_model::CandidateModel;
 use super::diagnosis::{Cause, Missing, Outlier};
 use super::instrument;
@@ -9,7 +7,7 @@ use super::verdict::GoodnessOfFit;
 use crate::fit::{StoppingCriterion, minimise, size_estimate};
 use crate::measure::{Repeats, grouping_name};
 use crate::model::Data;
-use crate::noise::{Acts, Restricted, Term, effects};
+use crate::noise::{Acts, Restricted, Term, beyond_chi2, effects};
 
 /// The rows that are weighed down.
 pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
@@ -63,7 +61,7 @@ pub fn told(
             effect: instrument::description(term, data),
             goodness: GoodnessOfFit::of(&grown, repeats, None),
             // At the edge of its range the size of a term has half of χ² with one degree of freedom.
-            p_value: ChiSquared::new(1.0).map_or(1.0, |d| 0.5 * d.sf((without - whole).max(0.0))),
+            p_value: beyond_chi2(1.0, without - whole).map_or(1.0, |p| 0.5 * p),
             estimates: vec![size_estimate(term, data, &restricted, noise, number)],
             indistinguishable_from: Vec::new(),
             bend: None,

@@ -101,6 +101,29 @@ struct Profile<'a> {
 
 impl Profile<'_> {
     fn interval(&mut self, objective: &mut Objective, covariance: &DMatrix<f64>, i: usize) -> Interval {
+        let walked = self.walked(objective, covariance, i);
+        match objective.data.progress.permits("intervals by the profile of chi2: they are by its curvature") {
+            true => walked,
+            false => self.by_curvature(objective, covariance[(i, i)].sqrt(), i),
+        }
+    }
+
+    /// The interval if χ² were a parabola in the search variable; its ends are open beyond the bounds.
+    fn by_curvature(&self, objective: &Objective, std: f64, i: usize) -> Interval {
+        let (variable, half) = (&objective.variables[i], self.quantile.sqrt() * std);
+        let end = |s: f64| {
+            let is_within = s > variable.low && s < variable.high;
+            Some(variable.value(s)).filter(|v| is_within && v.is_finite())
+        };
+        let ends = [self.best.position[i] - half, self.best.position[i] + half].map(end);
+        let [low, high] = if variable.is_reversed() { [ends[1], ends[0]] } else { ends };
+        Interval { low, high }
+    }
+
+    fn walked(&mut self, objective: &mut Objective, covariance: &DMatrix<f64>, i: usize) -> Interval {
+        if objective.data.progress.is_over() {
+            return Interval { low: None, high: None };
+        }
         let walk = Walk {
             along: i,
             std: covariance[(i, i)].sqrt(),

@@ -50,6 +50,9 @@ pub fn minimise(
     let mut here = evaluate(objective, start.clone())?;
     let (mut damping, mut mended) = (1e-3, None);
     for _ in 0..stop.steps {
+        if !objective.data.progress.permits("searches for a minimum to their end") {
+            break;
+        }
         let is_fresh = mended.is_none();
         let Some(jacobian) = mended.take().or_else(|| objective.jacobian_about(&here, held, stop.differences)) else {
             break;

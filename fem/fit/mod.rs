@@ -22,12 +22,11 @@ pub use validation::cases as validation;
 pub use write::{fitted_text, uncertain};
 
 use nalgebra::DMatrix;
-use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use crate::compare::{SIGNIFICANCE, rms};
 use crate::measure::{Repeats, repeats};
 use crate::model::{Data, Model};
-use crate::noise::{Noise, NoiseSource, Restricted};
+use crate::noise::{Noise, NoiseSource, Restricted, beyond_chi2, beyond_f};
 use crate::process::Failure;
 
 /// Correlation beyond which two parameters can hardly be told apart.
@@ -143,17 +142,14 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
 pub fn reduced_chi2(objective: &Objective, solution: &Solution, repeats: &Repeats) -> (f64, Option<f64>) {
     let freedom = objective.freedom();
     match objective.noise.source {
-        NoiseSource::Column | NoiseSource::Covariance => {
-            let p = ChiSquared::new(freedom).ok().map(|d| d.sf(solution.chi2));
-            (solution.chi2 / freedom, p)
-        }
+        NoiseSource::Column | NoiseSource::Covariance => (solution.chi2 / freedom, beyond_chi2(freedom, solution.chi2)),
         NoiseSource::Repeats => {
             // In units of its own variance the pure error is its degrees of freedom; the level of the noise may
             // be another beside effects of the measurement.
             let (own, pure) = (repeats.freedom() as f64, pure_error(objective, repeats));
             let freedom = freedom - own;
             let f = (solution.chi2 - pure).max(0.0) / freedom * own / pure;
-            (f, FisherSnedecor::new(freedom, repeats.effective_freedom()).ok().map(|d| d.sf(f)))
+            (f, beyond_f(freedom, repeats.effective_freedom(), f))
         }
         NoiseSource::Estimated => (solution.chi2 / freedom, None),
     }

@@ -18,6 +18,8 @@ pub struct SearchVariable {
     pub unit: f64,
     /// Starting values, SI.
     pub starts: Vec<f64>,
+    /// Whether it is an unknown of the set-up itself, of which no law says how many minima χ² has along it.
+    pub is_surveyed: bool,
 }
 
 /// Ratio beyond the plausible range up to which a nonlinear parameter is tried.
@@ -81,7 +83,8 @@ impl SearchVariable {
             Scale::Plain => prior.map_or(usual.abs(), |p| p.1).max(f64::MIN_POSITIVE),
             Scale::Reciprocal => 1.0 / usual,
         };
-        Self { scale, low, high, prior, unit, starts }
+        let is_surveyed = prior.is_none() && range.is_none();
+        Self { scale, low, high, prior, unit, starts, is_surveyed }
     }
 
     /// Makes the search variable of a parameter of a candidate effect. A nonlinear parameter stays near its

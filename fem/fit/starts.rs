@@ -5,6 +5,8 @@ use nalgebra::DVector;
 
 use super::least_squares::{StoppingCriterion, minimise};
 use super::objective::{Objective, Solution};
+use crate::compare::SIGNIFICANCE;
+use crate::noise::beyond_chi2;
 use crate::process::Failure;
 
 /// Most combinations of starts.
@@ -20,6 +22,9 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     settle_linear(objective);
     let mut tried: Vec<Solution> = Vec::new();
     for start in combinations(objective) {
+        if !tried.is_empty() && !objective.data.progress.permits("further places from which the fit could begin") {
+            break;
+        }
         if let Some(solution) = minimise(objective, &start, &[], SHORT) {
             tried.push(solution);
         }
@@ -31,7 +36,57 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
         message: "the model cannot be computed anywhere that the fit begins".into(),
         help: "give the parameters values from which `fem run` works".into(),
     })?;
-    Ok(between(objective, best))
+    let best = between(objective, best);
+    Ok(survey(objective, best))
+}
+
+/// Ratio either way within which an unknown of the set-up is surveyed, and places on either side: near enough
+/// for valleys a thirtieth of the value apart, such as the turns of a screw along a path.
+const SURVEYED: f64 = 1.4;
+const PLACES: i32 = 32;
+/// Valleys of a survey from which a search begins, and surveys one after the other.
+const VALLEYS: usize = 3;
+const SURVEYS: usize = 6;
+
+/// Looks for deeper minima along unknowns of the set-up, unless the noise is known and explains what is left.
+fn survey(objective: &mut Objective, mut best: Solution) -> Solution {
+    for i in (0..objective.variables.len()).filter(|i| objective.variables[*i].is_surveyed).collect::<Vec<_>>() {
+        for _ in 0..SURVEYS {
+            if is_explained(objective, &best) || !objective.data.progress.permits("the survey for deeper minima") {
+                return best;
+            }
+            let starts = valleys(objective, &best, i);
+            let tried = starts.iter().filter_map(|start| minimise(objective, start, &[], SHORT)).collect::<Vec<_>>();
+            let deepest = tried.into_iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2));
+            let Some(deeper) = deepest.filter(|found| found.chi2 < best.chi2 * (1.0 - 1e-6)) else { break };
+            best = minimise(objective, &deeper.position, &[], StoppingCriterion::FULL).unwrap_or(deeper);
+        }
+    }
+    best
+}
+
+fn is_explained(objective: &Objective, best: &Solution) -> bool {
+    let p_value = || beyond_chi2(objective.freedom(), best.chi2);
+    objective.noise.source.is_known() && p_value().is_some_and(|p| p >= SIGNIFICANCE)
+}
+
+/// The deepest valleys of χ² along one variable, the others held where they are; not the one of `best`.
+fn valleys(objective: &mut Objective, best: &Solution, i: usize) -> Vec<DVector<f64>> {
+    let value = objective.variables[i].value(best.position[i]);
+    let mut at = |k: i32| {
+        let mut moved = best.position.clone();
+        moved[i] = objective.variables[i].position(value * SURVEYED.powf(f64::from(k) / f64::from(PLACES)));
+        let chi2 = objective.predict(&moved).map(|p| objective.residuals(&moved, &p).norm_squared());
+        (chi2.unwrap_or(f64::INFINITY), moved)
+    };
+    let all: Vec<(f64, DVector<f64>)> = (-PLACES..=PLACES).map(&mut at).collect();
+    let is_valley = |k: &usize| {
+        let beside = [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| all.get(n)).map_or(f64::INFINITY, |a| a.0));
+        *k != PLACES as usize && all[*k].0.is_finite() && beside.iter().all(|b| all[*k].0 <= *b)
+    };
+    let mut found: Vec<usize> = (0..all.len()).filter(is_valley).collect();
+    found.sort_by(|a, b| all[*a].0.total_cmp(&all[*b].0));
+    found.into_iter().take(VALLEYS).map(|k| all[k].1.clone()).collect()
 }
 
 /// Searches between the starts of parameters that have many: the place of a step has no slope to follow.
@@ -44,6 +99,9 @@ fn between(objective: &mut Objective, mut best: Solution) -> Solution {
         let gap = (high - low) / starts.len() as f64 * 2.0;
         let middle = best.position[i];
         for k in -FINE..=FINE {
+            if !objective.data.progress.permits("places between those from which the fit began") {
+                return best;
+            }
             let mut moved = best.position.clone();
             moved[i] = middle + gap * f64::from(k) / f64::from(FINE);
             let found = minimise(objective, &moved, &[i], SHORT);

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::Problem;
+use crate::units::LARGEST;
 
 /// Name and unit of a header cell `name [unit]`; the unit is empty where there is none.
 pub fn name_and_unit(cell: &str) -> (&str, &str) {
@@ -21,7 +22,11 @@ pub fn number(cell: &str, column: &str) -> Result<f64, Problem> {
         return Err(Problem::new(format!("the cell of `{column}` is empty")).help("every cell needs a number"));
     }
     match cell.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
+        Ok(value) if value.abs() <= LARGEST => Ok(value),
+        Ok(value) if value.is_finite() => {
+            Err(Problem::new(format!("`{cell}` in `{column}` is too large to be measured"))
+                .help("are the exponent and the columns right?"))
+        }
         _ => Err(Problem::new(format!("`{cell}` in `{column}` is no finite number"))
             .help("write a number with a decimal point")),
     }

@@ -4,7 +4,7 @@ use serde_json::json;
 use toml_edit::{Item, Value};
 
 use super::{Bounds, Problem, Reader, did_you_mean};
-use crate::units::{Kind, Quantity};
+use crate::units::{Kind, LARGEST, Quantity};
 
 impl<'a> Reader<'a> {
     /// A key with a quantity of `kind`.
@@ -130,8 +130,11 @@ impl<'r, 'a> Field<'r, 'a> {
             }),
             Some(Value::Integer(_) | Value::Float(_)) if self.kind.unit.is_empty() => {
                 let number = item.as_float().or_else(|| item.as_integer().map(|i| i as f64)).unwrap_or(f64::NAN);
-                match number.is_finite() {
+                match number.abs() <= LARGEST {
                     true => Ok(Quantity::known(number)),
+                    false if number.is_finite() => {
+                        Err(wrong(format!("`{}` is too large to be computed with", self.key)))
+                    }
                     false => Err(wrong(format!("`{}` is not a finite number", self.key))),
                 }
             }

@@ -4,6 +4,7 @@
 mod bounds;
 mod bytes;
 mod cells;
+mod excerpt;
 mod field;
 mod file;
 mod kept;
@@ -16,6 +17,7 @@ mod source;
 
 pub use bounds::Bounds;
 pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};
+pub use excerpt::{Excerpt, shortened};
 pub use field::{Choice, Count, Field};
 pub use file::{NamedFile, seen_from};
 pub use kept::{Cache, Kept};

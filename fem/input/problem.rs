@@ -4,6 +4,15 @@ use std::fmt;
 use std::ops::Range;
 
 use super::Source;
+use super::excerpt::shortened;
+
+/// Most problems of an input that are told: who has mended these knows more.
+const MOST: usize = 20;
+/// Most bytes of a word that may be a slip of the pen: comparing costs the square of them.
+const LONGEST_WORD: usize = 80;
+/// Most characters of a message and of a remedy, which may repeat what is written.
+const LONGEST: usize = 400;
+const LONGEST_HELP: usize = 1200;
 
 /// One thing that is wrong.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +28,7 @@ pub struct Problem {
 impl Problem {
     /// A problem without place or remedy yet.
     pub fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), help: None, span: None }
+        Self { message: shortened(&message.into(), LONGEST).into_owned(), help: None, span: None }
     }
 
     /// The problem with its place in the source.
@@ -32,7 +41,7 @@ impl Problem {
     /// The problem with its remedy.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.help = Some(shortened(&help.into(), LONGEST_HELP).into_owned());
         self
     }
 }
@@ -42,20 +51,24 @@ impl Problem {
 pub struct InputError {
     /// The source that was read.
     pub source: Source,
-    /// The problems in the order of their places.
+    /// The problems in the order of their places: the first ones.
     pub problems: Vec<Problem>,
+    /// Number of problems that were found.
+    pub found: usize,
 }
 
 impl InputError {
     /// Sorted by place, so that a reader can walk down the file.
     pub fn new(source: Source, mut problems: Vec<Problem>) -> Self {
         problems.sort_by_key(|p| p.span.as_ref().map_or(0, |s| s.start));
-        Self { source, problems }
+        let found = problems.len();
+        problems.truncate(MOST);
+        Self { source, problems, found }
     }
 
     /// One problem of a source.
     pub fn one(source: Source, problem: Problem) -> Self {
-        Self { source, problems: vec![problem] }
+        Self::new(source, vec![problem])
     }
 }
 
@@ -75,7 +88,10 @@ impl fmt::Display for InputError {
                 write!(f, " ({help})")?;
             }
         }
-        Ok(())
+        match self.found - self.problems.len() {
+            0 => Ok(()),
+            more => write!(f, "\nand {more} more"),
+        }
     }
 }
 
@@ -88,6 +104,9 @@ pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str
 
 /// The candidate that `word` most likely means, if one is near enough.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    if word.len() > LONGEST_WORD {
+        return None;
+    }
     let near = |c: &str| strsim::normalized_damerau_levenshtein(&word.to_lowercase(), c);
     candidates
         .into_iter()

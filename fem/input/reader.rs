@@ -22,6 +22,9 @@ use toml_edit::{Item, TableLike};
 use super::{Bounds, Kept, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
+/// Most problems that are kept while a file is read.
+const MOST_PROBLEMS: usize = 1000;
+
 /// A quantity of the model that is not exactly known (`+-` or `?`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
@@ -278,7 +281,11 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn refuse(&self, problem: Problem) {
-        self.findings.found.borrow_mut().problems.push(problem);
+        let problems = &mut self.findings.found.borrow_mut().problems;
+        // What is told is less; a list of a million wrong entries need not be kept.
+        if problems.len() < MOST_PROBLEMS {
+            problems.push(problem);
+        }
     }
 
     /// The model's cache of this type, which stays from one reading to the next.

@@ -110,6 +110,14 @@ impl Varying {
         }
     }
 
+    /// The largest value that it takes, SI; not a number while that is unknown.
+    pub fn most(&self) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Record(record) => record.points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point[1])),
+        }
+    }
+
     /// The smallest value that it takes, SI; not a number while that is unknown.
     pub fn least(&self) -> f64 {
         match self {

@@ -4,7 +4,7 @@ use serde_json::json;
 use toml_edit::Value;
 
 use super::{Problem, Reader};
-use crate::units::{Kind, Quantity};
+use crate::units::{Kind, LARGEST, Quantity};
 
 impl Reader<'_> {
     /// A key with any number of quantities, in SI units; `None` where it is absent. What is wrong is noted
@@ -65,7 +65,7 @@ impl Reader<'_> {
             None
         };
         let number = value.as_float().or_else(|| value.as_integer().map(|i| i as f64));
-        if let (Some(number), true) = (number.filter(|n| n.is_finite()), kind.unit.is_empty()) {
+        if let (Some(number), true) = (number.filter(|n| n.abs() <= LARGEST), kind.unit.is_empty()) {
             return Some(number);
         }
         let Some(text) = value.as_str() else {

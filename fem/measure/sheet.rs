@@ -10,6 +10,9 @@ use crate::input::{Problem, Source, line_at, no_csv};
 /// Number of problems after which reading stops.
 pub const MOST_PROBLEMS: usize = 20;
 
+/// Most columns of a file: more are lines that were joined.
+const MOST_COLUMNS: usize = 1000;
+
 /// What parts the columns, in the order in which it is looked for: a decimal comma may stand beside the first
 /// two.
 const SEPARATORS: [char; 3] = [';', '\t', ','];
@@ -56,6 +59,10 @@ pub fn read(source: &Source) -> Result<Sheet, Problem> {
     let builder = builder.comment(Some(b'#')).trim(csv::Trim::All).delimiter(separator as u8);
     let mut reader = builder.from_reader(text.as_bytes());
     let header = reader.headers().map_err(|error| no_csv(&error, skipped))?.clone();
+    if header.len() > MOST_COLUMNS {
+        let problem = Problem::new(format!("the header has {} columns; at most {MOST_COLUMNS} are read", header.len()));
+        return Err(problem.help("has the file lost its line ends? leave out columns that are not needed"));
+    }
     let place = |record: &StringRecord| {
         line_at(text, record.position().map_or(0, |position| position.byte() as usize), skipped)
     };

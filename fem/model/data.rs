@@ -8,6 +8,7 @@ use crate::input::{InputError, Problem, Source};
 use crate::measure::Measurements;
 use crate::noise::{Acts, Term};
 use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows};
+use crate::progress::Progress;
 
 /// Most misplaced rows that are reported.
 const MOST_PROBLEMS: usize = 20;
@@ -25,6 +26,8 @@ pub struct Data<'m> {
     pub terms: Vec<Term>,
     /// Cautions about these effects in these rows.
     pub cautions: Vec<String>,
+    /// Of what is computed with these rows, and the time that it may take.
+    pub progress: Arc<Progress>,
     measurements: Measurements,
     /// Observed values as they were read, where datum directions were taken out of them.
     as_read: Option<Vec<f64>>,
@@ -53,7 +56,14 @@ impl<'m> Data<'m> {
                 .help("mend the row, or let the model cover it")
         };
         let source = Source::new(measurements.name.clone(), "");
-        Err(InputError { source, problems: misplaced.iter().take(MOST_PROBLEMS).map(problem).collect() })
+        let problems: Vec<Problem> = misplaced.iter().take(MOST_PROBLEMS).map(problem).collect();
+        Err(InputError { found: misplaced.len(), ..InputError::new(source, problems) })
+    }
+
+    /// The same rows, watched by `progress`, which may limit the time of what is computed with them.
+    #[must_use]
+    pub fn watched(self, progress: Arc<Progress>) -> Self {
+        Self { progress, ..self }
     }
 
     /// Makes a design of rows that the model itself proposes, which need no check. Of its effects of the
@@ -103,7 +113,8 @@ impl<'m> Data<'m> {
         let as_read = (!datum_directions.is_empty()).then(|| measurements.observed.clone());
         datum_directions.iter().for_each(|direction| direction.take_out(&mut measurements.observed));
         let (terms, cautions) = (Vec::new(), Vec::new());
-        Self { model, datum_directions, terms, cautions, measurements, as_read, u_as_read: None }
+        let progress = Arc::default();
+        Self { model, datum_directions, terms, cautions, progress, measurements, as_read, u_as_read: None }
     }
 
     /// Selects the rows whose numbers `keep` accepts. Their datum directions are others, and are taken out
@@ -127,7 +138,8 @@ impl<'m> Data<'m> {
             Term { rows, covariance, ..term.clone() }
         };
         let terms = self.terms.iter().map(of).collect();
-        Self { terms, cautions: self.cautions.clone(), ..Self::within(self.model, some) }
+        let (cautions, progress) = (self.cautions.clone(), self.progress.clone());
+        Self { terms, cautions, progress, ..Self::within(self.model, some) }
     }
 
     /// The data with one effect of the measurement more at work.

@@ -1,6 +1,7 @@
 //! Noise of the measurements: from their own column, from repeats, or estimated from the residuals; and what
 //! the rows share of it, by effects of the measurement itself.
 
+mod chance;
 mod covariance;
 pub mod effects;
 mod flat;
@@ -10,6 +11,7 @@ mod level;
 mod likelihood;
 mod term;
 
+pub use chance::{beyond_chi2, beyond_f};
 pub use given::GivenCovariance;
 pub use grid::step_of;
 pub use level::NoiseLevel;
@@ -64,22 +66,20 @@ impl Noise {
         if let Some(sigma) = &measurements.uncertainty {
             return Self::independent(sigma.clone(), NoiseSource::Column);
         }
-        let tells = |s: &Scatter| s.freedom >= LEAST_FREEDOM && s.sum_of_squares > 0.0;
-        if repeats.scatter.iter().all(tells) {
-            let own = |s: &Scatter| (s.sum_of_squares / s.freedom as f64).sqrt();
-            return Self::alike(
-                measurements,
-                &repeats.scatter.iter().map(own).collect::<Vec<_>>(),
-                NoiseSource::Repeats,
-            );
-        }
-        let of_rows = |rows: Vec<usize>| {
-            // Round-off of the observed values is never less than this.
-            let scale = rows.iter().fold(0.0f64, |m, r| m.max(measurements.observed[*r].abs()));
-            let residuals: Vec<f64> = in_line(measurements, rows).into_iter().map(|r| residuals[r]).collect();
-            of_neighbours(&residuals).max(1e-9 * scale)
+        let (all, least) = (measurements.rows_by_observable(), least(measurements));
+        // Copies of a row, and readings that all fall on one step of the gauge, scatter by round-off alone.
+        let own = |(s, round_off): (&Scatter, &[f64; 2])| {
+            let sigma = (s.sum_of_squares / s.freedom as f64).sqrt();
+            (s.freedom >= LEAST_FREEDOM && sigma > round_off[0]).then(|| sigma.max(round_off[1]))
         };
-        let sigma: Vec<f64> = measurements.rows_by_observable().into_iter().map(of_rows).collect();
+        if let Some(sigma) = repeats.scatter.iter().zip(&least).map(own).collect::<Option<Vec<f64>>>() {
+            return Self::alike(measurements, &sigma, NoiseSource::Repeats);
+        }
+        let of_rows = |(rows, [round_off, rounding]): (Vec<usize>, &[f64; 2])| {
+            let residuals: Vec<f64> = in_line(measurements, rows).into_iter().map(|r| residuals[r]).collect();
+            of_neighbours(&residuals).max(*round_off).max(*rounding)
+        };
+        let sigma: Vec<f64> = all.into_iter().zip(&least).map(of_rows).collect();
         Self::alike(measurements, &sigma, NoiseSource::Estimated)
     }
 
@@ -248,6 +248,17 @@ impl Noise {
         let own: f64 = self.sigma.iter().map(|s| 2.0 * s.ln()).sum();
         own + self.shared.as_ref().map_or(0.0, |s| s.log_determinant)
     }
+}
+
+/// Standard uncertainties (SI) below which the noise of an observable cannot lie, in the order of the file's:
+/// the round-off of its values, and what rounding to the gauge's step adds (step/√12, JCGM 100:2008, F.2.2.1).
+fn least(measurements: &Measurements) -> Vec<[f64; 2]> {
+    let of = |(number, rows): (usize, Vec<usize>)| {
+        let scale = rows.iter().fold(0.0f64, |m, r| m.max(measurements.observed[*r].abs()));
+        let step = step_of(measurements, &measurements.observed, number).unwrap_or(0.0);
+        [1e-9 * scale, step / 12f64.sqrt()]
+    };
+    measurements.rows_by_observable().into_iter().enumerate().map(of).collect()
 }
 
 /// Orders the rows of one of several observables with neighbours side by side: the coordinate with the most

@@ -23,6 +23,12 @@ pub enum OutputError {
         /// Why.
         error: VtkError,
     },
+    /// A file stands in its place that the program did not write, or that was changed since.
+    #[error("{} is there already, and not as this program wrote it", path.display())]
+    Exists {
+        /// Which file.
+        path: PathBuf,
+    },
     /// It would stand where a file is that was read.
     #[error("{} is itself what is read", path.display())]
     Read {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::files::{self, Stage};
+use super::files::{Guard, Stage};
 use super::report::{Format, Report};
 use super::{Json, OutputError, comparison, compensation, csv, diagnosis, pictures, vtk};
 use crate::compare::Comparison;
@@ -17,8 +17,8 @@ use crate::progress::Progress;
 pub struct Folder<'a> {
     /// Where they appear; made if it is missing.
     pub directory: &'a Path,
-    /// Files that were read and are never written over.
-    pub reads: &'a [PathBuf],
+    /// What may be replaced there.
+    pub guard: Guard<'a>,
     /// Of the frames.
     pub progress: &'a Progress,
 }
@@ -31,18 +31,22 @@ impl Format for Folder<'_> {
             Report::Comparison(models, measurements, comparisons) => {
                 self.comparisons(models, measurements, comparisons)?
             }
-            Report::Diagnosis(data, diagnosis) => self.files([
-                ("diagnosis.json", Some(Json.write(report)?)),
-                ("diagnosis.svg", Some(diagnosis::falling(data, diagnosis).svg().file())),
-            ])?,
+            Report::Diagnosis(data, diagnosis) => self.files(
+                "diagnose",
+                [
+                    ("diagnosis.json", Some(Json.write(report)?)),
+                    ("diagnosis.svg", Some(diagnosis::falling(data, diagnosis).svg().file())),
+                ],
+            )?,
             Report::Compensation(_, found) => self.files(
+                "compensate",
                 compensation::tables(found).into_iter().chain([("compensation.json", Some(Json.write(report)?))]),
             )?,
-            Report::Fit(..) => self.files([("fit.json", Some(Json.write(report)?))])?,
-            Report::Plan(..) => self.files([("plan.json", Some(Json.write(report)?))])?,
-            Report::Budget(..) => self.files([("budget.json", Some(Json.write(report)?))])?,
-            Report::Effects(..) => self.files([("effects.json", Some(Json.write(report)?))])?,
-            Report::Validation(..) => self.files([("validation.json", Some(Json.write(report)?))])?,
+            Report::Fit(..) => self.files("fit", [("fit.json", Some(Json.write(report)?))])?,
+            Report::Plan(..) => self.files("plan", [("plan.json", Some(Json.write(report)?))])?,
+            Report::Budget(..) => self.files("budget", [("budget.json", Some(Json.write(report)?))])?,
+            Report::Effects(..) => self.files("effects", [("effects.json", Some(Json.write(report)?))])?,
+            Report::Validation(..) => self.files("validate", [("validation.json", Some(Json.write(report)?))])?,
         };
         let list: Vec<String> =
             written.iter().map(|name| format!("  {}", self.directory.join(name).display())).collect();
@@ -51,17 +55,18 @@ impl Format for Folder<'_> {
 }
 
 impl Folder<'_> {
-    fn stage(&self, directory: &Path) -> Result<Stage, OutputError> {
-        let unwritable = |error: std::io::Error| OutputError::File { path: directory.to_path_buf(), error };
-        Stage::new(directory, self.reads).map_err(unwritable)
+    fn stage<'g>(&self, of: &'static str, guard: Guard<'g>) -> Result<Stage<'g>, OutputError> {
+        let unwritable = |error: std::io::Error| OutputError::File { path: self.directory.to_path_buf(), error };
+        Stage::new(self.directory, of, guard).map_err(unwritable)
     }
 
     /// Texts with the names of their files, as far as there are any.
     fn files(
         &self,
+        of: &'static str,
         texts: impl IntoIterator<Item = (&'static str, Option<String>)>,
     ) -> Result<Vec<PathBuf>, OutputError> {
-        let stage = self.stage(self.directory)?;
+        let stage = self.stage(of, self.guard)?;
         let mut written = Vec::new();
         for (name, text) in texts {
             if let Some(text) = text {
@@ -76,8 +81,8 @@ impl Folder<'_> {
     /// `profile.csv`, further tables as `NAME.csv`, the animation as `NAME.pvd` with its frames in `NAME/`,
     /// figures as `NAME.svg`, and `summary.json`.
     fn run(&self, model: &Model, run: &Run, report: &Report) -> Result<Vec<PathBuf>, OutputError> {
-        let reads = [self.reads, &model.paths()].concat();
-        let stage = Folder { reads: &reads, ..*self }.stage(self.directory)?;
+        let reads = [self.guard.reads, &model.paths()].concat();
+        let stage = self.stage("run", Guard { reads: &reads, ..self.guard })?;
         let found = &run.report;
         let tables = [("profile", &found.profile)].into_iter().chain(found.tables.iter().map(|(name, t)| (*name, t)));
         let mut written = Vec::new();
@@ -87,15 +92,12 @@ impl Folder<'_> {
             written.push(file);
         }
         if let Some(animation) = &found.animation {
-            written.push(self.animation(animation, &stage)?);
+            written.push(self.animation(animation, Path::new(""), &stage)?);
         }
-        written.extend(pictures::stage_all(pictures::of_run(model, run), &stage)?);
+        written.extend(pictures::stage_all(pictures::of_run(model, run), Path::new(""), &stage)?);
         stage.write(Path::new("summary.json"), Json.write(report)?.as_bytes())?;
         written.push("summary.json".into());
         stage.publish()?;
-        if let Some(animation) = &found.animation {
-            files::remove_frames_from(&self.directory.join(animation.name), animation.name, animation.frames);
-        }
         Ok(written)
     }
 
@@ -106,12 +108,15 @@ impl Folder<'_> {
         measurements: &Measurements,
         comparisons: &[Comparison],
     ) -> Result<Vec<PathBuf>, OutputError> {
+        let paths = models.iter().flat_map(Model::paths);
+        let reads: Vec<PathBuf> = self.guard.reads.iter().cloned().chain(paths).collect();
+        let stage = self.stage("compare", Guard { reads: &reads, ..self.guard })?;
         let mut written = Vec::new();
         for (model, comparison) in models.iter().zip(comparisons) {
-            let own = if models.len() > 1 { PathBuf::from(model.stem()) } else { PathBuf::new() };
-            let files = self.comparison(model, measurements, comparison, &self.directory.join(&own))?;
-            written.extend(files.into_iter().map(|file| own.join(file)));
+            let own = if models.len() > 1 { Path::new(model.stem()) } else { Path::new("") };
+            written.extend(self.comparison(model, measurements, comparison, own, &stage)?);
         }
+        stage.publish()?;
         Ok(written)
     }
 
@@ -122,28 +127,23 @@ impl Folder<'_> {
         model: &Model,
         measurements: &Measurements,
         comparison: &Comparison,
-        directory: &Path,
+        own: &Path,
+        stage: &Stage,
     ) -> Result<Vec<PathBuf>, OutputError> {
-        let reads = [self.reads, &model.paths()].concat();
-        let stage = Folder { reads: &reads, ..*self }.stage(directory)?;
-        let residuals = PathBuf::from("residuals.csv");
+        let residuals = own.join("residuals.csv");
         stage.write(&residuals, comparison::residuals(measurements, comparison).as_bytes())?;
         let mut written = vec![residuals];
         let places = model.system.places(&measurements.rows);
-        let shapes = places.as_ref().map(|p| comparison::shapes(p, comparison));
-        if let Some(shapes) = &shapes {
-            written.push(self.animation(shapes, &stage)?);
+        if let Some(places) = &places {
+            written.push(self.animation(&comparison::shapes(places, comparison), own, stage)?);
         }
-        written.extend(pictures::stage_all(pictures::of_comparison(model, measurements, comparison), &stage)?);
-        stage.publish()?;
-        if let Some(shapes) = shapes {
-            files::remove_frames_from(&directory.join(shapes.name), shapes.name, shapes.frames);
-        }
+        written.extend(pictures::stage_all(pictures::of_comparison(model, measurements, comparison), own, stage)?);
         Ok(written)
     }
 
-    fn animation(&self, animation: &Animation, stage: &Stage) -> Result<PathBuf, OutputError> {
-        let folder = Path::new(animation.name);
+    /// The index of an animation and its frames, in a folder `own` of the stage.
+    fn animation(&self, animation: &Animation, own: &Path, stage: &Stage) -> Result<PathBuf, OutputError> {
+        let folder = own.join(animation.name);
         let name = |i: usize| format!("{}_{i:04}.vtu", animation.name);
         self.progress.expect(animation.frames as u64);
         let write = |i: usize| {
@@ -156,7 +156,7 @@ impl Folder<'_> {
         };
         let frames: Vec<(f64, String)> =
             (0..animation.frames).into_par_iter().map(write).collect::<Result<_, OutputError>>()?;
-        let path = PathBuf::from(format!("{}.pvd", animation.name));
+        let path = own.join(format!("{}.pvd", animation.name));
         let text = vtk::pvd(&frames).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
         stage.write(&path, text.as_bytes())?;
         Ok(path)

@@ -14,7 +14,7 @@ pub struct Json;
 
 impl Format for Json {
     fn write(&self, report: &Report) -> Result<String, OutputError> {
-        let value = match report {
+        let mut value = match report {
             Report::Run(model, found) => run(model, found),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
@@ -29,8 +29,12 @@ impl Format for Json {
                 let own = entries.iter().map(|(process, e)| effect(*process, e));
                 own.chain(of_measurement.iter().map(|e| measurement::entry(e))).collect()
             }
-            Report::Validation(cases) => validation(cases),
+            Report::Validation(cases, total) => validation(cases, *total),
         };
+        let undone = report.left_undone();
+        if let (Value::Object(all), false) = (&mut value, undone.is_empty()) {
+            all.insert("left_undone".into(), json!(undone));
+        }
         Ok(format!("{value:#}\n"))
     }
 }
@@ -142,7 +146,7 @@ fn effect(process: &dyn Process, effect: &Description) -> Value {
 }
 
 /// `fem validate --json`: `fem-validation/1`.
-fn validation(cases: &[Case]) -> Value {
+fn validation(cases: &[Case], total: usize) -> Value {
     let number = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
     let case = |c: &Case| {
         json!({
@@ -158,5 +162,5 @@ fn validation(cases: &[Case]) -> Value {
             "passed": c.passed(),
         })
     };
-    json!({ "schema": "fem-validation/1", "cases": cases.iter().map(case).collect::<Vec<_>>() })
+    json!({ "schema": "fem-validation/1", "cases": cases.iter().map(case).collect::<Vec<_>>(), "total": total })
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::chart::{Chart, Svg, draw};
-use super::files::Stage;
+use super::files::{Guard, Stage};
 use super::report::{Format, Report};
 use super::{OutputError, comparison, diagnosis, drawing, plots, sketch};
 use crate::compare::Comparison;
@@ -14,8 +14,8 @@ use crate::model::{Model, Run};
 pub struct Pictures<'a> {
     /// Where they appear; made if it is missing.
     pub directory: &'a Path,
-    /// Files that were read and are never written over.
-    pub reads: &'a [PathBuf],
+    /// Of what is not to be written over.
+    pub guard: Guard<'a>,
 }
 
 impl Format for Pictures<'_> {
@@ -36,19 +36,19 @@ impl Format for Pictures<'_> {
             _ => Vec::new(),
         };
         let unwritable = |error: std::io::Error| OutputError::File { path: self.directory.to_path_buf(), error };
-        let stage = Stage::new(self.directory, self.reads).map_err(unwritable)?;
-        let written = stage_all(all, &stage)?;
+        let stage = Stage::new(self.directory, "plot", self.guard).map_err(unwritable)?;
+        let written = stage_all(all, Path::new(""), &stage)?;
         stage.publish()?;
         let list: Vec<String> = written.iter().map(|f| format!("  {}", self.directory.join(f).display())).collect();
         Ok(format!("\nwritten\n{}\n", list.join("\n")))
     }
 }
 
-/// Writes figures into a folder in the making, and names their files.
-pub fn stage_all(all: Vec<(String, Svg)>, stage: &Stage) -> Result<Vec<PathBuf>, OutputError> {
+/// Writes figures into a folder `own` of one in the making, and names their files.
+pub fn stage_all(all: Vec<(String, Svg)>, own: &Path, stage: &Stage) -> Result<Vec<PathBuf>, OutputError> {
     let mut written = Vec::new();
     for (name, svg) in all {
-        let path = PathBuf::from(format!("{name}.svg"));
+        let path = own.join(format!("{name}.svg"));
         stage.write(&path, svg.file().as_bytes())?;
         written.push(path);
     }

@@ -30,8 +30,26 @@ pub enum Report<'a> {
     /// `fem effects`: entries of the catalogue, those of processes and those of the measurement, as a list or
     /// as a page each.
     Effects(&'a [(&'a dyn Process, Description)], &'a [&'a MeasurementEffect], Detail),
-    /// `fem validate`.
-    Validation(&'a [Case]),
+    /// `fem validate`: the cases to be shown, and how many there are in all.
+    Validation(&'a [Case], usize),
+}
+
+impl Report<'_> {
+    /// What was left undone for want of time, a few of many.
+    pub fn left_undone(&self) -> Vec<String> {
+        /// Most that are named.
+        const MOST: usize = 12;
+        let (Self::Fit(data, _) | Self::Diagnosis(data, _) | Self::Plan(data, _) | Self::Compensation(data, _)) = self
+        else {
+            return Vec::new();
+        };
+        let mut all = data.progress.left_undone();
+        all.sort_unstable();
+        let more = all.len().saturating_sub(MOST);
+        all.truncate(MOST);
+        all.extend((more > 0).then(|| format!("{more} more")));
+        all
+    }
 }
 
 /// How much is told of each of many.

@@ -24,7 +24,7 @@ impl Default for Text {
 
 impl Format for Text {
     fn write(&self, report: &Report) -> Result<String, OutputError> {
-        Ok(match report {
+        let page = match report {
             Report::Run(model, found) => run(model, found, self.columns),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
@@ -40,8 +40,17 @@ impl Format for Text {
                 let own = entries.iter().map(|(process, e)| effect(process.name(), e));
                 own.chain(of_measurement.iter().map(|e| measurement::page(e))).collect::<Vec<_>>().join("\n")
             }
-            Report::Validation(cases) => validation(cases),
-        })
+            Report::Validation(cases, total) => validation(cases, *total),
+        };
+        Ok(page + &left_undone(&report.left_undone()))
+    }
+}
+
+/// What the time limit has cut off.
+fn left_undone(undone: &[String]) -> String {
+    match undone {
+        [] => String::new(),
+        undone => format!("\nthe time was over; left undone:\n  {}\n", undone.join("\n  ")),
     }
 }
 
@@ -141,7 +150,7 @@ fn parameter_line(p: &Parameter) -> String {
 }
 
 /// The validation table.
-fn validation(cases: &[Case]) -> String {
+fn validation(cases: &[Case], total: usize) -> String {
     let width = cases.iter().map(|c| c.name.chars().count() + c.quantity.chars().count() + 2).max().unwrap_or(0);
     let mut text = format!(
         "{:<width$} {:>16} {:>16} {:<8} {:>9} {:>9}\n",
@@ -163,7 +172,8 @@ fn validation(cases: &[Case]) -> String {
         );
     }
     let failed = cases.iter().filter(|c| !c.passed()).count();
-    let _ = writeln!(text, "\n{} cases, {failed} failed", cases.len());
+    let part = if cases.len() < total { format!(" of {total}") } else { String::new() };
+    let _ = writeln!(text, "\n{}{part} cases, {failed} failed", cases.len());
     text
 }
 

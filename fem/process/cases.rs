@@ -55,6 +55,17 @@ impl Case {
     pub fn passed(&self) -> bool {
         self.error().abs() <= self.allowed()
     }
+
+    /// Whether the source says `text`, in whatever case; `seed-002` is `seed 002`.
+    pub fn cites(&self, text: &str) -> bool {
+        let plain = |words: &str| words.to_lowercase().replace(['-', '_'], " ");
+        plain(self.source).contains(&plain(text))
+    }
+
+    /// The work or the way of deriving that the source begins with, without where in it: `seed 002`.
+    pub fn work(&self) -> &'static str {
+        self.source.split([',', ';', ':', '(']).next().unwrap_or_default().trim()
+    }
 }
 
 /// A row of the table: (expected, computed, unit).

@@ -13,5 +13,5 @@ mod unit;
 pub use dimension::Dimension;
 pub use kind::*;
 pub use kind::{Kind, Shown};
-pub use quantity::{Knowledge, Quantity, unit_text};
+pub use quantity::{Knowledge, LARGEST, Quantity, unit_text};
 pub use unit::{Unit, UnitError};

@@ -206,8 +206,14 @@ fn named(name: &str) -> Option<Unit> {
     (factor > 0.0).then_some(plain(factor, [0; 5]))
 }
 
+/// Most bytes of a word that may be a slip for a unit's name.
+const LONGEST_NAME: usize = 20;
+
 /// The known unit (with its prefix) that differs from `name` in letter case or by one slip.
 fn nearest(name: &str) -> Option<String> {
+    if name.len() > LONGEST_NAME {
+        return None;
+    }
     let mut best: Option<((bool, usize), String)> = None;
     let prefixed = UNITS.iter().filter(|u| u.3).flat_map(|u| PREFIXES.iter().map(move |p| format!("{}{}", p.0, u.0)));
     for candidate in UNITS.iter().map(|u| u.0.to_string()).chain(prefixed) {

@@ -112,11 +112,15 @@ fn number<'a>(text: &'a str, kind: &Kind) -> Result<(f64, &'a str), UnitError> {
     Ok((finite(value)?, rest.trim_start()))
 }
 
+/// Largest number that is computed with, in SI units: powers and squares of what follows from it stay finite.
+pub const LARGEST: f64 = 1e40;
+
 fn finite(value: f64) -> Result<f64, UnitError> {
-    if value.is_finite() {
+    if value.abs() <= LARGEST {
         Ok(value)
     } else {
-        Err(UnitError::new("the number is too large to be computed with").hint("write a finite number"))
+        Err(UnitError::new("the number is too large to be computed with")
+            .hint("no quantity of a workshop is beyond 1e40: is the exponent or the unit right?"))
     }
 }
 

@@ -43,7 +43,7 @@ const CASES: &[(&str, &str, usize, &str, &str)] = &[
     ("length = \"300 mm\"", "length = \"0,3 m\"", 5, "the decimal mark is a comma", "decimal point"),
     ("length = \"300 mm\"", "length = \"NaN mm\"", 5, "does not begin with a number", "40 mm"),
     ("length = \"300 mm\"", "length = \"inf mm\"", 5, "does not begin with a number", "40 mm"),
-    ("length = \"300 mm\"", "length = \"1e400 mm\"", 5, "too large", "finite number"),
+    ("length = \"300 mm\"", "length = \"1e400 mm\"", 5, "too large", "beyond 1e40"),
     ("length = \"300 mm\"", "length = \"300 +- -2 mm\"", 5, "standard uncertainty", "above zero"),
     ("diameter = \"40 mm\"", "diameter = \"0 mm\"", 5, "`diameter` is 0 mm", "above zero"),
     ("diameter = \"40 mm\"", "", 5, "`diameter` is missing in `workpiece.segments[0]`", "add diameter"),
@@ -231,7 +231,7 @@ fn too_many_points_are_refused_before_memory_is_taken() {
     );
     let answer = place.fem(&["run", "model.toml"]);
     assert_eq!(answer.status, 2);
-    assert!(answer.err.contains("more than 20000000 points"), "{}", answer.err);
+    assert!(answer.err.contains("more than 1000000 points"), "{}", answer.err);
 }
 
 #[test]
@@ -272,8 +272,7 @@ fn unknown_names_on_the_command_line() {
 #[test]
 fn a_prediction_that_no_diameter_can_have_is_a_failure() {
     let place = Place::new();
-    for effect in
-        ["[effects.setting-error]\noffset = \"1.7e308 um\"", "[effects.guideway-height]\nslope = \"1e200 mm/m\""]
+    for effect in ["[effects.setting-error]\noffset = \"1e40 um\"", "[effects.guideway-height]\nslope = \"1e30 mm/m\""]
     {
         place.write("model.toml", format!("{GOOD}{effect}\n"));
         let answer = place.fem(&["run", "model.toml"]);

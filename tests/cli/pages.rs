@@ -59,6 +59,7 @@ fn json_is_one_document_with_the_contracts_keys() {
     );
     let validation = parse(&["validate", "--json"]);
     assert_eq!(validation["schema"], "fem-validation/1");
+    assert_eq!(validation["total"].as_u64(), validation["cases"].as_array().map(|cases| cases.len() as u64));
     let case = &validation["cases"][0];
     for key in ["name", "quantity", "expected", "computed", "unit", "error", "tolerance", "source", "passed"] {
         assert!(!case[key].is_null(), "{key}");
@@ -86,6 +87,32 @@ fn every_process_has_a_starting_model_that_runs() {
         let again = place.fem(&["new", process.name(), "-o", &file]);
         assert_eq!(again.status, 2, "a file that exists is not overwritten");
     }
+}
+
+#[test]
+fn the_path_of_a_lifted_nose_is_a_conic() {
+    let place = Place::new();
+    let conic = |effects: &str| -> serde_json::Value {
+        let cut = "depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"0 N\"";
+        place.write(
+            "model.toml",
+            format!(
+                "process = \"turning\"\nworkpiece = {{ material = \"steel\", segments = [{{ length = \"500 mm\", \
+                 diameter = \"40 mm\" }}] }}\nworkholding = {{ type = \"centres\", guideway_spacing = \"400 mm\" }}\n\
+                 cut = {{ {cut} }}\n{effects}"
+            ),
+        );
+        let run: serde_json::Value = serde_json::from_str(&place.fem(&["run", "model.toml", "--json"]).out).unwrap();
+        run["findings"]["conic"].clone()
+    };
+    let (lifted, tapered) = ("effects.guideway-height.slope = \"2 mm/m\"", "effects.guideway-taper.slope = \"1 mm/m\"");
+    let both = conic(&format!("{lifted}\n{tapered}"));
+    assert_eq!((&both["conic"], &both["i1_unit"]), (&"hyperbola".into(), &"mm^2".into()));
+    // A lift that round-off hides leaves the two lines of a cone.
+    assert_eq!(conic(&format!("{}\n{tapered}", lifted.replace('2', "1e-5")))["conic"], "lines");
+    // Without a lift, and where the guideway is no line, there is nothing to tell.
+    assert!(conic(tapered).is_null());
+    assert!(conic(&format!("{lifted}\neffects.bed-sag = {{ front = \"40 um\", rear = \"40 um\" }}")).is_null());
 }
 
 #[test]

@@ -140,7 +140,9 @@ fn troubled(process: &Process, seeds: impl Iterator<Item = u64> + Clone) -> Vec<
 #[test]
 #[ignore = "minutes long; prints a table"]
 fn the_whole_of_troubles() {
-    for (name, process) in [("turning", &TURNING), ("ring", &RING), ("axis", &AXIS), ("stiffness", &STIFFNESS)] {
+    let all =
+        [("turning", &TURNING), ("ring", &RING), ("axis", &AXIS), ("stiffness", &STIFFNESS), ("thermal", &THERMAL)];
+    for (name, process) in all {
         println!("\n{name}");
         troubled(process, (1000..1040).step_by(every()));
     }

@@ -1,4 +1,4 @@
-//! Every command that README and `docs/` show is run, page by page, and prints what the page says.
+//! Every command that README, `docs/` and `tests/seeds.md` show is run, page by page, and prints what the page says.
 //!
 //! In a block of ```` ```console ````, `$` begins a command, `? 1` is an exit status other than 0, and what
 //! follows is what it prints (on standard error where it fails); `...` stands for any lines, `[..]` for
@@ -63,7 +63,7 @@ fn pages() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let docs = std::fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path());
     let mut pages: Vec<PathBuf> = docs.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
-    pages.push(root.join("README.md"));
+    pages.extend(["README.md", "tests/seeds.md"].map(|page| root.join(page)));
     pages.sort();
     pages
 }
@@ -74,7 +74,7 @@ fn commands_print_what_the_pages_say() {
     let mut count = 0;
     for page in pages() {
         let place = tempfile::tempdir().unwrap();
-        for folder in ["models", "meshes", "tests/data/real"] {
+        for folder in ["models", "meshes", "tests/data/real", "tests/data/seeds"] {
             copy(&root.join(folder), &place.path().join(folder));
         }
         for step in steps(&std::fs::read_to_string(&page).unwrap()) {

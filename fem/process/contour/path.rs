@@ -158,7 +158,8 @@ impl Path {
             .unwrap_or(0);
         let side = sides[hit];
         let at = ray.map(|c| reach(&side) * c);
-        let along = dot([at[0] - side.from[0], at[1] - side.from[1]], side.along).clamp(0.0, side.length);
+        // A side whose length is unknown has no end.
+        let along = dot([at[0] - side.from[0], at[1] - side.from[1]], side.along).max(0.0).min(side.length);
         let before: f64 = sides[..hit].iter().map(|s| s.length).sum();
         Point {
             at,

@@ -11,6 +11,8 @@ use crate::units::LENGTH;
 /// Elements along a body where nobody says, and at most.
 const ALONG_ROD: [f64; 2] = [60.0, 20_000.0];
 const ALONG_PLANE: [f64; 2] = [40.0, 2_000.0];
+/// Most elements of a rectangle: its factor takes some 300 MB.
+pub const MOST_CELLS: f64 = 60_000.0;
 /// Least number of elements across a rectangle.
 const ACROSS: usize = 4;
 
@@ -104,6 +106,12 @@ impl Body {
     pub fn has_ends(&self) -> bool {
         let edges = self.edges();
         matches!(self, Self::Rod(_)) || ["left", "right"].iter().all(|end| edges.iter().any(|e| e == end))
+    }
+
+    /// Number of elements of a rectangle none of which is longer than `size` (m), if it is one.
+    pub fn cells(&self, size: f64) -> Option<f64> {
+        let [length, height] = self.plane()?.size?;
+        Some((length / size).ceil().max(1.0) * (height / size).ceil().max(ACROSS as f64))
     }
 
     /// Elements along it where nobody says, and at most.

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::body::Body;
+use super::body::{Body, MOST_CELLS};
 use super::boundary::{Boundary, refuse_impossible};
 use super::source;
 use crate::input::{Along, Reader};
@@ -105,6 +105,11 @@ impl Setup {
             }
             size
         });
+        let cells = body.cells(element_size.unwrap_or(usual_size)).unwrap_or(0.0);
+        if cells > MOST_CELLS {
+            let message = format!("the rectangle has {cells:.0} elements; at most {MOST_CELLS:.0} are computed with");
+            model.problem("body", message, "check its length and height, or give a longer [mesh] element_size");
+        }
         let (places, times) = model
             .optional_table("measurement", "where and when a run looks", |t| read_measurement(t, length, &time))
             .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));

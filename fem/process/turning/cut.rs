@@ -1,11 +1,11 @@
 //! The cut: its depth, its force, and the pass of the tool.
 
 use super::schedule::Pass;
-use crate::input::Reader;
+use crate::input::{Along, Reader, Varying};
 use crate::units::{FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
 
 /// Depth and force of the cut.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Cut {
     /// t₀, m.
     pub depth: f64,
@@ -14,10 +14,10 @@ pub struct Cut {
 }
 
 /// Where the radial force comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Force {
-    /// Given directly, N.
-    Given(f64),
+    /// Given directly, N, the same everywhere or recorded along the shaft.
+    Given(Varying),
     /// From the empirical law.
     Law(ForceLaw),
 }
@@ -54,6 +54,16 @@ impl ForceLaw {
     }
 }
 
+impl Force {
+    /// Radial force in N at a place (m), a depth (m) and a feed (m/rad).
+    pub fn at(&self, x: f64, depth: f64, feed: f64) -> f64 {
+        match self {
+            Self::Given(force) => force.at(x),
+            Self::Law(law) => law.force(depth, feed),
+        }
+    }
+}
+
 impl Cut {
     /// Reads `[cut]`: the cut and the pass along a shaft of `length` m.
     pub fn read(model: &Reader, length: f64) -> (Self, Pass) {
@@ -61,7 +71,6 @@ impl Cut {
             let depth = t.quantity("depth", LENGTH, "set depth of cut").positive().required();
             let feed = t.quantity("feed", FEED, "feed per revolution").positive().required();
             let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed").positive().required();
-            let force = read_force(t);
             let from = t.quantity("from", LENGTH, "where the cut begins; the tailstock end if left out").or(length);
             let to = t.quantity("to", LENGTH, "where it ends; the headstock end if left out").or(0.0);
             for (key, x) in [("from", from), ("to", to)] {
@@ -75,13 +84,16 @@ impl Cut {
             }
             let to = to.min(length);
             let from = from.min(length);
+            let force = read_force(t, [from.min(to), from.max(to)]);
             (Self { depth, force }, Pass { from, to, feed, spindle_speed: speed })
         })
     }
 }
 
-fn read_force(t: &Reader) -> Force {
-    let given = t.quantity("radial_force", FORCE, "radial force of the cut").not_negative().optional();
+/// Reads the force of a cut over a stretch of the shaft, m.
+fn read_force(t: &Reader, needed: [f64; 2]) -> Force {
+    let given = t.quantity("radial_force", FORCE, "radial force of the cut").not_negative();
+    let given = given.optional_varying(Along { name: "x", kind: LENGTH, needed });
     let law = t.optional_table("force", "P = C·s^y·t^x·HB^n in N, s in mm/rev, t in mm", |t| {
         let number = |key, about| t.quantity(key, NUMBER, about);
         let coefficient = number("C", "coefficient C").positive().required();
@@ -103,12 +115,12 @@ fn read_force(t: &Reader) -> Force {
         (None, Some(law)) => Force::Law(law),
         (Some(_), Some(_)) => {
             t.problem("force", "the force is given twice", "keep either `radial_force` or `force`");
-            Force::Given(0.0)
+            Force::Given(Varying::Constant(0.0))
         }
         (None, None) => {
             let help = "add radial_force = \"450 N\", or force = { C = 1250.0, x = 0.9, y = 0.75 }";
             t.problem("", "the force of the cut is missing", help);
-            Force::Given(0.0)
+            Force::Given(Varying::Constant(0.0))
         }
     }
 }

@@ -53,7 +53,7 @@ impl<'a> Elastic<'a> {
         // Half of a diameter is what the tool meets at one angle.
         let around = angle.map_or(0.0, |angle| 2.0 * blank.around(angle));
         let blank = blank.error(x, self.setup.length()) + around;
-        self.setup.passes.iter().try_fold(blank, |error, pass| Ok(self.pass(i, pass.conditions(error))?.1))
+        self.setup.passes.iter().try_fold(blank, |error, pass| Ok(self.pass(i, pass.conditions(x, error))?.1))
     }
 
     /// Force (N) of a pass, and the diameter error (m) that it leaves: twice the gap, or all that it does

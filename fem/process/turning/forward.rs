@@ -36,7 +36,7 @@ pub fn deflections(
     let elastic = Elastic::new(machine, shaft);
     let deflect = |(i, x): (usize, &f64)| {
         let before = elastic.before(i, *x, None);
-        let deflection = before.and_then(|before| elastic.deflect(i, machine.setup.conditions(before)));
+        let deflection = before.and_then(|before| elastic.deflect(i, machine.setup.conditions(*x, before)));
         progress.advance(1);
         deflection.map_err(Failure::from)
     };

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 use super::cut::{Conditions, Cut, Force};
 use super::schedule::Pass;
-use crate::input::Reader;
+use crate::input::{Reader, Varying};
 use crate::units::{ANGLE, FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
 
 /// Most passes: more than any shaft gets.
@@ -21,7 +21,7 @@ const MOST: usize = 100;
 const MOST_LOBES: usize = 500;
 
 /// A pass before the last.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct EarlierPass {
     /// Set depth t, m.
     pub depth: f64,
@@ -30,7 +30,7 @@ pub struct EarlierPass {
     /// rad/s.
     pub spindle_speed: f64,
     /// A force (N) and the depth that it belongs to (m).
-    pub force: (f64, f64),
+    pub force: (Varying, f64),
 }
 
 /// The diameter error of the blank along the shaft.
@@ -76,15 +76,15 @@ impl EarlierPass {
         let spindle_speed = speed.or(last.spindle_speed);
         let given =
             t.quantity("radial_force", FORCE, "radial force at that depth; by [cut] if left out").not_negative();
-        let force = match (given.optional(), cut.force) {
-            (Some(force), _) => (force, depth),
-            (None, Force::Law(law)) => (law.force(depth, feed), depth),
+        let force = match (given.optional(), &cut.force) {
+            (Some(force), _) => (Varying::Constant(force), depth),
+            (None, Force::Law(law)) => (Varying::Constant(law.force(depth, feed)), depth),
             (None, Force::Given(force)) => {
                 if feed != last.feed {
                     let help = "add radial_force = \"800 N\" to this pass, or a force law to [cut]";
                     t.problem("feed", "what the force is at another feed is not known", help);
                 }
-                (force, cut.depth)
+                (force.clone(), cut.depth)
             }
         };
         Self { depth, feed, spindle_speed, force }
@@ -95,9 +95,9 @@ impl EarlierPass {
         length / (self.feed * self.spindle_speed)
     }
 
-    /// What sets its force where the work is too large by `error` of the diameter.
-    pub fn conditions(&self, error: f64) -> Conditions {
-        let (nominal, nominal_depth) = self.force;
+    /// What sets its force at a place (m) where the work is too large by `error` of the diameter.
+    pub fn conditions(&self, x: f64, error: f64) -> Conditions {
+        let (nominal, nominal_depth) = (self.force.0.at(x), self.force.1);
         Conditions { force: nominal, nominal, nominal_depth, set_depth: self.depth + 0.5 * error }
     }
 }

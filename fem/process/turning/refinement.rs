@@ -55,20 +55,20 @@ impl Refinement {
         let nudge = 1e-4 * setup.cut.depth;
         let mut nudged: Vec<f64> = errors.iter().map(|e| e + nudge).collect();
         for number in 0..=setup.passes.len() {
-            let conditions = |error: f64| match setup.passes.get(number) {
-                Some(pass) => pass.conditions(error),
-                None => setup.conditions(error),
+            let conditions = |x: f64, error: f64| match setup.passes.get(number) {
+                Some(pass) => pass.conditions(x, error),
+                None => setup.conditions(x, error),
             };
             let mut report = Report {
-                depth: conditions(0.0).set_depth,
+                depth: conditions(0.0, 0.0).set_depth,
                 force: (f64::INFINITY, 0.0),
                 before: errors.clone(),
                 after: Vec::new(),
             };
-            for i in 0..positions.len() {
-                let (force, after) = elastic.pass(i, conditions(errors[i]))?;
+            for (i, x) in positions.iter().enumerate() {
+                let (force, after) = elastic.pass(i, conditions(*x, errors[i]))?;
                 report.force = (report.force.0.min(force), report.force.1.max(force));
-                nudged[i] = elastic.pass(i, conditions(nudged[i]))?.1;
+                nudged[i] = elastic.pass(i, conditions(*x, nudged[i]))?.1;
                 errors[i] = after;
             }
             report.after.clone_from(&errors);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::cut::{Conditions, Force};
+use super::cut::Conditions;
 use super::setup::Setup;
 use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows};
 use crate::units::{FEED, FORCE, LENGTH, MICRO, PATH, SPINDLE_SPEED, TIME};
@@ -169,10 +169,7 @@ pub fn conditions(setup: &Setup, rows: &Rows, row: usize, diameter: f64) -> Cond
     let depth = rows.get(DEPTH, row).unwrap_or(setup.cut.depth);
     let set_depth = rows.get(BLANK, row).map_or(depth, |blank| 0.5 * (blank - diameter));
     let feed = rows.get(FEED_OF_ROW, row).unwrap_or(setup.schedule.pass.feed);
-    let nominal = |depth: f64| match setup.cut.force {
-        Force::Given(force) => force,
-        Force::Law(law) => law.force(depth, feed),
-    };
+    let nominal = |depth: f64| setup.cut.force.at(rows.get(X, row).unwrap_or(0.0), depth, feed);
     let given = rows.get(FORCE_OF_ROW, row);
     Conditions {
         force: given.unwrap_or_else(|| nominal(depth)),
@@ -246,7 +243,8 @@ fn at(like: &Rows, places: &[f64], part: f64, changes: &[(usize, f64)]) -> Rows 
 
 /// The forces at which parts were turned, rising.
 fn levels(setup: &Setup, rows: &Rows) -> Vec<f64> {
-    let force = |r| rows.get(FORCE_OF_ROW, r).unwrap_or_else(|| setup.nominal_force());
+    let x = |r| rows.get(X, r).unwrap_or(0.0);
+    let force = |r| rows.get(FORCE_OF_ROW, r).unwrap_or_else(|| setup.nominal_force(x(r)));
     let mut all: Vec<f64> = (0..rows.len()).map(force).collect();
     all.sort_unstable_by(f64::total_cmp);
     all.dedup();

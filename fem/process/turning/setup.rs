@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::cut::{Conditions, Cut, Force};
+use super::cut::{Conditions, Cut};
 use super::edge::Edge;
 use super::heating::HeatedRods;
 use super::passes::{Blank, EarlierPass};
@@ -14,8 +14,9 @@ use crate::process::Segment;
 use crate::solve::{Hold, Rest, Shaft};
 use crate::units::{LENGTH, STIFFNESS, TIME};
 
-/// Largest number of predicted points, rows of `profile.csv`; beyond it a slip is more likely than a wish.
-const MOST_POINTS: usize = 20_000_000;
+/// Largest number of predicted points, rows of `profile.csv`, which take some 300 MB; beyond it a slip is more
+/// likely than a wish.
+const MOST_POINTS: usize = 1_000_000;
 /// Largest number of beam elements.
 const MOST_ELEMENTS: f64 = 1e6;
 /// Height of the spindle axis above the guideways where a model does not say, m: a lathe that swings 500 mm.
@@ -213,18 +214,15 @@ impl Setup {
         }
     }
 
-    /// Nominal force of the cut at the model's own settings, N.
-    pub fn nominal_force(&self) -> f64 {
-        match self.cut.force {
-            Force::Given(force) => force,
-            Force::Law(law) => law.force(self.cut.depth, self.schedule.pass.feed),
-        }
+    /// Nominal force of the cut at a place (m) and the model's own settings, N.
+    pub fn nominal_force(&self, x: f64) -> f64 {
+        self.cut.force.at(x, self.cut.depth, self.schedule.pass.feed)
     }
 
-    /// Force and depth of the last pass at the model's own settings, where the passes before have left an
-    /// error of the diameter (m).
-    pub fn conditions(&self, error: f64) -> Conditions {
-        let (force, depth) = (self.nominal_force(), self.cut.depth);
+    /// Force and depth of the last pass at a place (m) and the model's own settings, where the passes before have
+    /// left an error of the diameter (m).
+    pub fn conditions(&self, x: f64, error: f64) -> Conditions {
+        let (force, depth) = (self.nominal_force(x), self.cut.depth);
         Conditions { force, nominal: force, nominal_depth: depth, set_depth: depth + 0.5 * error }
     }
 }

@@ -26,7 +26,7 @@ pub fn cases() -> Vec<Case> {
     let whole = Table::both_directions(&test, Law::Points, 0.0);
     let um = |name: &str, quantity, expected: f64, si: Option<f64>| {
         let computed = si.map_or(f64::NAN, |v| 1e6 * v);
-        row(name, quantity, (expected, computed, "um"), CANCELLED, "seed 001 by hand")
+        row(name, quantity, (expected, computed, "um"), CANCELLED, "seed 001, by hand")
     };
     let after = |table: &Table, i: usize, direction: Direction| {
         let target = test.targets.get(i)?;

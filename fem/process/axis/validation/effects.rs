@@ -48,7 +48,12 @@ pub fn cases() -> Vec<Case> {
         um("wind-up at 800 mm, forwards", -3.0 - stretch(0.75), deviation(&elastic, 800.0, Forward, 0.0), spring),
         um("wind-up at 800 mm, backwards", 3.0 + stretch(0.75), deviation(&elastic, 800.0, Backward, 0.0), spring),
         um("wind-up before the bearing", -3.0 - stretch(0.05), deviation(&elastic, 0.0, Forward, 0.0), spring),
-        um("lost motion of play and wind-up", 7.0 + 6.0 + 2.0 * stretch(0.35), lost(&all, 400.0), "delta + 2F/C"),
+        um(
+            "lost motion of play and wind-up",
+            7.0 + 6.0 + 2.0 * stretch(0.35),
+            lost(&all, 400.0),
+            "seed 000, fig. 2: delta + 2F/C",
+        ),
         um("lost motion of a scale", 0.0, lost(&scale, 400.0), "a scale is the same both ways"),
         um("cold screw", 0.0, deviation(&growth, 800.0, Forward, 0.0), "1 - exp(-t/tau)"),
         um(

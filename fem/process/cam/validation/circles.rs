@@ -18,7 +18,7 @@ fn blocks_of(count: usize) -> String {
 fn concentric() -> Vec<Case> {
     let case = |count: usize| {
         let computed = usual(&cam(&circle(14.0, 0.0, true), 175.0, &blocks_of(count), ""), 33.3);
-        let source = "seed 003 2.3: concentric arcs are without error";
+        let source = "seed 003, 2.3: concentric arcs are without error";
         micro(format!("concentric circle, {count} block(s)"), (0.0, computed), ROUND_OFF, source)
     };
     [1, 7].map(case).to_vec()
@@ -32,7 +32,7 @@ fn spiral() -> Vec<Case> {
         let normal = leg.outwards(t, 1.0);
         let ray = Ray { point: leg.centre(t) - normal * 0.175, normal };
         let computed = motion.left_along(&ray, 0).map_or(f64::NAN, |reach| 1e6 * reach.left);
-        let source = "seed 003 3: offsets of Archimedean spirals are without error";
+        let source = "seed 003, 3: offsets of Archimedean spirals are without error";
         micro(format!("offset of a spiral, {t} of a block"), (0.0, computed), ROUND_OFF, source)
     };
     [0.2, 0.5, 0.93].map(case).to_vec()
@@ -68,7 +68,7 @@ fn halving() -> Vec<Case> {
     let errors: [Error; 2] = [("thickening", |b| b.thickest.0), ("overcut", |b| -b.thinnest.0)];
     // The next term of the error is of the order of the square of a block's angle.
     let tolerance = Tolerance::Relative((TAU / 90.0).powi(2));
-    let source = "seed 003 3; tolerance: square of a block's angle";
+    let source = "seed 003, 3; tolerance: square of a block's angle";
     let case = |(what, error)| {
         let values = (4.0, worst(90, error) / worst(180, error), "-");
         row(format!("blocks of 4 deg against 2 deg, {what}"), "error", values, tolerance, source)

@@ -58,8 +58,7 @@ fn fewer() -> Vec<Case> {
         cam(&circle(20.0, 4.0, true), 175.0, &program, "").map_or(f64::NAN, |cam| cam.setup().program.blocks() as f64)
     };
     let values = (count("on-profile") / 2f64.sqrt(), count("half-error"), "-");
-    let source =
-        "errors go as the square of lengths; tolerance: the last block, and one at each of two changes of sign";
+    let source = "seed 003, 3: errors go as the square of lengths; tolerance: the last block, and one at each of two changes of sign";
     vec![row("fewest blocks with shifted ends", "blocks", values, Tolerance::Absolute(3.0), source)]
 }
 
@@ -98,12 +97,17 @@ fn cartesian_blocks() -> Vec<Case> {
             square,
             by_square,
         ),
-        micro("straight block on a flank", (0.0, error(Block::Straight, 3.0, 35.0)), ROUND_OFF, "a line beside a line"),
+        micro(
+            "straight block on a flank",
+            (0.0, error(Block::Straight, 3.0, 35.0)),
+            ROUND_OFF,
+            "seed 003, 3: a line beside a line",
+        ),
         micro(
             "circular block on an arc",
             (0.0, error(Block::Circular, 40.0, 40.0 + 14.0 * PI)),
             ROUND_OFF,
-            "an arc beside an arc",
+            "seed 003, 3: an arc beside an arc",
         ),
         row(
             "straight blocks of half a turn within 2 um",
@@ -117,7 +121,7 @@ fn cartesian_blocks() -> Vec<Case> {
             "blocks",
             (1.0, blocks(Block::Circular), "-"),
             Tolerance::Absolute(0.5),
-            "an arc beside an arc",
+            "seed 003, 3: an arc beside an arc",
         ),
     ]
 }
@@ -133,7 +137,7 @@ fn envelope() -> Vec<Case> {
     let expected = 0.278 / 3.75 * 600.0;
     let case = |quantity, computed| {
         let name = "cam of the source at 600 mm/min, line in four, the first";
-        row(name, quantity, (expected, computed, "mm/min"), digits, "seed 003 2.1.2: 0.278 mm of envelope in a block")
+        row(name, quantity, (expected, computed, "mm/min"), digits, "seed 003, 2.1.2: 0.278 mm of envelope in a block")
     };
     vec![case("feed along the envelope", mean), case("the same by tenths", tenths)]
 }

@@ -51,7 +51,7 @@ pub fn cases() -> Vec<Case> {
     // Ten millimetres a wave; the position is that of the circle itself.
     let wave = |at: f64, phase: f64| 2e-6 * (TAU * at / 0.01 + phase).sin();
     // The lag of 1e-7 rad moves the wave by R times that: 1e-5 of it.
-    let waved = "A*sin(2*pi*position/lead + phase) along the axis; tolerance amplitude^2/R and the lag v/Kv";
+    let waved = "seed 000, wave of the feedback: A*sin(2*pi*position/lead + phase) along the axis; tolerance amplitude^2/R and the lag v/Kv";
     let moved = (2e-6f64 * TAU / 0.01 * (1.0 / 60.0 / STIFF) * RADIUS).sqrt();
     add(
         "[cyclic-error-x]\namplitude = \"2 um\"\nphase = \"30 deg\"",

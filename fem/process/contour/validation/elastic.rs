@@ -57,7 +57,12 @@ fn leads() -> Vec<Case> {
     let waving = machine(&text(), "[cyclic-error-y]\namplitude = \"2 um\"\nphase = \"30 deg\"");
     let expected = 2e-6 * (1.5 * std::f64::consts::PI + 30f64.to_radians()).sin();
     let computed = deviation(&waving, CCW, 90.0);
-    vec![micro("wave of y by a lead of its own".into(), (expected, computed), 1e-12, "sin(2*pi*y/lead + phase)")]
+    vec![micro(
+        "wave of y by a lead of its own".into(),
+        (expected, computed),
+        1e-12,
+        "seed 000, wave of the feedback: sin(2*pi*y/lead + phase)",
+    )]
 }
 
 /// 200 N outwards and 120 N against the travel, on 50 N/um along x and 25 along y.

@@ -77,10 +77,16 @@ fn waves() -> Vec<Case> {
         let expected = 2e-6 * (2.0 * PI * (along + 0.025) / length + 20f64.to_radians()).sin();
         let angle = (along / 0.04).atan().to_degrees();
         let name = format!("stick-slip at 3 Hz, {} mm along a side", 1e3 * along);
-        micro(name, (expected, deviation(&machine, CCW, angle)), 1e-12, "lambda = v/f")
+        micro(name, (expected, deviation(&machine, CCW, angle)), 1e-12, "seed 000, stick-slip: lambda = v/f")
     };
     let mut cases: Vec<Case> = [-0.011, 0.004, 0.02].map(case).to_vec();
     let told = figure_of(&machine, "stick_slip", "/length");
-    cases.push(row("stick-slip at 3 Hz", "length of a wave", (1e3 * length, told, "mm"), ROUND_OFF, "lambda = v/f"));
+    cases.push(row(
+        "stick-slip at 3 Hz",
+        "length of a wave",
+        (1e3 * length, told, "mm"),
+        ROUND_OFF,
+        "seed 000, stick-slip: lambda = v/f",
+    ));
     cases
 }

@@ -67,14 +67,14 @@ pub fn cases() -> Vec<Case> {
         "step at the reversal",
         (1e6 * GAP, figure_of(&x_only, "reversals", "/list/0/step"), "um"),
         Tolerance::Absolute(1e6 * second),
-        "the whole gap; tolerance gap^2/R",
+        "seed 000, fig. 3: the whole gap; tolerance gap^2/R",
     ));
     cases.push(row(
         "play of 8 um in x",
         "flat",
         ((2.0 * GAP / RADIUS).sqrt().to_degrees(), figure_of(&x_only, "reversals", "/list/0/flat"), "deg"),
         Tolerance::Relative(GAP / RADIUS),
-        "sqrt(2*gap/R); tolerance gap/R",
+        "seed 000, fig. 3: sqrt(2*gap/R); tolerance gap/R",
     ));
     // Wider than the stroke: x stays in the middle, and of the circle a line along y is left, v/Kv off the
     // centre when x is commanded farthest.

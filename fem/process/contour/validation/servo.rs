@@ -108,7 +108,7 @@ fn seed() -> Vec<Case> {
             "following error",
             (1.0 / 3.0, figure_of(&machine(&circle(150.0, 1000.0, 50.0), ""), "servo", "/lag"), "mm"),
             ROUND_OFF,
-            "v/Kv",
+            "seed 000, gain of a servo: v/Kv",
         ),
     ]
 }

@@ -27,7 +27,7 @@ fn displacement(name: &str, effects: &str, unload: bool, force: f64, expected: f
         "displacement",
         (expected, computed, "um"),
         tolerance,
-        "laws of seed 000, fig. 5 and seed 002 (29), by hand",
+        "seed 000, fig. 5 and seed 002 (29), by hand",
     )
 }
 
@@ -123,7 +123,7 @@ fn tangents() -> Vec<Case> {
             "tangent stiffness",
             (difference, tangent(&all, f, Branch::Load), "N/um"),
             Tolerance::Relative(2.0 * left_out + 1e-10),
-            "central difference of the curve over 1 N; twice its remainder",
+            "seed 000: dP/dy by the central difference over 1 N; tolerance: twice its remainder",
         ),
     ]
 }

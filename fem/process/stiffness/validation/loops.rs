@@ -25,7 +25,13 @@ fn shoelace(corners: &[(f64, f64)]) -> f64 {
 fn polygons() -> Vec<Case> {
     let case = |name: &str, effects: &str, corners: &[(f64, f64)]| {
         let (expected, computed) = (shoelace(corners), area(effects));
-        row(name, "work of friction", (expected, computed, "uJ"), ROUND_OFF, "polygon by the shoelace formula")
+        row(
+            name,
+            "work of friction",
+            (expected, computed, "uJ"),
+            ROUND_OFF,
+            "seed 000, area between the branches: shoelace formula",
+        )
     };
     let soft = [(0.0, 0.0), (0.0, 80.0), (11.5, 1000.0), (11.5, 840.0), (1.0, 0.0)];
     // 2k up to S = 400 N.
@@ -34,7 +40,13 @@ fn polygons() -> Vec<Case> {
     let settled = [(0.0, 0.0), (16.5, 1000.0), (4.0, 0.0)];
     let both = [(0.0, 0.0), (0.0, 80.0), (15.18, 1000.0), (15.18, 840.0), (4.68, 0.0)];
     let none = |name: &str, effects: &str| {
-        row(name, "work of friction", (0.0, area(effects), "uJ"), Tolerance::Absolute(0.0), "elastic: no work is lost")
+        row(
+            name,
+            "work of friction",
+            (0.0, area(effects), "uJ"),
+            Tolerance::Absolute(0.0),
+            "seed 000, area between the branches: elastic, no work is lost",
+        )
     };
     vec![
         case("friction", FRICTION, &soft),
@@ -62,7 +74,8 @@ fn quadrature() -> Vec<Case> {
         // remains.
         let (coarse, fine) = (over(2000), over(8000));
         let tolerance = Tolerance::Absolute((fine - coarse).abs());
-        let source = "trapezoidal rule, 8000 steps; tolerance: its change from 2000";
+        let source =
+            "seed 000, area between the branches: trapezoidal rule, 8000 steps; tolerance: its change from 2000";
         row(name, "work of friction", (fine, area(effects), "uJ"), tolerance, source)
     };
     vec![
@@ -92,7 +105,7 @@ fn reversals() -> Vec<Case> {
     ];
     let polygon = |name: &str, corners: &[(f64, f64)], effects: &str| {
         let both = (shoelace(corners), lost(effects), "uJ");
-        row(name, "work of friction", both, ROUND_OFF, "polygon by the shoelace formula")
+        row(name, "work of friction", both, ROUND_OFF, "seed 000, area between the branches: shoelace formula")
     };
     let curved = [FRICTION, CONTACT, PRELOAD].concat();
     let joint = reversed(&curved);
@@ -110,7 +123,7 @@ fn reversals() -> Vec<Case> {
         "work of friction",
         (fine, lost(&curved), "uJ"),
         Tolerance::Absolute((fine - coarse).abs()),
-        "trapezoidal rule, 16000 steps; tolerance: its change from 4000",
+        "seed 000, area between the branches: trapezoidal rule, 16000 steps; tolerance: its change from 4000",
     );
     // Out from -1 um by the triangle and the rectangle under F = 80 N + 80 N/um·y to 11.5 um, on either side.
     let driven = 2.0 * (80.0 * 12.5 + 0.5 * 80.0 * (11.5 * 11.5 - 1.0));

@@ -97,7 +97,7 @@ fn both_signs() -> Vec<Case> {
             let computed = if *unload { down(&joint, *force) } else { up(&joint, *force) };
             let way = if *unload { "falling" } else { "rising" };
             let name = format!("force reversed, {name}, {force} N, {way}");
-            row(name, "displacement", (*expected, computed, "um"), DIGITS, "laws of seed 000, fig. 5, by hand")
+            row(name, "displacement", (*expected, computed, "um"), DIGITS, "seed 000, fig. 5, by hand")
         }));
     };
     let friction =
@@ -118,7 +118,13 @@ fn worth() -> Vec<Case> {
     let closed = gap.to_string() + &preload(400.0);
     let rubbing = closed.clone() + FRICTION;
     let lost = |name: &str, expected: f64, computed: f64| {
-        row(name, "lost motion", (expected, computed, "um"), ROUND_OFF, "gap + 2f/k, and 2f/2k under preload")
+        row(
+            name,
+            "lost motion",
+            (expected, computed, "um"),
+            ROUND_OFF,
+            "seed 000, fig. 2: gap + 2f/k, and 2f/2k under preload",
+        )
     };
     let worth = |name: &str, expected: f64, computed: f64| {
         row(name, "friction it is worth", (expected, computed, "N"), ROUND_OFF, "2f'/2k = gap + 2f/k, by hand")

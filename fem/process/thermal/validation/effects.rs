@@ -82,7 +82,7 @@ fn shapes() -> Vec<Case> {
             "elongation",
             (expected, grown, "um"),
             Tolerance::Relative(1e-9),
-            "all heat stays inside",
+            "seed 002 (35)-(37): all heat stays inside",
         ),
     ]
 }
@@ -105,11 +105,19 @@ fn steady() -> Vec<Case> {
         row(name, place, (expected, computed, "K"), SETTLED, "resistances in series")
     };
     let jointed = "joint of 3000 W/m^2/K at 70 mm, steady";
+    let linear = POWER / 0.5 + 0.5 * flow * LENGTH;
     vec![
         fins("rise of the heated end", LENGTH),
         fins("rise of the far end", 0.0),
         held("base of 0.5 W/K, steady", "rise of the base", POWER / 0.5, at(base, 0.0)),
         held("base of 0.5 W/K, steady", "rise of the heated end", POWER / 0.5 + flow * LENGTH, at(base, LENGTH)),
+        row(
+            "base of 0.5 W/K, steady",
+            "elongation",
+            (1e6 * ALPHA * LENGTH * linear, 1e6 * elongation(&still(base), 6e8), "um"),
+            SETTLED,
+            "seed 002 (37): alpha times the integral of a linear rise",
+        ),
         held(jointed, "rise before it", POWER / 0.5 + flow * 0.07, at(&joint, 0.07)),
         held(
             jointed,
@@ -125,7 +133,13 @@ fn sources_and_sensors() -> Vec<Case> {
     let kept = |name: &str, heat: f64, body: &Heated| {
         let expected = 1e6 * ALPHA * heat / (RHO_C * AREA);
         let computed = 1e6 * elongation(body, time);
-        row(name, "elongation", (expected, computed, "um"), Tolerance::Relative(1e-9), "all heat stays inside")
+        row(
+            name,
+            "elongation",
+            (expected, computed, "um"),
+            Tolerance::Relative(1e-9),
+            "seed 002 (35)-(37): all heat stays inside",
+        )
     };
     let bearing = rod("[extra-source]\nat = \"63 mm\"\npower = \"4 W\"");
     let turns = "power = \"15 W\", on = [[\"1.3 min\", \"10.7 min\"], [\"20 min\", \"21 min\"]]";

@@ -29,7 +29,13 @@ fn whole_heats() -> Vec<Case> {
     let of = |key: &str, path: &str| figure_of(&heated, key, path);
     let growth = 1e6 * ALPHA * heat / (RHO_C * AREA);
     vec![
-        row("2 kcal over two intervals", "heat", (heat, of("energy", "supplied"), "J"), balance, "1 cal = 4.1868 J"),
+        row(
+            "2 kcal over two intervals",
+            "heat",
+            (heat, of("energy", "supplied"), "J"),
+            balance,
+            "seed 002 (35), kcal: 1 cal = 4.1868 J",
+        ),
         row("2 kcal in a rod", "elongation", (growth, of("largest", "value"), "um"), balance, "seed 002 (35), (36)"),
     ]
 }
@@ -88,7 +94,13 @@ fn powers() -> Vec<Case> {
     let one = |name: &str, body: Heated, points: &[[f64; 2]], heat: f64| {
         let grown = 1e6 * seen(&recorded(body, None, record(points)), &elongations(&[3600.0]));
         let expected = 1e6 * ALPHA * heat / (RHO_C * AREA);
-        row(name, "elongation", (expected, grown, "um"), Tolerance::Relative(1e-9), "all heat stays inside")
+        row(
+            name,
+            "elongation",
+            (expected, grown, "um"),
+            Tolerance::Relative(1e-9),
+            "seed 002 (35)-(37): all heat stays inside",
+        )
     };
     let last = 5.0 + 7.0 * (3600.0 - 1007.0) / (4000.0 - 1007.0);
     let heat = 333.3 * 10.0 + (1001.0 - 333.3) * 20.0 + 6.0 * 12.5 + (3600.0 - 1007.0) * 0.5 * (5.0 + last);
@@ -149,7 +161,7 @@ fn edges() -> Vec<Case> {
             "elongation",
             (1e6 * ALPHA * heat / RHO_C, grown, "um"),
             Tolerance::Relative(1e-9),
-            "all heat stays inside",
+            "seed 002 (35)-(37): all heat stays inside",
         ),
         row("end held at a rising record", "lag of the other end", (lag, behind(&held), "K"), settled, source),
         row(
@@ -169,7 +181,13 @@ fn pulses() -> Vec<Case> {
     let expected = 1e6 * ALPHA * 15.0 * (0.5 * 60.0 + 0.94 * 564.0) / (RHO_C * AREA);
     let found = 1e6 * elongation(&switched, 3600.0);
     let name = "source of 50 % for 1 min and of 94 % for 9.4 min";
-    vec![row(name, "elongation", (expected, found, "um"), Tolerance::Relative(1e-9), "all heat stays inside")]
+    vec![row(
+        name,
+        "elongation",
+        (expected, found, "um"),
+        Tolerance::Relative(1e-9),
+        "seed 002 (35)-(37): all heat stays inside",
+    )]
 }
 
 /// A heater of 40 J/K behind 0.5 W/K on a body that conducts so well that it is at one temperature: with D =

@@ -34,16 +34,34 @@ fn ground() -> Vec<Case> {
     // Steps of 0.1 mm of the wheel: half of one, and the parabola at the top over it.
     let (step, top) = (Tolerance::Absolute(0.05), Tolerance::Relative(1e-6));
     vec![
-        row("ground while bowed by 20 um", "hollow", (20.0, stays, "um"), top, "parabola of the bow"),
-        row("ground while bowed by 20 um", "place", (200.0, middle, "mm"), step, "parabola of the bow"),
+        row(
+            "ground while bowed by 20 um",
+            "hollow",
+            (20.0, stays, "um"),
+            top,
+            "seed 002, ground prism: parabola of the bow",
+        ),
+        row(
+            "ground while bowed by 20 um",
+            "place",
+            (200.0, middle, "mm"),
+            step,
+            "seed 002, ground prism: parabola of the bow",
+        ),
         row(
             "ground while the bow grows by 1 um/s",
             "hollow",
             (40.0 * 16.0 / 27.0, grows, "um"),
             top,
-            "xi^2(1 - xi) at 2/3",
+            "seed 002, ground prism: xi^2(1 - xi) at 2/3",
         ),
-        row("ground while the bow grows by 1 um/s", "place", (800.0 / 3.0, place, "mm"), step, "xi^2(1 - xi) at 2/3"),
+        row(
+            "ground while the bow grows by 1 um/s",
+            "place",
+            (800.0 / 3.0, place, "mm"),
+            step,
+            "seed 002, ground prism: xi^2(1 - xi) at 2/3",
+        ),
     ]
 }
 

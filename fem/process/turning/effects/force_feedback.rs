@@ -30,7 +30,7 @@ pub static FORCE_FEEDBACK: Effect<1> = Effect {
 
 /// A force law says how the force follows the depth; what feeds it back cannot say otherwise.
 pub fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {
-    let Force::Law(ForceLaw { depth_exponent: x, .. }) = setup.cut.force else { return None };
+    let Force::Law(ForceLaw { depth_exponent: x, .. }) = &setup.cut.force else { return None };
     let exponent = *effect.values.first().filter(|_| effect.description.name == FORCE_FEEDBACK.name)?;
     ((exponent - x).abs() > SAME).then(|| Contradiction {
         parameter: FORCE_FEEDBACK.parameters[0].name,

@@ -1,6 +1,7 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
 mod compliance;
+mod conic;
 mod edge;
 mod form;
 pub mod roundness;
@@ -35,6 +36,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         form::taper(positions, first),
         form::form(positions, first),
     ];
+    figures.extend(conic::figure(machine));
     figures.extend(batch(setup, &part_means(positions.len(), errors)));
     figures.push(forces(deflections));
     let compliance = Compliance::of(&shaft, deflections);
@@ -171,7 +173,7 @@ fn warnings(machine: &Machine, positions: &[f64], deflections: &[Deflection]) ->
         pulls(&format!("the steady rest at {:.1}", LENGTH.shown(rest.at)), &mut forces.into_iter());
     }
     let idle = deflections.iter().filter(|d| d.force <= 0.0).count();
-    if idle > 0 && setup.nominal_force() > 0.0 {
+    if idle > 0 && positions.iter().any(|x| setup.nominal_force(*x) > 0.0) {
         warnings.push(format!("the tool does not touch the work at {idle} of {} positions", deflections.len()));
     }
     let is_told = !setup.passes.is_empty() || !setup.blank.is_true();

@@ -40,7 +40,7 @@ impl Roundness {
         let elastic = Elastic::new(machine, &shaft);
         let section = |(i, x): (usize, &f64)| -> Result<f64, Failure> {
             let radii = angles.iter().map(|angle| -> Result<f64, Failure> {
-                let at = setup.conditions(elastic.before(i, *x, Some(*angle))?);
+                let at = setup.conditions(*x, elastic.before(i, *x, Some(*angle))?);
                 Ok(0.5 * elastic.pass(i, at)?.1)
             });
             Ok(spread(&radii.collect::<Result<Vec<f64>, Failure>>()?))

@@ -112,6 +112,8 @@ fn springs() -> Vec<Case> {
     let at = |name: &str, x: f64| {
         deflection(name, (on_springs(x), gap(&uniform("centres", effects), x)), "seed 002 (8), (11), (13)")
     };
+    let observed_there = uniform("centres", effects).map_or(f64::NAN, |lathe| observed(&lathe, l, &[]));
+    let at_tailstock = (2.0 * p * (1.0 / 40e6 + 1.0 / 50e6), observed_there);
     // M = k·φ at the chuck; with a centre the force method with the tilt in both coefficients.
     let tilt = 100e3;
     let tilting = "[chuck-tilt]\nstiffness = \"100 kN*m/rad\"";
@@ -126,6 +128,7 @@ fn springs() -> Vec<Case> {
     let errors = profile(&lathe(stiff, effects));
     let thinnest = (0..errors.len()).min_by(|a, b| errors[*a].total_cmp(&errors[*b])).unwrap_or(0);
     vec![
+        diameter_error("shaft on springs, tailstock end", at_tailstock, "seed 002 (8): 2(Y_tailstock + Y_tool)"),
         at("shaft on springs, headstock end", 0.0),
         at("shaft on springs, mid-span", 0.25),
         at("shaft on springs, x = 0.8 L", 0.4),
@@ -136,7 +139,7 @@ fn springs() -> Vec<Case> {
             "place / L",
             (0.4, thinnest as f64 / 1000.0, "-"),
             Tolerance::Absolute(2e-3),
-            "k_t/(k_h + k_t), from seed 002 (8), (11)",
+            "seed 002 (8), (11): k_t/(k_h + k_t)",
         ),
         deflection("chuck that tilts, free end", (free(0.5), gap(&uniform("chuck", tilting), 0.5)), "statics"),
         deflection(

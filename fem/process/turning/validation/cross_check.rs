@@ -56,7 +56,7 @@ fn by_frame(lathe: &Lathe, node: usize) -> Option<f64> {
     for rest in &shaft.rests {
         frame = frame.translational_spring((rest.at / 0.02).round() as usize, rest.stiffness).ok()?;
     }
-    let force = machine.setup.conditions(0.0).force;
+    let force = machine.setup.conditions(0.0, 0.0).force;
     let solution = frame.solve(&[(node, force)]).ok()?;
     Some(solution.displacement[node])
 }

@@ -39,6 +39,14 @@ pub fn cases() -> Vec<Case> {
     let s = shaft40();
     let middle = root(1.0 / (1.0 / j + s.length.powi(3) / (48.0 * s.ei)), 0.9);
     cases.push(left("force fed back, exponent 0.9, mid-span".into(), middle, gap(&feedback(0.9), 0.25), BISECTED));
+    let series = 1.0 / (1.0 / j + s.length.powi(3) / (48.0 * s.ei));
+    let both = c * t / (series * (1.0 + c / series));
+    cases.push(left("force fed back, work and tool in series".into(), both, gap(&linear, 0.25), "seed 002 (17)-(23)"));
+    // So soft that the blank's error goes over nearly whole: C/(j + C) of it.
+    let soft = uniform("centres", "[carriage-compliance]\nstiffness = \"0.01 N/um\"\n[force-feedback]\nexponent = 1.0");
+    let inherited = gap_under(&soft, 0.5, conditions(0.7e-3)) - gap_under(&soft, 0.5, conditions(0.4e-3));
+    let part = (0.8 / 0.81, inherited / 0.3e-3, "-");
+    cases.push(row("carriage of 0.01 N/um", "part inherited", part, ROUND_OFF, "seed 002 (27): j far below C"));
     cases.extend(hardly_cutting());
     cases.push(force_law());
     cases
@@ -72,6 +80,6 @@ fn force_law() -> Case {
         .replace("HELD", "centres")
         .replace("radial_force = \"400 N\"", "force = { C = 243.0, x = 0.9, y = 0.6, n = 0.3, HB = 200.0 }");
     // 0.2^0.6·0.5^0.9·200^0.3 = (0.2²·0.5³·200)^0.3 = 1, so that P = C.
-    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.setup().conditions(0.0).force);
+    let computed = lathe(&text, "").map_or(f64::NAN, |l| l.setup().conditions(0.0, 0.0).force);
     row("force law, s = 0.2 mm/rev, t = 0.5 mm", "radial force", (243.0, computed, "N"), ROUND_OFF, "seed 002 (16)")
 }

@@ -1,7 +1,7 @@
 //! What the machine's geometry does to the diameter.
 
 use super::rig::*;
-use crate::process::{Case, Tolerance};
+use crate::process::{Case, Tolerance, figure_of};
 
 pub fn cases() -> Vec<Case> {
     [shifts(), carriage(), hyperboloid()].concat()
@@ -28,7 +28,13 @@ fn shifts() -> Vec<Case> {
         at("bed twist 30 um/m/m, x = 0.4 m", "[bed-twist]\ntwist = \"30 um/m/m\"", 0.4, 6e-6, "geometry of guideways"),
         at("guideway taper 30 um/m, x = 0.4 m", "[guideway-taper]\nslope = \"30 um/m\"", 0.4, 24e-6, "seed 002 (6)"),
         at("tailstock offset 10 um, x = 0.3 L", "[tailstock-offset]\noffset = \"10 um\"", 0.15, 6e-6, "statics"),
-        at("setting error -6 um", "[setting-error]\noffset = \"-6 um\"", 0.1, -12e-6, "seed 002 (33), (34)"),
+        at(
+            "setting error -6 um",
+            "[setting-error]\noffset = \"-6 um\"",
+            0.1,
+            -12e-6,
+            "seed 002 (6): the nose off by dy",
+        ),
         at("guideway wear, worst place", worn, 0.2, 16e-6, "seed 002, wear of the guideways"),
         at("guideway wear, one width off", worn, 0.25, 16e-6 * (-0.5f64).exp(), "seed 002, wear of the guideways"),
     ]
@@ -45,7 +51,10 @@ fn carriage() -> Vec<Case> {
     let worn = on_two("[front-guideway-wear]\nwear = \"30 um\"\ncentre = \"200 mm\"\nwidth = \"50 mm\"");
     let sagged = on_two("[bed-sag]\nfront = \"40 um\"\nrear = \"-20 um\"");
     let fallen = on_two("[bed-sag]\nfront = \"200 um\"\nrear = \"200 um\"");
-    let (turned, source) = (Tolerance::Relative(0.2 * 2e-4), "rigid carriage turned on its front foot");
+    let (turned, source) = (
+        Tolerance::Relative(0.2 * 2e-4),
+        "seed 002, wear and sag of the guideways: rigid carriage turned on its front foot",
+    );
     let at = |name: &str, expected: f64, lathe: &Option<Lathe>, x: f64, tolerance, source| {
         row(name, "diameter error", (expected, shift(lathe, 1, x), "m"), tolerance, source)
     };
@@ -87,6 +96,19 @@ fn hyperboloid() -> Vec<Case> {
     };
     let (risen, first) = (shift(&height, 1, 0.4), 2.0 * z * z / d);
     let (own, exactly) = (Tolerance::Relative(z * z / (d * d)), Tolerance::Relative(1e-11));
+    // With the taper d and f are not zero: I₁ = d² − a·f = −(D/2)²·(tan β/cos α)² and I₂ = −(tan²α + …), as a run tells.
+    let told = |key: &str| figure_of(&both, "conic", key);
+    // The two angles of (3): a path that runs x/cos(α) rises by tan(β) of it.
+    let (alpha, beta) = (0.2f64.to_radians(), 0.5f64.to_radians());
+    let (across, up) = (alpha.tan(), beta.tan() / alpha.cos());
+    let slopes = format!(
+        "[guideway-height]\nslope = \"{} mm/m\"\n[guideway-taper]\nslope = \"{} mm/m\"",
+        1e3 * up,
+        1e3 * across
+    );
+    let askew_path = uniform("centres", &slopes);
+    let angled = 2.0 * (d * d / 4.0 + 0.3 * d * across + 0.09 * (across * across + up * up)).sqrt() - d;
+    let by_angles = "seed 002 (3): tan(beta)/cos(alpha) of rise per x";
     let (source, handbook) = ("seed 002 (3)-(5): I2 = -tan^2(beta)", "seed 002 (7); its own error is (dz/D)^2");
     let joined = "seed 002 (3): y^2 = (D/2 + x*tan(alpha))^2 + (x*tan(beta))^2";
     vec![
@@ -94,6 +116,26 @@ fn hyperboloid() -> Vec<Case> {
         at("the same, handbook's first term", (first, risen), own, handbook),
         at("guideway rises and tapers, x = 0.4 m", (tilted, shift(&both, 1, 0.4)), exactly, joined),
         at("guideway rises 5 mm/m and tapers 200 um/m, x = 0.3 m", (askew, shift(&steep, 1, 0.3)), exactly, joined),
+        at(
+            "path at 0.2 deg across and 0.5 deg up, x = 0.3 m",
+            (angled, shift(&askew_path, 1, 0.3)),
+            exactly,
+            by_angles,
+        ),
+        row(
+            "hyperboloid of revolution, rises and tapers",
+            "invariant I1",
+            (-1.6e-3, told("i1"), "mm^2"),
+            Tolerance::Relative(1e-7),
+            "seed 002 (3)-(5): I1 = -(D/2)^2*tan^2(beta)",
+        ),
+        row(
+            "hyperboloid of revolution, rises and tapers",
+            "invariant I2",
+            (-4.25e-6, told("i2"), "-"),
+            Tolerance::Relative(1e-7),
+            "seed 002 (3)-(5): I2 = -tan^2(alpha) - tan^2(beta)",
+        ),
         row("hyperboloid of revolution", "invariant I2", (-4e-6, -a, "-"), Tolerance::Relative(1e-9), source),
     ]
 }

@@ -43,7 +43,7 @@ pub fn gap(lathe: &Option<Lathe>, x: f64) -> f64 {
 pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) -> f64 {
     let solve = |lathe: &Lathe| {
         let shaft = condense(lathe.machine(), &[x]).ok()?;
-        let conditions = conditions.unwrap_or(lathe.setup().conditions(0.0));
+        let conditions = conditions.unwrap_or(lathe.setup().conditions(0.0, 0.0));
         Elastic::new(lathe.machine(), &shaft).deflect(0, conditions).ok().map(|d| d.total)
     };
     lathe.as_ref().and_then(solve).unwrap_or(f64::NAN)

@@ -96,7 +96,7 @@ fn growth() -> Vec<Case> {
         (|xi: f64, t: f64| 10.0 + (xi - 10.0) * (-t / 4.0f64).exp(), |xi: f64, t: f64| xi * (-t / 4.0f64).exp());
     let second = cool(heat(0.0, 5.0), 3.0);
     let third = cool(heat(second, 5.0), 23.0);
-    let source = "tau xi' = e[cutting] - xi, by hand";
+    let source = "seed 002, length of the tool over a batch: tau xi' = e[cutting] - xi, by hand";
     let at = |name: &str, part, x, xi: f64| diameter_error(name, (-2e-6 * xi, shift(&growing, part, x)), source);
     vec![
         at("tool growth, part 1, end of the cut", 1, 0.0, heat(0.0, 5.0)),

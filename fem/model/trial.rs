@@ -1,0 +1,95 @@
+//! A model with other values for what it does not know exactly.
+
+use std::sync::Arc;
+
+use super::{Model, instrument, read};
+use crate::input::Reader;
+use crate::noise::Term;
+use crate::process::{Active, Failure, ForwardModel, System};
+
+impl Model {
+    /// Forward model with the parameters at these values (SI, in the order of `parameters`).
+    ///
+    /// # Errors
+    /// The values make no model: a search went where there is none.
+    pub fn forward_at(&self, values: &[f64]) -> Result<Box<dyn ForwardModel>, Failure> {
+        self.forward_with(values, &[])
+    }
+
+    /// Forward model with the parameters at these values and further effects that the file does not have.
+    ///
+    /// # Errors
+    /// The values make no model.
+    pub fn forward_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn ForwardModel>, Failure> {
+        self.forward_of(values, |mut effects| {
+            effects.extend_from_slice(added);
+            effects
+        })
+    }
+
+    /// Forward model with the parameters at these values and without one of its effects, by its name.
+    ///
+    /// # Errors
+    /// The values make no model.
+    pub fn forward_without(&self, values: &[f64], effect: &str) -> Result<Box<dyn ForwardModel>, Failure> {
+        self.forward_of(values, |mut effects| {
+            effects.retain(|e| e.description.name != effect);
+            effects
+        })
+    }
+
+    /// Forward model with the parameters at these values, and of its effects what `choose` makes of them.
+    fn forward_of(
+        &self,
+        values: &[f64],
+        choose: impl FnOnce(Vec<Active>) -> Vec<Active>,
+    ) -> Result<Box<dyn ForwardModel>, Failure> {
+        if let Some((effects, terms)) = self.effects_at(values) {
+            return Ok(self.behind(self.system.with_effects(&choose(effects)), &terms));
+        }
+        let (system, effects, terms) = self.read_at(values)?;
+        Ok(self.behind(system.with_effects(&choose(effects)), &terms))
+    }
+
+    /// System with the parameters at these values (SI, in the order of `parameters`).
+    ///
+    /// # Errors
+    /// The values make no model.
+    pub fn system_at(&self, values: &[f64]) -> Result<Arc<dyn System>, Failure> {
+        match self.effects_at(values) {
+            Some(_) => Ok(self.system.clone()),
+            None => self.read_at(values).map(|(system, ..)| system),
+        }
+    }
+
+    /// Reads the file again with other values.
+    fn read_at(&self, values: &[f64]) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
+        let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
+        let ((_, system, effects, terms), found) =
+            Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, trial, |model| {
+                read(model, self.process)
+            });
+        match (system, found.problems.first()) {
+            (Some(system), None) => Ok((system, effects, terms)),
+            (_, problem) => Err(Failure {
+                message: problem.map_or("the values make no model".into(), |p| p.message.clone()),
+                help: problem.and_then(|p| p.help.clone()).unwrap_or_default(),
+            }),
+        }
+    }
+
+    /// Effects, of the machine and of the measurement, with other values, if nothing else is unknown; the
+    /// system then need not be read again.
+    fn effects_at(&self, values: &[f64]) -> Option<(Vec<Active>, Vec<Term>)> {
+        let (mut effects, mut terms) = (self.effects.clone(), self.measurement.clone());
+        for (parameter, value) in self.parameters.iter().zip(values) {
+            if let Some(term) = self.measurement.iter().position(|t| instrument::is_of(&parameter.path, t)) {
+                terms[term].size = *value;
+                continue;
+            }
+            let (effect, place) = self.place(&parameter.path)?;
+            effects[effect].values[place] = *value;
+        }
+        Some((effects, terms))
+    }
+}
