@@ -84,12 +84,12 @@ pub struct Run {
     /// Where to write; out/<model name> if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Replace files that this program did not write
-    #[arg(long)]
-    pub force: bool,
     /// Write the figures alone, as SVG, into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "output")]
     pub plot: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -106,7 +106,7 @@ pub struct Data {
 }
 
 /// How long a command may take.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 pub struct Limit {
     /// When to stop with what is found by then, as '30 s' or '5 min'; what is left undone is told
     #[arg(long, value_name = "TIME", value_parser = time)]
@@ -167,12 +167,12 @@ pub struct Compare {
     /// Where to write residuals.csv, figures and compared.pvd; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Replace files that this program did not write
-    #[arg(long)]
-    pub force: bool,
     /// Write the figures alone, as SVG, into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "output")]
     pub plot: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -302,12 +302,14 @@ pub struct Report {
     /// The page to write
     #[arg(short, long, value_name = "FILE.html", required_unless_present = "serve")]
     pub output: Option<PathBuf>,
-    /// Replace a file that is no such page
-    #[arg(long)]
-    pub force: bool,
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,
+    #[command(flatten)]
+    pub limit: Limit,
+    /// Replace a file that this program did not write
+    #[arg(long)]
+    pub force: bool,
     /// Show the page at an address of this computer alone, and renew it whenever a file changes
     #[arg(long)]
     pub serve: bool,

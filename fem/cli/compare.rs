@@ -1,5 +1,7 @@
 //! `fem compare`.
 
+use std::path::PathBuf;
+
 use super::args;
 use super::error::Error;
 use super::terminal::{notes, page, print};
@@ -30,12 +32,12 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     if args.output.is_some() || args.plot.is_some() {
         refuse_namesakes(&models)?;
     }
-    let read = || models.iter().flat_map(Model::paths).chain(args.data.with.iter().cloned()).collect::<Vec<_>>();
+    let guard = Guard { reads: &args.data.with, force: args.force };
     if let Some(directory) = &args.plot {
-        Pictures { directory, guard: Guard { reads: &read(), force: args.force } }.write(&report)?;
+        let reads: Vec<PathBuf> = models.iter().flat_map(Model::paths).chain(args.data.with.iter().cloned()).collect();
+        Pictures { directory, guard: Guard { reads: &reads, ..guard } }.write(&report)?;
     }
     if let Some(directory) = &args.output {
-        let guard = Guard { reads: &args.data.with, force: args.force };
         Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
     }
     notes(&measurements.notes);

@@ -1,13 +1,10 @@
 //! `fem demo`: a story to try everything on.
 
-use std::path::Path;
-
 use super::args;
 use super::error::Error;
 use super::terminal::print;
 use crate::input::Problem;
-use crate::output::OutputError;
-use crate::output::files::{Guard, Stage};
+use crate::output::files::{self, Guard};
 
 /// The files of the story.
 const FILES: [(&str, &str); 2] = [
@@ -21,12 +18,9 @@ pub fn demo(args: &args::Demo) -> Result<(), Error> {
         let problem = Problem::new(format!("{} exists already", directory.join(name).display()));
         return Err(Error::Request(problem.help("name another folder: fem demo FOLDER")));
     }
-    let unwritable = |error| OutputError::File { path: directory.clone(), error };
-    let stage = Stage::new(directory, "demo", Guard { reads: &[], force: false }).map_err(unwritable)?;
     for (name, text) in FILES {
-        stage.write(Path::new(name), text.as_bytes())?;
+        files::write(&directory.join(name), text.as_bytes(), Guard { reads: &[], force: false })?;
     }
-    stage.publish()?;
     let folder = directory.display();
     print(&format!(
         "written {folder}/rigid.toml, a lathe that is believed to be rigid, and {folder}/measured.csv, twelve shafts that it turned

@@ -1,7 +1,7 @@
 //! `fem report`.
 
+use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
 
 use super::args;
 use super::error::Error;
@@ -10,10 +10,10 @@ use super::story::{Depth, written};
 use super::terminal::{notes, print};
 use super::watch::watched;
 use crate::output::files::{self, Guard};
-use crate::progress::Progress;
 
-/// What every page says of the program that wrote it.
+/// By which a page is known, within so many of its first bytes.
 const OWN: &str = "<meta name=\"generator\" content=\"fem ";
+const HEAD: u64 = 2000;
 
 pub fn run(args: &args::Report) -> Result<(), Error> {
     if args.serve {
@@ -21,15 +21,18 @@ pub fn run(args: &args::Report) -> Result<(), Error> {
     }
     let Some(output) = &args.output else { return Ok(()) };
     let force = args.force || is_own(output);
-    Guard { reads: &[&args.models[..], &args.with].concat(), force }.check(output)?;
-    let progress = Arc::new(Progress::default());
+    let named = [&args.models[..], &args.with].concat();
+    Guard { reads: &named, force }.check(output)?;
+    let progress = args.limit.progress();
     let made = watched(&progress, || written(args, Depth::Diagnosed, None, &progress))?;
     files::write(output, made.html.as_bytes(), Guard { reads: &made.files, force })?;
     notes(&made.notes);
     print(&format!("written {}\n", output.display()))
 }
 
-/// Whether a file is an earlier page of this program, which the next one may replace.
+/// Whether a file is an earlier page, which a newer one may replace.
 fn is_own(path: &Path) -> bool {
-    std::fs::read_to_string(path).is_ok_and(|text| text.contains(OWN))
+    let mut head = Vec::new();
+    let read = std::fs::File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    read.is_ok() && String::from_utf8_lossy(&head).contains(OWN)
 }

@@ -20,12 +20,10 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let run = watched(&progress, || model.run(&progress))?;
     let report = Report::Run(&model, &run);
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model));
+    let guard = Guard { reads: &[], force: args.force };
     let written = match &args.plot {
-        Some(directory) => {
-            Pictures { directory, guard: Guard { reads: &model.paths(), force: args.force } }.write(&report)?
-        }
+        Some(directory) => Pictures { directory, guard: Guard { reads: &model.paths(), ..guard } }.write(&report)?,
         None => {
-            let guard = Guard { reads: &[], force: args.force };
             let folder = Folder { directory: &directory, guard, progress: &progress };
             watched(&progress, || folder.write(&report))?
         }

@@ -15,7 +15,6 @@ use super::say::say;
 use super::story::{Depth, written};
 use crate::input::Problem;
 use crate::output::trouble;
-use crate::progress::Progress;
 
 /// Time between two looks at the files.
 const LOOK: Duration = Duration::from_millis(250);
@@ -88,7 +87,7 @@ fn stamps(args: &args::Report, shown: &Shared) -> Vec<Option<(SystemTime, u64)>>
 /// Puts the next page in place: the report, or what is wrong with its files.
 fn renew(args: &args::Report, depth: Depth, shown: &Shared) {
     let version = locked(shown).version + 1;
-    let made = written(args, depth, Some(version), &Progress::default());
+    let made = written(args, depth, Some(version), &args.limit.progress());
     let mut shown = locked(shown);
     shown.version = version;
     match made {

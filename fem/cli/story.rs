@@ -1,6 +1,7 @@
 //! The page of `fem report`: models, measurements and a diagnosis brought together.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
@@ -40,7 +41,7 @@ pub struct Made {
 ///
 /// # Errors
 /// As those of `fem run`, `fem compare` and `fem diagnose`.
-pub fn written(args: &args::Report, depth: Depth, live: Option<u64>, progress: &Progress) -> Result<Made, Error> {
+pub fn written(args: &args::Report, depth: Depth, live: Option<u64>, progress: &Arc<Progress>) -> Result<Made, Error> {
     let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     refuse_mixed(&models)?;
     let Some(model) = models.last() else {
@@ -58,7 +59,7 @@ pub fn written(args: &args::Report, depth: Depth, live: Option<u64>, progress: &
     let measurements = Measurements::load_all(&args.with, model.process, &args.reading.said()?, false)?;
     let (comparisons, measurements) =
         if is_known { compared(&models, measurements)? } else { (Vec::new(), measurements) };
-    let all = Data::of(model, measurements)?;
+    let all = Data::of(model, measurements)?.watched(progress.clone());
     let mut notes = all.notes_of_fit();
     let some = thinned(&all);
     if let Some(some) = &some {

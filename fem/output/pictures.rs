@@ -14,7 +14,7 @@ use crate::model::{Model, Run};
 pub struct Pictures<'a> {
     /// Where they appear; made if it is missing.
     pub directory: &'a Path,
-    /// What may be replaced there.
+    /// Of what is not to be written over.
     pub guard: Guard<'a>,
 }
 
@@ -36,7 +36,7 @@ impl Format for Pictures<'_> {
             _ => Vec::new(),
         };
         let unwritable = |error: std::io::Error| OutputError::File { path: self.directory.to_path_buf(), error };
-        let stage = Stage::new(self.directory, "plots", self.guard).map_err(unwritable)?;
+        let stage = Stage::new(self.directory, "plot", self.guard).map_err(unwritable)?;
         let written = stage_all(all, Path::new(""), &stage)?;
         stage.publish()?;
         let list: Vec<String> = written.iter().map(|f| format!("  {}", self.directory.join(f).display())).collect();

@@ -8,7 +8,7 @@ fn drawn(name: &str) -> (Place, Vec<String>) {
     place.write("model.toml", model(&format!("{name}.toml")));
     let answer = place.fem(&["run", "model.toml", "--plot", "figures"]);
     assert_eq!(answer.status, 0, "{}", answer.err);
-    let files = place.files().into_iter().filter(|f| f.starts_with("figures/")).collect();
+    let files = place.files().into_iter().filter(|f| f.starts_with("figures/") && f.ends_with(".svg")).collect();
     (place, files)
 }
 
@@ -61,7 +61,8 @@ fn a_comparison_draws_measured_rows_and_residuals() {
     place.write("measured.csv", model("story/measured.csv"));
     let answer = place.fem(&["compare", "rigid.toml", "--with", "measured.csv", "--plot", "figures"]);
     assert_eq!(answer.status, 0, "{}", answer.err);
-    let files: Vec<String> = place.files().into_iter().filter(|f| f.starts_with("figures/")).collect();
+    let files: Vec<String> =
+        place.files().into_iter().filter(|f| f.starts_with("figures/") && f.ends_with(".svg")).collect();
     let expected = [
         "agreement",
         "measured",

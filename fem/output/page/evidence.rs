@@ -8,7 +8,7 @@ use super::subject::{Evidence, Subject};
 use crate::compare::Comparison;
 use crate::output::chart::{Chart, Svg, draw, number};
 use crate::output::falling::Falling;
-use crate::output::{comparison, diagnosis, drawing, plots};
+use crate::output::{Report, comparison, diagnosis, drawing, plots};
 
 /// Most coordinates along which the residuals of every step are drawn.
 const MOST_ALONG: usize = 3;
@@ -89,6 +89,8 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step]) -> Section {
     };
     let mut blocks: Vec<String> =
         cautions.iter().map(|c| html::paragraph("caution", &format!("Caution: {c}"))).collect();
+    let undone = found.diagnosis.map_or(Vec::new(), |d| Report::Diagnosis(found.data, d).left_undone());
+    blocks.extend(undone.iter().map(|u| html::paragraph("caution", &format!("Left undone for want of time: {u}"))));
     if steps.len() > 1 {
         let title = format!("root mean square error of {}", subject.model().stem().display());
         let stem = |s: &Step| s.label.rsplit('/').next().unwrap_or(&s.label).to_string();
