@@ -134,11 +134,12 @@ pub fn abandon() {
     std::mem::forget(partial);
 }
 
-/// Removes the frames of an earlier, longer run: `NAME_0123.vtu` and no other file.
+/// Removes the frames of an earlier, longer run: `NAME_0123.vtu` or `.vtp` and no other file.
 pub fn remove_frames_from(folder: &Path, name: &str, first: usize) {
     let Ok(entries) = std::fs::read_dir(folder) else { return };
     let number = |file: OsString| -> Option<usize> {
-        let digits = file.to_str()?.strip_prefix(name)?.strip_prefix('_')?.strip_suffix(".vtu")?.to_string();
+        let numbered = file.to_str()?.strip_prefix(name)?.strip_prefix('_')?;
+        let digits = numbered.strip_suffix(".vtu").or(numbered.strip_suffix(".vtp"))?.to_string();
         (digits.len() >= 4 && digits.bytes().all(|b| b.is_ascii_digit())).then(|| digits.parse().ok())?
     };
     for entry in entries.flatten() {

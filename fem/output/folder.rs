@@ -87,7 +87,7 @@ impl Folder<'_> {
             written.push(file);
         }
         if let Some(animation) = &found.animation {
-            written.push(self.animation(animation, &stage)?);
+            written.extend(self.animation(animation, "view.py", model, &stage)?);
         }
         for drawing in &found.drawings {
             written.push(write_drawing(drawing, &stage)?);
@@ -96,7 +96,7 @@ impl Folder<'_> {
         written.push("summary.json".into());
         stage.publish()?;
         if let Some(animation) = &found.animation {
-            files::remove_frames_from(&self.directory.join(animation.name), animation.name, animation.frames);
+            remove_frames_from(self.directory, animation);
         }
         Ok(written)
     }
@@ -132,9 +132,10 @@ impl Folder<'_> {
         stage.write(&residuals, comparison::residuals(measurements, comparison).as_bytes())?;
         let mut written = vec![residuals];
         let places = model.system.places(&measurements.rows);
-        let shapes = places.as_ref().map(|p| comparison::shapes(p, comparison));
+        let (observables, rows) = (model.process.observables(), &measurements.rows);
+        let shapes = places.as_ref().map(|p| comparison::shapes(observables, rows, p, comparison));
         if let Some(shapes) = &shapes {
-            written.push(self.animation(shapes, &stage)?);
+            written.extend(self.animation(shapes, "view-compared.py", model, &stage)?);
         }
         if let (Some(places), Some(nominal)) = (&places, model.system.contour()) {
             let rows = model.system.resolved(&measurements.rows);
@@ -142,31 +143,66 @@ impl Folder<'_> {
             written.push(write_drawing(&drawing, &stage)?);
         }
         stage.publish()?;
-        if let Some(shapes) = shapes {
-            files::remove_frames_from(&directory.join(shapes.name), shapes.name, shapes.frames);
+        if let Some(shapes) = &shapes {
+            remove_frames_from(directory, shapes);
         }
         Ok(written)
     }
 
-    fn animation(&self, animation: &Animation, stage: &Stage) -> Result<PathBuf, OutputError> {
-        let folder = Path::new(animation.name);
-        let name = |i: usize| format!("{}_{i:04}.vtu", animation.name);
+    /// `NAME.pvd` with true geometry, `NAME-magnified.pvd` as people look at it, their frames in `NAME/`, and the
+    /// script that opens the second.
+    fn animation(
+        &self,
+        animation: &Animation,
+        script: &str,
+        model: &Model,
+        stage: &Stage,
+    ) -> Result<Vec<PathBuf>, OutputError> {
+        let file = model.source.name.to_string();
+        let series = vtk::Series::new(animation, model.title.as_deref().unwrap_or(&file), &file);
+        let (real, magnified) = (animation.name.to_string(), magnified(animation.name));
         self.progress.expect(animation.frames as u64);
         let write = |i: usize| {
-            let frame = (animation.frame)(i);
-            let path = folder.join(name(i));
-            let bytes = vtk::vtu(&frame.grid).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
-            stage.write(&path, &bytes)?;
+            let place = |stem: &str, end: &str| format!("{}/{stem}_{i:04}.{end}", animation.name);
+            let paths = [place(&real, "vtu"), place(&magnified, "vtp")];
+            let wrong = |error| OutputError::Shape { path: PathBuf::from(&paths[0]), error };
+            let frame = series.frame(i).map_err(wrong)?;
+            stage.write(Path::new(&paths[0]), &frame.real)?;
+            if let Some(bytes) = &frame.magnified {
+                stage.write(Path::new(&paths[1]), bytes)?;
+            }
             self.progress.advance(1);
-            Ok((frame.time, format!("{}/{}", animation.name, name(i))))
+            Ok(paths.map(|path| (frame.time, path)))
         };
-        let frames: Vec<(f64, String)> =
+        let frames: Vec<[(f64, String); 2]> =
             (0..animation.frames).into_par_iter().map(write).collect::<Result<_, OutputError>>()?;
-        let path = PathBuf::from(format!("{}.pvd", animation.name));
-        let text = vtk::pvd(&frames).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
-        stage.write(&path, text.as_bytes())?;
-        Ok(path)
+        let mut written = Vec::new();
+        let view = series.view();
+        for (k, stem) in [real, magnified].iter().enumerate().take(if view.is_some() { 2 } else { 1 }) {
+            let path = PathBuf::from(format!("{stem}.pvd"));
+            let list: Vec<(f64, String)> = frames.iter().map(|frame| frame[k].clone()).collect();
+            let text = vtk::pvd(&list).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
+            stage.write(&path, text.as_bytes())?;
+            written.push(path);
+        }
+        if let Some(view) = view {
+            stage.write(Path::new(script), view.as_bytes())?;
+            written.push(script.into());
+        }
+        Ok(written)
     }
+}
+
+/// The series with displacements magnified.
+fn magnified(name: &str) -> String {
+    format!("{name}-magnified")
+}
+
+/// Removes what an earlier, longer run has left of both series.
+fn remove_frames_from(directory: &Path, animation: &Animation) {
+    let folder = directory.join(animation.name);
+    files::remove_frames_from(&folder, animation.name, animation.frames);
+    files::remove_frames_from(&folder, &magnified(animation.name), animation.frames);
 }
 
 fn write_drawing(drawing: &Drawing, stage: &Stage) -> Result<PathBuf, OutputError> {

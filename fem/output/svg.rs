@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use crate::process::{Drawing, Spot};
+use crate::process::{Drawing, Spot, round_below};
 
 /// Side of the square that the drawing fills, and heights of title and one line of the legend, in pixels.
 const SIDE: f64 = 640.0;
@@ -13,6 +13,8 @@ const LINE: f64 = 22.0;
 const MARGIN: f64 = 34.0;
 /// Largest drawn deviation, as a part of the contour's size.
 const REACH: f64 = 0.42;
+/// How near the outermost line may come to where the contour folds back.
+const UNFOLDED: f64 = 0.7;
 /// Size below which deviations count as none, m.
 const NONE: f64 = 1e-9;
 /// Colours of the families, which colour-blind people can tell apart too (Okabe and Ito), darkened or
@@ -75,7 +77,7 @@ impl Frame {
         let (low, high) = ([0, 1].map(|i| end(i, f64::min)), [0, 1].map(|i| end(i, f64::max)));
         let half = [0, 1].map(|i| 0.5 * (high[i] - low[i])).into_iter().fold(1e-9, f64::max);
         let largest = spots().fold(NONE, |size, s| size.max(s.deviation.abs()));
-        let magnification = round_below(REACH * half / largest);
+        let magnification = round_below((REACH * half / largest).min(UNFOLDED * drawing.folds_at()));
         let division = round_below(largest / 2.0);
         let lines = (largest / division).ceil() as i32;
         let middle = [0, 1].map(|i| 0.5 * (low[i] + high[i]));
@@ -121,7 +123,12 @@ impl Frame {
 
     /// Draws the contour, and lines of equal deviation beside it, labelled where they cross the diagonal.
     fn grid(&self, text: &mut String, nominal: &[Vec<Spot>]) {
-        for i in -self.lines..=self.lines {
+        // The letters of the axes have their places already.
+        let [x, y] = self.place(self.middle);
+        let reach = 0.5 * SIDE - MARGIN + 8.0;
+        let mut taken = vec![Room::of([x + reach + 7.0, y + 4.0], 1), Room::of([x - 3.0, y - reach - 6.0], 1)];
+        // The lines next to the contour first: where labels would overlap, theirs stay.
+        for i in std::iter::once(0).chain((1..=self.lines).flat_map(|i| [i, -i])) {
             let off = f64::from(i) * self.division;
             // A grid that is magnified further than the contour is wide has no inside.
             if self.half + self.magnification * off <= 0.02 * self.half {
@@ -140,13 +147,31 @@ impl Frame {
                 };
                 label = places.chain(label).min_by(|a, b| diagonal(*a).total_cmp(&diagonal(*b)));
             }
-            // Where lines stand close, every other one is labelled.
-            let every = if self.scale * self.magnification * self.division < 18.0 { 2 } else { 1 };
-            if let Some([x, y]) = label.filter(|_| i % every == 0) {
-                let shown = if i == 0 { "0".to_string() } else { format!("{:+}", micrometres(off)) };
+            let Some([x, y]) = label else { continue };
+            let shown = if i == 0 { "0".to_string() } else { format!("{:+}", micrometres(off)) };
+            let room = Room::of([x + 3.0, y - 3.0], shown.len());
+            if taken.iter().all(|other| room.is_apart(other)) {
+                taken.push(room);
                 let _ = writeln!(text, "<text class=\"n\" x=\"{:.1}\" y=\"{:.1}\">{shown}</text>", x + 3.0, y - 3.0);
             }
         }
+    }
+}
+
+/// What a label takes up on the page, in pixels.
+struct Room {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Room {
+    /// A label of so many characters that begins at a place of its base line.
+    fn of([x, y]: [f64; 2], characters: usize) -> Self {
+        Self { low: [x - 1.0, y - 10.0], high: [x + 6.8 * characters as f64 + 1.0, y + 3.0] }
+    }
+
+    fn is_apart(&self, other: &Self) -> bool {
+        (0..2).any(|c| self.high[c] < other.low[c] || other.high[c] < self.low[c])
     }
 }
 
@@ -200,14 +225,6 @@ fn style(families: usize) -> String {
         colours(|c| c.0),
         colours(|c| c.1)
     )
-}
-
-/// Largest of 1, 2 and 5 times a power of ten that is not above `value`.
-fn round_below(value: f64) -> f64 {
-    let power = 10f64.powf(value.log10().floor());
-    let digit = value / power;
-    // The comparison allows for round-off, so that 2 stays 2.
-    power * [5.0, 2.0].into_iter().find(|d| digit * (1.0 + 1e-12) >= *d).unwrap_or(1.0)
 }
 
 /// Converts to micrometres, without the digits that conversion leaves.
@@ -278,17 +295,37 @@ mod tests {
     }
 
     #[test]
+    fn labels_do_not_overlap() {
+        // So flat that the lines stand close together above each other.
+        let mut drawing = circle();
+        let squeezed = |s: &Spot| Spot { at: [s.at[0], 0.05 * s.at[1]], ..*s };
+        drawing.nominal.iter_mut().flatten().for_each(|s| *s = squeezed(s));
+        drawing.curves.iter_mut().flat_map(|c| &mut c.pieces).flatten().for_each(|s| *s = squeezed(s));
+        for drawing in [circle(), drawing] {
+            let text = super::drawing(&drawing);
+            let labels: Vec<Room> = text
+                .lines()
+                .filter(|l| l.starts_with("<text class=\"n\""))
+                .map(|l| {
+                    let number =
+                        |key: &str| l.split(key).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+                    let shown = l.split('>').nth(1).unwrap().split('<').next().unwrap();
+                    let middle = if l.contains("middle") { 3.0 } else { 0.0 };
+                    Room::of([number(" x=\"") - middle, number(" y=\"")], shown.len())
+                })
+                .collect();
+            assert!(labels.len() > 4, "{text}");
+            for (i, own) in labels.iter().enumerate() {
+                assert!(labels[..i].iter().all(|other| own.is_apart(other)), "{text}");
+            }
+        }
+    }
+
+    #[test]
     fn a_contour_without_deviation_is_drawn_too() {
         let mut drawing = circle();
         drawing.curves.truncate(0);
         assert!(!super::drawing(&drawing).contains("NaN"));
         assert!(!super::drawing(&Drawing::default()).contains("NaN"));
-    }
-
-    #[test]
-    fn round_numbers_are_not_above() {
-        for (value, round) in [(2.0, 2.0), (1.99, 1.0), (4.9e3, 2e3), (5.0e-7, 5e-7), (9.99, 5.0)] {
-            assert!((round_below(value) / round - 1.0).abs() < 1e-12, "{value}");
-        }
     }
 }

@@ -23,6 +23,7 @@ mod positioning;
 mod registry;
 mod report;
 pub mod ring;
+mod scene;
 mod segment;
 pub mod stiffness;
 pub mod thermal;
@@ -34,12 +35,12 @@ use cases::with_effect;
 pub use cases::{Case, Tolerance};
 use cases::{assembled, bisect, figure as figure_of, row};
 pub use definition::{Contradiction, Definition, Forward, Limit};
-pub use drawing::{Curve, Drawing, Spot};
+pub use drawing::{Curve, Drawing, Spot, round_below};
 pub use effect::{Active, CatalogueEffect, Description, Effect, Neutral, Parameter, nothing};
 pub use failure::Failure;
 pub use figure::{Datum, Figure, extremes, first_extreme};
 pub use formula_effect::{FormulaLaw, Meaning};
-pub use grid::{Cell, Field, Frame, Grid};
+pub use grid::{Cell, Field, Grid};
 pub use interface::{ForwardModel, Process, System};
 pub use observation::{
     Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
@@ -47,4 +48,5 @@ pub use observation::{
 pub use positioning::Positioning;
 pub use registry::{ALL, validation};
 pub use report::{Animation, Column, Plot, RunReport, Table};
+pub use scene::{Arrow, Body, Ends, Frame, Role, Skin, SkinPoint, View};
 pub use segment::Segment;

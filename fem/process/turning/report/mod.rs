@@ -1,5 +1,6 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
+mod bodies;
 mod compliance;
 mod edge;
 mod form;
@@ -54,7 +55,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         figures,
         plots: plots(positions, errors),
         warnings: [warnings(machine, positions, deflections)?, nearly_worn.flatten().into_iter().collect()].concat(),
-        animation: Some(shapes::animation(machine)?),
+        animation: Some(shapes::animation(machine, forward)?),
         ..RunReport::default()
     })
 }
