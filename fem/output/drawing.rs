@@ -227,6 +227,33 @@ mod tests {
     }
 
     #[test]
+    fn labels_do_not_overlap() {
+        // So flat that the lines stand close together above each other.
+        let mut drawing = circle();
+        let squeezed = |s: &Spot| Spot { at: [s.at[0], 0.05 * s.at[1]], ..*s };
+        drawing.nominal.iter_mut().flatten().for_each(|s| *s = squeezed(s));
+        drawing.curves.iter_mut().flat_map(|c| &mut c.pieces).flatten().for_each(|s| *s = squeezed(s));
+        for drawing in [circle(), drawing] {
+            let text = super::drawing(&drawing);
+            let labels: Vec<Room> = text
+                .lines()
+                .filter(|l| l.starts_with("<text class=\"n\""))
+                .map(|l| {
+                    let number =
+                        |key: &str| l.split(key).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+                    let shown = l.split('>').nth(1).unwrap().split('<').next().unwrap();
+                    let middle = if l.contains("middle") { 3.0 } else { 0.0 };
+                    Room::of([number(" x=\"") - middle, number(" y=\"")], shown.len())
+                })
+                .collect();
+            assert!(labels.len() > 4, "{text}");
+            for (i, own) in labels.iter().enumerate() {
+                assert!(labels[..i].iter().all(|other| own.is_apart(other)), "{text}");
+            }
+        }
+    }
+
+    #[test]
     fn a_contour_without_deviation_is_drawn_too() {
         let mut drawing = circle();
         drawing.curves.truncate(0);

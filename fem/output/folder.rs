@@ -92,7 +92,7 @@ impl Folder<'_> {
             written.push(file);
         }
         if let Some(animation) = &found.animation {
-            written.push(self.animation(animation, Path::new(""), &stage)?);
+            written.extend(self.animation(animation, "view.py", model, Path::new(""), &stage)?);
         }
         written.extend(pictures::stage_all(pictures::of_run(model, run), Path::new(""), &stage)?);
         stage.write(Path::new("summary.json"), Json.write(report)?.as_bytes())?;
@@ -135,30 +135,55 @@ impl Folder<'_> {
         let mut written = vec![residuals];
         let places = model.system.places(&measurements.rows);
         if let Some(places) = &places {
-            written.push(self.animation(&comparison::shapes(places, comparison), own, stage)?);
+            let shapes = comparison::shapes(model.process.observables(), &measurements.rows, places, comparison);
+            written.extend(self.animation(&shapes, "view-compared.py", model, own, stage)?);
         }
         written.extend(pictures::stage_all(pictures::of_comparison(model, measurements, comparison), own, stage)?);
         Ok(written)
     }
 
-    /// The index of an animation and its frames, in a folder `own` of the stage.
-    fn animation(&self, animation: &Animation, own: &Path, stage: &Stage) -> Result<PathBuf, OutputError> {
-        let folder = own.join(animation.name);
-        let name = |i: usize| format!("{}_{i:04}.vtu", animation.name);
+    /// `NAME.pvd` with true geometry, `NAME-magnified.pvd` as people look at it, their frames in `NAME/`, and the
+    /// script that opens the second; in a folder `own` of the stage.
+    fn animation(
+        &self,
+        animation: &Animation,
+        script: &str,
+        model: &Model,
+        own: &Path,
+        stage: &Stage,
+    ) -> Result<Vec<PathBuf>, OutputError> {
+        let file = model.source.name.to_string();
+        let series = vtk::Series::new(animation, model.title.as_deref().unwrap_or(&file), &file);
+        let (real, magnified) = (animation.name.to_string(), format!("{}-magnified", animation.name));
         self.progress.expect(animation.frames as u64);
         let write = |i: usize| {
-            let frame = (animation.frame)(i);
-            let path = folder.join(name(i));
-            let bytes = vtk::vtu(&frame.grid).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
-            stage.write(&path, &bytes)?;
+            let place = |stem: &str, end: &str| format!("{}/{stem}_{i:04}.{end}", animation.name);
+            let paths = [place(&real, "vtu"), place(&magnified, "vtp")];
+            let wrong = |error| OutputError::Shape { path: PathBuf::from(&paths[0]), error };
+            let frame = series.frame(i).map_err(wrong)?;
+            stage.write(&own.join(&paths[0]), &frame.real)?;
+            if let Some(bytes) = &frame.magnified {
+                stage.write(&own.join(&paths[1]), bytes)?;
+            }
             self.progress.advance(1);
-            Ok((frame.time, format!("{}/{}", animation.name, name(i))))
+            Ok(paths.map(|path| (frame.time, path)))
         };
-        let frames: Vec<(f64, String)> =
+        let frames: Vec<[(f64, String); 2]> =
             (0..animation.frames).into_par_iter().map(write).collect::<Result<_, OutputError>>()?;
-        let path = own.join(format!("{}.pvd", animation.name));
-        let text = vtk::pvd(&frames).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
-        stage.write(&path, text.as_bytes())?;
-        Ok(path)
+        let mut written = Vec::new();
+        let view = series.view();
+        for (k, stem) in [real, magnified].iter().enumerate().take(if view.is_some() { 2 } else { 1 }) {
+            let path = own.join(format!("{stem}.pvd"));
+            let list: Vec<(f64, String)> = frames.iter().map(|frame| frame[k].clone()).collect();
+            let text = vtk::pvd(&list).map_err(|error| OutputError::Shape { path: path.clone(), error })?;
+            stage.write(&path, text.as_bytes())?;
+            written.push(path);
+        }
+        if let Some(view) = view {
+            let path = own.join(script);
+            stage.write(&path, view.as_bytes())?;
+            written.push(path);
+        }
+        Ok(written)
     }
 }

@@ -2,6 +2,7 @@
 //! position. Plain data, SI units, no knowledge of any file format.
 
 use crate::element::plane::PlaneElement;
+use crate::units::Kind;
 
 /// Shape of a cell. The discriminant is VTK's cell type number.
 ///
@@ -86,19 +87,31 @@ pub struct Field {
     /// Values per point or cell: 1 a scalar, 3 a vector (x, y, z), 6 a symmetric tensor
     /// (xx, yy, zz, xy, yz, xz), 9 a tensor by rows.
     pub components: usize,
+    /// What the values measure.
+    pub kind: Kind,
     /// Values in SI units, `(points or cells, components)` by rows.
     pub values: Vec<f64>,
 }
 
 impl Field {
     /// One value per point or cell, in SI units.
-    pub fn scalar(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), components: 1, values }
+    pub fn scalar(name: impl Into<String>, kind: Kind, values: Vec<f64>) -> Self {
+        Self { name: name.into(), components: 1, kind, values }
     }
 
     /// One vector (x, y, z) per point or cell, in SI units.
-    pub fn vector(name: impl Into<String>, values: Vec<[f64; 3]>) -> Self {
-        Self { name: name.into(), components: 3, values: values.into_flattened() }
+    pub fn vector(name: impl Into<String>, kind: Kind, values: Vec<[f64; 3]>) -> Self {
+        Self { name: name.into(), components: 3, kind, values: values.into_flattened() }
+    }
+
+    /// One symmetric tensor (xx, yy, zz, xy, yz, xz) per point or cell, in SI units.
+    pub fn tensor(name: impl Into<String>, kind: Kind, values: Vec<[f64; 6]>) -> Self {
+        Self { name: name.into(), components: 6, kind, values: values.into_flattened() }
+    }
+
+    /// The values of one point or cell.
+    pub fn at(&self, row: usize) -> &[f64] {
+        &self.values[row * self.components..(row + 1) * self.components]
     }
 }
 
@@ -118,18 +131,14 @@ pub struct Grid {
 }
 
 impl Grid {
+    /// The field of a name on the points.
+    pub fn point_field(&self, name: &str) -> Option<&Field> {
+        self.point_fields.iter().find(|field| field.name == name)
+    }
+
     /// Appends a cell through `nodes`, which are point indices, `cell.nodes()` of them.
     pub fn push(&mut self, cell: Cell, nodes: &[u32]) {
         self.cells.push(cell);
         self.connectivity.extend_from_slice(nodes);
     }
-}
-
-/// A grid at one time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Frame {
-    /// Time, s, or tool position, m, whichever the process advances.
-    pub time: f64,
-    /// State at that time.
-    pub grid: Grid,
 }

@@ -1,6 +1,6 @@
 //! What a run reports, before anyone has decided how to write it.
 
-use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch};
+use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, View};
 use crate::units::Kind;
 
 /// The results of a run, in terms that every output format understands.
@@ -108,6 +108,16 @@ pub struct Plot {
 pub struct Animation {
     /// File stem.
     pub name: &'static str,
+    /// The scalar field on the points that colours the bodies.
+    pub shown: &'static str,
+    /// What the time of the frames is: `time, s`.
+    pub time: &'static str,
+    /// From where it is looked at.
+    pub view: View,
+    /// The frame that tells most, for a picture that stands still.
+    pub telling: usize,
+    /// Displacements magnified further than this are no picture of the body any more: a contour tangles.
+    pub most_magnified: f64,
     /// Number of frames.
     pub frames: usize,
     /// Makes frame number i.

@@ -74,6 +74,7 @@ kinds! {
     HEAT_CAPACITY = "a heat capacity" in "J/K", as "10";
     VOLUME = "a volume" in "cm^3", as "400";
     FACTOR = "a factor" in "", as "1";
+    MOMENT = "a moment" in "N*m", as "50";
 }
 
 /// A number with its unit, to be written.

@@ -9,20 +9,22 @@ fn a_run_writes_its_files_and_no_others() {
     let place = Place::new();
     place.write("lathe.toml", model("lathe.toml").replace("positions = 101", "positions = 4"));
     assert_eq!(place.fem(&["run", "lathe.toml", "-o", "results"]).status, 0);
-    let frames: Vec<String> = (0..4).map(|i| format!("results/shaft/shaft_{i:04}.vtu")).collect();
-    let mut expected =
-        ["lathe.toml", "results/.fem-files.json", "results/compliance.csv", "results/profile.csv", "results/shaft.pvd"]
-            .map(String::from)
-            .to_vec();
-    expected.extend(["machine", "map", "profile"].map(|name| format!("results/{name}.svg")));
-    expected.extend(frames);
-    expected.push("results/summary.json".into());
+    let frame = |i: u32| [format!("shaft_{i:04}.vtu"), format!("shaft-magnified_{i:04}.vtp")];
+    let series = ["shaft.pvd", "shaft-magnified.pvd", "view.py"];
+    let mut expected: Vec<String> = [".fem-files.json", "compliance.csv", "profile.csv", "summary.json", "machine.svg", "map.svg", "profile.svg"]
+        .into_iter()
+        .chain(series)
+        .map(String::from)
+        .chain((0..4).flat_map(frame).map(|name| format!("shaft/{name}")))
+        .map(|name| format!("results/{name}"))
+        .chain(["lathe.toml".to_string()])
+        .collect();
     expected.sort();
     assert_eq!(place.files(), expected);
     // A shorter run takes the frames of a longer one away.
     place.write("lathe.toml", model("lathe.toml").replace("positions = 101", "positions = 2"));
     assert_eq!(place.fem(&["run", "lathe.toml", "-o", "results"]).status, 0);
-    assert!(!place.files().iter().any(|f| f.contains("shaft_0002") || f.contains("partial")));
+    assert!(!place.files().iter().any(|f| f.contains("_0002") || f.contains("partial")));
 }
 
 #[test]

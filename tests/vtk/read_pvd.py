@@ -9,7 +9,7 @@ The JSON object has `frames` (their number), `times`, and `steps`: for each fram
 `points`, `cells`, `cell_types` (VTK type number: how many), `bounds` [xmin, xmax, ...], and
 `point_fields` and `cell_fields` (name: `components`, `range` [min, max] over all components).
 
-Exit code 1, with the reasons on stderr, on any VTK error or warning, on NaN or infinity, on a
+Exit code 1, with the reasons on stderr, on any VTK error or warning, on NaN, infinity or minus zero, on a
 missing file, on an empty frame, or when the list of frames is not what a .pvd should be.
 """
 
@@ -71,6 +71,8 @@ def fields(data, rows, where, problems):
         if not all(map(math.isfinite, values)):
             problems.list.append(f"{where}: {name} holds NaN or infinity")
             continue
+        if any(v == 0.0 and math.copysign(1.0, v) < 0.0 for v in values):
+            problems.list.append(f"{where}: {name} holds minus zero")
         span = [min(values), max(values)] if len(values) else None
         found[name] = {"components": array.GetNumberOfComponents(), "range": span}
     return found

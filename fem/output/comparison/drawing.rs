@@ -1,11 +1,10 @@
 //! Draws measured and predicted deviations on the contour, magnified.
 
+use super::around::{BENT, goes_around};
 use crate::process::{Coordinate, Curve, Drawing, Holds, Places, Rows, Spot};
 
 /// Most frames that can be told apart in one picture.
 const MOST_FRAMES: usize = 4;
-/// Smallest cosine between the outward directions of rows that belong to one line.
-const BENT: f64 = 0.8;
 
 /// Draws the rows of each frame: dots for measured values, a line for predicted ones (SI, with the residuals of every
 /// row). Every coordinate of `rows` is resolved.
@@ -53,11 +52,10 @@ fn lines(spots: Vec<Spot>) -> Vec<Vec<Spot>> {
             _ => pieces.push(vec![spot]),
         }
     }
-    if let [one] = pieces.as_mut_slice() {
-        // The spots go all around, not only there and back again.
-        if one.len() > 8 && near(&one[0], &one[one.len() - 1]) && !near(&one[0], &one[one.len() / 2]) {
-            one.push(one[0]);
-        }
+    if let [one] = pieces.as_mut_slice()
+        && goes_around(&one.iter().map(|spot| spot.outward).collect::<Vec<_>>())
+    {
+        one.push(one[0]);
     }
     pieces
 }

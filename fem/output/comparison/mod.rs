@@ -1,5 +1,6 @@
 //! Writes a comparison with measurements as text, JSON and CSV.
 
+mod around;
 mod drawing;
 mod residuals;
 mod shapes;

@@ -1,42 +1,97 @@
 //! Animates the measured and the predicted shape.
 
+use super::around::goes_around;
 use crate::compare::Comparison;
-use crate::process::{Animation, Cell, Field, Frame, Grid, Places};
+use crate::process::{Animation, Body, Cell, Ends, Field, Frame, Grid, Observable, Places, Role, Rows, Skin, View};
+use crate::units::{Kind, LENGTH, NUMBER};
+
+/// Half of the size of a mark, as a part of the size of the shape.
+const MARK: f64 = 0.006;
 
 /// Makes a frame for each value that rows have in common. Points are the measured rows, joined by a line in
-/// the order of their places; `measured`, `predicted` and `residual` are values of the observable, and the
-/// vectors move the points by the measured and the predicted values.
-pub fn shapes(places: &Places, comparison: &Comparison) -> Animation {
+/// the order of their places, which closes where they go all around; `measured`, `predicted` and `residual` are
+/// values of the observable, and the vectors move the points by the measured and the predicted values. Behind them
+/// stand the same points again, which `displacement` moves by the predicted values, and the first ones by the
+/// measured.
+pub fn shapes(observables: &[Observable], rows: &Rows, places: &Places, comparison: &Comparison) -> Animation {
     let mut frames: Vec<f64> = places.frames.clone();
     frames.sort_unstable_by(f64::total_cmp);
     frames.dedup();
-    let all: Vec<Frame> = frames.iter().map(|at| frame(*at, places, comparison)).collect();
-    Animation { name: "compared", frames: all.len(), frame: Box::new(move |i| all[i].clone()) }
+    // Rows of several observables are of several units, and have none together.
+    let kinds = match rows.observable.first().filter(|first| rows.observable.iter().all(|o| o == *first)) {
+        Some(one) => [observables[*one].error_kind(), observables[*one].kind],
+        None => [NUMBER; 2],
+    };
+    let all: Vec<Frame> = frames.iter().map(|at| frame(*at, kinds, places, comparison)).collect();
+    Animation {
+        name: "compared",
+        shown: "residual",
+        time: "number of what the rows have in common: the part, the run, the lap",
+        view: View::Oblique,
+        telling: 0,
+        most_magnified: f64::INFINITY,
+        frames: all.len(),
+        frame: Box::new(move |i| all[i].clone()),
+    }
 }
 
-fn frame(at: f64, places: &Places, comparison: &Comparison) -> Frame {
+fn frame(at: f64, [error, kind]: [Kind; 2], places: &Places, comparison: &Comparison) -> Frame {
     let mut rows: Vec<usize> = (0..places.frames.len()).filter(|r| places.frames[*r] == at).collect();
     rows.sort_by(|a, b| places.along[*a].total_cmp(&places.along[*b]));
-    let scalar = |values: &[f64]| rows.iter().map(|r| values[*r]).collect::<Vec<f64>>();
-    let moved = |values: &[f64]| {
-        let by = |r: &usize| places.directions[*r].map(|d| d * (values[*r] - places.references[*r]));
-        rows.iter().map(by).collect::<Vec<[f64; 3]>>()
-    };
+    // Once for what was measured, once for what is predicted.
+    let twice = || rows.iter().chain(&rows);
+    let scalar = |values: &[f64]| twice().map(|r| values[*r]).collect::<Vec<f64>>();
+    let by = |values: &[f64], r: usize| places.directions[r].map(|d| d * (values[r] - places.references[r]));
+    let moved = |values: &[f64]| twice().map(|r| by(values, *r)).collect::<Vec<[f64; 3]>>();
     // Measured values as they were compared, without datum directions.
     let measured: Vec<f64> = comparison.predicted.iter().zip(&comparison.residuals).map(|(p, r)| p + r).collect();
-    let mut grid = Grid { points: rows.iter().map(|r| places.points[*r]).collect(), ..Grid::default() };
-    for i in 0..rows.len() as u32 {
+    let own = rows.iter().map(|r| by(&measured, *r)).chain(rows.iter().map(|r| by(&comparison.predicted, *r)));
+    let mut grid = Grid { points: twice().map(|r| places.points[*r]).collect(), ..Grid::default() };
+    let count = rows.len() as u32;
+    let is_closed = goes_around(&rows.iter().map(|r| places.directions[*r]).collect::<Vec<_>>());
+    for i in 0..count {
         grid.push(Cell::Vertex, &[i]);
         if i > 0 {
             grid.push(Cell::Line, &[i - 1, i]);
         }
     }
+    if is_closed {
+        grid.push(Cell::Line, &[count - 1, 0]);
+    }
+    let bodies = bodies(&grid.points[..rows.len()], is_closed);
     grid.point_fields = vec![
-        Field::scalar("residual", scalar(&comparison.residuals)),
-        Field::scalar("measured", scalar(&measured)),
-        Field::scalar("predicted", scalar(&comparison.predicted)),
-        Field::vector("measured_displacement", moved(&measured)),
-        Field::vector("predicted_displacement", moved(&comparison.predicted)),
+        Field::scalar("residual", error, scalar(&comparison.residuals)),
+        Field::scalar("measured", kind, scalar(&measured)),
+        Field::scalar("predicted", kind, scalar(&comparison.predicted)),
+        Field::vector("displacement", LENGTH, own.collect()),
+        Field::vector("measured_displacement", LENGTH, moved(&measured)),
+        Field::vector("predicted_displacement", LENGTH, moved(&comparison.predicted)),
     ];
-    Frame { time: at, grid }
+    Frame { time: at, caption: format!("set {at}: {count} rows"), grid, bodies, arrows: Vec::new() }
+}
+
+/// A mark for every measured row, and a thread through what is predicted of them.
+fn bodies(points: &[[f64; 3]], is_closed: bool) -> Vec<Body> {
+    let extent = |c: usize| {
+        let [low, high] = [f64::min, f64::max].map(|pick| points.iter().map(|p| p[c]).reduce(pick).unwrap_or(0.0));
+        high - low
+    };
+    let half = MARK * extent(0).max(extent(1)).max(extent(2)).max(1e-6);
+    let count = points.len() as u32;
+    let marks = (0..count).fold(Skin::default(), |all, i| all.and(&Skin::block(Some(i), [0.0; 3], [half; 3])));
+    let mut bodies = vec![Body::thickened("measured", marks)];
+    if count > 1 {
+        let next = |i: usize| points[(i + 1) % points.len()];
+        let ring = |i: usize| {
+            // Across the way to the next point, the last of an open line that it came.
+            let (a, b) =
+                if i + 1 < points.len() || is_closed { (points[i], next(i)) } else { (points[i - 1], points[i]) };
+            Skin::ring(Some(count + i as u32), [0, 1, 2].map(|c| b[c] - a[c]), 0.5 * half)
+        };
+        let rings: Vec<_> = (0..points.len()).map(ring).collect();
+        let ends = if is_closed { Ends::Joined } else { Ends::Capped };
+        let thread = Body::new("predicted", Role::Nominal, Skin::lofted(&rings, ends));
+        bodies.push(Body { is_computed: true, ..thread });
+    }
+    bodies
 }

@@ -78,14 +78,15 @@ fn not_finite(values: &[f64]) -> Option<usize> {
 mod tests {
     use super::*;
     use crate::process::Cell;
+    use crate::units::{FORCE, TEMPERATURE};
 
     /// A line and a vertex over two points, one scalar on the points and one vector on the cells.
     fn valid() -> Grid {
         let mut grid = Grid { points: vec![[0.0; 3], [1.0, 0.0, 0.0]], ..Grid::default() };
         grid.push(Cell::Line, &[0, 1]);
         grid.push(Cell::Vertex, &[1]);
-        grid.point_fields.push(Field::scalar("temperature", vec![293.15, 300.0]));
-        grid.cell_fields.push(Field::vector("force", vec![[0.0; 3], [1.0, -2.0, 3.0]]));
+        grid.point_fields.push(Field::scalar("temperature", TEMPERATURE, vec![293.15, 300.0]));
+        grid.cell_fields.push(Field::vector("force", FORCE, vec![[0.0; 3], [1.0, -2.0, 3.0]]));
         grid
     }
 

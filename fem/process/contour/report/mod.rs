@@ -3,12 +3,14 @@
 mod circle;
 mod rectangle;
 mod reversing;
+mod sampled;
 mod shapes;
 
+use self::sampled::Sampled;
 use super::forward::Lap;
 use super::machine::Machine;
 use super::path::{AXES, Direction, Path};
-use super::rows::{self, ANGLE_OF_ROW, COORDINATES, DIRECTION, FEED, OBSERVABLES};
+use super::rows::{ANGLE_OF_ROW, COORDINATES, DIRECTION, FEED, OBSERVABLES};
 use super::setup::Setup;
 use crate::process::{Failure, Figure, Forward, Plot, Rows, RunReport, Table, extremes};
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
@@ -24,25 +26,25 @@ const LARGE_LAG: f64 = 0.1;
 /// # Errors
 /// The contour cannot be computed.
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
-    let (rows, deviations) = (forward.programme, forward.prediction);
+    let setup = &Setup { points: machine.setup.points.max(FINE), ..(*machine.setup).clone() };
+    let fine = Sampled::of(setup, forward)?;
+    let Sampled { rows, deviations } = &Sampled::with_peaks(setup, forward, &fine);
     Ok(RunReport {
         profile: Table::of_rows((COORDINATES, &[DIRECTION, FEED, ANGLE_OF_ROW]), rows, &OBSERVABLES[0], deviations),
-        figures: figures(machine, forward)?,
-        plots: vec![plot(&machine.setup, rows, deviations)],
-        drawings: vec![shapes::drawing(&machine.setup, deviations)],
+        figures: figures(machine, setup, forward, &fine)?,
+        plots: vec![plot(&machine.setup, forward.programme, forward.prediction)],
+        drawings: vec![shapes::drawing(&machine.setup, rows, deviations)],
         warnings: warnings(machine),
-        animation: Some(shapes::animation(machine, deviations)),
+        animation: Some(shapes::animation(machine, rows, deviations)),
         ..RunReport::default()
     })
 }
 
 /// Figures of the contour at so many points that no spike falls between two of them.
-fn figures(machine: &Machine, forward: &Forward) -> Result<Vec<Figure>, Failure> {
-    let setup = &Setup { points: machine.setup.points.max(FINE), ..(*machine.setup).clone() };
-    let rows = rows::programme(setup);
-    let deviations = &forward.observe(&rows)?;
+fn figures(machine: &Machine, setup: &Setup, forward: &Forward, fine: &Sampled) -> Result<Vec<Figure>, Failure> {
+    let Sampled { rows, deviations } = fine;
     let told = (COORDINATES, &[ANGLE_OF_ROW, DIRECTION][..]);
-    let mut figures = extremes("deviation", &OBSERVABLES[0], told, &rows, deviations);
+    let mut figures = extremes("deviation", &OBSERVABLES[0], told, rows, deviations);
     match setup.path {
         Path::Circle { .. } => {
             figures.extend(circle::figures(setup, forward, deviations)?);

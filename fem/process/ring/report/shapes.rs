@@ -11,13 +11,17 @@ use super::super::rows;
 use super::super::setup::{Body, Setup};
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
 use crate::mesh::{BORE, Mesh};
-use crate::process::{Animation, Cell, Failure, Field, Forward, Frame, Grid};
+use crate::process::{Animation, Arrow, Body as Drawn, Cell, Failure, Field, Forward, Frame, Grid, Role, Skin, View};
 use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
 use crate::solve::ring::{ContactArc, add_jaws};
+use crate::units::{FORCE, LENGTH, MICRO, STRESS};
 
-/// Steps of the clamping, of the cut and of the release: a run takes as long as writing them, 1.4 MB each on
+/// Steps of the clamping, of the cut and of the release: a run takes as long as writing them, 0.6 MB each on
 /// the usual mesh.
-const STEPS: usize = 3;
+const STEPS: usize = 6;
+
+/// Length of a jaw as it is drawn, as a part of the ring's radius.
+const JAW: f64 = 0.35;
 
 /// The solved ring, as far as a run shows it.
 pub struct Scene {
@@ -32,6 +36,8 @@ pub struct Scene {
     cut: Vec<f64>,
     /// Force of the jaws while boring, as a part of that at standstill.
     while_boring: f64,
+    /// The surface of the ring.
+    skin: Arc<Skin>,
 }
 
 impl Scene {
@@ -53,7 +59,10 @@ impl Scene {
         let angles = mesh.nodes().iter().map(|node| angle_of(*node)).collect();
         let cut = forward::absolute(machine, forward, &rows::released(&setup, angles))?;
         let while_boring = if setup.jaw_force > 0.0 { machine.boring_force() / setup.jaw_force } else { 0.0 };
-        Ok(Self { setup, mesh, jaws, displacements, stresses, cut, while_boring })
+        let mut grid = Grid { points: vec![[0.0; 3]; mesh.nodes().len()], ..Grid::default() };
+        mesh.elements().for_each(|element| grid.push(Cell::of(element.kind), element.nodes));
+        let skin = Arc::new(Skin::thickened(&grid, setup.width));
+        Ok(Self { setup, mesh, jaws, displacements, stresses, cut, while_boring, skin })
     }
 
     /// Largest equivalent stress on the bore under the jaws at standstill, Pa, and where, rad. Under a line
@@ -67,9 +76,19 @@ impl Scene {
     /// Clamped, then bored, then released; time 1, 2 and 3 are when each is done.
     ///
     /// Points are the nodes of the mesh, then the middles of the jaws. Displacement is that of the ring as
-    /// it was before clamping; the cut shows as displacement of the bore that fades towards the outside.
+    /// it was before clamping, and of the jaws with it; the cut shows as displacement of the bore that fades towards the
+    /// outside.
     pub fn animation(self) -> Animation {
-        Animation { name: "ring", frames: 1 + 3 * STEPS, frame: Box::new(move |i| self.frame(i)) }
+        Animation {
+            name: "ring",
+            shown: "radial_displacement",
+            time: "phase: 1 clamped, 2 bored, 3 released",
+            view: View::Oblique,
+            telling: STEPS,
+            most_magnified: f64::INFINITY,
+            frames: 1 + 3 * STEPS,
+            frame: Box::new(move |i| self.frame(i)),
+        }
     }
 
     /// Force of the jaws over that at standstill, and part of the cut that is done.
@@ -98,30 +117,64 @@ impl Scene {
             let [xx, yy, xy] = self.stresses[node].map(|s| clamped * s);
             grid.points.push([x, y, 0.0]);
             displacement.push([clamped * u + cut * x, clamped * v + cut * y, 0.0]);
-            stress.extend([xx, yy, 0.0, xy, 0.0, 0.0]);
+            stress.push([xx, yy, 0.0, xy, 0.0, 0.0]);
             single.push(equivalent([xx, yy, xy]));
         }
-        for element in self.mesh.elements() {
-            grid.push(Cell::of(element.kind), element.nodes);
-        }
+        self.mesh.elements().for_each(|element| grid.push(Cell::of(element.kind), element.nodes));
+        let mut bodies = vec![Drawn::thickened("ring", self.skin.clone())];
+        let mut arrows = Vec::new();
         for jaw in &self.jaws {
             let (sine, cosine) = jaw.angle.sin_cos();
             let push = clamped * jaw.share * setup.jaw_force;
-            grid.push(Cell::Vertex, &[grid.points.len() as u32]);
-            grid.points.push([setup.outer_radius * cosine, setup.outer_radius * sine, 0.0]);
+            let node = grid.points.len();
+            grid.push(Cell::Vertex, &[node as u32]);
+            let at = [setup.outer_radius * cosine, setup.outer_radius * sine];
+            grid.points.push([at[0], at[1], 0.0]);
             force.push([-push * cosine, -push * sine, 0.0]);
+            // A jaw goes with the surface that it presses on.
+            let [u, v] = self.displacements[self.mesh.nearest_node(at)];
+            displacement.push([clamped * u, clamped * v, 0.0]);
+            bodies.push(Drawn::new("jaw", Role::Machine, self.jaw(node, [cosine, sine])));
+            arrows.push(Arrow::new(node, JAW * setup.outer_radius));
         }
-        // Jaws stand still and bear no stress.
-        displacement.resize(grid.points.len(), [0.0; 3]);
-        stress.resize(6 * grid.points.len(), 0.0);
+        if time > 1.0 && time < 2.0 {
+            bodies.push(Drawn::new("boring bar", Role::Tool, self.boring_bar(time - 1.0)));
+        }
+        stress.resize(grid.points.len(), [0.0; 6]);
         single.resize(grid.points.len(), 0.0);
+        let radial = |([x, y, _], [u, v, _]): (&[f64; 3], &[f64; 3])| (x * u + y * v) / x.hypot(*y);
+        let radial = grid.points.iter().zip(&displacement).map(radial).collect();
         grid.point_fields = vec![
-            Field::vector("displacement", displacement),
-            Field::vector("force", force),
-            Field { name: "stress".into(), components: 6, values: stress },
-            Field::scalar("equivalent_stress", single),
+            Field::vector("displacement", LENGTH, displacement),
+            Field::vector("force", FORCE, force),
+            Field::tensor("stress", STRESS, stress),
+            Field::scalar("equivalent_stress", STRESS, single),
+            Field::scalar("radial_displacement", MICRO, radial),
         ];
-        Frame { time, grid }
+        let phase = match time {
+            t if t < 1.0 => "the jaws close",
+            1.0 => "clamped: the jaws squeeze the ring",
+            t if t < 2.0 => "bored round while it is squeezed",
+            2.0 => "bored: the bore is round, the ring still squeezed",
+            t if t < 3.0 => "the jaws open",
+            _ => "released: the bore springs out of round",
+        };
+        Frame { time, caption: phase.into(), grid, bodies, arrows }
+    }
+
+    /// A jaw at a point of the grid, outwards.
+    fn jaw(&self, node: usize, [x, y]: [f64; 2]) -> Skin {
+        let (reach, half) = (JAW * self.setup.outer_radius, 0.12 * self.setup.outer_radius);
+        Skin::square(Some(node as u32), [0.0; 3], [x, y, 0.0], &[(0.0, half), (reach, half)])
+    }
+
+    /// The boring bar, so much of its way through the ring.
+    fn boring_bar(&self, share: f64) -> Skin {
+        let Setup { inner_radius: r, width, .. } = *self.setup;
+        let [length, thick] = [3.0 * r, 0.22 * r];
+        let z = width * (0.7 - 1.4 * share);
+        let bar = Skin::turned(None, [0.5 * r, 0.0, z], [0.0, 0.0, 1.0], &[(0.0, thick), (length, thick)]);
+        bar.and(&Skin::square(None, [r, 0.0, z + 0.1 * r], [-1.0, 0.0, 0.0], &[(0.0, 0.01 * r), (0.5 * r, 0.1 * r)]))
     }
 }
 

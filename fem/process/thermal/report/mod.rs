@@ -1,5 +1,6 @@
 //! The report of a run: figures, the profile, plots, and the body in space.
 
+mod bodies;
 pub mod ground;
 mod scene;
 

@@ -9,11 +9,13 @@ use super::super::machine::Machine;
 use super::super::rows::{TIME_OF_ROW, elongations, temperatures};
 use super::super::setup::Setup;
 use super::super::{plate, rod};
+use super::bodies;
 use crate::element::plane::Elasticity;
 use crate::mesh::Mesh;
-use crate::process::{Animation, Cell, Failure, Field, Forward, Frame, Grid};
+use crate::process::{Animation, Body as Drawn, Cell, Failure, Field, Forward, Frame, Grid, Role, Skin, View};
 use crate::solve::conduction::Energy;
 use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
+use crate::units::{LENGTH, STRESS, TEMPERATURE, TEMPERATURE_RISE, TIME};
 
 /// Frames of a run beside its start.
 const FRAMES: usize = 60;
@@ -23,6 +25,8 @@ pub struct Scene {
     setup: Arc<Setup>,
     shape: Shape,
     pictures: Vec<Picture>,
+    /// The surface of the body.
+    skin: Arc<Skin>,
     /// Times of the start and of the end of every step, s.
     pub times: Vec<f64>,
     /// Growth from the base to the free end at these times, m, of a body that has them.
@@ -112,7 +116,13 @@ impl Scene {
         if let Some(values) = &mut elongation {
             forward.add_formulas(&elongations(&track.times), values);
         }
-        Ok(Self { elongation, bow: seen(Look::Bow), hottest, times: track.times, pictures, energy, shape, setup })
+        let skin = Arc::new(match (&shape, &setup.body) {
+            (Shape::Rod(x), Body::Rod(segments)) => bodies::rod(x, segments),
+            (Shape::Plane(flat), _) => Skin::thickened(&flat.cells(), flat.plane.width),
+            _ => Skin::default(),
+        });
+        let bow = seen(Look::Bow);
+        Ok(Self { elongation, bow, hottest, times: track.times, pictures, energy, shape, setup, skin })
     }
 
     /// The longest step that was taken, s.
@@ -123,7 +133,17 @@ impl Scene {
     /// Points are the nodes; displacement is growth from the base, of a plane body from the middle of its
     /// left end with both ends level.
     pub fn animation(self) -> Animation {
-        Animation { name: "body", frames: self.pictures.len(), frame: Box::new(move |i| self.frame(i)) }
+        let hottest = self.hottest.map_or(0.0, |h| h.time);
+        Animation {
+            name: "body",
+            shown: "temperature",
+            time: "time since the heating began, s",
+            view: View::Oblique,
+            telling: self.pictures.partition_point(|p| p.time < hottest).min(self.pictures.len().saturating_sub(1)),
+            most_magnified: f64::INFINITY,
+            frames: self.pictures.len(),
+            frame: Box::new(move |i| self.frame(i)),
+        }
     }
 
     fn frame(&self, i: usize) -> Frame {
@@ -133,9 +153,15 @@ impl Scene {
             Shape::Plane(flat) => flat.grid(rises),
         };
         let temperatures = shown.iter().map(|rise| self.setup.start + rise).collect();
-        grid.point_fields.insert(0, Field::scalar("temperature", temperatures));
-        grid.point_fields.insert(1, Field::scalar("rise", shown.clone()));
-        Frame { time: *time, grid }
+        grid.point_fields.insert(0, Field::scalar("temperature", TEMPERATURE, temperatures));
+        grid.point_fields.insert(1, Field::scalar("rise", TEMPERATURE_RISE, shown.clone()));
+        let body = match &self.shape {
+            Shape::Rod(_) => Drawn::new("rod", Role::Work, self.skin.clone()),
+            Shape::Plane(_) => Drawn::thickened("plate", self.skin.clone()),
+        };
+        let bodies = std::iter::once(body).chain(bodies::around(&self.setup, *time, &grid.points)).collect();
+        let caption = format!("{:.2} after the start", TIME.shown(*time));
+        Frame { time: *time, caption, grid, bodies, arrows: Vec::new() }
     }
 }
 
@@ -161,7 +187,7 @@ fn rod_grid(x: &[f64], rises: &[f64], expansion: f64) -> Grid {
             grid.push(Cell::Line, &[i as u32 - 1, i as u32]);
         }
     }
-    grid.point_fields.push(Field::vector("displacement", displacement));
+    grid.point_fields.push(Field::vector("displacement", LENGTH, displacement));
     grid
 }
 
@@ -173,12 +199,18 @@ impl Flat {
         Ok(Self { plane: plane.clone(), system, mesh, law })
     }
 
-    fn grid(&self, rises: &[f64]) -> Grid {
-        let mesh = &self.mesh;
-        let mut grid = Grid { points: mesh.nodes().iter().map(|n| [n[0], n[1], 0.0]).collect(), ..Grid::default() };
-        for element in mesh.elements() {
+    /// Its cells, without fields.
+    fn cells(&self) -> Grid {
+        let points = self.mesh.nodes().iter().map(|n| [n[0], n[1], 0.0]).collect();
+        let mut grid = Grid { points, ..Grid::default() };
+        for element in self.mesh.elements() {
             grid.push(Cell::of(element.kind), element.nodes);
         }
+        grid
+    }
+
+    fn grid(&self, rises: &[f64]) -> Grid {
+        let (mesh, mut grid) = (&self.mesh, self.cells());
         let mut loads = Loads::none(mesh);
         loads.add_temperature(mesh, &self.law, rises);
         // Thermal loads are in equilibrium and finite, and the body has been factored: what is left to fail
@@ -187,10 +219,10 @@ impl Flat {
         let mut displacements = solved.unwrap_or_else(|_| vec![[f64::NAN; 2]; mesh.nodes().len()]);
         self.level(&mut displacements);
         let stresses = nodal_stresses(mesh, &self.law, &displacements, rises);
-        let stress = stresses.iter().flat_map(|[xx, yy, xy]| [*xx, *yy, 0.0, *xy, 0.0, 0.0]).collect();
+        let stress = stresses.iter().map(|[xx, yy, xy]| [*xx, *yy, 0.0, *xy, 0.0, 0.0]).collect();
         let displacement = displacements.iter().map(|[u, v]| [*u, *v, 0.0]).collect();
-        grid.point_fields.push(Field::vector("displacement", displacement));
-        grid.point_fields.push(Field { name: "stress".into(), components: 6, values: stress });
+        grid.point_fields.push(Field::vector("displacement", LENGTH, displacement));
+        grid.point_fields.push(Field::tensor("stress", STRESS, stress));
         grid
     }
 

@@ -1,5 +1,6 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
+mod bodies;
 mod compliance;
 mod conic;
 mod edge;
@@ -58,7 +59,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         plots: plots(positions, errors),
         warnings: [warnings(machine, positions, deflections)?, nearly_worn.flatten().into_iter().collect()].concat(),
         sketch: Some(sketch::sketch(machine, positions, deflections)?),
-        animation: Some(shapes::animation(machine)?),
+        animation: Some(shapes::animation(machine, forward)?),
         ..RunReport::default()
     })
 }

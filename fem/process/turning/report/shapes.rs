@@ -1,37 +1,50 @@
-//! The shaft and its joints in space, tool position by tool position.
+//! The shaft and its joints in space, tool position by tool position and pass by pass.
 
 use std::sync::Arc;
 
-use super::super::elastic::Deflection;
+use super::super::elastic::{Deflection, Elastic};
 use super::super::forward::{condense, deflections, rest_forces};
 use super::super::machine::Machine;
 use super::super::setup::Setup;
-use crate::process::{Animation, Cell, Failure, Field, Frame, Grid};
+use super::bodies::Bodies;
+use crate::process::{Animation, Arrow, Cell, Failure, Field, Forward, Frame, Grid, View};
 use crate::progress::Progress;
 use crate::solve::Condensed;
+use crate::units::{FORCE, LENGTH, MICRO, MOMENT, STRESS, TIME};
 
 /// More frames than anybody watches.
 const MOST_FRAMES: usize = 201;
 /// More nodes than a line needs.
 const MOST_NODES: f64 = 2000.0;
 
-/// Frames with the tool at positions along the pass, in the order in which it travels.
+/// Frames with the tool at positions along every pass, in the order in which it travels.
 ///
 /// Points are the nodes of the shaft on its axis (x, 0, 0), then headstock, tailstock and steady rests, then
-/// the tool nose. The work gives way toward +y. `force` is what acts on the work there.
+/// the tool nose. The work gives way toward +y. `force` is what acts on the work there; `diameter_error` is what
+/// the tool leaves behind it, and what it still meets ahead.
 ///
 /// # Errors
 /// The equilibrium of some position cannot be computed.
-pub fn animation(machine: &Machine) -> Result<Animation, Failure> {
+pub fn animation(machine: &Machine, forward: &Forward) -> Result<Animation, Failure> {
     let setup = machine.setup.clone();
     let nodes = nodes(&setup);
     let tools = tool_positions(&setup);
     let all: Vec<f64> = tools.iter().chain(&nodes).copied().chain(setup.steady_rests.iter().map(|r| r.at)).collect();
     let shaft = condense(machine, &all)?;
-    let deflections = deflections(machine, &condense(machine, &tools)?, &tools, &Progress::default())?;
-    let rests = rest_forces(machine, &tools, &deflections)?;
-    let scene = Scene { setup, nodes, tools, shaft, deflections, rests };
-    Ok(Animation { name: "shaft", frames: scene.tools.len(), frame: Box::new(move |i| scene.frame(i)) })
+    let passes = passes(machine, forward, &tools)?;
+    let bodies = Bodies::new(&setup, &nodes);
+    let scene = Scene { setup, nodes, tools, shaft, passes, bodies };
+    Ok(Animation {
+        name: "shaft",
+        shown: "diameter_error",
+        time: "time since the batch began, s",
+        // The tool half way along the last pass.
+        view: View::Oblique,
+        telling: scene.frames() - scene.tools.len().div_ceil(2),
+        most_magnified: f64::INFINITY,
+        frames: scene.frames(),
+        frame: Box::new(move |i| scene.frame(i)),
+    })
 }
 
 /// Ends of the beam elements: every segment divided evenly into elements of at most the element size.
@@ -53,14 +66,72 @@ fn tool_positions(setup: &Setup) -> Vec<f64> {
     (0..count).map(|i| pass.from + (pass.to - pass.from) * (i as f64 / (count - 1) as f64)).collect()
 }
 
+/// A pass on the first part, tool position by tool position.
+struct Pass {
+    /// Times, s.
+    times: Vec<f64>,
+    deflections: Vec<Deflection>,
+    rests: Vec<Vec<f64>>,
+    /// Diameter errors before and after it, (x, error) with rising x, m.
+    before: Vec<(f64, f64)>,
+    after: Vec<(f64, f64)>,
+}
+
+/// All passes: those before the last as each copies what it meets, the last as it is predicted.
+fn passes(machine: &Machine, forward: &Forward, tools: &[f64]) -> Result<Vec<Pass>, Failure> {
+    let setup = &machine.setup;
+    let shaft = condense(machine, tools)?;
+    let elastic = Elastic::new(machine, &shaft);
+    let travel = (setup.schedule.pass.to - setup.schedule.pass.from).abs();
+    let ordered = |errors: &[f64]| {
+        let mut pairs: Vec<(f64, f64)> = tools.iter().copied().zip(errors.iter().copied()).collect();
+        pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+        pairs
+    };
+    let copies = machine.feeds_back();
+    let blank = |x: &f64| if copies { setup.blank.error(*x, setup.length()) } else { 0.0 };
+    let mut errors: Vec<f64> = tools.iter().map(blank).collect();
+    let (mut passes, mut begin) = (Vec::new(), 0.0);
+    for earlier in &setup.passes {
+        let before = ordered(&errors);
+        let found: Result<Vec<Deflection>, _> =
+            (0..tools.len()).map(|i| elastic.deflect(i, earlier.conditions(tools[i], errors[i]))).collect();
+        let deflections = found?;
+        errors = deflections.iter().map(|d| 2.0 * d.total).collect();
+        let duration = earlier.duration(travel);
+        let times = tools.iter().map(|x| begin + duration * (x - tools[0]).abs() / travel).collect();
+        let rests = rest_forces(machine, tools, &deflections)?;
+        passes.push(Pass { times, deflections, rests, before, after: ordered(&errors) });
+        begin += duration;
+    }
+    let deflections = deflections(machine, &shaft, tools, &Progress::default())?;
+    let rests = rest_forces(machine, tools, &deflections)?;
+    let times = tools.iter().map(|x| setup.schedule.time(1, *x)).collect();
+    let after = setup.sweep().into_iter().zip(forward.prediction.iter().copied()).collect();
+    passes.push(Pass { times, deflections, rests, before: ordered(&errors), after });
+    Ok(passes)
+}
+
+impl Pass {
+    /// The error at x while the tool stands at another place, m; none off the pass.
+    fn error(&self, x: f64, tool: f64, to: f64) -> f64 {
+        let is_cut = (x - tool) * (to - tool) <= 0.0;
+        let errors = if is_cut { &self.after } else { &self.before };
+        let i = errors.partition_point(|p| p.0 < x).clamp(1, errors.len().max(2) - 1);
+        let (Some(a), Some(b)) = (errors.get(i - 1), errors.get(i)) else { return 0.0 };
+        let share = (x - a.0) / (b.0 - a.0);
+        if (-1e-9..=1.0 + 1e-9).contains(&share) { a.1 + share * (b.1 - a.1) } else { 0.0 }
+    }
+}
+
 struct Scene {
     setup: Arc<Setup>,
     nodes: Vec<f64>,
     tools: Vec<f64>,
     /// Condensed to tools, nodes and rests, in this order.
     shaft: Condensed,
-    deflections: Vec<Deflection>,
-    rests: Vec<Vec<f64>>,
+    passes: Vec<Pass>,
+    bodies: Bodies,
 }
 
 /// A point of the scene that is not on the shaft's line.
@@ -71,13 +142,26 @@ struct Marker {
 }
 
 impl Scene {
-    fn frame(&self, tool: usize) -> Frame {
-        let markers = self.markers(tool);
+    /// A pass begins where the one before it has ended: that frame is not shown twice.
+    fn frames(&self) -> usize {
+        self.tools.len() + (self.passes.len() - 1) * (self.tools.len() - 1)
+    }
+
+    /// Pass and tool position of a frame.
+    fn place(&self, i: usize) -> (usize, usize) {
+        let count = self.tools.len();
+        if i < count { (0, i) } else { (1 + (i - count) / (count - 1), 1 + (i - count) % (count - 1)) }
+    }
+
+    fn frame(&self, i: usize) -> Frame {
+        let (number, tool) = self.place(i);
+        let pass = &self.passes[number];
+        let markers = self.markers(pass, tool);
         let mut grid = Grid::default();
         let (mut displacement, mut force) = (Vec::new(), Vec::new());
-        let (mut diameter, mut moment, mut stress) = (Vec::new(), Vec::new(), Vec::new());
-        for (&x, w) in self.nodes.iter().zip(self.line(tool)) {
-            let bending = self.bending_moment(tool, x);
+        let (mut diameter, mut moment, mut stress, mut error) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        for (&x, w) in self.nodes.iter().zip(self.line(pass, tool)) {
+            let bending = self.bending_moment(pass, tool, x);
             let section = self.setup.section(x);
             grid.points.push([x, 0.0, 0.0]);
             displacement.push([0.0, w, 0.0]);
@@ -85,10 +169,12 @@ impl Scene {
             diameter.push(section.diameter);
             moment.push(bending);
             stress.push(bending.abs() * 0.5 * section.diameter / section.inertia());
+            error.push(pass.error(x, self.tools[tool], self.setup.schedule.pass.to));
         }
         for i in 1..self.nodes.len() as u32 {
             grid.push(Cell::Line, &[i - 1, i]);
         }
+        let supports = self.nodes.len()..self.nodes.len() + markers.len() - 1;
         for marker in markers {
             grid.push(Cell::Vertex, &[grid.points.len() as u32]);
             grid.points.push(marker.at);
@@ -97,20 +183,37 @@ impl Scene {
             diameter.push(0.0);
             moment.push(0.0);
             stress.push(0.0);
+            error.push(0.0);
         }
         grid.point_fields = vec![
-            Field::vector("displacement", displacement),
-            Field::vector("force", force),
-            Field::scalar("diameter", diameter),
-            Field::scalar("bending_moment", moment),
-            Field::scalar("bending_stress", stress),
+            Field::vector("displacement", LENGTH, displacement),
+            Field::vector("force", FORCE, force),
+            Field::scalar("diameter", LENGTH, diameter),
+            Field::scalar("bending_moment", MOMENT, moment),
+            Field::scalar("bending_stress", STRESS, stress),
+            Field::scalar("diameter_error", MICRO, error),
         ];
-        Frame { time: self.setup.schedule.time(1, self.tools[tool]), grid }
+        let (x, time) = (self.tools[tool], pass.times[tool]);
+        let of = match self.passes.len() {
+            1 => String::new(),
+            all => format!("pass {} of {all}, ", number + 1),
+        };
+        let radius = |x: f64| 0.5 * self.setup.diameter(x);
+        let arrow = |node: usize| Arrow::new(node, radius(grid.points[node][0]));
+        // Beside the tool, which would hide it.
+        let nose = Arrow { aside: [0.0, 0.0, self.bodies.tool_width()], ..Arrow::new(supports.end, 0.0) };
+        Frame {
+            time,
+            caption: format!("{of}tool at x = {:.0}, {:.2} after the start", LENGTH.shown(x), TIME.shown(time)),
+            arrows: supports.clone().map(arrow).chain([nose]).collect(),
+            bodies: self.bodies.at(supports.end),
+            grid,
+        }
     }
 
     /// Deflection of every node, m.
-    fn line(&self, tool: usize) -> Vec<f64> {
-        let deflection = &self.deflections[tool];
+    fn line(&self, pass: &Pass, tool: usize) -> Vec<f64> {
+        let deflection = &pass.deflections[tool];
         let [head, tail] = deflection.supports.displacements;
         let unit = self.shaft.shape(tool);
         (self.tools.len()..self.tools.len() + self.nodes.len())
@@ -118,15 +221,15 @@ impl Scene {
             .collect()
     }
 
-    fn markers(&self, tool: usize) -> Vec<Marker> {
-        let deflection = &self.deflections[tool];
+    fn markers(&self, pass: &Pass, tool: usize) -> Vec<Marker> {
+        let deflection = &pass.deflections[tool];
         let supports = &deflection.supports;
         let on_axis = |x, displacement, force| Marker { at: [x, 0.0, 0.0], displacement, force };
         let mut markers = vec![on_axis(0.0, supports.displacements[0], -supports.forces[0])];
         if self.setup.workholding.has_tailstock() {
             markers.push(on_axis(self.setup.length(), supports.displacements[1], -supports.forces[1]));
         }
-        for (rest, forces) in self.setup.steady_rests.iter().zip(&self.rests) {
+        for (rest, forces) in self.setup.steady_rests.iter().zip(&pass.rests) {
             markers.push(on_axis(rest.at, forces[tool] / rest.stiffness, -forces[tool]));
         }
         let x = self.tools[tool];
@@ -137,11 +240,11 @@ impl Scene {
 
     /// M(s) = M₀ + Q_h·s + Σ R·⟨s − x_R⟩ − P·⟨s − x⟩, N m, with M₀ what a chuck takes so that M vanishes at
     /// the far end.
-    fn bending_moment(&self, tool: usize, s: f64) -> f64 {
-        let (deflection, x) = (&self.deflections[tool], self.tools[tool]);
+    fn bending_moment(&self, pass: &Pass, tool: usize, s: f64) -> f64 {
+        let (deflection, x) = (&pass.deflections[tool], self.tools[tool]);
         let [head, tail] = deflection.supports.forces;
         let tail = if self.setup.workholding.has_tailstock() { tail } else { 0.0 };
-        let rests = || self.setup.steady_rests.iter().zip(&self.rests).map(|(rest, forces)| (rest.at, forces[tool]));
+        let rests = || self.setup.steady_rests.iter().zip(&pass.rests).map(|(rest, forces)| (rest.at, forces[tool]));
         let chuck = tail * self.setup.length() + rests().map(|(at, r)| at * r).sum::<f64>() - deflection.force * x;
         let ahead = |at: f64, force: f64| force * (s - at).max(0.0);
         chuck + head * s + rests().map(|(at, r)| ahead(at, r)).sum::<f64>() - ahead(x, deflection.force)

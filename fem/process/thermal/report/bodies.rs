@@ -1,0 +1,81 @@
+//! The heated rod, its base, and what heats as bodies.
+
+use super::super::body::Body as Shape;
+use super::super::boundary::Condition;
+use super::super::setup::Setup;
+use crate::process::{Body, Ends, Role, Segment, Skin};
+
+/// Rims along a rod, at most; more than a picture needs.
+const MOST_RIMS: usize = 80;
+const X: [f64; 3] = [1.0, 0.0, 0.0];
+const UP: [f64; 3] = [0.0, 1.0, 0.0];
+const FRONT: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// A rod of segments with nodes along it (m), to scale.
+pub fn rod(x: &[f64], segments: &[Segment]) -> Skin {
+    let every = x.len().div_ceil(MOST_RIMS);
+    let hollow = segments.iter().any(|s| s.section.bore > 0.0);
+    let (mut outside, mut inside) = (Vec::new(), Vec::new());
+    let (mut from, slack) = (0.0, 1e-9 * x.last().copied().unwrap_or(0.0));
+    for segment in segments {
+        let to = from + segment.length;
+        let own: Vec<usize> = (0..x.len()).filter(|i| (from - slack..=to + slack).contains(&x[*i])).collect();
+        for (_, node) in own.iter().enumerate().filter(|(i, _)| i % every == 0 || i + 1 == own.len()) {
+            let rim = |diameter: f64| (Some(*node as u32), [0.0; 3], 0.5 * diameter);
+            outside.push(rim(segment.section.diameter));
+            inside.push(rim(segment.section.bore));
+        }
+        from = to;
+    }
+    if hollow {
+        outside.extend(inside.into_iter().rev());
+    }
+    Skin::round(&outside, X, if hollow { Ends::Joined } else { Ends::Capped })
+}
+
+/// What stands around the body at a time (s): the base of a rod, heaters while they heat, a strip of heat that
+/// passes over the top of a plate.
+pub fn around(setup: &Setup, time: f64, nodes: &[[f64; 3]]) -> Vec<Body> {
+    match &setup.body {
+        Shape::Rod(segments) => {
+            let widest = segments.iter().map(|s| s.section.diameter).fold(0.0, f64::max);
+            let base = Skin::block(None, [-0.25 * widest, 0.0, 0.0], [0.25 * widest, 1.1 * widest, 1.1 * widest]);
+            let mut bodies = vec![Body::new("base", Role::Machine, base)];
+            for source in &setup.sources {
+                let node = (0..nodes.len())
+                    .min_by(|a, b| (nodes[*a][0] - source.at).abs().total_cmp(&(nodes[*b][0] - source.at).abs()));
+                let [inner, outer, half] = [0.52, 0.68, 0.12].map(|part| part * widest);
+                let rim = |x: f64, radius: f64| (node.map(|n| n as u32), [x, 0.0, 0.0], radius);
+                let rims = [rim(-half, outer), rim(half, outer), rim(half, inner), rim(-half, inner)];
+                let heats = source.power.within(time, [time; 2]) != 0.0;
+                let (name, role) = if heats { ("heater, on", Role::Tool) } else { ("heater, off", Role::Machine) };
+                bodies.push(Body::new(name, role, Skin::round(&rims, X, Ends::Joined)));
+            }
+            bodies
+        }
+        Shape::Plane(plane) => {
+            let ([left, right], [low, high]) = (plane.extent(0), plane.extent(1));
+            let (middle, half) = (0.5 * plane.width, 0.55 * plane.width);
+            let strips = setup.boundaries.iter().filter_map(|boundary| match boundary.condition {
+                Condition::Moving { speed, from, .. } if boundary.edge == "top" => Some(from + speed * time),
+                _ => None,
+            });
+            let radius = 0.9 * (high - low);
+            let wheel = |x: f64| {
+                let from = [x, high + 1.02 * radius, -half];
+                Body::new("wheel", Role::Tool, Skin::turned(None, from, FRONT, &[(0.0, radius), (2.0 * half, radius)]))
+            };
+            let on = |x: &f64| (left - radius..=right + radius).contains(x);
+            let mut bodies: Vec<Body> = strips.filter(on).map(wheel).collect();
+            for source in &setup.sources {
+                let heats = source.power.within(time, [time; 2]) != 0.0;
+                let (name, role) = if heats { ("heater, on", Role::Tool) } else { ("heater, off", Role::Machine) };
+                let size = 0.15 * (high - low);
+                let skin =
+                    Skin::turned(None, [source.at, high, middle], UP, &[(0.02 * size, size), (2.0 * size, size)]);
+                bodies.push(Body::new(name, role, skin));
+            }
+            bodies
+        }
+    }
+}
