@@ -182,7 +182,13 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
         active: active.cloned(),
         steps: axis.steps(),
         causes: causes::causes(&approaches, &observed, &evaluation, feasibility),
-        cautions: [of_instrument(data), open, cautions(&evaluation, &schemes[0], agreement, &tolerance)].concat(),
+        cautions: [
+            of_instrument(data),
+            open,
+            cautions(&evaluation, &schemes[0], agreement, &tolerance),
+            axis.steps().and_then(|steps| of_counts(&schemes[0].entered, steps)).into_iter().collect(),
+        ]
+        .concat(),
         wrong_readings,
         modelled_lost_motion: if agreement.adequate { lost_motion_of(&*forward) } else { None },
         model: agreement,
@@ -297,6 +303,16 @@ fn of_instrument(data: &Data) -> Vec<String> {
         cautions.push(format!("the tables are made of the readings as they are: {names} is not taken out of them"));
     }
     cautions
+}
+
+/// A caution where an increment has more counts than controls take.
+fn of_counts(table: &Table, steps: Steps) -> Option<String> {
+    /// Most counts of one increment on many controls of FANUC.
+    const MOST: i64 = 7;
+    let most = table.increments(steps).into_iter().filter_map(|s| s.counts).max_by_key(|counts| counts.abs())?;
+    (most.abs() > MOST).then(|| {
+        format!("one increment has {most} counts, and many controls take {MOST} either way: raise `magnification`, or shorten `interval`")
+    })
 }
 
 fn cautions(evaluation: &Evaluation, points: &Scheme, model: ModelAgreement, tolerance: &Tolerance) -> Vec<String> {

@@ -38,6 +38,9 @@ pub struct Steps {
     pub reference: f64,
     /// Distance from one point to the next, m.
     pub interval: f64,
+    /// What one count of an increment is worth: the controller's detection unit times its magnification, m; 0 where
+    /// increments are not counted.
+    pub unit: f64,
 }
 
 /// What a controller adds from one point to the next. m.
@@ -51,6 +54,9 @@ pub struct Increment {
     pub from_reference: f64,
     /// What is added there more than at the point before.
     pub increment: f64,
+    /// The same in counts, rounded so that their sum from the reference point is off by half a count at most; `None`
+    /// where increments are not counted.
+    pub counts: Option<i64>,
 }
 
 impl Table {
@@ -75,18 +81,21 @@ impl Table {
 
     /// The table as increments forwards at points of equal distance over its length [seed 001: each from the
     /// point before, entered by the number of the reference point].
-    pub fn increments(&self, Steps { reference, interval }: Steps) -> Vec<Increment> {
+    pub fn increments(&self, Steps { reference, interval, unit }: Steps) -> Vec<Increment> {
         let Some((first, last)) = self.nodes.first().zip(self.nodes.last()) else { return Vec::new() };
         // A point that a rounding has put beyond the end stands at it.
         let number = |position: f64| (position - reference) / interval;
         let numbers = (number(first.position) - 1e-9).ceil() as i64..=(number(last.position) + 1e-9).floor() as i64;
         let at = |number: i64| reference + number as f64 * interval;
         let added = |number: i64| self.correction(at(number), Direction::Forward);
+        let from_reference = |number: i64| added(number) - self.correction(reference, Direction::Forward);
+        let counted = |number: i64| (from_reference(number) / unit).round() as i64;
         let step = |number| Increment {
             number,
             position: at(number),
-            from_reference: added(number) - self.correction(reference, Direction::Forward),
+            from_reference: from_reference(number),
             increment: added(number) - added(number - 1),
+            counts: (unit > 0.0).then(|| counted(number) - counted(number - 1)),
         };
         numbers.map(step).collect()
     }
@@ -208,9 +217,24 @@ mod tests {
     #[test]
     fn increments_are_counted_from_the_reference_point() {
         let table = table(0.0, &[(0.0, 1.0), (100.0, 6.0), (300.0, -2.0)]);
-        let steps = table.increments(Steps { reference: 0.2, interval: 0.1 });
+        let steps = table.increments(Steps { reference: 0.2, interval: 0.1, unit: 0.0 });
         let told: Vec<(i64, f64, f64)> =
             steps.iter().map(|s| (s.number, (1e6 * s.from_reference).round(), (1e6 * s.increment).round())).collect();
         assert_eq!(told, [(-2, -1.0, 0.0), (-1, 4.0, 5.0), (0, 0.0, -4.0), (1, -4.0, -4.0)]);
+        assert!(steps.iter().all(|s| s.counts.is_none()));
+    }
+
+    #[test]
+    fn counts_do_not_drift_from_what_they_stand_for() {
+        // 1 um from point to point in counts of 3 um: every third point takes one.
+        let nodes: Vec<(f64, f64)> = (0..10).map(|i| (100.0 * f64::from(i), f64::from(i))).collect();
+        let steps = table(0.0, &nodes).increments(Steps { reference: 0.0, interval: 0.1, unit: 3e-6 });
+        let counts: Vec<i64> = steps.iter().filter_map(|s| s.counts).collect();
+        assert_eq!(counts, [0, 0, 1, 0, 0, 1, 0, 0, 1, 0]);
+        let mut sum = 0;
+        for step in steps {
+            sum += step.counts.unwrap_or(0);
+            assert!((sum as f64 * 3e-6 - step.from_reference).abs() <= 1.5e-6 + 1e-12, "{step:?}");
+        }
     }
 }

@@ -18,6 +18,7 @@ pub mod fixture;
 pub mod formula_effect;
 mod grid;
 mod interface;
+mod nut;
 mod observation;
 mod positioning;
 mod registry;
@@ -42,6 +43,7 @@ pub use figure::{Datum, Figure, extremes, first_extreme};
 pub use formula_effect::{FormulaLaw, Meaning};
 pub use grid::{Cell, Field, Frame, Grid};
 pub use interface::{ForwardModel, Process, System};
+pub use nut::Nut;
 pub use observation::{
     Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
 };

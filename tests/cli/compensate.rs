@@ -311,6 +311,33 @@ fn what_is_entered_is_what_was_there_and_what_is_added() {
 }
 
 #[test]
+fn increments_are_counted_in_the_controllers_units() {
+    let place = Place::new();
+    let steps = |keys: &str| {
+        format!("{AXIS}[controller]\nsteps = {{ reference = \"100 mm\", interval = \"50 mm\", {keys} }}\n")
+    };
+    place.write("axis.toml", steps("detection_unit = \"0.1 um\", magnification = 2"));
+    place.write("m.csv", test(|x, _, run| 30.0 * x + noise(run)));
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "m.csv", "-o", "out"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let text = place.read("out/increments.csv");
+    assert!(text.starts_with("number,position [mm],from_reference [um],increment [um],counts"), "{text}");
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    let reference = rows.iter().position(|row| row[0] == 0.0).unwrap();
+    let mut sum = 0.0;
+    for row in &rows[reference + 1..] {
+        sum += row[4];
+        assert!((0.2 * sum - row[2]).abs() <= 0.1 + 1e-9, "{row:?}");
+    }
+    // 1.5 um from point to point are 7 or 8 counts of 0.2 um.
+    assert!(answer.err.contains("raise `magnification`") || answer.out.contains("raise `magnification`"), "{answer:?}");
+    place.write("axis.toml", steps("magnification = 2"));
+    let answer = place.fem(&["compensate", "axis.toml", "--with", "m.csv"]);
+    assert!(answer.status == 2 && answer.err.contains("add detection_unit"), "{}", answer.err);
+}
+
+#[test]
 fn a_controllers_table_must_rise() {
     let place = Place::new();
     let points = "points = [{ at = \"100 mm\", added = \"1 um\" }, { at = \"50 mm\", added = \"2 um\" }]";

@@ -65,14 +65,15 @@ pub fn both_directions(table: &Entries) -> Table {
 /// Makes one row a point at which the controller takes an increment, counted from its reference point.
 pub fn increments(table: &Entries, steps: Steps) -> Table {
     let steps = table.increments(steps);
-    Table {
-        columns: vec![
-            Column::numbers("number", None, steps.iter().map(|s| s.number as f64).collect()),
-            Column::numbers("position", Some("mm"), mm(steps.iter().map(|s| s.position))),
-            Column::numbers("from_reference", Some("um"), um(steps.iter().map(|s| s.from_reference))),
-            Column::numbers("increment", Some("um"), um(steps.iter().map(|s| s.increment))),
-        ],
-    }
+    let counts: Option<Vec<f64>> = steps.iter().map(|s| s.counts.map(|count| count as f64)).collect();
+    let counts = counts.map(|counts| Column::numbers("counts", None, counts));
+    let columns = [
+        Column::numbers("number", None, steps.iter().map(|s| s.number as f64).collect()),
+        Column::numbers("position", Some("mm"), mm(steps.iter().map(|s| s.position))),
+        Column::numbers("from_reference", Some("um"), um(steps.iter().map(|s| s.from_reference))),
+        Column::numbers("increment", Some("um"), um(steps.iter().map(|s| s.increment))),
+    ];
+    Table { columns: columns.into_iter().chain(counts).collect() }
 }
 
 /// Makes LinuxCNC's screw compensation, `COMP_FILE` with `COMP_FILE_TYPE = 0`: lines of nominal, forward and

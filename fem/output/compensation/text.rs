@@ -86,7 +86,13 @@ fn verdict(c: &Compensation) -> &'static str {
 }
 
 fn um(m: Option<f64>) -> String {
-    m.map_or("-".into(), |m| format!("{:.4}", 1e6 * m))
+    m.map_or("-".into(), |m| format!("{:.4}", micrometres(m)))
+}
+
+/// Micrometres as they are printed: what rounds to nothing has no sign.
+fn micrometres(m: f64) -> f64 {
+    let um = 1e6 * m;
+    if um.abs() < 5e-5 { 0.0 } else { um }
 }
 
 fn standard(text: &mut String, c: &Compensation) {
@@ -139,8 +145,8 @@ fn reversal(text: &mut String, c: &Compensation) {
     let _ = writeln!(
         text,
         "\nbacklash value   {:.4} um, (b_max + b_min)/2 of the lost motion b = mean- less mean+\nnot removable    {:.4} um either way by any single value, (b_max - b_min)/2",
-        1e6 * reversal.value,
-        1e6 * reversal.rest
+        micrometres(reversal.value),
+        micrometres(reversal.rest)
     );
     if let Some(lost) = &c.lost_motion {
         let _ = writeln!(text, "lost motion      {}", lost_motion(lost));
@@ -165,7 +171,7 @@ fn lost_motion(l: &LostMotion) -> String {
         Kinematic::CompatibleWithNone => " (compatible with none)",
         Kinematic::Seen => "",
     };
-    let [constant, std, misfit] = [l.constant, l.constant_std, l.misfit].map(|m| 1e6 * m);
+    let [constant, std, misfit] = [l.constant, l.constant_std, l.misfit].map(micrometres);
     let constant = format!("{constant:.4} +- {std:.4} um of it are the same all along{none}");
     let is_play = "play, or the give of nut and bearing";
     let rules = match l.rules() {
@@ -241,12 +247,12 @@ fn entries(text: &mut String, c: &Compensation) {
     let _ = writeln!(
         text,
         "\nto enter: backlash {:.4} um, and at each point (linear between)",
-        1e6 * points.entered.backlash()
+        micrometres(points.entered.backlash())
     );
     let _ = writeln!(text, "  {:>10}  {:>10} {:>10}", "position", "added", "increment");
     for node in points.entered.nodes.iter().take(LISTED) {
-        let step = before.map_or("-".into(), |b: f64| format!("{:+.4}", 1e6 * (node.forward - b)));
-        let _ = writeln!(text, "  {:>10.3}  {:>+10.4} {step:>10}", 1e3 * node.position, 1e6 * node.forward);
+        let step = before.map_or("-".into(), |b: f64| format!("{:+.4}", micrometres(node.forward - b)));
+        let _ = writeln!(text, "  {:>10.3}  {:>+10.4} {step:>10}", 1e3 * node.position, micrometres(node.forward));
         before = Some(node.forward);
     }
     let onto = match c.active {

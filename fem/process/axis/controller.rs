@@ -40,7 +40,15 @@ impl Controller {
                 let message = format!("{} on {} are too many points", LENGTH.told(interval), LENGTH.told(travel));
                 t.problem("interval", message, format!("at most {MOST_POINTS:.0} points are told"));
             }
-            Steps { reference, interval }
+            let about = "the controller's detection unit, in counts of which it takes increments; in um if left out";
+            let unit = t.quantity("detection_unit", MICRO, about).positive().or(0.0);
+            let about = "by which the controller multiplies every count";
+            let magnification = t.count("magnification", about).between(1, 100).or(1);
+            if unit == 0.0 && magnification != 1 {
+                let help = "add detection_unit = \"1 um\"";
+                t.problem("magnification", "it multiplies counts, and what a count is is not told", help);
+            }
+            Steps { reference, interval, unit: unit * magnification as f64 }
         });
         let node = |(position, added): (f64, f64)| Node { position, forward: added, backward: added - backlash };
         let nodes: Vec<Node> =

@@ -13,7 +13,7 @@ pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
 pub struct Lost {
     /// Friction F of the slide, N.
     pub friction: f64,
-    /// Stiffness of nut, bearing and their seats, N/m.
+    /// Stiffness of bearing, nut and their seats, N/m; without the nut where the screw has one that is preloaded.
     pub stiffness: f64,
 }
 
@@ -60,8 +60,12 @@ impl Machine {
     }
 
     /// How far friction holds the slide back with the nut at `position` (m): F/C, 1/C = 1/stiffness + the
-    /// screw's own compliance; m.
+    /// screw's own compliance, and what a preloaded nut yields under F; m.
     pub fn wind_up(&self, position: f64) -> f64 {
-        self.lost.map_or(0.0, |l| l.friction * (1.0 / l.stiffness + self.setup.screw().compliance(position)))
+        let wound = |l: Lost| {
+            let nut = self.setup.nut.as_ref().map_or(0.0, |nut| nut.displacement(l.friction));
+            l.friction * (1.0 / l.stiffness + self.setup.screw().compliance(position)) + nut
+        };
+        self.lost.map_or(0.0, wound)
     }
 }

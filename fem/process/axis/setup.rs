@@ -5,6 +5,7 @@ use crate::element::Round;
 use crate::input::{Along, Reader, Varying};
 use crate::material::Material;
 use crate::positioning::Tolerance;
+use crate::process::Nut;
 use crate::solve::Bar;
 use crate::units::{LENGTH, TEMPERATURE, TIME};
 
@@ -64,6 +65,8 @@ pub struct Setup {
     pub fixed_at: f64,
     /// Position of a second fixed bearing, m.
     pub also_fixed_at: Option<f64>,
+    /// Its nut, where that is preloaded.
+    pub nut: Option<Nut>,
     /// How warm it is, where that is measured.
     pub warmth: Option<Warmth>,
     /// The test.
@@ -87,7 +90,7 @@ impl Setup {
             (t.quantity("from", LENGTH, "position at which the travel begins").or(0.0), travel)
         });
         let test = model.optional_table("test", "the positioning test", read_test).unwrap_or(USUAL);
-        let (material, [diameter, lead, fixed_at], also_fixed_at, warmth) =
+        let (material, [diameter, lead, fixed_at], also_fixed_at, warmth, nut) =
             model.table("screw", "the ball screw", |t| {
                 let material = Material::read(t, "material");
                 let diameter = t.quantity("diameter", LENGTH, "diameter of the screw").positive().required();
@@ -104,7 +107,7 @@ impl Setup {
                     let help = "leave `temperature` out: between two fixed bearings it stretches and does not grow";
                     t.problem("temperature", "a screw that is held at either end cannot follow its temperature", help);
                 }
-                (material, [diameter, lead, fixed_at], also, warmth)
+                (material, [diameter, lead, fixed_at], also, warmth, Nut::read(t))
             });
         let tolerance =
             model.optional_table("tolerance", "what the axis is allowed, for `fem compensate`", read_tolerance);
@@ -118,6 +121,7 @@ impl Setup {
             lead,
             fixed_at,
             also_fixed_at,
+            nut,
             warmth,
             test,
             tolerance: tolerance.unwrap_or_default(),

@@ -4,6 +4,7 @@ use super::path::AXES;
 use crate::element::Round;
 use crate::input::Reader;
 use crate::material::Material;
+use crate::process::Nut;
 use crate::solve::Bar;
 use crate::units::LENGTH;
 
@@ -23,6 +24,8 @@ pub struct Drive {
     pub lead: Option<f64>,
     /// The screw on its fixed bearing, positions counted from the contour's centre.
     pub screw: Option<Bar>,
+    /// The nut on it, where that is preloaded.
+    pub nut: Option<Nut>,
 }
 
 impl Feedback {
@@ -52,10 +55,11 @@ pub fn read(t: &Reader, lead: Option<f64>) -> [Drive; 2] {
                 let about = "place of its fixed bearing along the axis, from the contour's centre";
                 let held = vec![t.quantity("fixed_at", LENGTH, about).required()];
                 let area = Round { diameter, bore: 0.0 }.area();
-                Bar { axial_rigidity: material.youngs_modulus * area, held }
+                (Bar { axial_rigidity: material.youngs_modulus * area, held }, Nut::read(t))
             });
-            Drive { lead: own.or(lead), screw }
+            let (screw, nut) = screw.unzip();
+            Drive { lead: own.or(lead), screw, nut: nut.flatten() }
         });
-        own.unwrap_or(Drive { lead, screw: None })
+        own.unwrap_or(Drive { lead, ..Drive::default() })
     })
 }

@@ -3,7 +3,8 @@
 //! The slide stays behind by F/C either way: deviation ∓ F/C(x), 1/C = 1/stiffness + |x − fixed_at|/(EA), F
 //! the friction (N), stiffness that of nut and bearing (N/m), EA the screw's axial rigidity [seed 000, fig.
 //! 2b: y = x − F/C]. It grows along the screw, away from the bearing. With a second fixed bearing
-//! (`also_fixed_at`) both lengths of screw carry. In light machines the kinematic gap rules, in heavy ones
+//! (`also_fixed_at`) both lengths of screw carry. A preloaded nut (`[screw.nut]`) adds what its halves yield under F,
+//! and `stiffness` is that of the bearing then [fig. 5]. In light machines the kinematic gap rules, in heavy ones
 //! this one. Left out: friction that depends on the speed, and stick-slip.
 
 use super::super::machine::{Effect, Lost};
@@ -21,7 +22,12 @@ pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
     source: "seed 000, fig. 2b",
     parameters: [
         Parameter::amplitude("friction", FORCE, "of the slide", (10.0, 10_000.0)),
-        Parameter::shape("stiffness", STIFFNESS, "of nut and bearing together", SPRING),
+        Parameter::shape(
+            "stiffness",
+            STIFFNESS,
+            "of nut and bearing together; of the bearing beside [screw.nut]",
+            SPRING,
+        ),
     ],
     look_alikes: &[
         ("backlash", "targets from end to end of the screw: play is the same all along"),

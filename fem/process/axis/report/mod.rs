@@ -7,7 +7,7 @@ use super::machine::Machine;
 use super::rows::{COORDINATES, DIRECTION, OBSERVABLES, POSITION, RUN, TIME_OF_ROW, approach};
 use super::setup::Setup;
 use crate::positioning::{Direction, EDITION, Evaluation, Quantity, Target};
-use crate::process::{Datum, Figure, Forward, Plot, Positioning, RunReport, Table, first_extreme};
+use crate::process::{Datum, Figure, Forward, Nut, Plot, Positioning, RunReport, Table, first_extreme};
 use crate::units::{LENGTH, MICRO, STIFFNESS};
 
 /// One of two clearances rules when it is this many times the other.
@@ -27,6 +27,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
     ];
     figures.extend(LETTERS.iter().filter_map(|letter| quantity(&quantities, *letter)));
     figures.extend([lost_motion(machine), screw(setup)]);
+    figures.extend(setup.nut.as_ref().map(Nut::figure));
     let told = (COORDINATES, &[RUN, POSITION, DIRECTION, TIME_OF_ROW][..]);
     RunReport {
         profile: Table::of_rows(told, rows, &OBSERVABLES[0], deviations),

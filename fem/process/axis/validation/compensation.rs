@@ -2,7 +2,7 @@
 
 use super::rig::*;
 use crate::positioning::Direction::{Backward, Forward};
-use crate::positioning::{Direction, Evaluation, Law, PitchErrors, Reversal, Table};
+use crate::positioning::{Direction, Evaluation, Law, PitchErrors, Reversal, Steps, Table};
 use crate::process::Case;
 
 /// P1 to P6 forwards and N6 to N1 backwards (um) at 0, 100, … 500 mm; as in the seed there is no reading at
@@ -34,6 +34,13 @@ pub fn cases() -> Vec<Case> {
     };
     let correction = |table: &Table, mm: f64| Some(table.correction(1e-3 * mm, Forward));
     let lost = |i: usize| reversal.as_ref().and_then(|r| r.lost.get(i)).map(|b| b.1);
+    // Added are 0, -3, -6, -10, -14, -16: in counts of 1 um times 2 these are 0, -2, -3, -5, -7, -8.
+    let counts = points.increments(Steps { reference: 0.0, interval: 0.1, unit: 2e-6 });
+    let counted = |name: &str, number: i64, expected: f64| {
+        let own = counts.iter().find(|step| step.number == number).and_then(|step| step.counts);
+        let computed = own.map_or(f64::NAN, |counts| counts as f64);
+        row(name, "counts", (expected, computed, "-"), CANCELLED, "seed 001, by hand")
+    };
     let relative = |i: usize| pitch.relative.get(i);
     vec![
         // N − P at the four inner targets: 6, 8, 6, 10.
@@ -57,6 +64,8 @@ pub fn cases() -> Vec<Case> {
         um("point table, third target", "left", 0.0, after(&points, 2, Backward)),
         um("table of both directions, fifth target", "left", 0.0, after(&whole, 4, Backward)),
         um("table rounded to 1 um, at 150 mm", "added", -4.5, correction(&rounded, 150.0)),
+        counted("increment at the first point in units of 1 um times 2", 1, -2.0),
+        counted("increment at the third point in units of 1 um times 2", 3, -2.0),
         um("beyond the table", "added", -16.0, correction(&points, 900.0)),
     ]
 }

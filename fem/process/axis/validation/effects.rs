@@ -12,6 +12,13 @@ pub fn cases() -> Vec<Case> {
     let uneven = axis("[backlash]\ngap = \"7 um\"\n[uneven-backlash]\nchange = \"-4 um\"");
     let worn = axis("[worn-screw]\ndepth = \"12 um\"");
     let elastic = axis("[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"");
+    let wound = "[elastic-lost-motion]\nfriction = \"600 N\"\nstiffness = \"200 N/um\"";
+    let [sprung, relaxed, pressed] = [
+        "{ preload = \"400 N\", stiffness = \"100 N/um\" }",
+        "{ preload = \"200 N\", stiffness = \"100 N/um\" }",
+        "{ preload = \"400 N\", c = \"0.25 um/N^n\", n = 0.5 }",
+    ]
+    .map(|nut| axis_with(&format!("nut = {nut}"), wound));
     let growth = axis("[thermal-growth]\nslope = \"40 um/m\"\ntime_constant = \"15 min\"");
     let abbe = axis("[abbe-error]\nheight = \"-9 um\"");
     let shift = axis("[reference-shift]\noffset = \"-4.5 um\"");
@@ -45,6 +52,16 @@ pub fn cases() -> Vec<Case> {
         um("worn screw, the same forwards", 0.0, deviation(&worn, 200.0, Forward, 0.0), "4 h s(1 - s)"),
         um("wind-up at the bearing, forwards", -3.0, deviation(&elastic, 50.0, Forward, 0.0), spring),
         um("wind-up at the bearing, backwards", 3.0, deviation(&elastic, 50.0, Backward, 0.0), spring),
+        // Two springs share 600 N, or one bears it alone and stands P/k before its free place; of two contacts √Q₁ + √Q₂
+        // stays 2√P.
+        um("preloaded nut of springs", 3.0 + 3.0, deviation(&sprung, 50.0, Backward, 0.0), "seed 000, fig. 5: F/2k"),
+        um("the same, relaxed", 3.0 + 4.0, deviation(&relaxed, 50.0, Backward, 0.0), "seed 000, fig. 5: F/k - P/k"),
+        um(
+            "preloaded nut of contacts, forwards",
+            -3.0 - 0.25 * 600.0 / (4.0 * 20.0),
+            deviation(&pressed, 50.0, Forward, 0.0),
+            "seed 000, fig. 5, with c sqrt(Q): cF/(4 sqrt(P))",
+        ),
         um("wind-up at 800 mm, forwards", -3.0 - stretch(0.75), deviation(&elastic, 800.0, Forward, 0.0), spring),
         um("wind-up at 800 mm, backwards", 3.0 + stretch(0.75), deviation(&elastic, 800.0, Backward, 0.0), spring),
         um("wind-up before the bearing", -3.0 - stretch(0.05), deviation(&elastic, 0.0, Forward, 0.0), spring),

@@ -7,6 +7,7 @@
 //! bearing, and the two flats of an axis differ. Left out: friction that depends on the speed, and screws
 //! with two fixed bearings.
 
+use super::super::drive::Drive;
 use super::super::machine::{Effect, Machine};
 use super::super::path::AXES;
 use super::super::play::Winding;
@@ -48,7 +49,12 @@ const fn elastic_lost_motion(
         source: "seed 000, fig. 2b, in series with the clearance of fig. 2a",
         parameters: [
             Parameter::amplitude("friction", FORCE, "of the slide", (10.0, 10_000.0)),
-            Parameter::shape("stiffness", STIFFNESS, "of nut and bearing together", SPRING),
+            Parameter::shape(
+                "stiffness",
+                STIFFNESS,
+                "of nut and bearing together; of the bearing beside screw.nut",
+                SPRING,
+            ),
         ],
         look_alikes,
         needs,
@@ -57,8 +63,8 @@ const fn elastic_lost_motion(
 }
 
 fn wind(machine: &mut Machine, axis: usize, friction: f64, stiffness: f64) {
-    let screw = machine.setup.drives[axis].screw.clone();
-    machine.plays[axis].winding = screw.map(|screw| Winding { friction, stiffness, screw });
+    let Drive { screw, nut, .. } = machine.setup.drives[axis].clone();
+    machine.plays[axis].winding = screw.map(|screw| Winding { friction, stiffness, screw, nut });
 }
 
 fn a_screw(setup: &Setup, axis: usize) -> Result<(), String> {

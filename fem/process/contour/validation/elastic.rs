@@ -49,6 +49,14 @@ fn winding() -> Vec<Case> {
         let source = "seed 000, fig. 2b: 2F/C(x)";
         cases.push(row(name, "elastic clearance", (elastic(sign), computed, "um"), tolerance, source));
     }
+    // Two contacts that press on each other with 400 N give way by c·F/(4·√P) on either side.
+    let nut = "fixed_at = \"-400 mm\", nut = { preload = \"400 N\", c = \"0.25 um/N^n\", n = 0.5 }";
+    let pressed = machine(&text().replace("fixed_at = \"-400 mm\"", nut), wound);
+    let [with, without] =
+        [pressed, machine(&text(), wound)].map(|m| figure_of(&m, "lost_motion", "/x/greatest_elastic"));
+    let expected = 2.0 * 0.25 * friction / (4.0 * 20.0);
+    let source = "seed 000, fig. 5, with c sqrt(Q): 2cF/(4 sqrt(P))";
+    cases.push(row("preloaded nut", "elastic clearance", (expected, with - without, "um"), tolerance, source));
     cases
 }
 
