@@ -307,9 +307,6 @@ pub struct Report {
     pub max_effects: u8,
     #[command(flatten)]
     pub limit: Limit,
-    /// Replace a file that this program did not write
-    #[arg(long)]
-    pub force: bool,
     /// Show the page at an address of this computer alone, and renew it whenever a file changes
     #[arg(long)]
     pub serve: bool,

@@ -33,7 +33,7 @@ fn card(number: usize, missing: &Missing, curves: &[(&str, Chart)], subject: &Su
     html.push_str(&format!(
         "<p><code>{}</code><br><span class=\"note\">source: {}</span></p>",
         escaped(&effect.law),
-        escaped(&effect.source)
+        escaped(effect.source)
     ));
     html.push_str(&estimates("Values, with the 95 % intervals of their profiles", &missing.estimates));
     html.push_str(&html::paragraph("note", &(capital(&diagnosis::chance(missing.p_value)) + ".")));

@@ -21,10 +21,8 @@ pub fn chart(approaches: &[Approach], readings: &[f64], what: &str, predicted: O
         let own = approaches.iter().zip(readings).filter(|(a, _)| a.direction == direction);
         let dots = own.map(|(a, y)| Point::new(LENGTH.from_si(a.position), MICRO.from_si(*y))).collect();
         series.push(named("", Form::Dots, dots));
-        let bands: [(&str, &dyn Fn(&Side) -> Option<f64>); 2] =
-            [("+ 2s", &|s| s.band().map(|b| b.1)), ("\u{2212} 2s", &|s| s.band().map(|b| b.0))];
-        for (_, end) in bands {
-            series.push(named("", Form::Dashed, of(&evaluation, end)));
+        for end in [|s: &Side| s.band().map(|b| b.1), |s: &Side| s.band().map(|b| b.0)] {
+            series.push(named("", Form::Dashed, of(&evaluation, &end)));
         }
         let sign = direction.sign().replace('-', "\u{2212}");
         series.push(named(&format!("mean {sign}"), Form::Line, of(&evaluation, &|s| Some(s.mean))));
