@@ -1,8 +1,8 @@
 //! Draws contours with magnified deviations as SVG: one file that any browser opens, legible on light and
 //! dark backgrounds.
 
-use super::chart::{Axis, COLOURS, Svg, grouped, round_below};
-use crate::process::{Drawing, Spot};
+use super::chart::{Axis, COLOURS, Svg, grouped};
+use crate::process::{Drawing, Spot, round_below};
 
 /// Side of the square that the drawing fills, and heights of title and one line of the legend, in pixels.
 const SIDE: f64 = 640.0;

@@ -1,7 +1,7 @@
 //! Draws a machine to scale, its deflection magnified by a round number.
 
-use super::chart::{Axis, Svg, grouped, round_below};
-use crate::process::{Part, Sketch};
+use super::chart::{Axis, Svg, grouped};
+use crate::process::{Part, Sketch, round_below};
 
 /// Width of the picture, its largest and smallest height, and its margins, pixels.
 const WIDTH: f64 = 760.0;
@@ -173,7 +173,8 @@ mod tests {
         assert!(svg.about.contains("magnified 500 times, 40.000 um"), "{}", svg.about);
         let text = svg.file();
         assert!(text.contains("M110.0 ") && text.contains("L650.0 ") && text.contains("60 N/um &amp; more"), "{text}");
-        let up = svg.marks[0].at[1] - (0.5 * (LOWEST + TOP - FOOT));
+        // 36 pixels of body between the margins above and below.
+        let up = svg.marks[0].at[1] - 0.5 * (36.0 + TOP + FOOT + TOP - FOOT);
         assert!((up + 500.0 * 40e-6 * 540.0 / 0.6).abs() < 1e-9, "{up}");
     }
 

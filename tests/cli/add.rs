@@ -44,7 +44,7 @@ fn inline_tables_pure_numbers_and_models_without_effects() {
     let inline = format!("{bare}effects = {{ setting-error = {{ offset = \"3 um\" }} }} # mine\n");
     place.write("inline.toml", &inline);
     for name in ["bare.toml", "inline.toml"] {
-        let answer = place.fem(&["add", name, "force-feedback", "exponent=0.9", "-o", "new.toml"]);
+        let answer = place.fem(&["add", name, "force-feedback", "exponent=0.9", "-o", "new.toml", "--force"]);
         assert_eq!(answer.status, 0, "{name}: {}", answer.err);
         let new = place.read("new.toml");
         assert!(new.starts_with(bare), "{new}");
@@ -63,7 +63,7 @@ fn line_ends_and_trailing_comments_stay_byte_for_byte() {
         ("open.toml", model("lathe.toml").trim_end().to_string()),
     ] {
         place.write(name, &text);
-        let answer = place.fem(&["add", name, "guideway-taper", "slope=3 um/m", "-o", "new.toml"]);
+        let answer = place.fem(&["add", name, "guideway-taper", "slope=3 um/m", "-o", "new.toml", "--force"]);
         assert_eq!(answer.status, 0, "{name}: {}", answer.err);
         let new = place.read("new.toml");
         assert!(new.starts_with(&text), "{name}");

@@ -78,7 +78,7 @@ fn tables_are_added_behind_what_is_there() {
     ];
     place.write("covariance.csv", "row,column,covariance\n1,1,4\n2,2,9\n1,2,1\n");
     for (words, expected) in cases {
-        let answer = place.fem(&[&["add", AXIS], *words, &["-o", "new.toml"]].concat());
+        let answer = place.fem(&[&["add", AXIS], *words, &["-o", "new.toml", "--force"]].concat());
         assert_eq!(answer.status, if expected.is_empty() { 2 } else { 0 }, "{}", answer.err);
         if answer.status == 0 {
             let new = place.read("new.toml");
@@ -98,7 +98,7 @@ fn an_inline_table_and_one_of_the_process_take_more() {
     let inline = format!("measurement = {{ drift = {{ size = \"1 um\" }} }} # mine\n{}", model("zeros/axis.toml"));
     for (name, text) in [("inline.toml", inline), ("ring.toml", model("ring.toml"))] {
         place.write(name, &text);
-        let answer = place.fem(&["add", name, "zero-shift", "by=run", "-o", "new.toml"]);
+        let answer = place.fem(&["add", name, "zero-shift", "by=run", "-o", "new.toml", "--force"]);
         assert_eq!(answer.status, 0, "{}", answer.err);
         assert!(
             place.read("new.toml").contains("zero-shift")
@@ -139,7 +139,7 @@ fn what_cannot_be_added_is_refused() {
         ("shifted.toml", &["zero-shift"], "has the effect `zero-shift` already", "`zero-shift-2`"),
     ];
     for (model, words, message, remedy) in cases {
-        let answer = place.fem(&[&["add", *model], *words, &["-o", "new.toml"]].concat());
+        let answer = place.fem(&[&["add", *model], *words, &["-o", "new.toml", "--force"]].concat());
         assert_eq!(answer.status, 2, "{words:?}");
         assert!(answer.err.contains(message) && answer.err.contains(remedy), "{words:?}: {}", answer.err);
     }
@@ -206,7 +206,9 @@ fn free_zeros_are_taken_out_exactly() {
     }
     for size in ["free", "1 m"] {
         assert_eq!(
-            place.fem(&["add", AXIS, "zero-shift", "by=run", &format!("size={size}"), "-o", "new.toml"]).status,
+            place
+                .fem(&["add", AXIS, "zero-shift", "by=run", &format!("size={size}"), "-o", "new.toml", "--force"])
+                .status,
             0
         );
         let compared = parsed(&place.fem(&["compare", "new.toml", "--with", DATA, "--json"]).out);
@@ -410,7 +412,8 @@ fn what_is_found_is_added_and_nothing_is_left() {
     place.write("model.toml", std::fs::read(folder.join("model.toml")).unwrap());
     for effect in ["zero-shift", "outliers", "jump", "correlated-noise", "uncertainty-scale"] {
         place.write(DATA, std::fs::read(folder.join(format!("{effect}.csv"))).unwrap());
-        let answer = place.fem(&["diagnose", "model.toml", "--with", DATA, "--json", "--add-to", "better.toml"]);
+        let answer =
+            place.fem(&["diagnose", "model.toml", "--with", DATA, "--json", "--add-to", "better.toml", "--force"]);
         assert_eq!(answer.status, 0, "{effect}: {}", answer.err);
         let found = parsed(&answer.out);
         let missing = &found["missing"];

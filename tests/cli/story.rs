@@ -75,11 +75,12 @@ fn the_completed_model_comes_down_to_the_noise() {
     assert!(place.read("better.toml").contains(model("story/rigid.toml").trim_end()));
     // Nothing that is read is written over.
     for command in ["diagnose", "fit"] {
-        for new in [RIGID, DATA] {
-            assert_eq!(
-                place.fem(&[command, "better.toml", "--with", DATA, "--add-to", new]).status,
-                i32::from(new == DATA) * 2
-            );
+        for (new, is_read) in [(RIGID, false), (DATA, true)] {
+            let add = |force: &[&str]| {
+                place.fem(&[&[command, "better.toml", "--with", DATA, "--add-to", new], force].concat()).status
+            };
+            // Nor is another file without leave.
+            assert_eq!((add(&[]), add(&["--force"])), (2, i32::from(is_read) * 2));
         }
     }
     assert_eq!(place.read(DATA), model("story/measured.csv"));

@@ -13,6 +13,6 @@ mod svg;
 
 pub use data::{Axis, Chart, Form, Plane, Point, Series};
 pub use draw::draw;
-pub use number::{grouped, number, round_below};
+pub use number::{grouped, number};
 pub use style::{COLOURS, sheet};
 pub use svg::{Mark, Svg, escaped};

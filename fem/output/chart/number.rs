@@ -21,14 +21,6 @@ pub fn minus(text: String) -> String {
     }
 }
 
-/// Largest of 1, 2 and 5 times a power of ten that is not above `value`.
-pub fn round_below(value: f64) -> f64 {
-    let power = 10f64.powf(value.log10().floor());
-    let digit = value / power;
-    // The comparison allows for round-off, so that 2 stays 2.
-    power * [5.0, 2.0].into_iter().find(|d| digit * (1.0 + 1e-12) >= *d).unwrap_or(1.0)
-}
-
 /// Writes a round number with its thousands apart.
 pub fn grouped(value: f64) -> String {
     if value < 1.0 {
@@ -60,13 +52,6 @@ mod tests {
             (2e-9, "2e-9"),
         ] {
             assert_eq!(number(value), text);
-        }
-    }
-
-    #[test]
-    fn round_numbers_are_not_above() {
-        for (value, round) in [(2.0, 2.0), (1.99, 1.0), (4.9e3, 2e3), (5.0e-7, 5e-7), (9.99, 5.0)] {
-            assert!((round_below(value) / round - 1.0).abs() < 1e-12, "{value}");
         }
     }
 }
