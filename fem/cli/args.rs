@@ -302,6 +302,9 @@ pub struct Report {
     /// The page to write
     #[arg(short, long, value_name = "FILE.html", required_unless_present = "serve")]
     pub output: Option<PathBuf>,
+    /// Replace a file that is no such page
+    #[arg(long)]
+    pub force: bool,
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,
