@@ -95,7 +95,7 @@ mod tests {
         // At the ends of the file, and beyond them.
         assert_eq!(Excerpt::new(&source, &(0..1)).text, "a = 1\nb = 2");
         let end = Excerpt::new(&source, &(23..99));
-        assert_eq!((end.text.as_str(), end.place.len()), ("d = 4\n", 0));
+        assert_eq!((end.text.as_str(), end.place.len()), ("c = 3\nd = 4\n", 0));
         assert_eq!(Excerpt::new(&Source::new("m.toml", ""), &(0..5)).text, "");
     }
 
