@@ -63,6 +63,7 @@ impl Model {
     }
 
     /// Reads the file again with other values.
+    #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
     fn read_at(&self, values: &[f64]) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
         let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
         let ((_, system, effects, terms), found) =
