@@ -6,6 +6,7 @@
 
 mod adapter;
 pub mod axis;
+mod blank;
 pub mod cam;
 mod cases;
 pub mod contour;
@@ -32,6 +33,7 @@ pub mod thermal;
 pub mod turning;
 
 pub use adapter::Assembled;
+use blank::{BlankProfile, BlankWords, Wave};
 #[cfg(test)]
 use cases::with_effect;
 pub use cases::{Case, Tolerance};

@@ -34,6 +34,25 @@ const CASES: &[Mistake] = &[
     ("\"4 kN\"", "\"-4 kN\"", "`force` is -4000 N", "zero or more"),
     ("max = \"4.5 kN\"", "max = \"3 kN\"", "the largest is below the smallest", "exchange `min` and `max`"),
     ("force = \"350 N\"", "force = \"350 N\"\nfrom = \"700 mm\"", "beside the part, at 700 mm", "from 0 mm to 600 mm"),
+    ("force = \"350 N\"", "force = \"350 N\"\ndepth = \"0 mm\"", "`depth` is 0 mm", "above zero"),
+    (
+        "force = \"350 N\"",
+        "force = \"350 N\"\nblank = [{ waves = 2, amplitude = \"50 um\" }]",
+        "a depth that is not known",
+        "add depth = \"1 mm\" to [cutter]",
+    ),
+    (
+        "force = \"350 N\"",
+        "depth = \"1 mm\"\nblank_points = [{ at = \"700 mm\", error = \"50 um\" }]",
+        "the place lies beyond the part",
+        "the part is 600 mm long",
+    ),
+    (
+        "[effects.locator-wear]",
+        "[effects.force-feedback]\nexponent = 1.0\n[effects.locator-wear]",
+        "`force-feedback` needs the depth of the cut",
+        "remove the effect",
+    ),
     ("rate = \"12 um/1000\"", "rate = \"12 um/km\"", "not a wear per part", "um/1000"),
     ("[effects.locator-wear]", "[effects.locator-ware]", "`locator-ware` is no effect", "did you mean `locator-wear`?"),
 ];

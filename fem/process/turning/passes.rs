@@ -8,12 +8,11 @@
 //! still thick. A blank that is oval or lobed around gives a depth of its own at every angle, to which the
 //! deflection settles at once: t_rest(θ) = C·(t_n(θ) − t_rest)^e/j [seed 002 (22), (24)].
 
-use std::f64::consts::TAU;
-
 use super::cut::{Conditions, Cut, Force};
 use super::schedule::Pass;
 use crate::input::{Reader, Varying};
-use crate::units::{ANGLE, FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
+use crate::process::{BlankProfile, BlankWords, Wave};
+use crate::units::{ANGLE, FEED, FORCE, LENGTH, SPINDLE_SPEED};
 
 /// Most passes: more than any shaft gets.
 const MOST: usize = 100;
@@ -33,25 +32,24 @@ pub struct EarlierPass {
     pub force: (Varying, f64),
 }
 
-/// The diameter error of the blank along the shaft.
+/// The error of the blank: of its diameter along the shaft, and of its radius around.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Blank {
-    waves: Vec<Wave>,
-    /// (x, error), rising, linear between; m.
-    points: Vec<(f64, f64)>,
-    /// Of the radius, around the blank.
+    along: BlankProfile,
     lobes: Vec<Wave>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Wave {
-    /// Along the whole shaft, or once around it.
-    waves: f64,
-    /// m.
-    amplitude: f64,
-    /// rad.
-    phase: f64,
-}
+const WORDS: BlankWords = BlankWords {
+    waves: "waves of the blank's diameter along the shaft, which force-feedback copies",
+    along: "waves along the whole shaft",
+    amplitude: "half of peak to valley of the diameter",
+    phase: "of the crest from the headstock, in the wave",
+    points: "the blank's diameter error at places, linear between",
+    at: "distance from the headstock",
+    error: "how much larger the diameter is than set",
+    part: "shaft",
+    beginning: "the headstock",
+};
 
 impl EarlierPass {
     /// Reads `[[pass]]`. Without a force of its own a pass has that of `[cut]`, by its force law or at the
@@ -105,35 +103,14 @@ impl EarlierPass {
 impl Blank {
     /// Reads the blank's error from `[workpiece]`.
     pub fn read(t: &Reader, length: f64) -> Self {
-        let waves =
-            t.list("blank", "waves of the blank's diameter along the shaft, which force-feedback copies", |t, _| {
-                Wave {
-                    waves: t.quantity("waves", NUMBER, "waves along the whole shaft").not_negative().required(),
-                    amplitude: t.quantity("amplitude", LENGTH, "half of peak to valley of the diameter").required(),
-                    phase: t.quantity("phase", ANGLE, "of the crest from the headstock, in the wave").or(0.0),
-                }
-            });
-        let points = t.list("blank_points", "the blank's diameter error at places, linear between", |t, _| {
-            let at = t.quantity("at", LENGTH, "distance from the headstock").not_negative().required();
-            if at > length * (1.0 + 1e-12) {
-                t.problem(
-                    "at",
-                    "the place lies beyond the shaft",
-                    format!("the shaft is {} long", LENGTH.told(length)),
-                );
-            }
-            (at, t.quantity("error", LENGTH, "how much larger the diameter is than set").required())
-        });
-        if points.windows(2).any(|w| w[1].0 <= w[0].0) {
-            t.problem("blank_points", "the places do not rise", "give them from the headstock on, each once");
-        }
+        let along = BlankProfile::read(t, length, &WORDS);
         let lobes =
             t.list("lobes", "lobes of the blank's radius around it, which force-feedback copies", |t, _| Wave {
                 waves: t.count("lobes", "lobes in a turn: 2 of an oval").between(1, MOST_LOBES).required() as f64,
                 amplitude: t.quantity("amplitude", LENGTH, "half of peak to valley of the radius").required(),
                 phase: t.quantity("phase", ANGLE, "angle of a crest, from the mark on the part").or(0.0),
             });
-        Self { waves, points, lobes }
+        Self { along, lobes }
     }
 
     /// Whether it is round.
@@ -153,21 +130,11 @@ impl Blank {
 
     /// Whether there is none.
     pub fn is_true(&self) -> bool {
-        self.waves.is_empty() && self.points.is_empty() && self.lobes.is_empty()
+        self.along.is_true() && self.lobes.is_empty()
     }
 
     /// Diameter error at x on a shaft of `length`, m.
     pub fn error(&self, x: f64, length: f64) -> f64 {
-        let wave = |w: &Wave| w.amplitude * (TAU * w.waves * x / length - w.phase).cos();
-        let between = match self.points.partition_point(|p| p.0 <= x) {
-            _ if self.points.is_empty() => 0.0,
-            0 => self.points[0].1,
-            next if next == self.points.len() => self.points[next - 1].1,
-            next => {
-                let ((a, before), (b, after)) = (self.points[next - 1], self.points[next]);
-                before + (after - before) * (x - a) / (b - a)
-            }
-        };
-        self.waves.iter().map(wave).sum::<f64>() + between
+        self.along.error(x, length)
     }
 }
