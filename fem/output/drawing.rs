@@ -247,7 +247,8 @@ mod tests {
                     [left, left + 6.8 * shown.chars().count() as f64, number(" y=\"")]
                 })
                 .collect();
-            assert!(labels.len() > 4, "{text}");
+            // The letters of the axes, and the contour itself at least.
+            assert!(labels.len() >= 3, "{text}");
             let is_apart = |a: &[f64; 3], b: &[f64; 3]| a[1] < b[0] || b[1] < a[0] || (a[2] - b[2]).abs() > 10.0;
             for (i, own) in labels.iter().enumerate() {
                 assert!(labels[..i].iter().all(|other| is_apart(own, other)), "{text}");
