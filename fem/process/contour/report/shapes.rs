@@ -11,7 +11,7 @@ use crate::process::{
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO, NUMBER};
 
 /// Frames of a lap.
-const STEPS: usize = 48;
+const STEPS: usize = 24;
 /// Sizes in the picture, as parts of the contour's size: radius of a lap's thread, height from lap to lap, radius and
 /// length of the tool.
 const BAND: f64 = 0.005;
