@@ -22,12 +22,14 @@ fn begin(place: &Place, model: &str, folder: &str) -> Child {
 fn places(place: &Place, folder: &str) -> Option<usize> {
     let rows = place.read(&format!("{folder}/profile.csv")).lines().count() - 1;
     let named = place.read(&format!("{folder}/shaft.pvd")).matches("<DataSet").count();
-    let frames = std::fs::read_dir(place.path(&format!("{folder}/shaft"))).unwrap().count();
+    let list = || std::fs::read_dir(place.path(&format!("{folder}/shaft"))).unwrap();
+    let [frames, magnified] =
+        ["vtu", "vtp"].map(|end| list().filter(|f| f.as_ref().unwrap().path().extension().unwrap() == end).count());
     let table = place.read(&format!("{folder}/compliance.csv")).lines().count() - 1;
     let summary: serde_json::Value =
         serde_json::from_str(&place.read(&format!("{folder}/summary.json"))).expect("a whole summary");
     assert!(summary["findings"].is_object());
-    (rows == 7 * named && frames == named && table == named).then_some(named)
+    (rows == 7 * named && frames == named && magnified == named && table == named).then_some(named)
 }
 
 fn leftovers(place: &Place) -> Vec<String> {
@@ -196,7 +198,10 @@ fn a_run_that_died_between_two_files_is_brought_to_its_end() {
     assert_eq!(place.fem(&["run", "short.toml", "-o", "short"]).status, 0);
     assert_eq!(place.fem(&["run", "long.toml", "-o", "out"]).status, 0);
     std::fs::rename(place.path("short"), place.path("out/.fem-1-0.partial")).unwrap();
-    place.write("out/.fem-1-0.partial/.going", "\nshaft/shaft_0005.vtu\nshaft/shaft_0006.vtu");
+    place.write(
+        "out/.fem-1-0.partial/.going",
+        "\nshaft/shaft_0005.vtu\nshaft/shaft_0006.vtu\nshaft/shaft-magnified_0005.vtp\nshaft/shaft-magnified_0006.vtp",
+    );
     std::fs::rename(place.path("out/.fem-1-0.partial/profile.csv"), place.path("out/profile.csv")).unwrap();
     assert_eq!(places(&place, "out"), None);
     // Whatever writes there next ends it, here another command.
