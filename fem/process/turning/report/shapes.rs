@@ -13,7 +13,7 @@ use crate::solve::Condensed;
 use crate::units::{FORCE, LENGTH, MICRO, MOMENT, STRESS, TIME};
 
 /// More frames than anybody watches.
-const MOST_FRAMES: usize = 60;
+const MOST_FRAMES: usize = 201;
 /// More nodes than a line needs.
 const MOST_NODES: f64 = 2000.0;
 
