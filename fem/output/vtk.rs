@@ -42,15 +42,19 @@ const ZLIB_LEVEL: u32 = 1;
 /// VTK's readers fail on each of these or show them wrongly.
 pub fn vtu(grid: &Grid) -> Result<Vec<u8>, VtkError> {
     check::check(grid)?;
-    let large = array_bytes(grid) > COMPRESS_ABOVE;
-    encode(grid, if large { Compressor::ZLib } else { Compressor::None })
+    encode(vtk(grid), array_bytes(grid))
 }
 
-/// The bytes of one `.vtu` file for a `grid` that passed [`check::check`].
-fn encode(grid: &Grid, compressor: Compressor) -> Result<Vec<u8>, VtkError> {
-    let file = vtk(grid).try_into_xml_format(compressor, ZLIB_LEVEL)?;
+/// The bytes of a file whose arrays have so many bytes before base64; large ones are compressed.
+fn encode(file: Vtk, array_bytes: usize) -> Result<Vec<u8>, VtkError> {
+    let compressor = if array_bytes > COMPRESS_ABOVE { Compressor::ZLib } else { Compressor::None };
+    encode_by(file, array_bytes, compressor)
+}
+
+fn encode_by(file: Vtk, array_bytes: usize, compressor: Compressor) -> Result<Vec<u8>, VtkError> {
+    let file = file.try_into_xml_format(compressor, ZLIB_LEVEL)?;
     // Base64 takes 4/3 of the bytes; 4 kB for the tags.
-    let guess = if compressor.is_none() { array_bytes(grid) * 4 / 3 + 4096 } else { 0 };
+    let guess = if compressor.is_none() { array_bytes * 4 / 3 + 4096 } else { 0 };
     let mut bytes = Vec::with_capacity(guess);
     file.write(&mut bytes)?;
     Ok(bytes)
@@ -192,7 +196,7 @@ mod tests {
         for (points, compressor) in [(20, Compressor::None), (20, Compressor::ZLib), (4096, Compressor::ZLib)] {
             let grid = grid(points);
             check::check(&grid)?;
-            let bytes = encode(&grid, compressor)?;
+            let bytes = encode_by(vtk(&grid), array_bytes(&grid), compressor)?;
             assert_eq!(String::from_utf8_lossy(&bytes).contains("vtkZLibDataCompressor"), !compressor.is_none());
             let DataSet::UnstructuredGrid { pieces, .. } = Vtk::parse_xml(bytes.as_slice())?.data else {
                 return Err("not an unstructured grid".into());

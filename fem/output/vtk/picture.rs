@@ -5,10 +5,9 @@ use vtkio::model::{
     Attribute, Attributes, ByteOrder, DataArray, DataSet, ElementType, IOBuffer, PolyDataPiece, Version, VertexNumbers,
     Vtk,
 };
-use vtkio::xml::Compressor;
 
 use super::survey::{Range, Survey};
-use super::{VtkError, ZLIB_LEVEL, shop_name};
+use super::{VtkError, encode, shop_name};
 use crate::process::{Body, Field, Frame, Grid, Role, Skin};
 use crate::units::MICRO;
 
@@ -129,6 +128,9 @@ pub fn vtp(frame: &Frame, shown: &str, survey: &Survey) -> Result<Vec<u8>, VtkEr
         let scalars = ElementType::Scalars { num_comp: 1, lookup_table: None };
         data(name.into(), scalars, IOBuffer::U8(of_cells(scale, own)))
     };
+    // Three coordinates, two vectors and every scalar of single precision; connectivity and offsets; two bytes a cell.
+    let (floats, indices) = ((7 + point.len()) * points.len(), surfaces.connectivity.len() + surfaces.offsets.len());
+    let array_bytes = floats * size_of::<f32>() + indices * size_of::<u64>() + 2 * surfaces.offsets.len();
     let points: Vec<f32> = points.as_flattened().iter().map(|c| *c as f32 + 0.0).collect();
     let piece = PolyDataPiece {
         points: IOBuffer::F32(points),
@@ -144,9 +146,7 @@ pub fn vtp(frame: &Frame, shown: &str, survey: &Survey) -> Result<Vec<u8>, VtkEr
         data: DataSet::inline(piece),
         file_path: None,
     };
-    let mut bytes = Vec::new();
-    file.try_into_xml_format(Compressor::ZLib, ZLIB_LEVEL)?.write(&mut bytes)?;
-    Ok(bytes)
+    encode(file, array_bytes)
 }
 
 /// A field in the unit of its kind: on what is made the values of its points, elsewhere what is nearest to zero, and
