@@ -31,6 +31,7 @@ mod sketch;
 pub mod stiffness;
 pub mod thermal;
 pub mod turning;
+mod winding;
 
 pub use adapter::Assembled;
 use blank::{BlankProfile, BlankWords, Wave};
@@ -56,3 +57,4 @@ pub use report::{Animation, Column, Plot, RunReport, Table};
 pub use scene::{Arrow, Body, Ends, Frame, Role, Skin, SkinPoint, View};
 pub use segment::Segment;
 pub use sketch::{Part, Sketch};
+pub use winding::Winding;

@@ -3,19 +3,10 @@
 use std::sync::Arc;
 
 use super::setup::Setup;
-use crate::process;
+use crate::process::{self, Winding};
 
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
-
-/// Friction that winds the drive up at each reversal, either way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lost {
-    /// Friction F of the slide, N.
-    pub friction: f64,
-    /// Stiffness of bearing, nut and their seats, N/m; without the nut where the screw has one that is preloaded.
-    pub stiffness: f64,
-}
 
 /// Deviation (m) at a commanded position (m) and a time since the test began (s), the same from either side.
 pub type Error = Box<dyn Fn(f64, f64) -> f64 + Send + Sync>;
@@ -33,7 +24,7 @@ pub struct Machine {
     /// Kinematic clearance that depends on the place.
     plays: Vec<Play>,
     /// Elastic clearance.
-    pub lost: Option<Lost>,
+    pub winding: Option<Winding>,
     /// Deviations that add up.
     pub errors: Vec<Error>,
 }
@@ -41,7 +32,7 @@ pub struct Machine {
 impl Machine {
     /// The ideal axis: it goes where it is told.
     pub fn ideal(setup: Arc<Setup>) -> Self {
-        Self { setup, gap: 0.0, plays: Vec::new(), lost: None, errors: Vec::new() }
+        Self { setup, gap: 0.0, plays: Vec::new(), winding: None, errors: Vec::new() }
     }
 
     /// Adds a deviation.
@@ -59,13 +50,8 @@ impl Machine {
         self.gap + self.plays.iter().map(|play| play(position)).sum::<f64>()
     }
 
-    /// How far friction holds the slide back with the nut at `position` (m): F/C, 1/C = 1/stiffness + the
-    /// screw's own compliance, and what a preloaded nut yields under F; m.
+    /// How far friction holds the slide back with the nut at `position` (m), m.
     pub fn wind_up(&self, position: f64) -> f64 {
-        let wound = |l: Lost| {
-            let nut = self.setup.nut.as_ref().map_or(0.0, |nut| nut.displacement(l.friction));
-            l.friction * (1.0 / l.stiffness + self.setup.screw().compliance(position)) + nut
-        };
-        self.lost.map_or(0.0, wound)
+        self.winding.as_ref().map_or(0.0, |winding| winding.displacement(position))
     }
 }

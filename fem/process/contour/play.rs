@@ -4,8 +4,7 @@
 //! friction, and is then carried along: the play operator with the half width h = δ/2 + F/C(x), 1/C(x) =
 //! 1/C_n + |x − x_b|/(EA) at the place x of the slide [seed 000, fig. 2, both in series].
 
-use crate::process::Nut;
-use crate::solve::Bar;
+use crate::process::Winding;
 
 /// The lost motion of an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,27 +15,10 @@ pub struct Play {
     pub winding: Option<Winding>,
 }
 
-/// A drive that friction winds up.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Winding {
-    /// F, N.
-    pub friction: f64,
-    /// C_n of bearing and nut, N/m; without the nut where it is preloaded.
-    pub stiffness: f64,
-    /// The screw.
-    pub screw: Bar,
-    /// The nut, where it is preloaded.
-    pub nut: Option<Nut>,
-}
-
 impl Play {
     /// Elastic part 2F/C of the width where the slide stands at x (m), m.
     pub fn elastic(&self, x: f64) -> f64 {
-        let of = |w: &Winding| {
-            let nut = w.nut.as_ref().map_or(0.0, |nut| nut.displacement(w.friction));
-            2.0 * (w.friction * (1.0 / w.stiffness + w.screw.compliance(x)) + nut)
-        };
-        self.winding.as_ref().map_or(0.0, of)
+        self.winding.as_ref().map_or(0.0, |winding| 2.0 * winding.displacement(x))
     }
 
     /// Width where the slide stands at x (m), m.
@@ -75,7 +57,7 @@ mod tests {
     #[test]
     fn the_slide_is_carried_where_the_spring_is_wound_up_to_the_friction() {
         let screw = Bar { axial_rigidity: 1.6e8, held: vec![-0.4] };
-        let play = Play { gap: 6e-6, winding: Some(Winding { friction: 800.0, stiffness: 2e8, screw, nut: None }) };
+        let play = Play { gap: 6e-6, winding: Some(Winding::new(800.0, 2e8, screw, None)) };
         for sign in [1.0, -1.0] {
             let slide = play.carry(-sign, 0.1);
             // The spring carries what is left of the way behind the clearance.

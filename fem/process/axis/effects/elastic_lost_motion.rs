@@ -7,8 +7,8 @@
 //! and `stiffness` is that of the bearing then [fig. 5]. In light machines the kinematic gap rules, in heavy ones
 //! this one. Left out: friction that depends on the speed, and stick-slip.
 
-use super::super::machine::{Effect, Lost};
-use crate::process::{Parameter, nothing};
+use super::super::machine::Effect;
+use crate::process::{Parameter, Winding, nothing};
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the spring does not switch the effect: friction does.
@@ -34,7 +34,10 @@ pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
         ("uneven-backlash", "the way forwards: elastic clearance lags there too, play does not"),
     ],
     needs: nothing,
-    act: |[friction, stiffness], machine| machine.lost = Some(Lost { friction, stiffness }),
+    act: |[friction, stiffness], machine| {
+        let (screw, nut) = (machine.setup.screw(), machine.setup.nut.as_ref());
+        machine.winding = Some(Winding::new(friction, stiffness, screw, nut));
+    },
 };
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ pub fn animation(machine: &Machine, forward: &Forward) -> Animation {
     let setup = machine.setup.clone();
     let approaches = 2 * setup.test.positions;
     let count = approaches.min(MOST_FRAMES);
-    let friction = machine.lost.map_or(0.0, |l| l.friction);
+    let friction = machine.winding.as_ref().map_or(0.0, |winding| winding.friction);
     let stop = |i: usize| {
         let row = i * approaches / count;
         let approach = approach(forward.programme, row);

@@ -24,11 +24,11 @@ pub fn sketch(machine: &Machine) -> Sketch {
         let label = format!("fixed bearing at {:.1}", LENGTH.shown(*at));
         parts.push(Part::Support { at: [*at, -radius], away: [0.0, -1.0], label });
     }
-    if let Some(lost) = machine.lost {
-        let label = format!("nut and bearing, {:.1}", STIFFNESS.shown(lost.stiffness));
+    if let Some(winding) = &machine.winding {
+        let label = format!("nut and bearing, {:.1}", STIFFNESS.shown(winding.stiffness));
         parts.push(Part::Spring { at: [nut, half[1]], away: [0.0, 1.0], label });
-        let label = format!("friction, {:.0}", FORCE.shown(lost.friction));
-        parts.push(Part::Force { at: [nut + half[0], 0.0], force: [-lost.friction, 0.0], label });
+        let label = format!("friction, {:.0}", FORCE.shown(winding.friction));
+        parts.push(Part::Force { at: [nut + half[0], 0.0], force: [-winding.friction, 0.0], label });
     }
     let play = machine.play(nut);
     let play = if play == 0.0 { String::new() } else { format!(", play {:.2}", MICRO.shown(play)) };

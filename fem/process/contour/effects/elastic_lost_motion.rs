@@ -10,9 +10,8 @@
 use super::super::drive::Drive;
 use super::super::machine::{Effect, Machine};
 use super::super::path::AXES;
-use super::super::play::Winding;
 use super::super::setup::Setup;
-use crate::process::Parameter;
+use crate::process::{Parameter, Winding};
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the spring does not switch the effect: friction does.
@@ -63,8 +62,8 @@ const fn elastic_lost_motion(
 }
 
 fn wind(machine: &mut Machine, axis: usize, friction: f64, stiffness: f64) {
-    let Drive { screw, nut, .. } = machine.setup.drives[axis].clone();
-    machine.plays[axis].winding = screw.map(|screw| Winding { friction, stiffness, screw, nut });
+    let Drive { screw, nut, .. } = &machine.setup.drives[axis];
+    machine.plays[axis].winding = screw.clone().map(|screw| Winding::new(friction, stiffness, screw, nut.as_ref()));
 }
 
 fn a_screw(setup: &Setup, axis: usize) -> Result<(), String> {
