@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
-use crate::process::{Cell, Grid};
+use crate::process::{Cell, Grid, Segment};
 
 /// Points around a round body.
 const AROUND: usize = 24;
@@ -88,6 +88,30 @@ impl Skin {
             SkinPoint { node, offset: [0, 1, 2].map(|c| radius * (cosine * u[c] + sine * v[c])) }
         };
         (0..THREAD).map(point).collect()
+    }
+
+    /// A body of round segments along x to scale, from end to end, with its steps and its bore; it hangs on nodes (m,
+    /// rising) on its axis, of which it shows some of more than `most`.
+    pub fn stepped(nodes: &[f64], segments: &[Segment], most: usize) -> Self {
+        let every = nodes.len().div_ceil(most);
+        let hollow = segments.iter().any(|s| s.section.bore > 0.0);
+        let (mut outside, mut inside) = (Vec::new(), Vec::new());
+        let (mut from, slack) = (0.0, 1e-9 * nodes.last().copied().unwrap_or(0.0));
+        for segment in segments {
+            let to = from + segment.length;
+            let is_own = |i: &usize| (from - slack..=to + slack).contains(&nodes[*i]);
+            let own: Vec<usize> = (0..nodes.len()).filter(is_own).collect();
+            for (_, node) in own.iter().enumerate().filter(|(i, _)| i % every == 0 || i + 1 == own.len()) {
+                let rim = |diameter: f64| (Some(*node as u32), [0.0; 3], 0.5 * diameter);
+                outside.push(rim(segment.section.diameter));
+                inside.push(rim(segment.section.bore));
+            }
+            from = to;
+        }
+        if hollow {
+            outside.extend(inside.into_iter().rev());
+        }
+        Self::round(&outside, [1.0, 0.0, 0.0], if hollow { Ends::Joined } else { Ends::Capped })
     }
 
     /// A round body along `axis`, a unit vector, through rims: the point of the grid on its axis, the offset of the

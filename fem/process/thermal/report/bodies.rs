@@ -4,6 +4,7 @@ use super::super::body::Body as Shape;
 use super::super::boundary::Condition;
 use super::super::setup::Setup;
 use crate::process::{Body, Ends, Role, Segment, Skin};
+use crate::solve::rod::PointSource;
 
 /// Rims along a rod, at most; more than a picture needs.
 const MOST_RIMS: usize = 80;
@@ -13,24 +14,7 @@ const FRONT: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// A rod of segments with nodes along it (m), to scale.
 pub fn rod(x: &[f64], segments: &[Segment]) -> Skin {
-    let every = x.len().div_ceil(MOST_RIMS);
-    let hollow = segments.iter().any(|s| s.section.bore > 0.0);
-    let (mut outside, mut inside) = (Vec::new(), Vec::new());
-    let (mut from, slack) = (0.0, 1e-9 * x.last().copied().unwrap_or(0.0));
-    for segment in segments {
-        let to = from + segment.length;
-        let own: Vec<usize> = (0..x.len()).filter(|i| (from - slack..=to + slack).contains(&x[*i])).collect();
-        for (_, node) in own.iter().enumerate().filter(|(i, _)| i % every == 0 || i + 1 == own.len()) {
-            let rim = |diameter: f64| (Some(*node as u32), [0.0; 3], 0.5 * diameter);
-            outside.push(rim(segment.section.diameter));
-            inside.push(rim(segment.section.bore));
-        }
-        from = to;
-    }
-    if hollow {
-        outside.extend(inside.into_iter().rev());
-    }
-    Skin::round(&outside, X, if hollow { Ends::Joined } else { Ends::Capped })
+    Skin::stepped(x, segments, MOST_RIMS)
 }
 
 /// What stands around the body at a time (s): the base of a rod, heaters while they heat, a strip of heat that
@@ -47,8 +31,7 @@ pub fn around(setup: &Setup, time: f64, nodes: &[[f64; 3]]) -> Vec<Body> {
                 let [inner, outer, half] = [0.52, 0.68, 0.12].map(|part| part * widest);
                 let rim = |x: f64, radius: f64| (node.map(|n| n as u32), [x, 0.0, 0.0], radius);
                 let rims = [rim(-half, outer), rim(half, outer), rim(half, inner), rim(-half, inner)];
-                let heats = source.power.within(time, [time; 2]) != 0.0;
-                let (name, role) = if heats { ("heater, on", Role::Tool) } else { ("heater, off", Role::Machine) };
+                let (name, role) = heater(source, time);
                 bodies.push(Body::new(name, role, Skin::round(&rims, X, Ends::Joined)));
             }
             bodies
@@ -68,8 +51,7 @@ pub fn around(setup: &Setup, time: f64, nodes: &[[f64; 3]]) -> Vec<Body> {
             let on = |x: &f64| (left - radius..=right + radius).contains(x);
             let mut bodies: Vec<Body> = strips.filter(on).map(wheel).collect();
             for source in &setup.sources {
-                let heats = source.power.within(time, [time; 2]) != 0.0;
-                let (name, role) = if heats { ("heater, on", Role::Tool) } else { ("heater, off", Role::Machine) };
+                let (name, role) = heater(source, time);
                 let size = 0.15 * (high - low);
                 let skin =
                     Skin::turned(None, [source.at, high, middle], UP, &[(0.02 * size, size), (2.0 * size, size)]);
@@ -77,5 +59,13 @@ pub fn around(setup: &Setup, time: f64, nodes: &[[f64; 3]]) -> Vec<Body> {
             }
             bodies
         }
+    }
+}
+
+/// Name and role of a heater at a time (s).
+fn heater(source: &PointSource, time: f64) -> (&'static str, Role) {
+    match source.power.within(time, [time; 2]) != 0.0 {
+        true => ("heater, on", Role::Tool),
+        false => ("heater, off", Role::Machine),
     }
 }

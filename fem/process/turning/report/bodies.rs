@@ -1,7 +1,5 @@
 //! The shaft, what holds it and the tool as bodies.
 
-use std::sync::Arc;
-
 use super::super::setup::{Setup, Workholding};
 use crate::process::{Body, Ends, Role, Skin};
 
@@ -23,7 +21,7 @@ impl Bodies {
     /// The bodies of a shaft with its nodes (m).
     pub fn new(setup: &Setup, nodes: &[f64]) -> Self {
         let diameter = setup.segments.iter().map(|s| s.section.diameter).fold(0.0, f64::max);
-        let mut held = vec![Body::new("shaft", Role::Work, shaft(setup, nodes))];
+        let mut held = vec![Body::new("shaft", Role::Work, Skin::stepped(nodes, &setup.segments, MOST_RIMS))];
         let mut node = nodes.len() as u32;
         let mut add = |name, skin: fn(u32, f64) -> Skin, diameter: f64| {
             held.push(Body::new(name, Role::Machine, skin(node, diameter)));
@@ -54,30 +52,6 @@ impl Bodies {
     pub fn tool_width(&self) -> f64 {
         0.3 * self.diameter
     }
-}
-
-/// The shaft to scale, with its steps and its bore.
-fn shaft(setup: &Setup, nodes: &[f64]) -> Arc<Skin> {
-    let every = nodes.len().div_ceil(MOST_RIMS);
-    let hollow = setup.segments.iter().any(|s| s.section.bore > 0.0);
-    let (mut outside, mut inside) = (Vec::new(), Vec::new());
-    let mut from = 0.0;
-    for segment in &setup.segments {
-        let to = from + segment.length;
-        let slack = 1e-9 * setup.length();
-        let own: Vec<usize> = (0..nodes.len()).filter(|i| (from - slack..=to + slack).contains(&nodes[*i])).collect();
-        let kept = own.iter().enumerate().filter(|(i, _)| i % every == 0 || i + 1 == own.len());
-        for (_, node) in kept {
-            let rim = |diameter: f64| (Some(*node as u32), [0.0; 3], 0.5 * diameter);
-            outside.push(rim(segment.section.diameter));
-            inside.push(rim(segment.section.bore));
-        }
-        from = to;
-    }
-    if hollow {
-        outside.extend(inside.into_iter().rev());
-    }
-    Arc::new(Skin::round(&outside, X, if hollow { Ends::Joined } else { Ends::Capped }))
 }
 
 /// A centre in an end of a shaft of such a diameter (m), on its side of the shaft: −1 at the headstock.
