@@ -54,8 +54,9 @@ pub fn plainer<'a>(found: &SearchResult<'a>) -> Option<CandidateModel<'a>> {
         let value = criterion(&set) - bend(found, &set)?.evidence;
         // One cause whose law bends is as likely as two whose laws do not; where several act anyway, one more is, and
         // what is the same everywhere has no law that could bend.
-        let margin = if set.members.len() == 1 && is_law(found, &set) { EQUAL_FIT } else { 0.0 };
-        (value < criterion(best) + margin).then_some((value, set))
+        let behind = value - criterion(best);
+        let is_plainer = behind < 0.0 || behind < EQUAL_FIT && set.members.len() == 1 && is_law(found, &set);
+        is_plainer.then_some((value, set))
     };
     let bent: Vec<(f64, CandidateModel)> = sets.into_par_iter().filter_map(weigh).collect();
     let order = |a: &(f64, CandidateModel), b: &(f64, CandidateModel)| {
