@@ -14,7 +14,6 @@ scalar has not the same range in every frame.
 """
 
 import ast
-import json
 import math
 import sys
 from pathlib import Path
@@ -118,10 +117,7 @@ def main(script):
             result["volumes"] = volumes(poly, [(int(number), name) for number, name in bodies])
         elif own != result["ranges"]:
             problems.list.append(f"{path.name}: ranges {own} and not {result['ranges']}")
-    print(json.dumps(result | {"frames": len(result["captions"])}, allow_nan=False))
-    for problem in problems.list:
-        print(problem, file=sys.stderr)
-    return 1 if problems.list else 0
+    return problems.told_beside(result | {"frames": len(result["captions"])})
 
 
 if __name__ == "__main__":

@@ -30,6 +30,13 @@ class Problems:
     def __init__(self):
         self.list = []
 
+    def told_beside(self, result):
+        """Print what was read, and the problems beside it; return the exit code."""
+        print(json.dumps(result, allow_nan=False))
+        for problem in self.list:
+            print(problem, file=sys.stderr)
+        return 1 if self.list else 0
+
     def watch(self, algorithm, name):
         """Collect what `algorithm` reports while it works on `name`."""
 
@@ -123,10 +130,7 @@ def main(pvd):
         problems.list.append(f"{pvd.name}: no frames")
     if not all(map(math.isfinite, times)) or any(b <= a for a, b in zip(times, times[1:])):
         problems.list.append(f"{pvd.name}: times are not finite and increasing: {times}")
-    print(json.dumps({"frames": len(steps), "times": times, "steps": steps}, allow_nan=False))
-    for problem in problems.list:
-        print(problem, file=sys.stderr)
-    return 1 if problems.list else 0
+    return problems.told_beside({"frames": len(steps), "times": times, "steps": steps})
 
 
 if __name__ == "__main__":
