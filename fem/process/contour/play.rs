@@ -53,6 +53,7 @@ impl Play {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::Bar;
 
     #[test]
     fn the_slide_is_carried_where_the_spring_is_wound_up_to_the_friction() {
