@@ -34,7 +34,6 @@ pub use diagnosis::additions;
 pub use error::OutputError;
 pub use folder::Folder;
 pub use json::Json;
-pub use measurement::MEASUREMENT;
 pub use measurements::measurements;
 pub use page::{Evidence, Subject, page, trouble};
 pub use pictures::Pictures;

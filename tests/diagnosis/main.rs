@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod instrument;
 mod score;
 mod table;
 mod trouble;
