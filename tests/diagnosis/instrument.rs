@@ -75,16 +75,17 @@ fn late(case: Case, minutes: f64) -> Case {
     with_cells(case, &["time [min]"], |cells| Some((cells[0].parse::<f64>().unwrap() + minutes).to_string()))
 }
 
-/// Readings of a scale that lies askew anew in every run, by this standard deviation at the ends (um), over a travel
-/// that begins at zero.
+/// Readings of a scale that lies askew anew in every run, by this standard deviation at the ends (um).
 fn askew(case: Case, size: f64) -> Case {
     let place = case.data.lines().next().and_then(|head| head.split(',').position(|name| name.starts_with("position")));
-    let cells = |line: &str| line.split(',').nth(place.unwrap()).and_then(|cell| cell.parse().ok());
-    let end = case.data.lines().filter_map(cells).fold(0.0, f64::max);
+    let cells = |line: &str| line.split(',').nth(place.unwrap()).and_then(|cell| cell.parse::<f64>().ok());
+    let positions: Vec<f64> = case.data.lines().filter_map(cells).collect();
+    let (low, high) = positions.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
     // Drawn once: standard normal deviates.
     let normal = [0.31, -1.24, 0.87, -0.45, 1.52, -0.12, -1.9, 0.66];
     with_cells(case, &["deviation", "run", "position"], |cells| {
         let [deviation, run, position] = [0, 1, 2].map(|i| cells[i].parse::<f64>().unwrap());
-        Some((deviation + size * normal[run as usize % 8] * (2.0 * position / end - 1.0)).to_string())
+        let along = (2.0 * position - low - high) / (high - low);
+        Some((deviation + size * normal[run as usize % 8] * along).to_string())
     })
 }

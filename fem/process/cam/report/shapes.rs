@@ -120,7 +120,7 @@ fn bodies(contour: &[Spot], wheel: u32, radius: f64) -> Vec<Body> {
 }
 
 /// Places along the edge of the cam that is drawn, at most.
-const MOST_RINGS: usize = 360;
+const MOST_RINGS: usize = 900;
 /// Values of the field `part`.
 const CAM: f64 = 0.0;
 const PATH: f64 = 1.0;
