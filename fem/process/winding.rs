@@ -14,17 +14,28 @@ pub struct Winding {
     /// nut by its own law.
     steady: f64,
     screw: Bar,
+    nut: Option<Nut>,
 }
 
 impl Winding {
     /// A drive whose bearing and nut together have a stiffness (N/m), or the bearing alone beside a preloaded nut.
     pub fn new(friction: f64, stiffness: f64, screw: Bar, nut: Option<&Nut>) -> Self {
-        let nut = nut.map_or(0.0, |nut| nut.displacement(friction));
-        Self { friction, stiffness, steady: friction / stiffness + nut, screw }
+        let mut winding = Self { friction, stiffness, steady: 0.0, screw, nut: nut.cloned() };
+        winding.steady = winding.steady_under(friction);
+        winding
+    }
+
+    fn steady_under(&self, force: f64) -> f64 {
+        force / self.stiffness + self.nut.as_ref().map_or(0.0, |nut| nut.displacement(force))
     }
 
     /// How far friction holds the slide back where it stands at x (m): F/C(x), 1/C(x) = 1/C_n + |x - x_b|/(EA), m.
     pub fn displacement(&self, x: f64) -> f64 {
         self.steady + self.friction * self.screw.compliance(x)
+    }
+
+    /// The same under another friction (N), m: that of a place, where it is not the same all along.
+    pub fn under(&self, friction: f64, x: f64) -> f64 {
+        self.steady_under(friction) + friction * self.screw.compliance(x)
     }
 }

@@ -139,6 +139,66 @@ fn a_screw_grows_with_its_recorded_temperature() {
     assert!(answer.status == 2 && answer.err.contains("temperature ends at 30 min"), "{}", answer.err);
 }
 
+/// A slide whose drag was recorded: 200 N to 100 mm, 800 N from 400 mm on, 500 N on the mean.
+const SLIDE: &str = r#"process = "axis"
+[axis]
+travel = "500 mm"
+drag = { file = "drag.csv", value = "motor" }
+[screw]
+material = "steel"
+diameter = "32 mm"
+lead = "10 mm"
+[test]
+positions = 6
+runs = 1
+[effects.elastic-lost-motion]
+friction = "500 N"
+stiffness = "100 N/um"
+"#;
+const DRAG: &str = "position [mm],motor [N]\n-10,200\n100,200\n400,800\n500,800\n";
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const SLIDES: &[Mistake] = &[
+    ("travel = \"500 mm\"", "travel = \"600 mm\"", "is needed from 0 mm to 600 mm", "record it as far as that"),
+    ("{ file = \"drag.csv\", value = \"motor\" }", "\"-20 N\"", "`drag` is -20 N", "zero or more"),
+    ("{ file = \"drag.csv\", value = \"motor\" }", "\"0 N\"", "nothing drags anywhere", "leave it out"),
+    (
+        "[screw]",
+        "drag_points = [{ at = \"0 mm\", drag = \"1 N\" }, { at = \"500 mm\", drag = \"2 N\" }]\n[screw]",
+        "`drag` says it already",
+        "leave one of them out",
+    ),
+    (
+        "drag = { file = \"drag.csv\", value = \"motor\" }",
+        "drag_points = [{ at = \"0 mm\", drag = \"1 N\" }, { at = \"400 mm\", drag = \"2 N\" }]",
+        "they do not reach over the travel",
+        "from 0 mm to 500 mm",
+    ),
+    (
+        "drag = { file = \"drag.csv\", value = \"motor\" }",
+        "drag_points = [{ at = \"500 mm\", drag = \"1 N\" }, { at = \"0 mm\", drag = \"2 N\" }]",
+        "the places do not rise",
+        "each once",
+    ),
+];
+
+#[test]
+fn a_slide_is_held_back_by_the_drag_that_was_recorded_there() {
+    let place = Place::new();
+    place.write("drag.csv", DRAG);
+    place.refuses(("run", "axis.toml"), SLIDE, SLIDES);
+    place.write("axis.toml", SLIDE);
+    assert_eq!(place.fem(&["run", "axis.toml", "-o", "out"]).status, 0);
+    let profile = place.read("out/profile.csv");
+    let deviation = |row: usize| profile.lines().nth(row).unwrap().rsplit(',').next().unwrap().parse::<f64>().unwrap();
+    // 200 N at 100 mm, 400 at 200, 800 at 500: F (1/C + x/(EA)), there and, from the sixth row on, back.
+    let rigidity = 210e3 * 0.25 * std::f64::consts::PI * 32.0 * 32.0;
+    for (row, force, x) in [(2, 200.0, 100.0), (3, 400.0, 200.0), (6, 800.0, 500.0), (7, -800.0, 500.0)] {
+        let expected = -force * (1.0 / 100.0 + 1e3 * x / rigidity);
+        assert!((deviation(row) - expected).abs() < 1e-9, "{row}: {}, {expected}", deviation(row));
+    }
+}
+
 /// Noise of a standard deviation of about one, drawn once.
 const NOISE: [f64; 12] = [0.4, -1.3, 0.7, 1.6, -0.2, -0.9, 1.1, 0.3, -1.7, 0.8, -0.5, -0.3];
 

@@ -1,6 +1,6 @@
 //! Contours as a user meets them: summary, files, pictures, bad input, corners.
 
-use super::fem::{Place, model};
+use super::fem::{Mistake, Place, model};
 
 #[test]
 fn the_summary_of_the_circle_and_of_the_square() {
@@ -20,8 +20,14 @@ fn a_profile_is_a_measurement_of_its_own_model() {
     let square = model("rectangle.toml");
     let turned = square.replace("\"45 deg\"", "\"17 deg\"").replace("[\"ccw\"]", "[\"cw\", \"ccw\"]");
     let narrow = turned.replacen("\"100 mm\"", "\"30 mm\"", 1);
-    for (name, text) in [("circle", model("contour.toml")), ("square", square), ("turned", turned), ("narrow", narrow)]
-    {
+    let paths = [
+        ("circle", model("contour.toml")),
+        ("square", square),
+        ("turned", turned),
+        ("narrow", narrow),
+        ("triangle", TRIANGLE.into()),
+    ];
+    for (name, text) in paths {
         place.write("model.toml", text);
         assert_eq!(place.fem(&["run", "model.toml", "-o", "out"]).status, 0, "{name}");
         let compared = place.fem(&["compare", "model.toml", "--with", "out/profile.csv", "--json", "-o", "compared"]);
@@ -73,6 +79,57 @@ fn the_profile_has_the_peaks_of_the_summary() {
         let near = 1e-3 * span;
         assert!(high <= extreme("largest") + near && low >= extreme("smallest") - near, "{name}: {high} {low}");
     }
+}
+
+/// Corners of 90, 36.9 and 53.1 deg, both ways round.
+const TRIANGLE: &str = r#"process = "contour"
+[path]
+shape = "polygon"
+corners = [{ x = "-20 mm", y = "-20 mm" }, { x = "60 mm", y = "-20 mm" }, { x = "-20 mm", y = "40 mm" }]
+feed = "600 mm/min"
+directions = ["ccw", "cw"]
+[drives]
+gain = "50 /s"
+lead = "5 mm"
+[effects.backlash-x]
+gap = "8 um"
+[effects.servo-mismatch]
+mismatch = 0.1
+"#;
+const CORNERS: &str =
+    "[{ x = \"-20 mm\", y = \"-20 mm\" }, { x = \"60 mm\", y = \"-20 mm\" }, { x = \"-20 mm\", y = \"40 mm\" }]";
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const POLYGONS: &[Mistake] = &[
+    ("corners", "edges", "`edges` is no key of `path`", "its keys are"),
+    (", { x = \"-20 mm\", y = \"40 mm\" }", "", "2 corners make no polygon", "give three corners or more"),
+    ("y = \"40 mm\"", "y = \"-40 mm\"", "does not turn to the left at corner", "counter-clockwise"),
+    ("\"40 mm\" }", "\"40 mm\" }, { x = \"-10 mm\", y = \"0 mm\" }", "does not turn to the left", "convex"),
+    (
+        CORNERS,
+        "[{ x = \"10 mm\", y = \"-20 mm\" }, { x = \"60 mm\", y = \"-20 mm\" }, { x = \"10 mm\", y = \"40 mm\" }]",
+        "not inside of side 3",
+        "until it lies inside",
+    ),
+    // A pentagram turns to the left at each of its corners, and twice round.
+    (
+        CORNERS,
+        "[{ x = \"0 mm\", y = \"50 mm\" }, { x = \"-29.4 mm\", y = \"-40.5 mm\" }, { x = \"47.6 mm\", y = \"15.5 mm\" }, \
+         { x = \"-47.6 mm\", y = \"15.5 mm\" }, { x = \"29.4 mm\", y = \"-40.5 mm\" }]",
+        "the sides cross each other",
+        "counter-clockwise",
+    ),
+    ("\"600 mm/min\"", "\"60 m/min\"", "a side of 60.000 mm is too short", "slow down"),
+];
+
+#[test]
+fn a_polygon_is_read_or_told_what_is_wrong_with_it() {
+    let place = Place::new();
+    place.refuses(("run", "model.toml"), TRIANGLE, POLYGONS);
+    place.write("model.toml", TRIANGLE);
+    let answer = place.fem(&["run", "model.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!("triangle", answer.out);
 }
 
 /// (model, replaced, by, part of the message, part of the remedy)

@@ -53,6 +53,12 @@ const CASES: &[Mistake] = &[
         "`force-feedback` needs the depth of the cut",
         "remove the effect",
     ),
+    (
+        "[effects.locator-wear]",
+        "[effects.cutter-tilt]\nalong = \"200 um/m\"\nacross = \"0 um/m\"\n[effects.locator-wear]",
+        "`cutter-tilt` needs the cutter's diameter",
+        "remove the effect",
+    ),
     ("rate = \"12 um/1000\"", "rate = \"12 um/km\"", "not a wear per part", "um/1000"),
     ("[effects.locator-wear]", "[effects.locator-ware]", "`locator-ware` is no effect", "did you mean `locator-wear`?"),
 ];
@@ -67,6 +73,39 @@ fn bad_input_is_told_with_its_remedy() {
     let answer = place.fem(&["run", "fixture.toml"]);
     assert!(answer.status == 2 && answer.err.contains("one support does not hold a part"), "{}", answer.err);
     assert!(!place.files().iter().any(|f| f.starts_with("out")));
+}
+
+/// A cutter over the whole width of 80 mm that stands aslant along the feed and across it.
+#[test]
+fn a_cutter_that_is_not_square_leaves_the_top_hollow_and_aslant() {
+    let place = Place::new();
+    let tilt = "\n[effects.cutter-tilt]\nalong = \"200 um/m\"\nacross = \"-50 um/m\"\n";
+    let with = |diameter: &str| {
+        model("fixture.toml").replace("[cutter]\n", &format!("[cutter]\ndiameter = \"{diameter}\"\n")) + tilt
+    };
+    place.write("fixture.toml", with("79 mm"));
+    let answer = place.fem(&["run", "fixture.toml"]);
+    assert!(
+        answer.status == 2 && answer.err.contains("whole width of 80 mm at once, and this one has 79 mm"),
+        "{}",
+        answer.err
+    );
+    place.write("fixture.toml", with("100 mm"));
+    let run = place.fem(&["run", "fixture.toml", "-o", "out", "--json"]);
+    assert_eq!(run.status, 0, "{}", run.err);
+    let form = &serde_json::from_str::<serde_json::Value>(&run.out).unwrap()["findings"]["form"];
+    // 50 - sqrt(50^2 - 40^2) = 20 mm at 200 um/m; 80 mm at -50 um/m.
+    for (key, expected) in [("hollow", 4.0), ("across", -4.0)] {
+        assert!((form[key].as_f64().unwrap() - expected).abs() < 1e-6, "{form}");
+    }
+    let profile = place.read("out/profile.csv");
+    assert!(profile.lines().any(|line| line.contains("y [mm]")) && profile.contains("-40"), "{profile}");
+    let compared = place.fem(&["compare", "fixture.toml", "--with", "out/profile.csv", "--json"]).out;
+    let json: serde_json::Value = serde_json::from_str(&compared).unwrap();
+    assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");
+    place.write("off.csv", "x [mm],y [mm],height_error [um]\n100,41,1\n");
+    let answer = place.fem(&["compare", "fixture.toml", "--with", "off.csv"]);
+    assert!(answer.status == 2 && answer.err.contains("whose edges lie 40 mm from its middle"), "{}", answer.err);
 }
 
 #[test]

@@ -24,7 +24,9 @@ fn models(process: &dyn Process) -> Vec<Model> {
         ],
         "ring" => vec![start.to_string(), start.replace("\"least-squares-circle\"", "\"absolute\"")],
         "contour" => vec![start.to_string(), equipped(start)],
-        "fixture" => vec![start.to_string(), start.replace("# depth = \"1 mm\"", "depth = \"20 um\"")],
+        "fixture" => {
+            vec![start.to_string(), start.replace("# depth = \"1 mm\"", "diameter = \"80 mm\"\ndepth = \"20 um\"")]
+        }
         _ => vec![start.to_string()],
     };
     variants.into_iter().map(|text| Model::parse(Source::new("model.toml", text)).unwrap()).collect()

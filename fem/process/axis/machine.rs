@@ -50,8 +50,13 @@ impl Machine {
         self.gap + self.plays.iter().map(|play| play(position)).sum::<f64>()
     }
 
-    /// How far friction holds the slide back with the nut at `position` (m), m.
+    /// How far friction holds the slide back with the nut at `position` (m), m: by what it is there, where the model
+    /// says how it goes along the travel.
     pub fn wind_up(&self, position: f64) -> f64 {
-        self.winding.as_ref().map_or(0.0, |winding| winding.displacement(position))
+        let Some(winding) = &self.winding else { return 0.0 };
+        match &self.setup.drag {
+            Some(drag) => winding.under(drag.at(position) * winding.friction, position),
+            None => winding.displacement(position),
+        }
     }
 }

@@ -5,6 +5,7 @@
 //! by whatever the slide's friction asks of it [seed 000, fig. 2].
 
 mod controller;
+mod drag;
 mod effects;
 mod forward;
 mod machine;

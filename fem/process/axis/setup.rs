@@ -1,6 +1,7 @@
 //! The tables of an axis model.
 
 use super::controller::Controller;
+use super::drag::Drag;
 use crate::element::Round;
 use crate::input::{Along, Reader, Varying};
 use crate::material::Material;
@@ -55,6 +56,8 @@ pub struct Setup {
     pub from: f64,
     /// Length of the travel, m.
     pub travel: f64,
+    /// How friction goes along it, where that is measured.
+    pub drag: Option<Drag>,
     /// Material of the screw.
     pub material: Material,
     /// Diameter of the screw, m.
@@ -85,9 +88,10 @@ impl Spacing {
 impl Setup {
     /// Reads every table of an axis model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let (from, travel) = model.table("axis", "the axis", |t| {
+        let (from, travel, drag) = model.table("axis", "the axis", |t| {
             let travel = t.quantity("travel", LENGTH, "length of the travel").positive().required();
-            (t.quantity("from", LENGTH, "position at which the travel begins").or(0.0), travel)
+            let from = t.quantity("from", LENGTH, "position at which the travel begins").or(0.0);
+            (from, travel, Drag::read(t, [from, from + travel]))
         });
         let test = model.optional_table("test", "the positioning test", read_test).unwrap_or(USUAL);
         let (material, [diameter, lead, fixed_at], also_fixed_at, warmth, nut) =
@@ -116,6 +120,7 @@ impl Setup {
         Self {
             from,
             travel,
+            drag,
             material,
             diameter,
             lead,
@@ -134,6 +139,11 @@ impl Setup {
         let area = Round { diameter: self.diameter, bore: 0.0 }.area();
         let held = std::iter::once(self.fixed_at).chain(self.also_fixed_at);
         Bar { axial_rigidity: self.material.youngs_modulus * area, held: held.collect() }
+    }
+
+    /// Friction at a position (m) over its mean along the travel.
+    pub fn drag_at(&self, position: f64) -> f64 {
+        self.drag.as_ref().map_or(1.0, |drag| drag.at(position))
     }
 
     /// How far the screw has grown at a position (m) and a time (s), m: expansion·(T − reference)·(position −

@@ -182,7 +182,7 @@ impl<'m> Lap<'m> {
         let at = [0, 1].map(|axis| at[axis] + given_way[axis]);
         match self.machine.setup.path {
             Path::Circle { radius } => at[0].hypot(at[1]) - radius,
-            Path::Rectangle { .. } => dot(point.outward, at) - dot(point.outward, point.at),
+            Path::Rectangle { .. } | Path::Polygon { .. } => dot(point.outward, at) - dot(point.outward, point.at),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Contour: a circle or a rectangle that two servo axes travel together.
+//! Contour: a circle, a rectangle or a polygon that two servo axes travel together.
 //!
 //! Command → each axis behind its servo 1/(1 + s/Kv) → play → cyclic error → scale → squareness → centre →
 //! deviation from the path, positive outwards, plus spikes: in that order, in the steady state that laps
@@ -37,7 +37,7 @@ impl Definition for Contour {
     type Machine = Machine;
 
     const NAME: &'static str = "contour";
-    const ABOUT: &'static str = "circle or rectangle travelled by two servo axes";
+    const ABOUT: &'static str = "circle, rectangle or polygon travelled by two servo axes";
     const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");

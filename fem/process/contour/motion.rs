@@ -64,7 +64,7 @@ impl Motion {
                 let quarter = if axis == 0 { 0.0 } else { direction.sign() * FRAC_PI_2 };
                 Self::Wave { amplitude: radius / ratio.hypot(1.0), frequency, lag: ratio.atan() + quarter }
             }
-            Path::Rectangle { .. } => Self::ramps(&in_order(path, direction), axis, gain, feed),
+            Path::Rectangle { .. } | Path::Polygon { .. } => Self::ramps(&in_order(path, direction), axis, gain, feed),
         }
     }
 
@@ -183,6 +183,16 @@ pub fn in_order(path: &Path, direction: Direction) -> Vec<Side> {
 mod tests {
     use super::*;
 
+    /// One of each kind, the polygon with acute corners.
+    fn paths() -> [Path; 3] {
+        let corners = [[-0.03, -0.02], [0.06, -0.015], [-0.01, 0.03]].into();
+        [
+            Path::Circle { radius: 0.05 },
+            Path::Rectangle { width: 0.06, height: 0.04, angle: 0.6 },
+            Path::Polygon { corners },
+        ]
+    }
+
     /// Steps of the exact solution between samples of the command, from rest in the centre, for two laps.
     fn stepped(path: &Path, axis: usize, gain: f64, feed: f64, direction: Direction, at: f64) -> f64 {
         let (sides, steps) = (in_order(path, direction), 40_000);
@@ -192,7 +202,7 @@ mod tests {
                 let angle = direction.sign() * feed * time / radius;
                 radius * if axis == 0 { angle.cos() } else { angle.sin() }
             }
-            Path::Rectangle { .. } => {
+            Path::Rectangle { .. } | Path::Polygon { .. } => {
                 let mut left = (feed * time).rem_euclid(path.length());
                 for side in &sides {
                     if left <= side.length {
@@ -216,7 +226,7 @@ mod tests {
 
     #[test]
     fn the_steady_lap_is_what_stepping_comes_to() {
-        let paths = [Path::Circle { radius: 0.05 }, Path::Rectangle { width: 0.06, height: 0.04, angle: 0.6 }];
+        let paths = paths();
         for path in paths {
             for direction in [Direction::CounterClockwise, Direction::Clockwise] {
                 for axis in [0, 1] {
@@ -234,7 +244,7 @@ mod tests {
 
     #[test]
     fn turns_are_where_the_motion_is_largest_and_smallest() {
-        for path in [Path::Circle { radius: 0.05 }, Path::Rectangle { width: 0.06, height: 0.04, angle: 0.6 }] {
+        for path in paths() {
             for axis in [0, 1] {
                 let motion = Motion::of(&path, axis, 20.0, 0.05, Direction::CounterClockwise);
                 let samples: Vec<f64> =

@@ -1,6 +1,7 @@
-//! What is programmed: a circle or a rectangle about the origin, once round from angle 0.
+//! What is programmed: a circle, a rectangle or a convex polygon about the origin, once round; a circle from angle 0.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use crate::process::Spot;
 use crate::units::{ANGLE, LENGTH};
@@ -13,7 +14,7 @@ const STILL: f64 = 1e-12;
 pub const AXES: [&str; 2] = ["x", "y"];
 
 /// A closed path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Path {
     /// R, m.
     Circle {
@@ -28,6 +29,11 @@ pub enum Path {
         height: f64,
         /// Of its first axis from the machine's x, rad.
         angle: f64,
+    },
+    /// A convex polygon that has the origin inside.
+    Polygon {
+        /// Counter-clockwise, m.
+        corners: Arc<[[f64; 2]]>,
     },
 }
 
@@ -66,8 +72,29 @@ pub struct Side {
     pub length: f64,
     /// Along it, counter-clockwise: a unit vector.
     pub along: [f64; 2],
-    /// Out of the rectangle: a unit vector.
+    /// Out of the path: a unit vector.
     pub outward: [f64; 2],
+}
+
+impl Side {
+    /// The side between two corners of a path that is travelled counter-clockwise (m).
+    fn between(from: [f64; 2], to: [f64; 2]) -> Self {
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let length = way[0].hypot(way[1]);
+        let along = way.map(|c| snap(c / length));
+        Self { from, to, length, along, outward: [along[1], -along[0]] }
+    }
+
+    /// By how much the way turns to the left from this side into the next, rad.
+    pub fn turn(&self, next: &Self) -> f64 {
+        let ([a, b], [c, d]) = (self.along, next.along);
+        (a * d - b * c).atan2(a * c + b * d)
+    }
+}
+
+/// A component of a unit vector, without what is round-off.
+fn snap(component: f64) -> f64 {
+    if component.abs() < STILL { 0.0 } else { component }
 }
 
 impl Direction {
@@ -101,6 +128,7 @@ impl Path {
         match *self {
             Self::Circle { radius } => TAU * radius,
             Self::Rectangle { width, height, .. } => 2.0 * (width + height),
+            Self::Polygon { .. } => self.sides().iter().map(|side| side.length).sum(),
         }
     }
 
@@ -109,15 +137,22 @@ impl Path {
         match *self {
             Self::Circle { radius } => radius,
             Self::Rectangle { width, height, .. } => 0.5 * width.hypot(height),
+            Self::Polygon { ref corners } => corners.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max),
         }
     }
 
-    /// The sides of a rectangle counter-clockwise, from the one that its first axis points at; none of a
-    /// circle.
+    /// The sides counter-clockwise, of a rectangle from the one that its first axis points at, of a polygon from its
+    /// first corner; none of a circle.
     pub fn sides(&self) -> Vec<Side> {
-        let Self::Rectangle { width, height, angle } = *self else { return Vec::new() };
+        let (width, height, angle) = match *self {
+            Self::Circle { .. } => return Vec::new(),
+            Self::Rectangle { width, height, angle } => (width, height, angle),
+            Self::Polygon { ref corners } => {
+                let next = corners.iter().cycle().skip(1);
+                return corners.iter().zip(next).map(|(from, to)| Side::between(*from, *to)).collect();
+            }
+        };
         let (sine, cosine) = angle.sin_cos();
-        let snap = |c: f64| if c.abs() < STILL { 0.0 } else { c };
         let [u, v] = [[snap(cosine), snap(sine)], [snap(-sine), snap(cosine)]];
         let corner = |a: f64, b: f64| [0, 1].map(|i| 0.5 * (a * width * u[i] + b * height * v[i]));
         let minus = |d: [f64; 2]| d.map(|c| -c);
@@ -143,11 +178,11 @@ impl Path {
                 side: 0,
                 from_ends: [f64::INFINITY; 2],
             },
-            Self::Rectangle { .. } => self.on_side(ray),
+            Self::Rectangle { .. } | Self::Polygon { .. } => self.on_side(ray),
         }
     }
 
-    /// Where a ray from the centre meets the rectangle; at a corner, the side that it begins
+    /// Where a ray from the centre meets the straight sides; at a corner, the side that it begins
     /// counter-clockwise.
     fn on_side(&self, ray: [f64; 2]) -> Point {
         let sides = self.sides();
@@ -176,14 +211,15 @@ impl Path {
     pub fn drawn(&self) -> Vec<Vec<Spot>> {
         match *self {
             Self::Circle { radius } => vec![Spot::circle(radius)],
-            Self::Rectangle { .. } => {
+            Self::Rectangle { .. } | Self::Polygon { .. } => {
                 let sides = self.sides();
+                let count = sides.len();
                 let corner = |i: usize| {
-                    let (behind, ahead) = (sides[(i + 3) % 4], sides[i % 4]);
+                    let (behind, ahead) = (sides[(i + count - 1) % count], sides[i % count]);
                     let outward = [0, 1].map(|c| behind.outward[c] + ahead.outward[c]);
                     Spot { at: ahead.from, outward, deviation: 0.0 }
                 };
-                vec![(0..=4).map(corner).collect()]
+                vec![(0..=count).map(corner).collect()]
             }
         }
     }
@@ -195,6 +231,7 @@ impl Path {
             Self::Rectangle { width, height, angle } => {
                 format!("rectangle of {} by {} at {}", LENGTH.told(width), LENGTH.told(height), ANGLE.told(angle))
             }
+            Self::Polygon { ref corners } => format!("polygon of {} corners", corners.len()),
         }
     }
 }
@@ -223,11 +260,37 @@ mod tests {
         assert!((path.at(angle - 1e-9).travelled - 0.05).abs() < 1e-9);
     }
 
+    /// Legs of 60 and 80 mm, the right corner first.
+    fn triangle() -> Path {
+        Path::Polygon { corners: [[-0.02, -0.02], [0.06, -0.02], [-0.02, 0.04]].into() }
+    }
+
+    #[test]
+    fn a_triangle_has_the_corners_of_its_legs() {
+        let (path, sides) = (triangle(), triangle().sides());
+        let lengths: Vec<f64> = sides.iter().map(|side| side.length).collect();
+        assert!(lengths.iter().zip([0.08, 0.1, 0.06]).all(|(a, b)| (a - b).abs() < 1e-15), "{lengths:?}");
+        assert!((path.length() - 0.24).abs() < 1e-15);
+        // At the corners 180 deg less atan 3/4, atan 4/3 and 90 deg.
+        let turns: Vec<f64> = (0..3).map(|i| 180.0 - sides[i].turn(&sides[(i + 1) % 3]).to_degrees()).collect();
+        let expected = [0.75f64.atan(), (4.0 / 3.0f64).atan(), 0.5 * std::f64::consts::PI].map(f64::to_degrees);
+        assert!(turns.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{turns:?}");
+        // The ray at 45 deg meets 3x + 4y = 100 mm at x = y = 100/7 mm.
+        let point = path.at(std::f64::consts::FRAC_PI_4);
+        assert!(point.side == 1 && (point.at[0] - 0.1 / 7.0).abs() < 1e-15, "{point:?}");
+        assert!((point.from_ends[0] + point.from_ends[1] - 0.1).abs() < 1e-15);
+    }
+
     #[test]
     fn sides_follow_each_other_counter_clockwise() {
-        let sides = Path::Rectangle { width: 0.2, height: 0.1, angle: 0.7 }.sides();
+        for path in [Path::Rectangle { width: 0.2, height: 0.1, angle: 0.7 }, triangle()] {
+            follow_each_other(&path.sides());
+        }
+    }
+
+    fn follow_each_other(sides: &[Side]) {
         for (i, side) in sides.iter().enumerate() {
-            let next = sides[(i + 1) % 4];
+            let next = sides[(i + 1) % sides.len()];
             assert!((0..2).all(|c| (side.to[c] - next.from[c]).abs() < 1e-16));
             assert!((0..2).all(|c| (side.from[c] + side.length * side.along[c] - side.to[c]).abs() < 1e-16));
             // Outwards is to the right of the way.

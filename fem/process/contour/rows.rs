@@ -35,7 +35,7 @@ pub fn way(setup: &Setup, rows: &Rows, row: usize) -> (Direction, f64) {
     (direction, rows.get(FEED, row).unwrap_or(setup.feed))
 }
 
-/// Rows that stand still, and rows of a rectangle at its corners, which the lag of the servos rounds.
+/// Rows that stand still, and rows of straight sides at their corners, which the lag of the servos rounds.
 pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let check = |row: usize| {
         let (direction, feed) = way(setup, rows, row);
@@ -67,7 +67,7 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
 }
 
 /// Angles at which the model predicts in a direction, rad, rising: evenly around a circle; evenly along
-/// each side of a rectangle, without its corners.
+/// each straight side, without its corners.
 pub fn angles(setup: &Setup, direction: Direction) -> Vec<f64> {
     if let Path::Circle { .. } = setup.path {
         return (0..setup.points).map(|i| TAU * i as f64 / setup.points as f64).collect();

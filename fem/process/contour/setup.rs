@@ -1,9 +1,14 @@
 //! The tables of a contour model.
 
+use std::f64::consts::PI;
+
 use super::drive::{self, Drive, Feedback};
-use super::path::{Direction, Path};
+use super::path::{Direction, Path, dot};
 use crate::input::Reader;
 use crate::units::{ANGLE, FEED_RATE, FORCE, FREQUENCY, GAIN, LENGTH, MICRO};
+
+/// Most corners of a polygon: more than any has.
+const MOST_CORNERS: usize = 1000;
 
 /// Everything a contour model says but its effects. SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,9 +40,11 @@ pub struct Setup {
 enum Shape {
     Circle,
     Rectangle,
+    Polygon,
 }
 
-const SHAPES: &[(&str, Shape)] = &[("circle", Shape::Circle), ("rectangle", Shape::Rectangle)];
+const SHAPES: &[(&str, Shape)] =
+    &[("circle", Shape::Circle), ("rectangle", Shape::Rectangle), ("polygon", Shape::Polygon)];
 
 impl Setup {
     /// Reads every table of a contour model but `[effects]`.
@@ -90,22 +97,21 @@ impl Setup {
         setup
     }
 
-    /// Why nothing steady is left of the sides of a rectangle at this feed (m/s), if so.
+    /// Why nothing steady is left of a straight side at this feed (m/s), if so.
     pub fn too_fast(&self, feed: f64) -> Option<String> {
         let (before, after) = self.corner(feed);
-        let Path::Rectangle { width, height, .. } = self.path else { return None };
-        let shorter = width.min(height);
-        (shorter < 2.0 * (before + after)).then(|| {
+        let shortest = self.path.sides().iter().map(|side| side.length).fold(f64::INFINITY, f64::min);
+        (shortest < 2.0 * (before + after)).then(|| {
             format!(
                 "a side of {:.3} is too short: at {} its corners are felt over {:.3}",
-                LENGTH.shown(shorter),
+                LENGTH.shown(shortest),
                 FEED_RATE.told(feed),
                 LENGTH.shown(before + after)
             )
         })
     }
 
-    /// How far before and behind a corner of a rectangle its rounding by the servos' lag reaches at a feed
+    /// How far before and behind a corner its rounding by the servos' lag reaches at a feed
     /// (m/s), m: what is left of it then is e⁻¹⁰ of the lag v/Kv.
     pub fn corner(&self, feed: f64) -> (f64, f64) {
         let lag = feed / self.gain;
@@ -114,7 +120,8 @@ impl Setup {
 }
 
 fn read_path(t: &Reader) -> Path {
-    let shape = t.choice("shape", "circle, or rectangle about its centre", SHAPES).required(Shape::Circle);
+    let shape =
+        t.choice("shape", "circle, rectangle about its centre, or convex polygon", SHAPES).required(Shape::Circle);
     let described = t.is_described();
     let length = |key, about| t.quantity(key, LENGTH, about).positive();
     match shape {
@@ -123,6 +130,7 @@ fn read_path(t: &Reader) -> Path {
             // What the schema tells of: the keys of every shape.
             let _ = (length("width", "of a rectangle").optional(), length("height", "of a rectangle").optional());
             let _ = t.quantity("angle", ANGLE, "of a rectangle's width from the x axis").optional();
+            let _ = corners(t);
             Path::Circle { radius: length("radius", "of a circle").optional().unwrap_or(f64::NAN) }
         }
         Shape::Rectangle => {
@@ -134,5 +142,40 @@ fn read_path(t: &Reader) -> Path {
                 angle: t.quantity("angle", ANGLE, "of a rectangle's width from the x axis").or(0.0),
             }
         }
+        Shape::Polygon => read_polygon(t),
     }
+}
+
+fn corners(t: &Reader) -> Vec<[f64; 2]> {
+    t.list("corners", "of a polygon, counter-clockwise about the centre at 0, 0", |t, _| {
+        ["x", "y"].map(|axis| t.quantity(axis, LENGTH, "of the corner").required())
+    })
+}
+
+/// A convex polygon about the centre; what is none is a problem.
+fn read_polygon(t: &Reader) -> Path {
+    let path = Path::Polygon { corners: corners(t).into() };
+    let sides = path.sides();
+    let help = "give three corners or more, { x = \"40 mm\", y = \"-20 mm\" }, counter-clockwise about the centre";
+    if sides.len() < 3 {
+        t.problem("corners", format!("{} corners make no polygon", sides.len()), help);
+        return path;
+    }
+    if sides.len() > MOST_CORNERS {
+        t.problem("corners", format!("{} corners are more than {MOST_CORNERS}", sides.len()), "take fewer");
+        return path;
+    }
+    let turn = |i: usize| sides[(i + sides.len() - 1) % sides.len()].turn(&sides[i]);
+    // A corner that is not known is no problem of its own.
+    let is_wrong = |i: &usize| turn(*i) <= 0.0 || turn(*i) >= PI * (1.0 - 1e-9);
+    if let Some(i) = (0..sides.len()).find(is_wrong) {
+        let message = format!("the way does not turn to the left at corner {}", i + 1);
+        t.problem("corners", message, format!("{help}; the polygon must be convex"));
+    } else if (0..sides.len()).map(turn).sum::<f64>() > 3.0 * PI {
+        t.problem("corners", "the sides cross each other", help);
+    } else if let Some(i) = sides.iter().position(|side| dot(side.from, side.outward) <= 0.0) {
+        let message = format!("the centre, 0, 0, is not inside of side {}", i + 1);
+        t.problem("corners", message, "angles are counted about it: move the corners until it lies inside");
+    }
+    path
 }

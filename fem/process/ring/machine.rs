@@ -24,7 +24,7 @@ pub struct BorePoint {
 type Mark = Box<dyn Fn(&BorePoint) -> f64 + Send + Sync>;
 
 /// A chuck and a cut with their effects. Effects act by moving jaws, by spreading or taking away their
-/// force, or by leaving a mark on the bore.
+/// force, by setting the chuck aside, or by leaving a mark on the bore.
 pub struct Machine {
     /// The tables of the model.
     pub setup: Arc<Setup>,
@@ -34,6 +34,8 @@ pub struct Machine {
     pub arc: f64,
     /// Σ m·r of a jaw, which the spindle's turning pulls outwards, kg·m.
     pub jaw_moment: f64,
+    /// Where the chuck's axis stands off the spindle's, towards jaw 1 and a quarter turn on, m.
+    pub eccentricity: [f64; 2],
     /// Deviations of the bored and released ring that add up.
     marks: Vec<Mark>,
 }
@@ -43,7 +45,7 @@ impl Machine {
     /// a mesh says otherwise; the spindle true and cold.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         let (jaw_angles, arc) = (setup.jaw_angles.clone(), setup.arc);
-        Self { setup, jaw_angles, arc, jaw_moment: 0.0, marks: Vec::new() }
+        Self { setup, jaw_angles, arc, jaw_moment: 0.0, eccentricity: [0.0; 2], marks: Vec::new() }
     }
 
     /// Adds a deviation of the released bore, m.
@@ -53,7 +55,11 @@ impl Machine {
 
     /// Deviation of the released bore that does not depend on the jaws, m.
     pub fn marks_at(&self, point: &BorePoint) -> f64 {
-        self.marks.iter().map(|mark| mark(point)).sum()
+        let [x, y] = self.eccentricity;
+        let aside = x * point.angle.cos() + y * point.angle.sin();
+        // The bore is cut about the spindle's axis, and the tool finds the blank where that has it.
+        let found = BorePoint { blank: point.blank + aside, ..*point };
+        self.marks.iter().map(|mark| mark(&found)).sum::<f64>() - aside
     }
 
     /// The jaws with their forces in equilibrium.

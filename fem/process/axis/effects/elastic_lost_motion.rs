@@ -4,7 +4,8 @@
 //! the friction (N), stiffness that of nut and bearing (N/m), EA the screw's axial rigidity [seed 000, fig.
 //! 2b: y = x − F/C]. It grows along the screw, away from the bearing. With a second fixed bearing
 //! (`also_fixed_at`) both lengths of screw carry. A preloaded nut (`[screw.nut]`) adds what its halves yield under F,
-//! and `stiffness` is that of the bearing then [fig. 5]. In light machines the kinematic gap rules, in heavy ones
+//! and `stiffness` is that of the bearing then [fig. 5]. Where the model says how friction goes along the travel
+//! (`[axis] drag`), F is its mean, and at x it is F·drag(x)/mean [seed 001: more drag, more wind-up]. In light machines the kinematic gap rules, in heavy ones
 //! this one. Left out: friction that depends on the speed, and stick-slip.
 
 use super::super::machine::Effect;
@@ -18,10 +19,10 @@ const SPRING: (f64, f64) = (20.0, 2000.0);
 pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
     name: "elastic-lost-motion",
     about: "friction winds up screw, nut and bearing before the slide moves",
-    law: "deviation += sign*friction*(1/stiffness + |position - fixed_at|/(E*A)), sign -1 in +, +1 in -",
+    law: "deviation += sign*friction*(1/stiffness + |position - fixed_at|/(E*A)), sign -1 in +, +1 in -; friction goes as axis.drag",
     source: "seed 000, fig. 2b",
     parameters: [
-        Parameter::amplitude("friction", FORCE, "of the slide", (10.0, 10_000.0)),
+        Parameter::amplitude("friction", FORCE, "of the slide, its mean along the travel", (10.0, 10_000.0)),
         Parameter::shape(
             "stiffness",
             STIFFNESS,

@@ -34,6 +34,7 @@ pub fn animation(machine: &Machine, forward: &Forward) -> Animation {
     let stop = |i: usize| {
         let row = i * approaches / count;
         let approach = approach(forward.programme, row);
+        let friction = setup.drag_at(approach.position) * friction;
         let force = if approach.direction == Direction::Forward { -friction } else { friction };
         Stop { approach, force, deviation: forward.prediction[row] }
     };

@@ -27,8 +27,9 @@ pub fn sketch(machine: &Machine) -> Sketch {
     if let Some(winding) = &machine.winding {
         let label = format!("nut and bearing, {:.1}", STIFFNESS.shown(winding.stiffness));
         parts.push(Part::Spring { at: [nut, half[1]], away: [0.0, 1.0], label });
-        let label = format!("friction, {:.0}", FORCE.shown(winding.friction));
-        parts.push(Part::Force { at: [nut + half[0], 0.0], force: [-winding.friction, 0.0], label });
+        let friction = setup.drag_at(nut) * winding.friction;
+        let label = format!("friction, {:.0}", FORCE.shown(friction));
+        parts.push(Part::Force { at: [nut + half[0], 0.0], force: [-friction, 0.0], label });
     }
     let play = machine.play(nut);
     let play = if play == 0.0 { String::new() } else { format!(", play {:.2}", MICRO.shown(play)) };

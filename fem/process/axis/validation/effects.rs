@@ -5,6 +5,46 @@ use crate::positioning::Direction::{Backward, Forward};
 use crate::process::Case;
 
 pub fn cases() -> Vec<Case> {
+    [alone(), dragged()].concat()
+}
+
+/// Friction of 300 N to 200 mm that rises to 900 N at 400 mm and falls to 100 N at the end: 300·200 + 600·200 + 500·400
+/// over 800 mm, 475 N on the mean.
+fn dragged() -> Vec<Case> {
+    const MEAN: f64 = 475.0;
+    let points = [(0.0, 300.0), (200.0, 300.0), (400.0, 900.0), (800.0, 100.0)]
+        .map(|(at, drag)| format!("{{ at = \"{at} mm\", drag = \"{drag} N\" }}"));
+    let goes = format!("drag_points = [{}]", points.join(", "));
+    let wound = format!("[elastic-lost-motion]\nfriction = \"{MEAN} N\"\nstiffness = \"200 N/um\"");
+    let play = format!("[backlash]\ngap = \"6 um\"\n{wound}");
+    let [free, with_play] = [&wound, &play].map(|effects| axis_that(&goes, effects));
+    let twice = axis_that(&goes, &wound.replace("475 N", "950 N"));
+    let lost = |axis: &Option<Machine>, x| deviation(axis, x, Backward, 0.0) - deviation(axis, x, Forward, 0.0);
+    // 1/C_n + |x - 50 mm|/(EA), um/N.
+    let compliance = |mm: f64| 1.0 / 200.0 + 1e6 * 1e-3 * (mm - 50.0).abs() / rigidity();
+    let um = |name: &str, quantity, expected: f64, computed: f64| {
+        row(name, quantity, (expected, computed, "um"), CANCELLED, "seed 001, b(x) = delta + 2F(x)/C(x)")
+    };
+    vec![
+        um("drag of 300 N at 100 mm", "lost motion", 600.0 * compliance(100.0), lost(&free, 100.0)),
+        um("drag of 600 N at 300 mm", "lost motion", 1200.0 * compliance(300.0), lost(&free, 300.0)),
+        um(
+            "drag of 900 N at 400 mm and play",
+            "lost motion",
+            6.0 + 1800.0 * compliance(400.0),
+            lost(&with_play, 400.0),
+        ),
+        um("drag of 500 N at 600 mm", "deviation", -500.0 * compliance(600.0), deviation(&free, 600.0, Forward, 0.0)),
+        um(
+            "the same shape and twice the friction, 600 mm",
+            "lost motion",
+            2000.0 * compliance(600.0),
+            lost(&twice, 600.0),
+        ),
+    ]
+}
+
+fn alone() -> Vec<Case> {
     let scale = axis("[scale-error]\nslope = \"25 um/m\"");
     let periodic = axis("[periodic-error]\namplitude = \"3 um\"\nphase = \"-40 deg\"");
     let gap = axis("[backlash]\ngap = \"7 um\"");

@@ -35,6 +35,11 @@ pub fn axis_with(screw: &str, effects: &str) -> Option<Machine> {
     assembled(&AXIS.replace("fixed_at = \"50 mm\"", &format!("fixed_at = \"50 mm\", {screw}")), effects)
 }
 
+/// The same with more keys of the axis itself.
+pub fn axis_that(goes: &str, effects: &str) -> Option<Machine> {
+    assembled(&AXIS.replace("travel = \"800 mm\"", &format!("travel = \"800 mm\", {goes}")), effects)
+}
+
 /// Deviation in um at a position (mm), forwards or backwards, after minutes.
 pub fn deviation(axis: &Option<Machine>, position: f64, direction: Direction, minutes: f64) -> f64 {
     let rows = rows::rows([(1e-3 * position, direction, 1.0, 60.0 * minutes)]);

@@ -1,10 +1,10 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
 mod circle;
-mod rectangle;
 mod reversing;
 mod sampled;
 mod shapes;
+mod sides;
 
 use self::sampled::Sampled;
 use super::forward::Lap;
@@ -50,7 +50,7 @@ fn figures(machine: &Machine, setup: &Setup, forward: &Forward, fine: &Sampled) 
             figures.extend(circle::figures(setup, forward, deviations)?);
             figures.push(reversing::reversals(machine));
         }
-        Path::Rectangle { .. } => figures.extend(rectangle::figures(machine, setup, deviations)),
+        Path::Rectangle { .. } | Path::Polygon { .. } => figures.extend(sides::figures(machine, setup, deviations)),
     }
     figures.extend(reversing::lost_motion(machine));
     figures.extend(reversing::advice(machine));
@@ -102,6 +102,10 @@ fn tolerance(machine: &Machine, deviations: &[f64]) -> Option<Figure> {
     let shows = match setup.path {
         Path::Circle { .. } => 1.0,
         Path::Rectangle { angle, .. } => (2.0 * angle).sin().abs(),
+        Path::Polygon { .. } => {
+            let sides = setup.path.sides();
+            sides.iter().map(|side| 2.0 * (side.along[0] * side.along[1]).abs()).fold(0.0, f64::max)
+        }
     };
     let mismatch = 2.0 * allowed * setup.gain / (setup.feed * shows);
     let largest = deviations.iter().fold(0.0f64, |m, d| m.max(d.abs()));

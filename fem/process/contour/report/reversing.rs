@@ -1,5 +1,7 @@
 //! Marks on the contour where an axis turns round, and how to turn round off the work [seed 000, fig. 4].
 
+use std::f64::consts::PI;
+
 use super::super::forward::Lap;
 use super::super::machine::Machine;
 use super::super::path::{AXES, Path};
@@ -25,7 +27,7 @@ pub fn reversals(machine: &Machine) -> Figure {
                 let point = setup.path.at(lap.angle(time));
                 let behind = setup.path.at(lap.angle(time + rest));
                 let step = if is_lost { lap.offset(&behind) - lap.offset(&point) } else { 0.0 };
-                let flat = lap.angle(rest).min(std::f64::consts::TAU - lap.angle(rest));
+                let flat = lap.angle(rest).min(2.0 * PI - lap.angle(rest));
                 let spike = height * point.outward[axis].abs();
                 let angle = lap.angle(time);
                 angles.push(format!("{:.2}", ANGLE.from_si(angle)));
@@ -90,6 +92,7 @@ pub fn advice(machine: &Machine) -> Option<Figure> {
             "overrun each corner along its side, turn {turning} round off the work, and run into the next side over \
              at least {way_in:.3}"
         )],
+        Path::Polygon { .. } => at_corners(&setup.path, &axes, run_in),
     };
     Some(
         Figure::new("reversing", "to reverse off the work")
@@ -100,6 +103,40 @@ pub fn advice(machine: &Machine) -> Option<Figure> {
             .quantity("run_in", LENGTH, run_in)
             .quantity("gap", MICRO, gap),
     )
+}
+
+/// The corners of a polygon at which axes turn round, and the way off the work there: over the corner along its side,
+/// and onto the line of the next side ahead of the corner, which both lie on one side of an acute corner, the angle of
+/// the corner apart. Other corners need none.
+fn at_corners(path: &Path, axes: &[usize], run_in: f64) -> Vec<String> {
+    let sides = path.sides();
+    let count = sides.len();
+    let (mut lines, mut smooth) = (Vec::new(), Vec::new());
+    for (i, side) in sides.iter().enumerate() {
+        let before = &sides[(i + count - 1) % count];
+        // An axis that stands still on a side still has what it did before.
+        let heading = |axis: usize| (1..count).map(|k| sides[(i + count - k) % count].along[axis]).find(|c| *c != 0.0);
+        let turns = |axis: &&usize| heading(**axis).is_some_and(|before| before * side.along[**axis] < 0.0);
+        let turning: Vec<&str> = axes.iter().filter(turns).map(|axis| AXES[*axis]).collect();
+        if turning.is_empty() {
+            smooth.push((i + 1).to_string());
+            continue;
+        }
+        let angle = PI - before.turn(side);
+        let across = 2.0 * run_in * (0.5 * angle).sin();
+        let [x, y] = side.from.map(|c| LENGTH.from_si(c));
+        let [angle, over, across] = [ANGLE.shown(angle), LENGTH.shown(run_in), LENGTH.shown(across)];
+        lines.push(format!(
+            "corner {} at ({x:.3}, {y:.3}), of {angle:.1}: overrun it by {over:.3} along its side, turn {} round in going \
+             {across:.3} across, and run {over:.3} into the next side",
+            i + 1,
+            turning.join(" and ")
+        ));
+    }
+    if !smooth.is_empty() {
+        lines.push(format!("at corner {} none of them turns round", smooth.join(", ")));
+    }
+    lines
 }
 
 /// Clearance beside what friction winds up where each axis turns round, and which of them rules: in light

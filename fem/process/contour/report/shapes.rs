@@ -57,7 +57,7 @@ fn closed(setup: &Setup, places: Vec<Place>) -> Vec<Place> {
     let around = |side: usize, by: usize| (side + by) % sides.len();
     let corner = |from: usize| {
         let to = around(from, 1);
-        [0, 1].map(|c| ends[from][1] * sides[from].outward[c] + ends[to][0] * sides[to].outward[c])
+        meeting([(ends[from][1], sides[from].outward), (ends[to][0], sides[to].outward)])
     };
     let mut line: Vec<Place> = Vec::new();
     for (i, place) in places.iter().enumerate() {
@@ -81,6 +81,19 @@ fn closed(setup: &Setup, places: Vec<Place>) -> Vec<Place> {
     }
     line.extend(line.first().copied());
     line
+}
+
+/// Where two sides meet that are off by some (m) along the ways in which they face, from where they met, m: p·n₁ = d₁ and
+/// p·n₂ = d₂; of sides that go on almost straight half of both.
+fn meeting([(first, one), (second, other)]: [(f64, [f64; 2]); 2]) -> [f64; 2] {
+    const STRAIGHT: f64 = 0.01;
+    let cosine = dot(one, other);
+    let square = 1.0 - cosine * cosine;
+    let [a, b] = match square > STRAIGHT {
+        true => [first - second * cosine, second - first * cosine].map(|part| part / square),
+        false => [first, second].map(|part| 0.5 * part),
+    };
+    [0, 1].map(|c| a * one[c] + b * other[c])
 }
 
 /// The contour in every direction, deviations magnified.

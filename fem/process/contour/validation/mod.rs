@@ -5,6 +5,7 @@ mod effects;
 mod elastic;
 mod following;
 mod play;
+mod polygon;
 mod rectangle;
 mod rig;
 mod servo;
@@ -22,6 +23,7 @@ pub fn cases() -> Vec<Case> {
         elastic::cases(),
         following::cases(),
         rectangle::cases(),
+        polygon::cases(),
         stepping::cases(),
         standard::cases(),
     ]

@@ -51,7 +51,7 @@ pub fn of_lap(machine: &Option<Machine>, direction: Direction, read: impl Fn(&La
 
 /// Deviation at a polar angle (deg), m.
 pub fn deviation(machine: &Option<Machine>, direction: Direction, angle: f64) -> f64 {
-    let path = machine.as_ref().map(|m| m.setup().path);
+    let path = machine.as_ref().map(|m| &m.setup().path);
     of_lap(machine, direction, |lap| {
         path.map_or(f64::NAN, |p| lap.deviation(&p.at(angle.to_radians().rem_euclid(std::f64::consts::TAU))))
     })

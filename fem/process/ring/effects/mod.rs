@@ -1,6 +1,7 @@
 //! The effects of a chucked ring. One file and one line each.
 
 mod centrifugal_unloading;
+mod chuck_runout;
 mod copying;
 mod cutting_heat;
 mod jaw_contact_arc;
@@ -19,6 +20,7 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &centrifugal_unloading::CENTRIFUGAL_UNLOADING,
     &residual_stress::RESIDUAL_STRESS,
     &spindle_error::SPINDLE_ERROR,
+    &chuck_runout::CHUCK_RUNOUT,
     &cutting_heat::CUTTING_HEAT,
     &copying::COPYING,
 ];

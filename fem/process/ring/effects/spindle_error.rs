@@ -2,8 +2,8 @@
 //!
 //! An error motion of the spindle of two waves a turn bores an oval A·cos 2(θ − phase), A the amplitude (m),
 //! fast to the machine and so to jaw 1. It is cut into the bore, and the clamped ring that is not bored yet
-//! does not show it. Once-a-turn motion only shifts the centre; left out: other waves, and motion that does
-//! not repeat.
+//! does not show it. Once-a-turn motion only shifts the centre (`chuck-runout`); left out: other waves, and
+//! motion that does not repeat.
 
 use super::super::machine::Effect;
 use crate::process::{Parameter, nothing};

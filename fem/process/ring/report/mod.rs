@@ -33,7 +33,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     let form = circle::form(angles, deviations);
     let mut figures = extremes("deviation", &OBSERVABLES[0], (COORDINATES, &[ANGLE_OF_ROW]), rows, deviations);
     figures.extend([
-        size(setup.reference, deviations),
+        size(setup.reference, angles, deviations),
         roundness(&form),
         harmonics(angles, &form),
         clamping(machine, forward)?,
@@ -82,13 +82,24 @@ fn peak_and_valley(form: &[f64]) -> (f64, f64) {
     (form.iter().copied().fold(0.0, f64::max), 0.0 - form.iter().copied().fold(0.0, f64::min))
 }
 
-fn size(reference: Reference, deviations: &[f64]) -> Figure {
+/// Size and centre of the bore at evenly spaced angles, rad.
+fn size(reference: Reference, angles: &[f64], deviations: &[f64]) -> Figure {
     let mean = mean(deviations);
+    let figure = Figure::new("mean", "mean deviation").quantity("value", MICRO, mean);
+    if reference == Reference::LeastSquaresCircle {
+        return figure.line("taken out with the least-squares circle");
+    }
     let [radius, diameter] = [mean, 2.0 * mean].map(|m| MICRO.shown(m));
-    Figure::new("mean", "mean deviation").quantity("value", MICRO, mean).line(match reference {
-        Reference::LeastSquaresCircle => "taken out with the least-squares circle".into(),
-        Reference::Absolute => format!("{radius:+.3} of the radius, {diameter:+.3} of the diameter"),
-    })
+    let (off, towards) = wave(angles, deviations, 1);
+    let centre = (off > ROUND).then(|| {
+        let (off, towards) = (MICRO.shown(off), ANGLE.shown(towards));
+        format!("its centre {off:.3} off the ring's axis, towards {towards:.1}")
+    });
+    figure
+        .line(format!("{radius:+.3} of the radius, {diameter:+.3} of the diameter"))
+        .lines(centre)
+        .quantity("off_centre", MICRO, off)
+        .quantity("towards", ANGLE, towards)
 }
 
 fn roundness(form: &[f64]) -> Figure {
@@ -104,22 +115,27 @@ fn roundness(form: &[f64]) -> Figure {
         .quantity("RONq", MICRO, rms)
 }
 
+/// Amplitude of `m` waves around, m, and the angle of their first crest, rad.
+fn wave(angles: &[f64], deviations: &[f64], m: usize) -> (f64, f64) {
+    let (mut cosine, mut sine) = (0.0, 0.0);
+    for (angle, d) in angles.iter().zip(deviations) {
+        cosine += d * (m as f64 * angle).cos();
+        sine += d * (m as f64 * angle).sin();
+    }
+    let amplitude = 2.0 / deviations.len() as f64 * cosine.hypot(sine);
+    let step = TAU / m as f64;
+    let crest = (sine.atan2(cosine) / m as f64).rem_euclid(step);
+    (amplitude, if step - crest < 1e-9 * step { 0.0 } else { crest })
+}
+
 /// Waves around (undulations per revolution) with amplitude and the angle of the first crest.
 fn harmonics(angles: &[f64], form: &[f64]) -> Figure {
-    let count = form.len();
     let of = |m: usize| {
-        let (mut cosine, mut sine) = (0.0, 0.0);
-        for (angle, d) in angles.iter().zip(form) {
-            cosine += d * (m as f64 * angle).cos();
-            sine += d * (m as f64 * angle).sin();
-        }
-        let amplitude = 2.0 / count as f64 * cosine.hypot(sine);
-        let step = TAU / m as f64;
-        let crest = (sine.atan2(cosine) / m as f64).rem_euclid(step);
-        (m, amplitude, if step - crest < 1e-9 * step { 0.0 } else { crest })
+        let (amplitude, crest) = wave(angles, form, m);
+        (m, amplitude, crest)
     };
     // Up to a wave over four points, and not more than instruments show.
-    let mut all: Vec<(usize, f64, f64)> = (2..=(count / 4).min(500)).map(of).collect();
+    let mut all: Vec<(usize, f64, f64)> = (2..=(form.len() / 4).min(500)).map(of).collect();
     let largest = all.iter().fold(0.0f64, |size, h| size.max(h.1));
     all.retain(|h| h.1 > ROUND.max(LISTED * largest));
     let mut listed = all.clone();

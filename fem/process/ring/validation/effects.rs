@@ -27,6 +27,8 @@ pub fn cases() -> Vec<Case> {
     let copying = "[copying]\nstiffness = \"19 N/um\"";
     let stressed = "[residual-stress]\namplitude = \"4 um\"\nphase = \"20 deg\"";
     let spindle = "[spindle-error]\namplitude = \"3 um\"\nphase = \"-35 deg\"";
+    let eccentric = "[chuck-runout]\nrunout = \"30 um\"\nphase = \"50 deg\"";
+    let both = format!("{eccentric}\n{copying}");
     let degrees = f64::to_radians;
     vec![
         part("jaws thrown outwards at 400 rpm", left(400.0), thrown(400.0), source),
@@ -75,6 +77,19 @@ pub fn cases() -> Vec<Case> {
             3e-6 * (2.0 * degrees(95.0)).cos(),
             added(spindle, degrees(60.0), &[(ORIENTATION, degrees(30.0))]),
             "A cos 2(theta - phase)",
+        ),
+        added_row(
+            "chuck that runs out by 30 um, 30 deg from the crest",
+            -15e-6 * degrees(30.0).cos(),
+            added(eccentric, degrees(80.0), &[(ORIENTATION, degrees(30.0))]),
+            "half the reading times cos(theta - phase)",
+        ),
+        // A tool that yields leaves a twentieth of what it finds: 40 um of the blank, and 15 um of the chuck's.
+        added_row(
+            "the same and a tool of 19 N/um, blank off by 40 um, at the crest",
+            -15e-6 + (40e-6 + 15e-6) / 20.0,
+            added(&both, degrees(50.0), &[(BLANK, 40e-6)]),
+            "two axes, and seed 002 (27) about the spindle's",
         ),
         row(
             "oval of residual stress, clamped",

@@ -30,6 +30,7 @@ pub fn cases() -> Vec<Case> {
     ));
     cases.extend(half_space());
     cases.extend(slab());
+    cases.extend(block());
     cases
 }
 
@@ -89,6 +90,47 @@ fn slab() -> Vec<Case> {
         row(name, "temperature after 0.1 s", (expected, computed, "degC"), tolerance, "Carslaw and Jaeger, 3.4 (10)")
     };
     vec![one(0.2, 65.478), one(0.8, 8.093)]
+}
+
+/// A block of 2 × 2 × 2 m like the slab, warmed from all six faces: what its faces lack of 100 is the product of what a
+/// square and a slab lack [Carslaw and Jaeger, 1.15], here 0.2, 0.8 and 0.8 m from three of them.
+fn block() -> Vec<Case> {
+    let heated = |height: &str, faces: &[&str], element: &str| {
+        let faces: Vec<String> =
+            faces.iter().map(|f| format!("{{ edge = \"{f}\", temperature = \"100 degC\" }}")).collect();
+        let text = format!(
+            r#"
+            body = {{ material = {{ base = "steel", conductivity = "1 W/m/K", density = "1 kg/m^3", specific_heat = "1 J/kg/K" }}, rectangle = {{ length = "2 m", height = "{height}", width = "2 m" }} }}
+            boundary = [{}]
+            environment = {{ temperature = "0 degC" }}
+            time = {{ end = "0.1 s", step = "0.001 s" }}
+            mesh = {{ element_size = "{element}" }}
+            "#,
+            faces.join(", ")
+        );
+        body(&text, "")
+    };
+    let square = heated("2 m", &["left", "right", "bottom", "top"], "50 mm");
+    let slab = heated("0.1 m", &["left", "right"], "50 mm");
+    let lacks = |body: &Heated, at: [f64; 2]| 1.0 - temperature_at(body, at, 0.1) / 100.0;
+    // Images of faces 1 m either side of the middle, diffusivity 1 m^2/s.
+    let image = |n: i32, x: f64| erfc((f64::from(2 * n + 1) - x) / (2.0 * 0.1f64.sqrt()));
+    let lack = |depth: f64| {
+        let x = 1.0 - depth;
+        1.0 - (0..6).map(|n| f64::from(1 - 2 * (n % 2)) * (image(n, x) + image(n, -x))).sum::<f64>()
+    };
+    vec![row(
+        "block of 2 m between six faces at 100, 0.2, 0.8 and 0.8 m deep, from a square and a slab",
+        "temperature after 0.1 s",
+        (
+            100.0 * (1.0 - lack(0.2) * lack(0.8).powi(2)),
+            100.0 * (1.0 - lacks(&square, [0.2, 0.8]) * lacks(&slab, [0.8, 0.05])),
+            "degC",
+        ),
+        // As the slab's rows at elements half as large and steps half as long: sixteen times their 2e-3 at most.
+        Tolerance::Absolute(1e-2),
+        "Carslaw and Jaeger, 1.15 and 3.4 (10)",
+    )]
 }
 
 /// erfc by its power series and, beyond 2, its continued fraction.

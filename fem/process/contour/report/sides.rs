@@ -1,9 +1,9 @@
-//! Figures of a rectangle: offset and tilt of its sides, its sizes, its corners.
+//! Figures of straight sides: their offset and tilt, sizes of a rectangle, corners.
 
 use super::super::forward::Lap;
 use super::super::machine::Machine;
 use super::super::motion::in_order;
-use super::super::path::{AXES, Direction, Path};
+use super::super::path::{AXES, Direction, Path, Side};
 use super::super::rows;
 use super::super::setup::Setup;
 use crate::process::{Datum, Figure};
@@ -21,7 +21,7 @@ struct Made {
     tilt: f64,
 }
 
-/// The figures of a rectangle; `deviations` at the points of `setup`, direction by direction, m.
+/// The figures of a rectangle or a polygon; `deviations` at the points of `setup`, direction by direction, m.
 pub fn figures(machine: &Machine, setup: &Setup, deviations: &[f64]) -> Vec<Figure> {
     let mut rest = deviations;
     let mut sizes = Figure::new("sizes", "errors of sizes").unit("unit", MICRO);
@@ -40,15 +40,16 @@ pub fn figures(machine: &Machine, setup: &Setup, deviations: &[f64]) -> Vec<Figu
         let (offsets, tilts) = (made.iter().map(|m| m.offset).collect(), made.iter().map(|m| m.tilt).collect());
         let values = [("offsets", Datum::Quantities(MICRO, offsets)), ("tilts", Datum::Quantities(SLOPE, tilts))];
         sides = sides.entry(word, Datum::record(values));
+        let Path::Rectangle { .. } = setup.path else { continue };
         let [width, height] = [made[0].offset + made[2].offset, made[1].offset + made[3].offset];
         let shown = [width, height].map(|size| MICRO.shown(size));
         sizes = sizes
             .line(format!("width {:+.3}, height {:+.3}, {word}", shown[0], shown[1]))
             .entry(word, Datum::record([("width", Datum::of(MICRO, width)), ("height", Datum::of(MICRO, height))]));
     }
-    let mut figures = vec![sizes, sides, corners(machine)];
-    figures.extend(waves(setup));
-    figures
+    let is_rectangle = matches!(setup.path, Path::Rectangle { .. });
+    let sizes = is_rectangle.then_some(sizes);
+    sizes.into_iter().chain([sides, corners(machine)]).chain(waves(setup)).collect()
 }
 
 /// The least-squares line of the deviations of each side.
@@ -70,7 +71,7 @@ fn made(setup: &Setup, angles: &[f64], deviations: &[f64]) -> Vec<Made> {
         let tilt = product / square;
         Made { offset: mean - tilt * middle, tilt }
     };
-    (0..4).map(of).collect()
+    (0..setup.path.sides().len()).map(of).collect()
 }
 
 /// How near the tool comes to its corners, which it rounds by its lag.
@@ -123,18 +124,21 @@ fn closest(machine: &Machine, direction: Direction, corner: [f64; 2]) -> f64 {
 
 /// How long the waves of periodic errors are on the sides: lead/cos φ, φ between axis and side [seed 000].
 fn waves(setup: &Setup) -> Option<Figure> {
-    let Path::Rectangle { width, height, .. } = setup.path else { return None };
     let sides = setup.path.sides();
+    let named: Vec<(String, &Side)> = match setup.path {
+        Path::Rectangle { .. } => vec![("the width".into(), &sides[1]), ("the height".into(), &sides[0])],
+        _ => sides.iter().enumerate().map(|(i, side)| (format!("side {}", i + 1), side)).collect(),
+    };
     let (mut words, mut list) = (Vec::new(), Vec::new());
-    for (name, side, length) in [("width", sides[1], width), ("height", sides[0], height)] {
+    for (name, side) in &named {
         for ((axis, along), drive) in AXES.iter().zip(side.along).zip(&setup.drives) {
             let Some(lead) = drive.lead else { continue };
             let wave = lead / along.abs();
-            if wave < LONGEST * length {
-                words.push(format!("{:.3} of {axis} along the {name}", LENGTH.shown(wave)));
+            if wave < LONGEST * side.length {
+                words.push(format!("{:.3} of {axis} along {name}", LENGTH.shown(wave)));
                 list.push(Datum::record([
                     ("axis", (*axis).into()),
-                    ("along", name.into()),
+                    ("along", name.trim_start_matches("the ").to_string().into()),
                     ("length", Datum::of(LENGTH, wave)),
                 ]));
             }
