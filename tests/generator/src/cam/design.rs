@@ -18,7 +18,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
     let mut job = Job {
         profile: Profile { base, nose, lift: decimals(base - nose + random.uniform(3.0, 12.0), 1) },
         wheel: decimals(random.uniform(60.0, 175.0), 0),
-        step: decimals(random.log_uniform(0.5, 4.0), 2),
+        step: decimals(random.uniform(0.5, 1.5), 2),
         speed,
         cut: has_cut.then(|| (decimals(random.uniform(10.0, 30.0), 0), decimals(random.uniform(8.0, 20.0), 0))),
         passes: passes(speed, random),
