@@ -37,6 +37,6 @@ pub use json::Json;
 pub use measurement::MEASUREMENT;
 pub use measurements::measurements;
 pub use page::{Evidence, Subject, page, trouble};
-pub use pictures::Pictures;
+pub use pictures::{Pictures, figures, signatures};
 pub use report::{Detail, Format, Report};
 pub use text::Text;
