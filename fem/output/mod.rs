@@ -36,6 +36,6 @@ pub use folder::Folder;
 pub use json::Json;
 pub use measurements::measurements;
 pub use page::{Evidence, Subject, page, trouble};
-pub use pictures::Pictures;
+pub use pictures::{Pictures, figures, signatures};
 pub use report::{Detail, Format, Report};
 pub use text::Text;

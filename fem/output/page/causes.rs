@@ -18,7 +18,7 @@ const BETWEEN: usize = 12;
 
 /// The missing effects.
 pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
-    let curves = found.completed.map_or(Vec::new(), |(model, run)| plots::changes(model, run));
+    let curves = found.completed.map_or(Vec::new(), |(model, run)| plots::changes(model, &run.contributions));
     let cards = d.missing.iter().enumerate().map(|(i, m)| card(i + 1, m, &curves, subject)).collect();
     Section { id: "causes", title: "The causes", blocks: cards }
 }
