@@ -91,6 +91,17 @@ impl CandidateModel<'_> {
         None
     }
 
+    /// Whether an instrument would have to be off beyond belief. It is adjusted: what only that explains, it does not
+    /// explain.
+    pub fn reads_beyond_belief(&self) -> bool {
+        let mut first = self.objective.data.model.parameters.len();
+        self.objective.added.iter().any(|effect| {
+            let own = first..first + effect.parameters.len();
+            first = own.end;
+            effect.table == MEASUREMENT && own.into_iter().any(|i| self.is_too_large(i, 1.0))
+        })
+    }
+
     /// Position of the same set with its members in another order.
     pub fn position_of(&self, members: &[usize], candidates: &[CandidateEffect]) -> DVector<f64> {
         let mut first = self.objective.data.model.parameters.len();

@@ -14,7 +14,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{instrument, look_alike, next, sensitivity, told};
+use super::{look_alike, next, sensitivity, told};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::{Repeats, repeats};
 use crate::noise::effects;
@@ -212,7 +212,7 @@ fn missing(
         let effect = found.candidates[last].effect.clone();
         let own_paths: Vec<String> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
-            cause: instrument::cause(&effect),
+            cause: told::cause(&effect),
             effect,
             goodness: goodness(&rest),
             p_value: found.null_distribution.p_value(measured),

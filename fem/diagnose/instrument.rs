@@ -4,7 +4,6 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
-use super::diagnosis::Cause;
 use crate::compare::{Suspicion, is_rough, own_observables, price};
 use crate::fit::{StoppingCriterion, minimise};
 use crate::measure::Repeats;
@@ -135,14 +134,6 @@ pub fn absent_readings(data: &Data) -> Vec<Description> {
         _ => own_observables(data).into_iter().map(|observable| Term { observable, ..Term::new(effect) }).collect(),
     };
     of_reading.filter(|e| is_absent(e)).flat_map(of).map(|term| description(&term, data)).collect()
-}
-
-/// Whose an effect is that was found among the candidates.
-pub fn cause(effect: &Description) -> Cause {
-    match effects::ALL.iter().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
-        Some(entry) => Cause::of(entry, effect.observable),
-        None => Cause::Physical,
-    }
 }
 
 /// A term as the catalogue of effects tells one.

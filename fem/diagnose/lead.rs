@@ -201,7 +201,8 @@ pub fn fit_from<'a>(
         }
     }
     let solution = best?;
-    Some(CandidateModel { members: [&parent.members, added].concat(), objective, solution })
+    let model = CandidateModel { members: [&parent.members, added].concat(), objective, solution };
+    (!model.reads_beyond_belief()).then_some(model)
 }
 
 /// Halves the amplitudes of a start until the model can be computed there.

@@ -7,7 +7,8 @@ use super::verdict::GoodnessOfFit;
 use crate::fit::{StoppingCriterion, minimise, size_estimate};
 use crate::measure::{Repeats, grouping_name};
 use crate::model::Data;
-use crate::noise::{Acts, Restricted, Term, beyond_chi2, effects};
+use crate::noise::{Acts, MEASUREMENT, Restricted, Term, beyond_chi2, effects};
+use crate::process::Description;
 
 /// The rows that are weighed down.
 pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
@@ -72,6 +73,14 @@ pub fn told(
     };
     let is_new = |(_, term): &(usize, &Term)| !term.is_among(&data.terms);
     noise.terms.iter().enumerate().filter(is_new).map(tell).collect()
+}
+
+/// Whose an effect is that was found among the candidates.
+pub fn cause(effect: &Description) -> Cause {
+    match effects::ALL.iter().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
+        Some(entry) => Cause::of(entry, effect.observable),
+        None => Cause::Physical,
+    }
 }
 
 /// Records of the file on which a term acts, counted from 1; those that the model weighs down already are left

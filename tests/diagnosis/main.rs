@@ -225,6 +225,22 @@ fn a_sample_of_axis() {
 }
 
 #[test]
+fn a_sample_of_contour() {
+    sample(&CONTOUR, 1, [8, 3, 3]);
+}
+
+#[test]
+fn a_sample_of_fixture() {
+    // Few effects of few parameters: one round would tell little.
+    sample(&FIXTURE, 3, [8, 3, 4]);
+}
+
+#[test]
+fn a_sample_of_cam() {
+    sample(&CAM, 2, [6, 3, 3]);
+}
+
+#[test]
 fn a_sample_of_stiffness() {
     // So few parameters that one round would tell little of their intervals.
     sample(&STIFFNESS, 3, [12, 4, 5]);

@@ -4,12 +4,12 @@ use super::super::term::{Acts, MeasurementEffect, Size};
 use crate::process::Parameter;
 use crate::units::SECONDS;
 
-/// Ten minutes are what two clocks that people set may differ by.
+/// Two hours: clocks that people set are minutes apart, and an hour where only one knows of summer time.
 static DELAY: Parameter = Parameter::signed(
     "delay",
     SECONDS,
     "by which the times of the file are late; below zero where they are early",
-    (1.0, 600.0),
+    (1.0, 7200.0),
 );
 
 /// Every time that the file gives is late by a constant.
