@@ -4,8 +4,8 @@ use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
 use crate::input::{Problem, nearest};
-use crate::noise::{MeasurementEffect, effects};
-use crate::output::{Detail, MEASUREMENT, Report, columns};
+use crate::noise::{MEASUREMENT, MeasurementEffect, effects};
+use crate::output::{Detail, Report, columns};
 use crate::process::{self, Description, Process};
 
 pub fn effects(args: &args::Effects) -> Result<(), Error> {

@@ -16,7 +16,7 @@ pub use contradiction::contradictions;
 pub use features::{Feature, find as features};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
-pub use suspicion::{PROMISING, Suspicion, is_rough, is_round_off, price};
+pub use suspicion::{PROMISING, Suspicion, is_rough, is_round_off, own_observables, price};
 pub use trend::Trend;
 
 use nalgebra::DMatrix;

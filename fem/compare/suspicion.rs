@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use super::contradiction::{FEW, contradicting, contradictions};
 use crate::measure::{FILE, Measurements, Repeats, of_neighbours};
 use crate::model::Data;
-use crate::noise::{Acts, MeasurementEffect, Noise, Restricted, Term, effects, step_of};
+use crate::noise::{Acts, Along, MeasurementEffect, Noise, Restricted, Term, effects, step_of};
 use crate::process::{Absent, Holds};
-use crate::units::{LENGTH, TIME};
+use crate::units::{ANGLE, LENGTH, TIME};
 
 /// Places at which a step of the zero is looked for.
 const STEPS: usize = 240;
@@ -21,6 +21,8 @@ const ODDS: f64 = 9.2;
 const LEVELS: usize = 200;
 /// Fewest places that make a curve.
 const LEAST_PLACES: usize = 4;
+/// Fewest groups that are seen to lie askew each in its own way.
+const LEAST_ASKEW: usize = 3;
 /// Most sensors at places of their own.
 const MOST_SENSORS: usize = 16;
 /// Ratio of the scatter of neighbouring rows to all scatter below which structure, not noise, is what
@@ -120,6 +122,7 @@ impl Suspicion<'_> {
                 }
             }
         }
+        alignments(data).into_iter().filter(|term| !term.is_among(present)).for_each(&mut with);
         let has = |effect: &MeasurementEffect| present.iter().any(|t| t.effect == effect);
         if !has(&effects::CORRELATED_NOISE) && !has(&effects::COVARIANCE) {
             with(Term::new(&effects::CORRELATED_NOISE));
@@ -277,6 +280,28 @@ fn groupings(data: &Data) -> Vec<Vec<usize>> {
     all
 }
 
+/// Slopes along places, anew for every part, run or file: how it was put into the instrument. The slope that all of
+/// them share is the machine's as well as the instrument's, and is told by neither.
+fn alignments(data: &Data) -> Vec<Term> {
+    let coordinates = data.model.process.coordinates();
+    let is_label = |i: &usize| {
+        coordinates.get(*i).is_none_or(|c| c.repeats || matches!(c.holds, Holds::Number(_) | Holds::Word(_)))
+    };
+    let is_place = |i: &usize| {
+        let kind = coordinates[*i].holds.kind();
+        !is_label(i) && [Some(LENGTH), Some(ANGLE)].contains(&kind) && count(data, &[*i]) >= LEAST_PLACES
+    };
+    let places: Vec<usize> = data.given.iter().copied().filter(is_place).collect();
+    let by = groupings(data).into_iter().filter(|by| by.iter().all(is_label) && count(data, by) >= LEAST_ASKEW);
+    let of_one = |(by, place): (&Vec<usize>, &usize)| {
+        let is_angle = coordinates[*place].holds.kind() == Some(ANGLE);
+        let along = Some(Along { coordinate: *place, is_angle });
+        let term = Term { by: by.clone(), along, ..Term::new(&effects::ALIGNMENT) };
+        own_observables(data).into_iter().map(move |observable| Term { observable, ..term.clone() })
+    };
+    by.flat_map(|by| places.iter().flat_map(move |place| of_one((&by, place))).collect::<Vec<_>>()).collect()
+}
+
 /// The step of the instrument where the values of the file show one that is coarse beside their noise.
 fn resolutions(data: &Data, noise: &Noise) -> Vec<Term> {
     /// Standard deviation of rounding, over the noise, from which a step is coarse.
@@ -298,7 +323,7 @@ fn count(measurements: &Measurements, by: &[usize]) -> usize {
 }
 
 /// Observables on which a term may act: each by itself where there are several.
-fn own_observables(measurements: &Measurements) -> Vec<Option<usize>> {
+pub fn own_observables(measurements: &Measurements) -> Vec<Option<usize>> {
     match &measurements.observables[..] {
         [_] => vec![None],
         several => several.iter().map(|s| Some(s.position)).collect(),

@@ -4,10 +4,15 @@ use nalgebra::DVector;
 
 use super::sensitivity::CandidateEffect;
 use crate::fit::{Objective, Solution};
+use crate::noise::MEASUREMENT;
 use crate::process::Neutral;
 
 /// Penalty in χ² on an added effect that is larger than is plausible.
 const IMPLAUSIBLE: f64 = 6.0;
+
+/// Penalty in χ² on a scale or a clock of the instrument, which somebody has adjusted: where the machine may be at fault
+/// as well, it is named, and the instrument beside it.
+const ADJUSTED: f64 = 6.0;
 
 /// Factor beyond the plausible range at which no effect is believed, though it explains everything.
 const ABSURD: f64 = 3.0;
@@ -30,15 +35,17 @@ impl CandidateModel<'_> {
     }
 
     /// Penalised BIC by which candidate models are ranked: χ² with a penalty on every parameter (Schwarz
-    /// 1978) and on every effect that is larger than is plausible.
+    /// 1978), on every effect that is larger than is plausible, and on every one of the instrument.
     pub fn penalised_bic(&self) -> f64 {
         self.solution.chi2 + self.penalty()
     }
 
-    /// Penalty on the parameters and on what is larger than is plausible.
+    /// Penalty on the parameters, on what is larger than is plausible, and on what is the instrument's.
     pub fn penalty(&self) -> f64 {
         let parameters = self.objective.variables.len() - self.objective.priors();
-        parameters as f64 * (self.objective.data.len() as f64).ln() + IMPLAUSIBLE * self.implausible() as f64
+        parameters as f64 * (self.objective.data.len() as f64).ln()
+            + IMPLAUSIBLE * self.implausible() as f64
+            + ADJUSTED * self.objective.added.iter().filter(|d| d.table == MEASUREMENT).count() as f64
     }
 
     /// By how much its prediction of every row differs from that of another model, SI.
@@ -58,7 +65,7 @@ impl CandidateModel<'_> {
         let value = entry.kind.from_si(self.objective.variables[parameter].value(self.solution.position[parameter]));
         match entry.neutral {
             Neutral::Infinity => factor * value < entry.range.0,
-            Neutral::Value(_) => value.abs() > factor * entry.range.1,
+            Neutral::Value(neutral) => (value - neutral).abs() > factor * (entry.range.1 - neutral),
             Neutral::Shape => false,
         }
     }

@@ -5,7 +5,7 @@ use super::candidate_model::CandidateModel;
 use super::confounding::{self, Confounding};
 use super::cross_validation::Folds;
 use super::detection_limit::detection_limit;
-use super::diagnosis::{Cause, Diagnosis, Missing, Outlook};
+use super::diagnosis::{Diagnosis, Missing, Outlook};
 use super::failure::unsolvable;
 use super::hypothesis::Hypothesis;
 use super::lead;
@@ -14,7 +14,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{look_alike, next, sensitivity, told};
+use super::{instrument, look_alike, next, sensitivity, told};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::{Repeats, repeats};
 use crate::noise::effects;
@@ -210,13 +210,13 @@ fn missing(
         let gained = own.map_or(0.0, |p| p.chi2_without - best.solution.chi2);
         let measured = variance.statistic(gained, best.solution.chi2, best.objective.freedom());
         let effect = found.candidates[last].effect.clone();
-        let prefix = format!("effects.{}.", effect.name);
+        let own_paths: Vec<String> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
-            cause: Cause::Physical,
+            cause: instrument::cause(&effect),
             effect,
             goodness: goodness(&rest),
             p_value: found.null_distribution.p_value(measured),
-            estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(&prefix)).cloned().collect(),
+            estimates: fit.estimates.iter().filter(|e| own_paths.contains(&e.parameter.path)).cloned().collect(),
             indistinguishable_from: own.map_or(Vec::new(), |p| {
                 p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()
             }),

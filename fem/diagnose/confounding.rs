@@ -10,6 +10,7 @@ use super::lead::{bare, fit_with, promising, starts, without};
 use super::residual_projection::{ProjectedResidual, length_outside};
 use super::search::SearchResult;
 use super::sensitivity::{CandidateEffect, Variant};
+use crate::noise::MEASUREMENT;
 
 /// Difference of χ² up to which candidate models of one size fit equally well.
 pub const EQUAL_FIT: f64 = 6.0;
@@ -99,6 +100,10 @@ fn confounding<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, member: 
         // the member most.
         starts.extend(imitations(best, &bare, stranger));
         let trial = fit_with(&bare, candidate, stranger, &starts)?;
+        // Instruments are adjusted: what one would have to be off by beyond belief is no alternative.
+        if stranger.effect.table == MEASUREMENT && trial.unbelievable(true).is_some() {
+            return None;
+        }
         alternative(best, trial, candidate).filter(Alternative::is_equal)
     };
     let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i));

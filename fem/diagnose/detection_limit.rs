@@ -46,8 +46,11 @@ pub fn detection_limit(
     let own_share = if whole > 0.0 { left / whole } else { 0.0 };
     let least = (threshold.sqrt() + NINE_OF_TEN) / left;
     let least = linear.value(least);
-    let value = if entry.neutral == Neutral::Infinity { 1.0 / least } else { least };
-    let shown = entry.kind.from_si(value);
+    let shown = match entry.neutral {
+        Neutral::Infinity => entry.kind.from_si(1.0 / least),
+        Neutral::Value(neutral) => neutral + entry.kind.from_si(least),
+        Neutral::Shape => entry.kind.from_si(least),
+    };
     let reachable = match entry.neutral {
         Neutral::Infinity => shown > entry.range.0,
         Neutral::Value(_) | Neutral::Shape => shown < entry.range.1,

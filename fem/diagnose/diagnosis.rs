@@ -23,7 +23,7 @@ pub struct Diagnosis {
     pub features: Vec<Feature>,
     /// Verdict.
     pub verdict: Verdict,
-    /// Missing effects, those of the measurement first, in the order in which they should be added.
+    /// Missing effects, what rows share first, in the order in which they should be added.
     pub missing: Vec<Missing>,
     /// Rows that are wrong by themselves, weighed down.
     pub outliers: Vec<Outlier>,
@@ -73,6 +73,8 @@ pub enum Cause {
         effect: &'static MeasurementEffect,
         /// Coordinates whose levels group the rows.
         by: Vec<&'static str>,
+        /// Coordinate along which the part lies askew.
+        along: Option<&'static str>,
         /// Observable on which it acts, where the file has several.
         observable: Option<&'static str>,
         /// Records of the file, counted from 1: those that are outlying, or the first after a step.
@@ -82,6 +84,21 @@ pub enum Cause {
         /// First line of the file after a step.
         from_line: Option<u64>,
     },
+}
+
+impl Cause {
+    /// An effect of the measurement on all rows.
+    pub fn of(effect: &'static MeasurementEffect, observable: Option<&'static str>) -> Self {
+        Self::Measurement {
+            effect,
+            by: Vec::new(),
+            along: None,
+            observable,
+            records: Vec::new(),
+            from: None,
+            from_line: None,
+        }
+    }
 }
 
 /// An effect that is missing.

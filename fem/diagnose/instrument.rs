@@ -4,12 +4,13 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
-use crate::compare::{Suspicion, is_rough, price};
+use super::diagnosis::Cause;
+use crate::compare::{Suspicion, is_rough, own_observables, price};
 use crate::fit::{StoppingCriterion, minimise};
-use crate::input::Bounds;
-use crate::measure::{Measurements, Repeats};
-use crate::noise::{Noise, Restricted, Term};
-use crate::process::{self, Description, Neutral};
+use crate::measure::Repeats;
+use crate::model::{Data, time_of};
+use crate::noise::{Acts, MEASUREMENT, MeasurementEffect, Noise, Restricted, Size, Term, effects};
+use crate::process::{self, Description};
 
 /// Stopping criterion that is enough to rank terms.
 const QUICK: StoppingCriterion = StoppingCriterion::rough(12, 1e-3);
@@ -121,22 +122,42 @@ pub fn resized<'a>(trial: &CandidateModel<'a>, repeats: &Repeats) -> Option<Cand
     Some(resized)
 }
 
+/// What the instrument may do to these readings that the model does not say, to be sought like the effects of the
+/// machine: a scale for each thing that is observed, and a clock where there are times.
+pub fn absent_readings(data: &Data) -> Vec<Description> {
+    let of_reading = effects::ALL.iter().copied().filter(|e| matches!(e.acts, Acts::Reads));
+    let is_absent = |effect: &MeasurementEffect| data.model.measurement.iter().all(|term| term.effect != effect);
+    let of = |effect: &'static MeasurementEffect| match effect {
+        clock if *clock == effects::CLOCK => {
+            let time = time_of(data.model.process).filter(|time| data.given.contains(time));
+            time.map_or(Vec::new(), |_| vec![Term::new(effect)])
+        }
+        _ => own_observables(data).into_iter().map(|observable| Term { observable, ..Term::new(effect) }).collect(),
+    };
+    of_reading.filter(|e| is_absent(e)).flat_map(of).map(|term| description(&term, data)).collect()
+}
+
+/// Whose an effect is that was found among the candidates.
+pub fn cause(effect: &Description) -> Cause {
+    match effects::ALL.iter().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
+        Some(entry) => Cause::of(entry, effect.observable),
+        None => Cause::Physical,
+    }
+}
+
 /// A term as the catalogue of effects tells one.
-pub fn description(term: &Term, measurements: &Measurements) -> Description {
-    let parameter = process::Parameter {
-        name: term.effect.size.key(),
-        kind: term.kind(measurements),
-        about: term.effect.size.about(),
-        neutral: Neutral::Value(0.0),
-        range: (0.0, f64::INFINITY),
-        bounds: Bounds::NotNegative,
-        default: None,
-        needed_with: None,
-        along: None,
-        period: None,
+pub fn description(term: &Term, data: &Data) -> Description {
+    let parameter = match term.effect.size {
+        Size::Quantity(parameter) => parameter.clone(),
+        size => {
+            let kind = term.kind(data);
+            process::Parameter::amplitude(size.key(), kind, size.about(), (0.0, f64::INFINITY))
+        }
     };
     Description {
+        table: MEASUREMENT,
         name: term.effect.name,
+        observable: term.observable.map(|o| data.model.process.observables()[o].name),
         about: term.effect.about.into(),
         law: term.effect.law.into(),
         source: term.effect.source,

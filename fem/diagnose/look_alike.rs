@@ -16,15 +16,11 @@ use super::search::SearchResult;
 use super::sensitivity;
 use crate::fit::{StoppingCriterion, minimise};
 use crate::measure::Repeats;
-use crate::noise::{Acts, Noise, Term, effects};
+use crate::noise::{Acts, Noise, effects};
 use crate::process::Description;
 
 /// Rise of −2 ln L to first order beyond which an effect is not fitted in the place of a term.
 const HOPELESS: f64 = 40.0;
-/// Part of a gain's column, squared, below which the free parameters imitate all of it.
-const UNSEEN: f64 = 1e-9;
-/// Largest part by which the scale of an instrument can be off, to be believed.
-const LARGEST_GAIN: f64 = 0.2;
 
 /// Something that fits as well in the place of a cause.
 pub struct LookAlike<'a> {
@@ -92,31 +88,7 @@ fn terms_instead<'a>(
         }
     }
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let gain = gain_instead(&rest, best).map(|other| LookAlike { cause: cause.clone(), other, model: None });
-    all.into_iter().map(|(_, own)| own).chain(gain).collect()
-}
-
-/// The gain of the instrument in the place of a member, to first order: its column is the prediction without
-/// that member.
-fn gain_instead(rest: &CandidateModel, best: &CandidateModel) -> Option<Description> {
-    let data = rest.objective.data;
-    let [seen] = &data.observables[..] else { return None };
-    let zero = data.model.process.observables()[seen.position].kind.to_si(0.0);
-    let projected = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution)?;
-    let shown = rest.solution.predicted.iter().map(|p| p - zero);
-    let column = rest.objective.whiten(shown);
-    let whole = column.norm_squared();
-    let own = projected.project(column);
-    let square = own.norm_squared();
-    if square <= UNSEEN * whole || whole == 0.0 {
-        return None;
-    }
-    let factor_less_one = own.dot(&projected.residual) / square;
-    let fall = factor_less_one * factor_less_one * square;
-    let ([priced, plain], own) = (weights(best), weights(rest));
-    let rise = (own[0] - fall + (data.len() as f64).ln() - priced).min(own[1] - fall - plain);
-    let is_believable = factor_less_one.abs() <= LARGEST_GAIN;
-    (rise <= EQUAL_FIT && is_believable).then(|| instrument::description(&Term::new(&effects::GAIN), data))
+    all.into_iter().map(|(_, own)| own).collect()
 }
 
 /// Effects of the machine in the place of a term of the best model's noise.

@@ -82,7 +82,7 @@ pub fn thinned<'m>(data: &Data<'m>) -> Option<Data<'m>> {
 fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     progress.expect(1);
     let extent = Extent { most, breadth: Breadth::USUAL, deepens: true, known: &[], progress };
-    let absent = absent(data.model);
+    let absent = [absent(data.model), instrument::absent_readings(data)].concat();
     let mut objective = Objective::new(data)?;
     let mut solution = fit::best(&mut objective)?;
     let residuals = data.residuals(&solution.predicted);

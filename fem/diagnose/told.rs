@@ -52,6 +52,9 @@ pub fn told(
         Missing {
             cause: Cause::Measurement {
                 effect: term.effect,
+                along: (*term.effect == effects::ALIGNMENT)
+                    .then(|| term.along.map(|along| data.model.process.coordinates()[along.coordinate].name))
+                    .flatten(),
                 by: term.by.iter().map(|i| grouping_name(data.model.process, *i)).collect(),
                 observable: term.observable.map(|o| data.model.process.observables()[o].name),
                 records: records(term, data),

@@ -104,7 +104,7 @@ impl<'a> Objective<'a> {
         let mut more = self.clone();
         for entry in &*effect.parameters {
             more.parameters.push(Parameter {
-                path: format!("effects.{}.{}", effect.name, entry.name),
+                path: effect.path(entry),
                 kind: entry.kind,
                 quantity: Quantity { value: entry.kind.to_si(entry.example()), knowledge: Knowledge::Free },
                 bounds: entry.bounds,
@@ -139,9 +139,8 @@ impl<'a> Objective<'a> {
     pub fn catalogue(&self, parameter: usize) -> Option<&process::Parameter> {
         let path = &self.parameters[parameter].path;
         let of_added = || {
-            let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
-            let description = self.added.iter().find(|d| d.name == effect)?;
-            description.parameters.iter().find(|p| p.name == name)
+            let mut all = self.added.iter().flat_map(|d| d.parameters.iter().map(move |p| (d, p)));
+            all.find(|(d, p)| d.path(p) == *path).map(|(_, p)| p)
         };
         self.data.model.catalogue(path).or_else(of_added)
     }

@@ -36,6 +36,8 @@ const IMPOSSIBLE: f64 = 10.0;
 enum Scale {
     /// s = v.
     Plain,
+    /// s = v less the value at which the effect vanishes, where that is not zero: a factor.
+    From(f64),
     /// s = 1/v: a stiffness, in whose reciprocal deflections are linear and an infinite one is zero.
     Reciprocal,
     /// s = ln v: a positive quantity of unknown size.
@@ -52,6 +54,7 @@ impl SearchVariable {
         };
         let scale = match (entry.map(|e| e.neutral), parameter.bounds) {
             (Some(Neutral::Infinity), _) => Scale::Reciprocal,
+            (Some(Neutral::Value(neutral)), Bounds::Any) if neutral != 0.0 => Scale::From(neutral),
             (_, Bounds::Positive) => Scale::Logarithm,
             _ => Scale::Plain,
         };
@@ -78,6 +81,7 @@ impl SearchVariable {
         }
         let unit = match scale {
             Scale::Logarithm => 1.0,
+            Scale::From(_) => range.map_or(1.0, |(low, high)| 0.5 * (high - low)),
             // Where a search is told to begin it is told a size, too.
             Scale::Plain if prior.is_none() && written.abs() > 0.0 => written.abs(),
             Scale::Plain => prior.map_or(usual.abs(), |p| p.1).max(f64::MIN_POSITIVE),
@@ -101,7 +105,12 @@ impl SearchVariable {
         let mut variable = Self::new(&parameter, Some(entry));
         let plausible = (entry.kind.to_si(entry.range.0), entry.kind.to_si(entry.range.1));
         if entry.neutral != Neutral::Shape {
-            let largest = IMPOSSIBLE * if variable.is_reversed() { 1.0 / plausible.0 } else { plausible.1 };
+            let largest = IMPOSSIBLE
+                * match variable.scale {
+                    Scale::Reciprocal => 1.0 / plausible.0,
+                    Scale::From(neutral) => plausible.1 - neutral,
+                    Scale::Plain | Scale::Logarithm => plausible.1,
+                };
             (variable.low, variable.high) = (variable.low.max(-largest), variable.high.min(largest));
             return variable;
         }
@@ -124,6 +133,7 @@ impl SearchVariable {
     pub fn position(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Plain => value,
+            Scale::From(neutral) => value - neutral,
             Scale::Reciprocal => 1.0 / value,
             Scale::Logarithm => value.ln(),
         }
@@ -134,6 +144,7 @@ impl SearchVariable {
     pub fn value(&self, position: f64) -> f64 {
         match self.scale {
             Scale::Plain => position,
+            Scale::From(neutral) => neutral + position,
             Scale::Reciprocal => 1.0 / position,
             Scale::Logarithm => position.exp(),
         }
@@ -142,7 +153,7 @@ impl SearchVariable {
     /// |dv/ds|.
     pub fn rate(&self, position: f64) -> f64 {
         match self.scale {
-            Scale::Plain => 1.0,
+            Scale::Plain | Scale::From(_) => 1.0,
             Scale::Reciprocal => 1.0 / (position * position),
             Scale::Logarithm => position.exp(),
         }
@@ -170,7 +181,7 @@ impl SearchVariable {
         const REACH: f64 = 12.0;
         match self.scale {
             Scale::Logarithm => (self.low.max(of - REACH), self.high.min(of + REACH)),
-            Scale::Plain | Scale::Reciprocal => (self.low, self.high),
+            Scale::Plain | Scale::From(_) | Scale::Reciprocal => (self.low, self.high),
         }
     }
 
@@ -196,6 +207,6 @@ fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
         (Scale::Plain, Bounds::Positive) => (f64::MIN_POSITIVE, f64::INFINITY),
         (Scale::Plain, Bounds::NotNegative) => (0.0, f64::INFINITY),
         (Scale::Plain, Bounds::Within(low, high)) => (low + 1e-3 * (high - low), high),
-        (Scale::Plain, Bounds::Any) => (f64::NEG_INFINITY, f64::INFINITY),
+        (Scale::From(_), _) | (Scale::Plain, Bounds::Any) => (f64::NEG_INFINITY, f64::INFINITY),
     }
 }

@@ -87,12 +87,12 @@ fn with_measurement_effect(
     })?;
     let is_number = match effect.size {
         Size::Number(..) => true,
-        Size::Quantity(_, kind, _) => kind.unit.is_empty(),
+        Size::Quantity(parameter) => parameter.kind.unit.is_empty(),
         Size::OfObservable(..) | Size::File(..) => false,
     };
     // Of a quantity of its own kind the unit is known.
     let own = match effect.size {
-        Size::Quantity(_, kind, _) => vec![(0, kind)],
+        Size::Quantity(parameter) => vec![(0, parameter.kind)],
         _ => observed.clone(),
     };
     with_table(&model.source.text, "measurement", name, |table| {

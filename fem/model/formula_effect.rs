@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::formula::{Formula, FormulaError};
 use crate::input::{Bounds, Reader, did_you_mean};
-use crate::process::{Active, Description, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect};
+use crate::process::{Active, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect};
 use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, unit_text};
 
 /// Keys that are no parameters.
@@ -36,7 +36,9 @@ pub fn read(name: &'static str, table: &Reader, process: &dyn Process) -> Option
                 p.period = (is_angle && law.repeats_after(i, TAU)).then(|| p.kind.from_si(TAU));
             }
             let description = Description {
+                table: EFFECTS,
                 name,
+                observable: None,
                 about: about.into(),
                 law: text.into(),
                 source: "written in the model file",

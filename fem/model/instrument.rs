@@ -1,7 +1,7 @@
 //! What an instrument shows of a prediction: its scale may be off, and its clock late.
 
 use crate::noise::{Acts, Term, effects};
-use crate::process::{Failure, ForwardModel, Process, Rows, RunReport};
+use crate::process::{Active, Failure, ForwardModel, Process, Rows, RunReport};
 use crate::progress::Progress;
 
 /// A forward model behind an instrument. What is measured passes through the instrument; what a run predicts
@@ -19,6 +19,13 @@ struct Instrument {
 pub fn is_of(path: &str, term: &Term) -> bool {
     let own = path.strip_prefix("measurement.").and_then(|rest| rest.split_once('.'));
     own == Some((&term.table, term.effect.size.key()))
+}
+
+/// The term that an effect of the measurement makes which a search has added.
+pub fn term(reading: &Active, process: &dyn Process) -> Option<Term> {
+    let effect = effects::ALL.iter().find(|e| e.name == reading.description.name)?;
+    let observable = process.observables().iter().position(|o| Some(o.name) == reading.description.observable);
+    Some(Term { observable, size: *reading.values.first()?, ..Term::new(effect) })
 }
 
 /// Puts a forward model behind the instrument that some of `terms` describe, if any do.

@@ -14,7 +14,7 @@ mod trial;
 pub use add::{Setting, add_effect};
 pub use data::Data;
 pub use measurement::{
-    Key, effect_named as measurement_effect, keys as measurement_keys, size_keys as measurement_size_keys,
+    Key, effect_named as measurement_effect, keys as measurement_keys, size_keys as measurement_size_keys, time_of,
 };
 pub use run::{Contribution, Run};
 pub use schema::schema;

@@ -52,17 +52,34 @@ impl Model {
         let prediction = forward.predict(progress)?;
         let mut changes = vec![("ideal", self.system.with_effects(&[]).predict(progress)?)];
         for effect in &self.effects {
-            let others: Vec<Active> = self.effects.iter().filter(|e| *e != effect).cloned().collect();
-            let without = self.system.with_effects(&others).predict(progress)?;
-            let changed = prediction.iter().zip(&without).map(|(a, b)| a - b).collect();
-            changes.push((effect.description.name, changed));
+            changes.push((effect.description.name, self.changes(effect, &prediction, progress)?));
         }
+        let contributions = self.contributions(&changes);
+        Ok(Run { report: forward.report(prediction.clone())?, prediction, contributions })
+    }
+
+    /// Contribution of one of its effects to each observable, as a run has it: two predictions, and no report.
+    ///
+    /// # Errors
+    /// The computation failed.
+    pub fn contribution_of(&self, effect: &Active, progress: &Progress) -> Result<Vec<Contribution>, Failure> {
+        let prediction = self.forward().predict(progress)?;
+        Ok(self.contributions(&[(effect.description.name, self.changes(effect, &prediction, progress)?)]))
+    }
+
+    /// What the model predicts less what it would predict without an effect, SI.
+    fn changes(&self, effect: &Active, prediction: &[f64], progress: &Progress) -> Result<Vec<f64>, Failure> {
+        let others: Vec<Active> = self.effects.iter().filter(|e| *e != effect).cloned().collect();
+        let without = self.system.with_effects(&others).predict(progress)?;
+        Ok(prediction.iter().zip(&without).map(|(a, b)| a - b).collect())
+    }
+
+    /// Summaries of changes at every point of the programme, observable by observable.
+    fn contributions(&self, changes: &[(&'static str, Vec<f64>)]) -> Vec<Contribution> {
         let programme = self.system.programme().observable;
         let observed = (0..self.process.observables().len()).filter(|o| programme.contains(o));
         let contributions = observed.flat_map(|o| changes.iter().map(move |(name, changes)| (*name, o, changes)));
-        let contributions =
-            contributions.map(|(name, o, changes)| contribution(name, o, changes, &programme)).collect();
-        Ok(Run { report: forward.report(prediction.clone())?, prediction, contributions })
+        contributions.map(|(name, o, changes)| contribution(name, o, changes, &programme)).collect()
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Model, instrument, read};
 use crate::input::Reader;
-use crate::noise::Term;
+use crate::noise::{MEASUREMENT, Term};
 use crate::process::{Active, Failure, ForwardModel, System};
 
 impl Model {
@@ -45,10 +45,18 @@ impl Model {
         choose: impl FnOnce(Vec<Active>) -> Vec<Active>,
     ) -> Result<Box<dyn ForwardModel>, Failure> {
         if let Some((effects, terms)) = self.effects_at(values) {
-            return Ok(self.behind(self.system.with_effects(&choose(effects)), &terms));
+            return Ok(self.assembled(&*self.system, choose(effects), terms));
         }
         let (system, effects, terms) = self.read_at(values)?;
-        Ok(self.behind(system.with_effects(&choose(effects)), &terms))
+        Ok(self.assembled(&*system, choose(effects), terms))
+    }
+
+    /// The machine with effects, behind the instrument with the terms of the file and those among the effects.
+    fn assembled(&self, system: &dyn System, effects: Vec<Active>, mut terms: Vec<Term>) -> Box<dyn ForwardModel> {
+        let (readings, effects): (Vec<_>, Vec<_>) =
+            effects.into_iter().partition(|e| e.description.table == MEASUREMENT);
+        terms.extend(readings.iter().filter_map(|reading| instrument::term(reading, self.process)));
+        self.behind(system.with_effects(&effects), &terms)
     }
 
     /// System with the parameters at these values (SI, in the order of `parameters`).

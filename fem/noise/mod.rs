@@ -12,6 +12,7 @@ mod likelihood;
 mod term;
 
 pub use chance::{beyond_chi2, beyond_f};
+pub use effects::MEASUREMENT;
 pub use given::GivenCovariance;
 pub use grid::step_of;
 pub use level::NoiseLevel;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::given::GivenCovariance;
 use crate::measure::Measurements;
+use crate::process::Parameter;
 use crate::units::{Kind, NUMBER};
 
 /// Entries of a column: rows with their weights.
@@ -41,8 +42,8 @@ pub enum Size {
     OfObservable(&'static str, &'static str),
     /// A plain number.
     Number(&'static str, &'static str),
-    /// A quantity of a kind of its own, which a model may know roughly (`+-`).
-    Quantity(&'static str, Kind, &'static str),
+    /// A quantity of a kind of its own, which a model may know roughly (`+-`) and a search may look for.
+    Quantity(&'static Parameter),
     /// None, but a file.
     File(&'static str, &'static str),
 }
@@ -51,17 +52,16 @@ impl Size {
     /// The key.
     pub fn key(self) -> &'static str {
         match self {
-            Self::OfObservable(key, _) | Self::Number(key, _) | Self::Quantity(key, ..) | Self::File(key, _) => key,
+            Self::OfObservable(key, _) | Self::Number(key, _) | Self::File(key, _) => key,
+            Self::Quantity(parameter) => parameter.name,
         }
     }
 
     /// What it is.
     pub fn about(self) -> &'static str {
         match self {
-            Self::OfObservable(_, about)
-            | Self::Number(_, about)
-            | Self::Quantity(.., about)
-            | Self::File(_, about) => about,
+            Self::OfObservable(_, about) | Self::Number(_, about) | Self::File(_, about) => about,
+            Self::Quantity(parameter) => parameter.about,
         }
     }
 }
@@ -153,7 +153,7 @@ impl Term {
         match self.effect.size {
             Size::OfObservable(..) => own().unwrap_or(&measurements.observables[0]).kind,
             Size::Number(..) | Size::File(..) => NUMBER,
-            Size::Quantity(_, kind, _) => kind,
+            Size::Quantity(parameter) => parameter.kind,
         }
     }
 

@@ -6,12 +6,9 @@ use serde_json::{Value as Json, json};
 
 use crate::measure::{Measurements, grouping_name};
 use crate::model::{Key, measurement_keys, measurement_size_keys};
-use crate::noise::{MeasurementEffect, Size, Term, effects};
+use crate::noise::{MEASUREMENT, MeasurementEffect, Size, Term, effects};
 use crate::process::Process;
 use crate::units::{Kind, NUMBER};
-
-/// The word by which all of them are asked for.
-pub const MEASUREMENT: &str = "measurement";
 
 /// The section of the catalogue: one line per effect.
 pub fn catalogue(effects: &[&MeasurementEffect]) -> String {
@@ -48,7 +45,7 @@ fn is_size(effect: &MeasurementEffect, key: &Key) -> bool {
 fn unit(effect: &MeasurementEffect, key: &Key) -> Option<&'static str> {
     match effect.size {
         Size::Number(..) if is_size(effect, key) => Some(""),
-        Size::Quantity(_, kind, _) if is_size(effect, key) => Some(kind.unit),
+        Size::Quantity(parameter) if is_size(effect, key) => Some(parameter.kind.unit),
         _ => None,
     }
 }
@@ -130,7 +127,7 @@ fn kind(term: &Term, process: &dyn Process, measurements: Option<&Measurements>)
     match (measurements, term.effect.size) {
         (Some(measurements), _) => term.kind(measurements),
         (None, Size::OfObservable(..)) => process.observables()[term.observable.unwrap_or(0)].error_kind(),
-        (None, Size::Quantity(_, kind, _)) => kind,
+        (None, Size::Quantity(parameter)) => parameter.kind,
         (None, Size::Number(..) | Size::File(..)) => NUMBER,
     }
 }

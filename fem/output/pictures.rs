@@ -8,7 +8,7 @@ use super::report::{Format, Report};
 use super::{OutputError, comparison, diagnosis, drawing, plots, sketch};
 use crate::compare::Comparison;
 use crate::measure::Measurements;
-use crate::model::{Model, Run};
+use crate::model::{Contribution, Model, Run};
 
 /// The figures of a report alone: nothing else is computed or written.
 pub struct Pictures<'a> {
@@ -58,6 +58,16 @@ pub fn stage_all(all: Vec<(String, Svg)>, own: &Path, stage: &Stage) -> Result<V
 /// The figures of a run, each with the stem of its file: machine and contours, then curves and maps.
 pub fn of_run(model: &Model, run: &Run) -> Vec<(String, Svg)> {
     drawings(run).into_iter().chain(plots::predicted(model, run).iter().map(named)).collect()
+}
+
+/// What effects change, along the curve: the text of an SVG file for each contribution but the ideal system's.
+pub fn signatures(model: &Model, contributions: &[Contribution]) -> Vec<String> {
+    plots::changes(model, contributions).iter().map(|(_, chart)| draw(chart).file()).collect()
+}
+
+/// The figures of a run as texts of SVG files, each with the stem of its name.
+pub fn figures(model: &Model, run: &Run) -> Vec<(String, String)> {
+    of_run(model, run).into_iter().map(|(name, svg)| (name, svg.file())).collect()
 }
 
 /// The machine to scale, and the contours that it makes.

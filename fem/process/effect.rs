@@ -56,7 +56,9 @@ pub trait CatalogueEffect<S, M>: Sync {
 impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
     fn description(&'static self) -> Description {
         Description {
+            table: EFFECTS,
             name: self.name,
+            observable: None,
             about: Cow::Borrowed(self.about),
             law: Cow::Borrowed(self.law),
             source: self.source,
@@ -79,11 +81,18 @@ impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
     }
 }
 
+/// Table of a model file for effects of the machine, the fixture and the part.
+pub const EFFECTS: &str = "effects";
+
 /// What `fem effects` says of an effect, and all that is needed to read it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
+    /// Table of a model file under which it stands: [`EFFECTS`], or that of the measurement.
+    pub table: &'static str,
     /// The word in `[effects.NAME]`.
     pub name: &'static str,
+    /// What is observed that an effect of the measurement acts on, where several things are.
+    pub observable: Option<&'static str>,
     /// The phenomenon, in one sentence.
     pub about: Cow<'static, str>,
     /// The equation.
@@ -145,6 +154,17 @@ pub struct Active {
 }
 
 impl Description {
+    /// What people call it: with the observable, where several effects have the name.
+    pub fn label(&self) -> Cow<'static, str> {
+        self.observable.map_or(self.name.into(), |observable| format!("{} of {observable}", self.name).into())
+    }
+
+    /// Path of one of its parameters in a model file.
+    pub fn path(&self, parameter: &Parameter) -> String {
+        let of = self.observable.map_or(String::new(), |name| format!("-{name}"));
+        format!("{}.{}{of}.{}", self.table, self.name, parameter.name)
+    }
+
     /// Reads the parameters from an effect's table.
     pub fn read(&self, table: &Reader) -> Active {
         let mut values: Vec<f64> = Vec::with_capacity(self.parameters.len());
@@ -209,6 +229,11 @@ impl Parameter {
     /// A quantity of either sign that is neutral at zero.
     pub const fn signed(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
         Self::new(name, kind, about, Neutral::Value(0.0), Bounds::Any, range)
+    }
+
+    /// A factor of either side of one, at which it is neutral.
+    pub const fn factor(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
+        Self::new(name, kind, about, Neutral::Value(1.0), Bounds::Any, range)
     }
 
     /// A quantity that is never negative and neutral at zero.

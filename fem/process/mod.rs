@@ -41,7 +41,7 @@ pub use cases::{Case, Tolerance};
 use cases::{assembled, bisect, figure as figure_of, row};
 pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
-pub use effect::{Active, CatalogueEffect, Description, Effect, Neutral, Parameter, nothing};
+pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, Parameter, nothing};
 pub use failure::Failure;
 pub use figure::{Datum, Figure, extremes, first_extreme};
 pub use formula_effect::{FormulaLaw, Meaning};

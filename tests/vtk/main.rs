@@ -6,6 +6,10 @@
 use std::path::Path;
 use std::process::Command;
 
+use fem::output::vtk::vtu;
+use fem::process::{Cell, Field, Grid};
+use fem::units::NUMBER;
+
 /// A Python that can import VTK's XML readers.
 fn python() -> Option<String> {
     let candidates = std::env::var("FEM_VTK_PYTHON").into_iter().chain(["python3".to_string()]);
@@ -174,5 +178,29 @@ fn every_process_has_a_picture_of_closed_bodies() {
             assert!((said - found).abs() <= 1e-6 * said.abs(), "{model}: {said} {found}");
         }
         assert!(seen["captions"].as_array().unwrap().iter().all(|c| !c.as_str().unwrap().is_empty()), "{model}");
+    }
+}
+
+/// Arrays are compressed in blocks of 32 768 bytes. 4096 numbers fill one exactly, a number more begins the next.
+#[test]
+fn vtk_reads_arrays_that_fill_their_blocks() {
+    let Some(python) = python() else {
+        println!("no Python with VTK here: not checked");
+        return;
+    };
+    let place = tempfile::tempdir().unwrap();
+    for count in [4095, 4096, 4097, 8192] {
+        let values: Vec<f64> = (0..count).map(|i| 0.25 * f64::from(i)).collect();
+        let mut grid = Grid { points: values.iter().map(|v| [*v, -v, 0.5]).collect(), ..Grid::default() };
+        (0..count as u32).for_each(|i| grid.push(Cell::Vertex, &[i]));
+        grid.point_fields.push(Field::scalar("quarter", NUMBER, values.clone()));
+        let file = place.path().join("grid.vtu");
+        std::fs::write(&file, vtu(&grid).unwrap()).unwrap();
+        let seen = read(&python, "read_grid.py", &file);
+        let numbers =
+            |key: &str| -> Vec<f64> { seen[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect() };
+        assert!(numbers("quarter") == values, "{count}");
+        assert!(numbers("points") == grid.points.as_flattened(), "{count}");
+        assert!(numbers("cells") == (0..count).map(f64::from).collect::<Vec<_>>(), "{count}");
     }
 }

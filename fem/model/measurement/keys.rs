@@ -49,7 +49,7 @@ pub fn size_key(effect: &MeasurementEffect) -> Key {
         (Size::OfObservable(..), _) => "0.7 um",
         (Size::Number(..), Acts::Weighs) => "10",
         (Size::Number(..), _) => "2",
-        (Size::Quantity(_, kind, _), _) if kind.unit.is_empty() => "1.02",
+        (Size::Quantity(parameter), _) if parameter.kind.unit.is_empty() => "1.02",
         (Size::Quantity(..), _) => "30 s",
         (Size::File(..), _) => "covariance.csv",
     };

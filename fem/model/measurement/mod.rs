@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use crate::input::{Cache, Reader, did_you_mean, is_one_of};
 use crate::measure::{FILE, FILE_WORD};
 use crate::noise::{Acts, Along, GivenCovariance, MeasurementEffect, Size, Term, effects};
-use crate::process::{Holds, Process};
+use crate::process::{Holds, Parameter, Process};
 use crate::units::{ANGLE, TIME, Unit};
 use keys::{ALONG, BY, FROM, IN_FILE, OBSERVABLE, ROWS, UNIT};
 
@@ -65,8 +65,8 @@ fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process
         return alignment(term, table, process);
     }
     match (effect.acts, effect.size) {
-        (Acts::Reads, Size::Quantity(key, kind, about)) => {
-            let field = table.quantity(key, kind, about);
+        (Acts::Reads, Size::Quantity(Parameter { name, kind, about, .. })) => {
+            let field = table.quantity(name, *kind, about);
             let field = if kind.unit.is_empty() { field.positive() } else { field };
             check_time(effect, table, process);
             vec![Term { size: field.required(), ..term }]

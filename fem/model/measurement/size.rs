@@ -28,7 +28,7 @@ pub fn size(effect: &MeasurementEffect, observed: &[(usize, Kind)], text: &str) 
         let kind = match &effect.size {
             Size::OfObservable(..) => kind,
             Size::Number(..) | Size::File(..) => &NUMBER,
-            Size::Quantity(_, own, _) => own,
+            Size::Quantity(parameter) => &parameter.kind,
         };
         // Of what is unknown the unit need not be said.
         let text = if text.trim() == "?" { format!("? {}", kind.unit) } else { text.to_string() };

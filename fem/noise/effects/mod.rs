@@ -29,6 +29,9 @@ pub use zero_shift::ZERO_SHIFT;
 
 use super::term::MeasurementEffect;
 
+/// Table of a model file for effects of the measurement, and the word by which all of them are asked for.
+pub const MEASUREMENT: &str = "measurement";
+
 /// All of them, in the order in which people meet them.
 pub static ALL: &[&MeasurementEffect] = &[
     &ZERO_SHIFT,

@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::diagnose::{Cause, Diagnosis, Missing};
 use crate::fit::{Estimate, Fit};
 use crate::model::{Data, Setting};
+use crate::noise::{Acts, effects};
 use crate::output::fit::Short;
 use crate::units::Knowledge;
 
@@ -19,17 +20,23 @@ pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Vec<Setting
     let mut names: Vec<String> = Vec::new();
     let mut addition = |missing: &Missing| {
         let (name, settings) = match &missing.cause {
-            Cause::Physical => (missing.effect.name.to_string(), physical_settings(missing, &diagnosis.fit)),
-            Cause::Measurement { by, observable, records, from_line, .. } => {
+            Cause::Physical => (missing.effect.name.to_string(), fitted_settings(missing, &diagnosis.fit)),
+            Cause::Measurement { effect, by, along, observable, records, from_line, .. } => {
                 let listed = records.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
                 let text = |key: &str, value: String| Setting { key: key.into(), value };
                 let by = (!by.is_empty()).then(|| text("by", by.join(", ")));
                 let observable = observable.map(|name| text("observable", name.into()));
                 let rows = if from_line.is_some() { "from" } else { "rows" };
                 let rows = (!records.is_empty()).then(|| text(rows, listed));
-                let texts = [by, observable, rows].into_iter().flatten();
+                let along = along.map(|name| text("along", name.into()));
+                let level = along.is_some().then(|| text(effects::ALIGNMENT_OFFSET.size.key(), "0 um".into()));
+                let texts = [by, along, observable, rows, level].into_iter().flatten();
                 let name = data.model.free_table(missing.effect.name, &names);
-                (name, texts.chain(missing.estimates.iter().map(size)).collect())
+                let sizes = match effect.acts {
+                    Acts::Reads => fitted_settings(missing, &diagnosis.fit),
+                    _ => missing.estimates.iter().map(size).collect(),
+                };
+                (name, texts.chain(sizes).collect())
             }
         };
         names.push(name.clone());
@@ -46,7 +53,7 @@ fn size(e: &Estimate) -> Setting {
 }
 
 /// Makes the settings with which an effect is added, as `fem add` takes them.
-fn physical_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
+fn fitted_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     let setting = |e: &Estimate| {
         let k = e.parameter.kind;
         let entry = missing.effect.parameters.iter().find(|p| p.name == name(e));

@@ -16,6 +16,8 @@ use super::measurement::{curve, files};
 use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
+use crate::noise::MEASUREMENT;
+use crate::process::Description;
 use crate::units::Kind;
 
 impl Verdict {
@@ -145,9 +147,16 @@ fn estimate(e: &Estimate) -> Json {
     })
 }
 
+/// Whose an effect is.
+fn kind_of(effect: &Description) -> &'static str {
+    if effect.table == MEASUREMENT { "measurement" } else { "physical" }
+}
+
 fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
     json!({
         "effect": outlook.effect.name,
+        "kind": kind_of(&outlook.effect),
+        "observable": outlook.effect.observable,
         "rms_after": outlook.rms.map(|r| kind.from_si(r)),
         "delta_bic": outlook.delta_bic,
         "p_value": outlook.p_value,

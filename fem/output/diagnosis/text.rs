@@ -119,7 +119,7 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
     }
     for alternative in &missing.indistinguishable_from {
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
-        let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.name);
+        let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.label());
     }
     if let Cause::Measurement { effect, by, records, from, .. } = &missing.cause {
         if let Some((name, about)) = measurement::curve(effect, by, data.model.process) {
@@ -238,7 +238,7 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
     }
     let alternative = d.missing.iter().find(|m| m.indistinguishable_from.contains(&outlook.effect));
     if let Some(missing) = alternative {
-        return format!("cannot be told from {} here", missing.effect.name);
+        return format!("cannot be told from {} here", missing.effect.label());
     }
     let Some(v) = &outlook.detection_limit else { return "it cannot be computed here".into() };
     if structure_remains(d) && v.detectable {
@@ -268,13 +268,13 @@ fn not_seen(text: &mut String, d: &Diagnosis) {
     // Structure that remains may hide effects.
     if rest.iter().any(|c| seen(&c)) && !structure_remains(d) {
         let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, at a usual shape, from");
-        let width = rest.iter().map(|c| c.effect.name.len()).max().unwrap_or(0);
+        let width = rest.iter().map(|c| c.effect.label().len()).max().unwrap_or(0);
         for c in rest.iter().filter(seen) {
             let v = c.detection_limit.as_ref().and_then(|v| v.smallest.map(|s| bound(&c.effect, v.parameter, s)));
-            let _ = writeln!(text, "  {:<width$}  {}", c.effect.name, v.unwrap_or_default());
+            let _ = writeln!(text, "  {:<width$}  {}", c.effect.label(), v.unwrap_or_default());
         }
     }
-    let hidden: Vec<&str> = rest.iter().filter(|c| !seen(c)).map(|c| c.effect.name).collect();
+    let hidden: Vec<_> = rest.iter().filter(|c| !seen(c)).map(|c| c.effect.label()).collect();
     if !hidden.is_empty() {
         let _ = writeln!(text, "\nthese data could not show: {}", hidden.join(", "));
     }
@@ -288,7 +288,7 @@ fn measure_next(text: &mut String, d: &Diagnosis) {
         }
         return say_separated(text, &said);
     };
-    let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();
+    let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.label(), b.label())).collect();
     let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
     let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
     let _ = writeln!(

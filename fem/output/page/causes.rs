@@ -18,7 +18,7 @@ const BETWEEN: usize = 12;
 
 /// The missing effects.
 pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
-    let curves = found.completed.map_or(Vec::new(), |(model, run)| plots::changes(model, run));
+    let curves = found.completed.map_or(Vec::new(), |(model, run)| plots::changes(model, &run.contributions));
     let cards = d.missing.iter().enumerate().map(|(i, m)| card(i + 1, m, &curves, subject)).collect();
     Section { id: "causes", title: "The causes", blocks: cards }
 }
@@ -53,7 +53,7 @@ fn card(number: usize, missing: &Missing, curves: &[(&str, Chart)], subject: &Su
     let alternative = |other: &crate::process::Description| {
         let by =
             diagnosis::separated(effect, other).map_or(String::new(), |by| format!("; what tells them apart: {by}"));
-        format!("{}: {}{by}", other.name, other.about)
+        format!("{}: {}{by}", other.label(), other.about)
     };
     if !missing.indistinguishable_from.is_empty() {
         html.push_str("<h4>These data cannot tell it from</h4>");
@@ -202,7 +202,7 @@ pub fn candidates(found: &Evidence, d: &Diagnosis) -> Section {
     let row = |c: &crate::diagnose::Outlook| {
         let rms = c.rms.map(|si| kind.from_si(si));
         vec![
-            Cell::Text(c.effect.name.into()),
+            Cell::Text(c.effect.label().into()),
             rms.map_or(Cell::Text("\u{2013}".into()), |v| Cell::Number(format!("{v:.3}"), v)),
             Cell::Number(format!("{:+.1}", c.delta_bic), c.delta_bic),
             Cell::Number(

@@ -47,7 +47,9 @@ pub fn sections(subject: &Subject) -> Vec<Section> {
         vec![html::table("The prediction with all effects less that without one of them", &head, &shares, true)];
     // Where causes have cards, their curves stand there.
     if !is_completed {
-        changes.push(figures(plots::changes(model, run).iter().map(|(_, c)| (c.name.clone(), draw(c))).collect()));
+        changes.push(figures(
+            plots::changes(model, &run.contributions).iter().map(|(_, c)| (c.name.clone(), draw(c))).collect(),
+        ));
     }
     vec![
         Section { id: "machine", title: "The machine", blocks: if has_drawing { machine } else { Vec::new() } },

@@ -85,7 +85,8 @@ pub fn measured(rows: &Rows) -> Vec<Chart> {
         let bar = |at: usize| rows.bar(layout.rows[at]);
         let none = |_| f64::NAN;
         let chosen = layout.chosen();
-        let step = every(layout.rows.len() / layout.labels.len().max(1) * chosen.len());
+        let shown = layout.rows.len() / layout.labels.len().max(1) * chosen.len();
+        let step = every(shown);
         let thin = |points: Vec<Point>| points.into_iter().step_by(step).collect::<Vec<_>>();
         let mut series = Vec::new();
         for (colour, group) in chosen.iter().copied().enumerate() {
@@ -102,10 +103,11 @@ pub fn measured(rows: &Rows) -> Vec<Chart> {
         let name = format!("{}{of}", if layout.is_loop() { "measured-loop" } else { "measured" });
         let (x, y) = layout.axes();
         let title = format!("measured and predicted {}", layout.value.name);
-        let note = format!("{sets}dots: measured, bars: \u{b1} 2 standard uncertainties; lines: predicted");
+        let some = thinned(shown);
+        let note = format!("{sets}dots: measured, bars: \u{b1} 2 standard uncertainties; lines: predicted{some}");
         if layout.is_around() {
             let (note, y) =
-                ("dots: measured; lines: predicted; outwards is positive, magnified".to_string(), y.clone());
+                (format!("dots: measured; lines: predicted; outwards is positive, magnified{some}"), y.clone());
             let plane = Plane::Polar { y, series: series.clone() };
             charts.push(Chart { name: format!("measured-polar{of}"), title: title.clone() + " around", note, plane });
         }

@@ -2,7 +2,7 @@
 
 use super::layout::Layout;
 use super::positioning;
-use crate::model::{Model, Run};
+use crate::model::{Contribution, Model, Run};
 use crate::output::chart::{Axis, Chart, Form, Plane, Series};
 use crate::units::Kind;
 
@@ -84,12 +84,12 @@ fn about_zero(cells: &[[f64; 3]]) -> Option<(f64, f64)> {
 }
 
 /// What each effect changes, along the abscissa: for each effect by its name a chart of the groups.
-pub fn changes(model: &Model, run: &Run) -> Vec<(&'static str, Chart)> {
+pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(&'static str, Chart)> {
     let rows = model.system.programme();
     let all: Vec<usize> = (0..model.process.coordinates().len()).collect();
     let observables = model.process.observables();
     let mut charts = Vec::new();
-    for share in run.contributions.iter().filter(|c| c.name != "ideal") {
+    for share in contributions.iter().filter(|c| c.name != "ideal") {
         let Some(layout) = Layout::of(model.process, &rows, &all, share.observable) else { continue };
         let kind: Kind = share.kind(observables);
         let value = |row: usize| kind.from_si(share.changes.get(row).copied().unwrap_or(f64::NAN));

@@ -128,9 +128,6 @@ pub fn vtp(frame: &Frame, shown: &str, survey: &Survey) -> Result<Vec<u8>, VtkEr
         let scalars = ElementType::Scalars { num_comp: 1, lookup_table: None };
         data(name.into(), scalars, IOBuffer::U8(of_cells(scale, own)))
     };
-    // Three coordinates, two vectors and every scalar of single precision; connectivity and offsets; two bytes a cell.
-    let (floats, indices) = ((7 + point.len()) * points.len(), surfaces.connectivity.len() + surfaces.offsets.len());
-    let array_bytes = floats * size_of::<f32>() + indices * size_of::<u64>() + 2 * surfaces.offsets.len();
     let points: Vec<f32> = points.as_flattened().iter().map(|c| *c as f32 + 0.0).collect();
     let piece = PolyDataPiece {
         points: IOBuffer::F32(points),
@@ -146,7 +143,7 @@ pub fn vtp(frame: &Frame, shown: &str, survey: &Survey) -> Result<Vec<u8>, VtkEr
         data: DataSet::inline(piece),
         file_path: None,
     };
-    encode(file, array_bytes)
+    encode(file)
 }
 
 /// A field in the unit of its kind: on what is made the values of its points, elsewhere what is nearest to zero, and

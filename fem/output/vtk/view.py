@@ -190,7 +190,8 @@ def main():
         hair = 0.004 * max(box[i + 1] - box[i] for i in (0, 2, 4))
         ghost.Position = [-hair * d for d in DIRECTION]
 
-    note(TITLE, view, "Upper Left Corner", 26)
+    # A long title stays clear of what stands in the other corner.
+    note(TITLE, view, "Upper Left Corner", 26 if len(TITLE) < 36 else 20)
     told = f"displacements magnified {MAGNIFICATION:,.6g} times".replace(",", " ")
     if MAGNIFICATION == 1.0:
         told = "displacements to scale"

@@ -21,6 +21,16 @@ pub struct Deflection {
     pub total: f64,
     /// dy/dP, m/N.
     pub rate: f64,
+    /// The diameter error that the tool meets, m, where the cut follows it; infinite where it does not.
+    pub met: f64,
+}
+
+impl Deflection {
+    /// The diameter error that is left, m, with what else moves the tool on the diameter (m): twice the gap and that,
+    /// but no more than there was, which the tool does not reach.
+    pub fn error(&self, shift: f64) -> f64 {
+        (2.0 * self.total + shift).min(self.met)
+    }
 }
 
 /// The elastic part of a machine: what a deflection depends on.
@@ -62,11 +72,8 @@ impl<'a> Elastic<'a> {
     /// # Errors
     /// The joints found no equilibrium.
     pub fn pass(&self, i: usize, at: Conditions) -> Result<(f64, f64), JointsError> {
-        if at.set_depth <= 0.0 {
-            return Ok((0.0, 2.0 * at.set_depth));
-        }
         let deflection = self.deflect(i, at)?;
-        Ok((deflection.force, 2.0 * deflection.total))
+        Ok((deflection.force, deflection.error(0.0)))
     }
 
     /// The equilibrium with the tool at position number `i`.
@@ -75,7 +82,9 @@ impl<'a> Elastic<'a> {
     /// The joints found no equilibrium.
     pub fn deflect(&self, i: usize, at: Conditions) -> Result<Deflection, JointsError> {
         match self.feedback {
-            Some(exponent) if exponent != 0.0 => self.fed_back(i, at, exponent),
+            Some(exponent) if exponent != 0.0 => {
+                Ok(Deflection { met: 2.0 * at.set_depth, ..self.fed_back(i, at, exponent)? })
+            }
             _ => self.under(i, at.force, None),
         }
     }
@@ -90,7 +99,7 @@ impl<'a> Elastic<'a> {
         let [d, rates] = [supports.displacements, supports.displacement_rates];
         let total = shaft + influence[0] * d[0] + influence[1] * d[1] + carriage;
         let rate = self.shaft.compliance[i] + influence[0] * rates[0] + influence[1] * rates[1] + carriage_rate;
-        Ok(Deflection { force, supports, shaft, carriage, total, rate })
+        Ok(Deflection { force, supports, shaft, carriage, total, rate, met: f64::INFINITY })
     }
 
     /// The deflection takes depth off the cut, and the force with it: P = P₀·(t_d/t₀)^e, t_d = t_set − y(P)

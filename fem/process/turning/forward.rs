@@ -63,7 +63,7 @@ pub fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Resu
     progress.expect(setup.schedule.parts as u64);
     errors.par_chunks_mut(positions.len()).enumerate().for_each(|(k, errors)| {
         for ((error, &x), deflection) in errors.iter_mut().zip(&positions).zip(&deflections) {
-            *error = 2.0 * deflection.total + machine.shift_on(k + 1, x);
+            *error = deflection.error(machine.shift_on(k + 1, x));
         }
         progress.advance(1);
     });
@@ -88,23 +88,23 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let diameter = setup.diameter(x);
         let i = positions.partition_point(|p| *p < x);
         let conditions = rows::conditions(setup, rows, row, diameter);
-        let gap = |angle: Option<f64>| -> Result<f64, Failure> {
+        let deflection = |angle: Option<f64>| -> Result<Deflection, Failure> {
             let mut at = conditions;
             if rows.get(BLANK, row).is_none() {
                 at.set_depth += 0.5 * elastic.before(i, x, angle)?;
             }
-            Ok(elastic.deflect(i, at)?.total)
-        };
-        // A diameter reaches from one side to the other.
-        let angle = rows.get(ANGLE, row).unwrap_or(0.0);
-        let gaps = match setup.blank.is_round() {
-            true => 2.0 * gap(None)?,
-            false => gap(Some(angle))? + gap(Some(angle + PI))?,
+            Ok(elastic.deflect(i, at)?)
         };
         let (time, path) = rows::moment(setup, rows, row, rows::part(rows, row), x);
         let set = if rows.observable[row] == DIAMETER { diameter } else { 0.0 };
         let shift = machine.shift_at(&Moment { x, diameter, time, path });
-        Ok(set + gaps + shift)
+        // A diameter reaches from one side to the other.
+        let angle = rows.get(ANGLE, row).unwrap_or(0.0);
+        let error = match setup.blank.is_round() {
+            true => deflection(None)?.error(shift),
+            false => 0.5 * (deflection(Some(angle))?.error(shift) + deflection(Some(angle + PI))?.error(shift)),
+        };
+        Ok(set + error)
     };
     (0..rows.len()).into_par_iter().with_min_len(256).map(one).collect()
 }

@@ -19,7 +19,7 @@ pub enum NoiseKind {
 pub struct Shown {
     /// Effect whose table is in the model.
     pub effect: &'static str,
-    /// Its only parameter.
+    /// One of its parameters; those of one effect stand together.
     pub parameter: &'static str,
     /// Value as written.
     pub written: f64,

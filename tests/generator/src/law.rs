@@ -34,10 +34,11 @@ pub struct Parameter(pub &'static str, pub &'static str, pub f64, pub f64, pub R
 /// An effect's name and parameters.
 pub type Law = (&'static str, &'static [Parameter]);
 
-/// The value of one parameter of one effect, if that effect is among the causes.
+/// The value of one parameter of one effect, if that effect is among the causes; of an effect that is shown
+/// each parameter is a cause.
 pub fn value(causes: &[Cause], effect: &str, parameter: &str) -> Option<f64> {
-    let cause = causes.iter().find(|c| c.effect == effect)?;
-    cause.parameters.iter().find(|(name, _)| *name == parameter).map(|(_, v)| *v)
+    let mut own = causes.iter().filter(|c| c.effect == effect).flat_map(|c| &c.parameters);
+    own.find(|(name, _)| *name == parameter).map(|(_, v)| *v)
 }
 
 /// Canonical unit of a parameter.

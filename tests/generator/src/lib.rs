@@ -1,13 +1,16 @@
 //! Practice cases with a hidden physical effect, made by other code and other numerics than the program
-//! under test: see [`turning`], [`ring`], [`thermal`], [`axis`] and [`stiffness`]. Laws, signs and units are those that `fem
-//! effects` states.
+//! under test: see [`turning`], [`ring`], [`thermal`], [`axis`], [`stiffness`], [`contour`], [`fixture`] and
+//! [`cam`]. Laws, signs and units are those that `fem effects` states.
 //!
 //! Every case is decided by its seed. lambda is the length of an effect's signature, in standard
 //! deviations, after projection onto the tangent of all `+-` parameters of the written model with their
 //! prior rows appended.
 
 pub mod axis;
+pub mod cam;
+pub mod contour;
 pub mod dense;
+pub mod fixture;
 pub mod foreign;
 pub mod job;
 pub mod law;
@@ -22,6 +25,9 @@ pub mod visibility;
 pub mod writing;
 
 pub use axis::AXIS;
+pub use cam::CAM;
+pub use contour::CONTOUR;
+pub use fixture::FIXTURE;
 pub use job::NoiseKind;
 pub use law::Cause as Hidden;
 pub use ring::RING;

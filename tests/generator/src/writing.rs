@@ -11,7 +11,10 @@ pub fn model(job: &dyn Job, values: Option<&[f64]>, more: &[Cause]) -> String {
     for (i, s) in job.shown().iter().enumerate() {
         let known = values.map_or(format!("{} +- {}", s.written, s.std), |v| format!("{:.15e}", v[i]));
         let unit = unit(job.laws(), s.effect, s.parameter);
-        let _ = write!(text, "\n[effects.{}]\n{} = \"{known} {unit}\"\n", s.effect, s.parameter);
+        if i == 0 || job.shown()[i - 1].effect != s.effect {
+            let _ = write!(text, "\n[effects.{}]\n", s.effect);
+        }
+        let _ = writeln!(text, "{} = \"{known} {unit}\"", s.parameter);
     }
     for cause in more {
         let _ = write!(text, "\n[effects.{}]\n", cause.effect);

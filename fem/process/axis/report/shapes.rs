@@ -98,7 +98,7 @@ fn frame(setup: &Setup, stops: &[Stop], number: usize) -> Frame {
     let above = Arrow { aside: [0.0, 2.4 * setup.diameter, 0.0], ..Arrow::new(loaded, 0.0) };
     Frame {
         time: number as f64,
-        caption: format!("target {at:.1}, approached {side}: the slide stops {off:+.2} from it"),
+        caption: format!("target {at:.1}, approached {side}: stops {off:+.2} from it"),
         bodies: bodies(setup, &nodes, (low, high), stops),
         grid,
         arrows: vec![above],

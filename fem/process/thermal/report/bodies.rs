@@ -7,7 +7,7 @@ use crate::process::{Body, Ends, Role, Segment, Skin};
 use crate::solve::rod::PointSource;
 
 /// Rims along a rod, at most; more than a picture needs.
-const MOST_RIMS: usize = 80;
+const MOST_RIMS: usize = 40;
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
 const FRONT: [f64; 3] = [0.0, 0.0, 1.0];

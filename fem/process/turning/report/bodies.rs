@@ -4,7 +4,7 @@ use super::super::setup::{Setup, Workholding};
 use crate::process::{Body, Ends, Role, Skin};
 
 /// Rims along the shaft, at most; more than a picture needs.
-const MOST_RIMS: usize = 60;
+const MOST_RIMS: usize = 32;
 /// Along the shaft, along the tool.
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const DOWN: [f64; 3] = [0.0, -1.0, 0.0];

@@ -97,7 +97,7 @@ fn passes(machine: &Machine, forward: &Forward, tools: &[f64]) -> Result<Vec<Pas
         let found: Result<Vec<Deflection>, _> =
             (0..tools.len()).map(|i| elastic.deflect(i, earlier.conditions(tools[i], errors[i]))).collect();
         let deflections = found?;
-        errors = deflections.iter().map(|d| 2.0 * d.total).collect();
+        errors = deflections.iter().map(|d| d.error(0.0)).collect();
         let duration = earlier.duration(travel);
         let times = tools.iter().map(|x| begin + duration * (x - tools[0]).abs() / travel).collect();
         let rests = rest_forces(machine, tools, &deflections)?;

@@ -1,0 +1,30 @@
+//! Models on which every effect of a process can act, one or the other: what effects need of a set-up is there.
+
+use fem::input::Source;
+use fem::model::Model;
+use fem::process::Process;
+
+/// The model that `fem new` writes, and variants of it with what further effects need.
+pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputError> {
+    let start = process.starting_model();
+    let further = match process.name() {
+        "turning" => vec![
+            start.replace("\"centres\"", "\"chuck-and-centre\""),
+            start.replace("type = \"centres\"", "type = \"centres\"\nguideway_spacing = \"300 mm\""),
+            format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
+        ],
+        "ring" => vec![start.replace("\"least-squares-circle\"", "\"absolute\"")],
+        "contour" => vec![equipped(start)],
+        "fixture" => vec![start.replace("# depth = \"1 mm\"", "depth = \"20 um\"")],
+        _ => Vec::new(),
+    };
+    let texts = std::iter::once(start.to_string()).chain(further);
+    texts.map(|text| Model::parse(Source::new("model.toml", text))).collect()
+}
+
+/// A contour with what some effects need: screws, a frequency, and the force of a cut.
+fn equipped(start: &str) -> String {
+    let screw = "{ screw = { material = \"steel\", diameter = \"32 mm\", fixed_at = \"-400 mm\" } }";
+    let drives = format!("[drives]\nfrequency = \"3 Hz\"\nx = {screw}\ny = {screw}");
+    start.replace("[drives]", &drives) + "\n[cut]\nnormal_force = \"200 N\"\ntangential_force = \"120 N\"\n"
+}
