@@ -13,7 +13,9 @@ mod trouble;
 
 use std::path::Path;
 
-use generator::{AXIS, CAM, CONTOUR, Case, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING, Trouble};
+use generator::{
+    AXIS, CAM, CONTOUR, Case, FIXTURE, Process, RING, STIFFNESS, SURVEYED_TURNING, THERMAL, TURNING, Trouble,
+};
 use score::{Score, score};
 use table::Table;
 use trouble::Tally;
@@ -208,6 +210,19 @@ fn a_sample_of_turning() {
     sample(&TURNING, 1, [12, 4, 5]);
 }
 
+/// Wear land, front guideway and twist, each hidden where edge and bed were measured.
+#[test]
+fn a_sample_of_surveyed_lathes() {
+    let mut table = Table::default();
+    run(&mut table, "one, λ = 15", singles(&SURVEYED_TURNING, 15.0, 0..2));
+    run(&mut table, "one, λ = 40", singles(&SURVEYED_TURNING, 40.0, 0..2));
+    for group in ["one, λ = 15", "one, λ = 40"] {
+        let scores = table.scores(group);
+        assert_eq!(scores.len(), 2 * SURVEYED_TURNING.laws.len(), "{table}");
+        assert!(scores.iter().all(|score| score.first && score.all_named), "{table}");
+    }
+}
+
 #[test]
 fn a_sample_of_ring() {
     sample(&RING, 1, [12, 4, 5]);
@@ -251,7 +266,7 @@ fn a_sample_of_stiffness() {
 /// effects of the suite.
 #[test]
 fn the_program_and_the_generator_agree() {
-    for process in [&TURNING, &RING, &THERMAL, &AXIS, &STIFFNESS] {
+    for process in [&TURNING, &SURVEYED_TURNING, &RING, &THERMAL, &AXIS, &STIFFNESS] {
         agree(process, 0.5);
     }
 }

@@ -34,7 +34,7 @@ pub use ring::RING;
 pub use stiffness::STIFFNESS;
 pub use thermal::THERMAL;
 pub use trouble::Trouble;
-pub use turning::{TURNING, story};
+pub use turning::{SURVEYED_TURNING, TURNING, story};
 
 use foreign::what_catalogue_leaves;
 use job::Job;

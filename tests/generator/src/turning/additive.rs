@@ -45,6 +45,7 @@ pub fn additive_error(job: &Job, causes: &[Cause]) -> Vec<f64> {
             }
             "tailstock-offset" => Box::new(|_, x| 2.0 * size("offset") * x / job.shaft.length()),
             "setting-error" => Box::new(|_, _| 2.0 * size("offset")),
+            "wear-land" | "front-guideway-wear" | "bed-twist" => surveyed(job, cause),
             _ => continue,
         };
         errors.iter_mut().zip(&job.rows).for_each(|(e, row)| *e += law(row.part, row.x));
@@ -57,6 +58,24 @@ pub fn additive_error(job: &Job, causes: &[Cause]) -> Vec<f64> {
         }
     }
     errors
+}
+
+/// What needs to know the edge or the bed: [002 (31)], and levers by the geometry of a tilting carriage.
+fn surveyed<'a>(job: &'a Job, cause: &'a Cause) -> Box<dyn Fn(usize, f64) -> f64 + 'a> {
+    let size = |parameter: &str| value(std::slice::from_ref(cause), cause.effect, parameter).unwrap_or(0.0);
+    let Some(survey) = &job.survey else { return Box::new(|_, _| 0.0) };
+    match cause.effect {
+        "wear-land" => Box::new(move |part, x| {
+            let drawn_back = 1e3 * survey.width(job.path(part, x)) * survey.clearance.to_radians().tan();
+            2.0 * size("share") * drawn_back
+        }),
+        "front-guideway-wear" => Box::new(move |_, x| {
+            let front = size("wear") * (-0.5 * ((x - size("centre")) / size("width")).powi(2)).exp();
+            let tilt = (front - front / 5.0) / survey.spacing;
+            2.0 * survey.height * tilt
+        }),
+        _ => Box::new(move |_, x| 2.0 * survey.height * 1e-3 * size("twist") * x * 1e-3),
+    }
 }
 
 /// xi of tau dxi/dt = elongation [cutting] - xi from xi(0) = 0, through every cut, idle time and pause

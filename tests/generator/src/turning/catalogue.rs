@@ -1,6 +1,6 @@
-//! The 18 effects of turning: their parameters, plausible sizes, and which workholding admits them.
+//! The 21 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
 
-use super::job::Holding;
+use super::job::{Holding, Job};
 use crate::law::{Law, Parameter, Role};
 
 const STIFFNESS: &[Parameter] = &[Parameter("stiffness", "N/um", 15.0, 150.0, Role::Stiffness)];
@@ -39,7 +39,15 @@ const HOLLOW: &[Parameter] = &[
 const TAILSTOCK: &[Parameter] = &[Parameter("offset", "um", 4.0, 40.0, Role::Signed)];
 const SETTING: &[Parameter] = &[Parameter("offset", "um", 5.0, 30.0, Role::Signed)];
 
-/// All of them.
+const LAND: &[Parameter] = &[Parameter("share", "", 0.6, 1.6, Role::Amplitude)];
+const FRONT: &[Parameter] = &[
+    Parameter("wear", "um", 3.0, 40.0, Role::Amplitude),
+    Parameter("centre", "mm", 0.15, 0.85, Role::Shape),
+    Parameter("width", "mm", 25.0, 90.0, Role::Shape),
+];
+const TWIST: &[Parameter] = &[Parameter("twist", "um/m/m", 10.0, 120.0, Role::Signed)];
+
+/// All of them, those of a surveyed lathe last.
 pub const LAWS: &[Law] = &[
     ("headstock-compliance", STIFFNESS),
     ("tailstock-compliance", STIFFNESS),
@@ -59,7 +67,16 @@ pub const LAWS: &[Law] = &[
     ("tailstock-offset", TAILSTOCK),
     ("setting-error", SETTING),
     ("tool-breakdown", BREAKDOWN),
+    ("wear-land", LAND),
+    ("front-guideway-wear", FRONT),
+    ("bed-twist", TWIST),
 ];
+/// How many any lathe has.
+const USUAL: usize = 18;
+/// Those that any lathe has.
+pub const OF_ANY: &[Law] = LAWS.split_at(USUAL).0;
+/// Those of which nothing is known unless edge and bed were measured.
+pub const OF_SURVEYED: &[Law] = LAWS.split_at(USUAL).1;
 
 /// The laws that meet in the force equilibrium; the others add.
 const IN_EQUILIBRIUM: &[&str] = &[
@@ -80,7 +97,14 @@ pub fn in_equilibrium(effect: &str) -> bool {
 }
 
 /// "tailstock-* and tailstock-offset not in `chuck`; chuck-tilt not in `centres`; the others all".
-pub fn admits(holding: Holding, effect: &str) -> bool {
+/// Those of a surveyed lathe need its survey.
+pub fn admits(job: &Job, effect: &str) -> bool {
+    let is_known = job.survey.is_some() || OF_ANY.iter().any(|law| law.0 == effect);
+    is_known && holds(job.holding, effect)
+}
+
+/// Whether a workholding admits the effect.
+pub fn holds(holding: Holding, effect: &str) -> bool {
     match holding {
         Holding::Centres => effect != "chuck-tilt",
         Holding::Chuck => !effect.starts_with("tailstock-"),

@@ -1,7 +1,7 @@
 //! Draws the jobs: shafts, workholdings, cuts, schedules and measuring designs, as varied as a workshop's.
 
-use super::catalogue::admits;
-use super::job::{Holding, Job, Row};
+use super::catalogue::holds;
+use super::job::{Holding, Job, Row, Survey};
 use super::shaft::{Material, Segment, Shaft};
 use crate::job::{NoiseKind, Shown};
 use crate::random::{Random, decimals, figures};
@@ -36,7 +36,7 @@ const CAST_IRON: Material = Material {
 /// A job whose workholding admits all of `hidden`, or None when none does. What is hidden is not shown.
 pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
     let weighted = [Holding::Centres; 9].into_iter().chain([Holding::ChuckAndCentre; 7]).chain([Holding::Chuck; 4]);
-    let fitting: Vec<Holding> = weighted.filter(|&h| hidden.iter().all(|e| admits(h, e))).collect();
+    let fitting: Vec<Holding> = weighted.filter(|&h| hidden.iter().all(|e| holds(h, e))).collect();
     if fitting.is_empty() {
         return None;
     }
@@ -51,6 +51,27 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
             return Some(job);
         }
     }
+}
+
+/// The same on a lathe whose edge and bed were measured.
+pub fn draw_surveyed_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
+    let job = draw_job(hidden, random)?;
+    let from = if job.forward { job.shaft.length() } else { 0.0 };
+    let last = job.path(job.parts, from);
+    let (run_in, rate, worse) = (random.uniform(0.03, 0.08), random.uniform(0.03, 0.1), random.uniform(0.0, 0.1));
+    let width = |share: f64| run_in * (1.0 - (-8.0 * share).exp()) + rate * share + worse * (share - 0.6).max(0.0);
+    let point = |i: usize| {
+        let share = i as f64 / 8.0;
+        // Up, so that the last part is cut within what is known.
+        ((share * last).ceil(), decimals(width(share), 4))
+    };
+    let survey = Survey {
+        clearance: random.uniform(5.0, 10.0).round(),
+        land: (0..=8).map(point).collect(),
+        spacing: random.uniform(250.0, 450.0).round(),
+        height: random.uniform(180.0, 320.0).round(),
+    };
+    Some(Job { survey: Some(survey), ..job })
 }
 
 /// Shaft, cut and batch.
@@ -74,6 +95,7 @@ fn skeleton(holding: Holding, random: &mut Random) -> Job {
         force_column: true,
         noise: random.pick(&[NoiseKind::Column, NoiseKind::Column, NoiseKind::Repeats, NoiseKind::Neither]),
         shown: Vec::new(),
+        survey: None,
     };
     job.cycle = decimals(job.cutting_time() * random.uniform(1.15, 1.6) + random.uniform(0.5, 2.5), 2);
     let pauses = random.pick(&[0, 1, 1, 1, 1, 2]);
@@ -115,11 +137,11 @@ fn shown(holding: Holding, hidden: &[&str], random: &mut Random) -> Vec<Shown> {
     let absent = random.chance(0.15).then(|| random.whole(0, 2));
     for (i, effect) in names.into_iter().enumerate() {
         let written = figures(random.uniform(30.0, 90.0), 3);
-        if admits(holding, effect) && !hidden.contains(&effect) && absent != Some(i) {
+        if holds(holding, effect) && !hidden.contains(&effect) && absent != Some(i) {
             shown.push(Shown { effect, parameter: "stiffness", written, std: figures(0.12 * written, 3) });
         }
     }
-    if random.chance(0.25) && admits(holding, "chuck-tilt") && !hidden.contains(&"chuck-tilt") {
+    if random.chance(0.25) && holds(holding, "chuck-tilt") && !hidden.contains(&"chuck-tilt") {
         let written = figures(random.uniform(250.0, 800.0), 3);
         shown.push(Shown { effect: "chuck-tilt", parameter: "stiffness", written, std: figures(0.12 * written, 3) });
     }

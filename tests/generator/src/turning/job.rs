@@ -27,6 +27,28 @@ pub struct Row {
     pub blank: Option<f64>,
 }
 
+/// What was measured on the lathe itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Survey {
+    /// Clearance angle of the edge, deg.
+    pub clearance: f64,
+    /// Width of the wear land (mm) at cutting paths (m), rising from 0.
+    pub land: Vec<(f64, f64)>,
+    /// From the front to the rear guideway, mm.
+    pub spacing: f64,
+    /// Spindle axis above the guideways, mm.
+    pub height: f64,
+}
+
+impl Survey {
+    /// Width of the land after a path (m), straight between the points, mm.
+    pub fn width(&self, path: f64) -> f64 {
+        let span = self.land.windows(2).find(|pair| path <= pair[1].0).unwrap_or(&self.land[self.land.len() - 2..]);
+        let ((from, narrow), (to, wide)) = (span[0], span[1]);
+        narrow + (wide - narrow) * (path - from) / (to - from)
+    }
+}
+
 /// A turning job with its measuring design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
@@ -58,6 +80,8 @@ pub struct Job {
     pub noise: NoiseKind,
     /// What the model shows with `+-`.
     pub shown: Vec<Shown>,
+    /// What is known of edge and bed, if they were measured.
+    pub survey: Option<Survey>,
 }
 
 impl Job {

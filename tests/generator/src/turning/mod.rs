@@ -14,7 +14,7 @@ pub mod story;
 pub mod writing;
 
 use additive::additive_error;
-use catalogue::{LAWS, admits, in_equilibrium};
+use catalogue::{LAWS, OF_ANY, OF_SURVEYED, admits, in_equilibrium};
 use equilibrium::force_error;
 use job::Job;
 
@@ -26,10 +26,18 @@ use crate::random::Random;
 /// Diameters of turned shafts, um.
 pub const TURNING: Process = Process {
     name: "",
-    laws: LAWS,
+    laws: OF_ANY,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     // The same in diameters.
     never_together: &[["guideway-taper", "tailstock-offset"]],
+};
+
+/// The same on a lathe whose edge and bed were measured, with the effects that need it.
+pub const SURVEYED_TURNING: Process = Process {
+    name: "surveyed ",
+    laws: OF_SURVEYED,
+    draw_job: |hidden, random| Some(Box::new(design::draw_surveyed_job(hidden, random)?)),
+    never_together: &[],
 };
 
 impl crate::job::Job for Job {
@@ -38,7 +46,7 @@ impl crate::job::Job for Job {
     }
 
     fn laws(&self) -> &'static [Law] {
-        LAWS
+        if self.survey.is_some() { LAWS } else { OF_ANY }
     }
 
     fn shown(&self) -> &[Shown] {
@@ -62,7 +70,7 @@ impl crate::job::Job for Job {
     }
 
     fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
-        admits(self.holding, effect)
+        admits(self, effect)
     }
 
     fn length(&self) -> f64 {
@@ -76,7 +84,7 @@ impl crate::job::Job for Job {
     fn draws(&self, effect: &str) -> usize {
         match effect {
             "workpiece-heating" => 2,
-            "guideway-wear" | "tool-thermal-growth" | "tool-wear" | "tool-breakdown" => 30,
+            "guideway-wear" | "front-guideway-wear" | "tool-thermal-growth" | "tool-wear" | "tool-breakdown" => 30,
             _ => 6,
         }
     }

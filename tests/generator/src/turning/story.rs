@@ -44,6 +44,7 @@ pub fn job() -> Job {
         force_column: true,
         noise: NoiseKind::Column,
         shown: Vec::new(),
+        survey: None,
     }
 }
 

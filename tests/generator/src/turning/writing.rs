@@ -6,7 +6,14 @@ use std::fmt::Write as _;
 
 /// The tables of the model file but `[effects]`.
 pub fn tables(job: &Job) -> String {
-    workpiece(job) + &cut(job)
+    workpiece(job) + &cut(job) + &edge(job)
+}
+
+fn edge(job: &Job) -> String {
+    let Some(survey) = &job.survey else { return String::new() };
+    let point = |(path, width): &(f64, f64)| format!("  {{ path = \"{path} m\", width = \"{width} mm\" }},\n");
+    let land: String = survey.land.iter().map(point).collect();
+    format!("\n[edge]\nclearance_angle = \"{} deg\"\nland = [\n{land}]\n", survey.clearance)
 }
 
 fn workpiece(job: &Job) -> String {
@@ -24,7 +31,12 @@ fn workpiece(job: &Job) -> String {
         Holding::Chuck => "chuck",
         Holding::ChuckAndCentre => "chuck-and-centre",
     };
-    let _ = write!(text, "]\n\n[workholding]\ntype = \"{holding}\"\n\n");
+    let _ = write!(text, "]\n\n[workholding]\ntype = \"{holding}\"\n");
+    if let Some(survey) = &job.survey {
+        let (height, spacing) = (survey.height, survey.spacing);
+        let _ = writeln!(text, "centre_height = \"{height} mm\"\nguideway_spacing = \"{spacing} mm\"");
+    }
+    text.push('\n');
     text
 }
 
