@@ -50,7 +50,7 @@ fn what_the_tool_does_not_reach_is_left() {
     let worn = "\n[effects.tool-wear]\nrun_in = \"20 um\"\nrun_in_path = \"10 m\"\nrate = \"0 um/km\"\n";
     place.write("passes.toml", model("passes.toml") + worn);
     let row = "x [mm],blank [mm],diameter_error [um],u [um]\n";
-    place.write("thin.csv", &format!("{row}100,49.9,-100,1\n200,49.995,-5,1\n300,50,0,1\n"));
+    place.write("thin.csv", format!("{row}100,49.9,-100,1\n200,49.995,-5,1\n300,50,0,1\n"));
     let compared = place.fem(&["compare", "passes.toml", "--with", "thin.csv", "--json"]).out;
     let json: Json = serde_json::from_str(&compared).unwrap();
     assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");

@@ -26,6 +26,7 @@ fn job(holding: Holding, modulus: f64, shear: bool, x: f64) -> Job {
         force_column: true,
         noise: NoiseKind::Neither,
         shown: vec![],
+        survey: None,
     }
 }
 
