@@ -71,6 +71,6 @@ fn corners() -> Vec<Case> {
     vec![
         // atan 60/80: the way turns by 180 deg less that, of the cosine -0.8.
         passed("corner of 36.87 deg, v/Kv = 1/3 mm", nearest(-0.8), "/largest"),
-        passed("right corner beside acute ones, v/Kv = 1/3 mm", nearest(0.0), "/smallest"),
+        passed("right corner among acute, v/Kv = 1/3 mm", nearest(0.0), "/smallest"),
     ]
 }
