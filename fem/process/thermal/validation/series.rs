@@ -120,7 +120,7 @@ fn block() -> Vec<Case> {
         1.0 - (0..6).map(|n| f64::from(1 - 2 * (n % 2)) * (image(n, x) + image(n, -x))).sum::<f64>()
     };
     vec![row(
-        "block of 2 m between six faces at 100, from a square and a slab",
+        "block of 2 m between six faces at 100",
         "temperature after 0.1 s",
         (
             100.0 * (1.0 - lack(0.2) * lack(0.8).powi(2)),
