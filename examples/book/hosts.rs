@@ -15,7 +15,10 @@ pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputErro
         ],
         "ring" => vec![start.replace("\"least-squares-circle\"", "\"absolute\"")],
         "contour" => vec![equipped(start)],
-        "fixture" => vec![start.replace("# depth = \"1 mm\"", "depth = \"20 um\"")],
+        "fixture" => vec![
+            start.replace("# depth = \"1 mm\"", "depth = \"20 um\""),
+            start.replace("# diameter = \"80 mm\"", "diameter = \"80 mm\""),
+        ],
         _ => Vec::new(),
     };
     let texts = std::iter::once(start.to_string()).chain(further);
