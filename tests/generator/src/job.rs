@@ -130,6 +130,32 @@ pub trait Job {
     fn data(&self, observed: &[f64], sigma: f64) -> String;
 }
 
+/// What a job of this process answers with its fields `shown`, `noise` and `rows`, and the `LAWS` beside it.
+macro_rules! of_fields {
+    ($process:literal) => {
+        fn process(&self) -> &'static str {
+            $process
+        }
+
+        fn laws(&self) -> &'static [Law] {
+            LAWS
+        }
+
+        fn shown(&self) -> &[Shown] {
+            &self.shown
+        }
+
+        fn noise(&self) -> NoiseKind {
+            self.noise
+        }
+
+        fn rows(&self) -> usize {
+            self.rows.len()
+        }
+    };
+}
+pub(crate) use of_fields;
+
 /// (a − b)/over.
 pub fn difference(a: &[f64], b: &[f64], over: f64) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| (a - b) / over).collect()

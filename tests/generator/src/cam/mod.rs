@@ -72,25 +72,7 @@ pub struct Job {
 }
 
 impl crate::job::Job for Job {
-    fn process(&self) -> &'static str {
-        "cam"
-    }
-
-    fn laws(&self) -> &'static [Law] {
-        LAWS
-    }
-
-    fn shown(&self) -> &[Shown] {
-        &self.shown
-    }
-
-    fn noise(&self) -> NoiseKind {
-        self.noise
-    }
-
-    fn rows(&self) -> usize {
-        self.rows.len()
-    }
+    crate::job::of_fields!("cam");
 
     fn groups(&self) -> Vec<usize> {
         self.rows.iter().map(|row| row.pass).collect()

@@ -79,25 +79,7 @@ pub struct Job {
 }
 
 impl crate::job::Job for Job {
-    fn process(&self) -> &'static str {
-        "contour"
-    }
-
-    fn laws(&self) -> &'static [Law] {
-        LAWS
-    }
-
-    fn shown(&self) -> &[Shown] {
-        &self.shown
-    }
-
-    fn noise(&self) -> NoiseKind {
-        self.noise
-    }
-
-    fn rows(&self) -> usize {
-        self.rows.len()
-    }
+    crate::job::of_fields!("contour");
 
     fn groups(&self) -> Vec<usize> {
         self.rows.iter().map(|row| row.lap).collect()

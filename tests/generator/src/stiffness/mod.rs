@@ -53,25 +53,7 @@ pub struct Job {
 }
 
 impl crate::job::Job for Job {
-    fn process(&self) -> &'static str {
-        "stiffness"
-    }
-
-    fn laws(&self) -> &'static [Law] {
-        LAWS
-    }
-
-    fn shown(&self) -> &[Shown] {
-        &self.shown
-    }
-
-    fn noise(&self) -> NoiseKind {
-        self.noise
-    }
-
-    fn rows(&self) -> usize {
-        self.rows.len()
-    }
+    crate::job::of_fields!("stiffness");
 
     fn noise_range(&self) -> (f64, f64) {
         (0.02, 1.5)

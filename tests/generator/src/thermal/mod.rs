@@ -41,25 +41,7 @@ const SHAPES: &[&str] = &[
 const FOLLOW: f64 = 5.0;
 
 impl crate::job::Job for Job {
-    fn process(&self) -> &'static str {
-        "thermal"
-    }
-
-    fn laws(&self) -> &'static [Law] {
-        LAWS
-    }
-
-    fn shown(&self) -> &[Shown] {
-        &self.shown
-    }
-
-    fn noise(&self) -> NoiseKind {
-        self.noise
-    }
-
-    fn rows(&self) -> usize {
-        self.rows.len()
-    }
+    crate::job::of_fields!("thermal");
 
     fn scales(&self) -> Vec<f64> {
         self.by_row(self.kelvin, 1.0)
