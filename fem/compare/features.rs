@@ -3,7 +3,7 @@
 //! Rows are binned along a coordinate, and the means of the bins are compared with the scatter that the
 //! noise alone would give them. Rows are also correlated with waves along the coordinate, or along both of a
 //! pair, which show what bins average out. The p-values are multiplied by the number of tests (Bonferroni).
-//! Where the noise is only estimated, a permutation test takes the place of the table: residuals are
+//! Where the noise is only estimated, or scaled by an estimated factor, a permutation test takes the place of the table: residuals are
 //! shuffled over the rows, and a feature must beat the smallest p-value of each shuffle (max-statistic).
 
 use super::binning::{Along, Binned, Statistic, binnings};
@@ -11,7 +11,7 @@ use super::rng::Rng;
 use super::sentence::{name, sentence};
 use super::{SIGNIFICANCE, Trend};
 use crate::measure::Measurements;
-use crate::noise::{Noise, NoiseSource, beyond_f};
+use crate::noise::{Acts, Noise, NoiseSource, beyond_f};
 use crate::process::Process;
 
 /// Number of rows beyond which the estimated noise is as good as known, and shuffles would take long.
@@ -45,7 +45,13 @@ pub struct Feature {
 pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
     let left = noise.unshared(residuals);
     let z = noise.whiten(residuals.iter().copied());
-    let whole = Residuals { sigma: noise.rms(), source: noise.source, left, z };
+    // Uncertainties that were scaled by these very residuals do not tell their level.
+    let source = if noise.terms.iter().any(|t| matches!(t.effect.acts, Acts::Scales)) {
+        NoiseSource::Estimated
+    } else {
+        noise.source
+    };
+    let whole = Residuals { sigma: noise.rms(), source, left, z };
     let [_, _, ..] = &measurements.observables[..] else { return of_one(process, measurements, whole) };
     let square = |rows: &[usize]| rows.iter().map(|r| whole.z[*r].powi(2)).sum::<f64>();
     let total = square(&(0..residuals.len()).collect::<Vec<_>>());
@@ -53,7 +59,7 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
     for (seen, rows) in measurements.observables.iter().zip(measurements.rows_by_observable()) {
         let of = |values: &[f64]| rows.iter().map(|r| values[*r]).collect::<Vec<f64>>();
         let sigma = noise.usual(measurements, seen.position);
-        let own = Residuals { left: of(&whole.left), z: of(&whole.z), sigma, source: noise.source };
+        let own = Residuals { left: of(&whole.left), z: of(&whole.z), sigma, source };
         let found = of_one(process, &measurements.of(seen), own);
         let looks = measurements.observables.len() as f64;
         features.extend(found.into_iter().map(|f| Feature {

@@ -5,6 +5,7 @@ mod binning;
 mod contradiction;
 mod features;
 mod rng;
+mod scan;
 mod sentence;
 mod significance;
 mod suspicion;

@@ -1,20 +1,17 @@
 //! Which effects of the measurement the residuals of a model may ask for: terms of the covariance that are
 //! worth weighing.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::contradiction::{FEW, contradicting, contradictions};
+use super::scan::Scan;
 use crate::measure::{FILE, Measurements, Repeats, of_neighbours};
 use crate::model::Data;
 use crate::noise::{Acts, Along, MeasurementEffect, Noise, Restricted, Term, effects, step_of};
 use crate::process::{Absent, Holds};
 use crate::units::{ANGLE, LENGTH, TIME};
 
-/// Places at which a step of the zero is looked for.
-const STEPS: usize = 240;
-/// Fewest rows on either side of a step: fewer are wrong themselves.
-const LEAST_SIDE: usize = 3;
 /// Prior odds against an outlying row, as a term of −2 ln L: 2·ln(0.99/0.01).
 const ODDS: f64 = 9.2;
 /// Most groups whose zeros are sought.
@@ -47,8 +44,8 @@ fn penalty(term: &Term, measurements: &Measurements) -> f64 {
         Acts::Weighs => ODDS * term.rows.len() as f64,
         // Read off the values, stated by the model, or taken from a file: not chosen by the residuals.
         Acts::Rounds | Acts::Reads | Acts::Given => 0.0,
-        // A place among all rows counts as two parameters (Zhang and Siegmund 2007).
-        _ if *term.effect == effects::JUMP => 3.0 * n,
+        // A place among all rows counts as two parameters (Zhang and Siegmund 2007), and so does a period.
+        _ if [&effects::JUMP, &effects::WAVE].contains(&term.effect) => 3.0 * n,
         _ => n,
     }
 }
@@ -131,9 +128,13 @@ impl Suspicion<'_> {
             with(Term::new(&effects::UNCERTAINTY_SCALE));
         }
         resolutions(data, self.noise).into_iter().for_each(&mut with);
+        let scan = Scan::new(self);
         for observable in own_observables(data) {
-            let step = Term { observable, ..Term::new(&effects::JUMP) };
-            with(Term { rows: vec![self.step_at(&step)], ..step.clone() });
+            scan.step(&Term { observable, ..Term::new(&effects::JUMP) }).into_iter().for_each(&mut with);
+            for along in places(data) {
+                let wave = Term { observable, along: Some(along), ..Term::new(&effects::WAVE) };
+                scan.wave(&wave).into_iter().for_each(&mut with);
+            }
             let drift = Term { observable, ..Term::new(&effects::DRIFT) };
             if !drift.is_among(present) {
                 with(drift);
@@ -185,32 +186,6 @@ impl Suspicion<'_> {
         let others = self.noise.terms.iter().filter(|t| *t.effect != effects::OUTLIERS).cloned();
         let term = Term { rows, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
         others.chain([term]).collect()
-    }
-
-    /// First row of the step that gains most.
-    fn step_at(&self, step: &Term) -> usize {
-        let Acts::Shared(columns) = step.effect.acts else { return 0 };
-        let (data, noise) = (self.data, self.noise);
-        let white = |values: Vec<f64>| DVector::from_vec(noise.whiten(values));
-        let mean: Vec<_> = self.mean.column_iter().map(|c| white(c.iter().copied().collect())).collect();
-        let basis = if mean.is_empty() { DMatrix::zeros(data.len(), 0) } else { DMatrix::from_columns(&mean).qr().q() };
-        let z = white(self.residuals.to_vec());
-        let gain = |row: usize| {
-            let mut dense = vec![0.0; data.len()];
-            let term = Term { rows: vec![row], ..step.clone() };
-            columns(&term, data).into_iter().flatten().for_each(|(row, w)| dense[row] = w);
-            let column = white(dense);
-            let own = &column - &basis * (basis.transpose() * &column);
-            own.dot(&z).powi(2) / own.norm_squared().max(1e-9)
-        };
-        let best = |rows: &[usize]| {
-            let gains: Vec<f64> = rows.par_iter().map(|row| gain(*row)).collect();
-            (0..rows.len()).max_by(|a, b| gains[*a].total_cmp(&gains[*b])).map_or(0, |i| rows[i])
-        };
-        let stride = data.len().div_ceil(STEPS);
-        let (first, last) = (LEAST_SIDE, data.len() - LEAST_SIDE);
-        let coarse = best(&(first..=last).step_by(stride).collect::<Vec<_>>());
-        best(&(coarse.saturating_sub(stride).max(first)..=(coarse + stride).min(last)).collect::<Vec<_>>())
     }
 
     /// Rows that lie far outside of what the others scatter; `None` where there are none, or too many to be
@@ -280,6 +255,17 @@ fn groupings(data: &Data) -> Vec<Vec<usize>> {
     all
 }
 
+/// Coordinates that are places, angles or times, along which things change.
+fn places(data: &Data) -> impl Iterator<Item = Along> {
+    let coordinates = data.model.process.coordinates();
+    data.given.iter().filter_map(|i| match coordinates[*i].holds {
+        Holds::Quantity(kind) if [LENGTH, ANGLE, TIME].contains(&kind) => {
+            Some(Along { coordinate: *i, is_angle: kind == ANGLE })
+        }
+        _ => None,
+    })
+}
+
 /// Slopes along places, anew for every part, run or file: how it was put into the instrument. The slope that all of
 /// them share is the machine's as well as the instrument's, and is told by neither.
 fn alignments(data: &Data) -> Vec<Term> {
@@ -287,16 +273,13 @@ fn alignments(data: &Data) -> Vec<Term> {
     let is_label = |i: &usize| {
         coordinates.get(*i).is_none_or(|c| c.repeats || matches!(c.holds, Holds::Number(_) | Holds::Word(_)))
     };
-    let is_place = |i: &usize| {
-        let kind = coordinates[*i].holds.kind();
-        !is_label(i) && [Some(LENGTH), Some(ANGLE)].contains(&kind) && count(data, &[*i]) >= LEAST_PLACES
-    };
-    let places: Vec<usize> = data.given.iter().copied().filter(is_place).collect();
+    let is_time = |i: usize| coordinates[i].holds.kind() == Some(TIME);
+    let is_place =
+        |a: &Along| !is_label(&a.coordinate) && !is_time(a.coordinate) && count(data, &[a.coordinate]) >= LEAST_PLACES;
+    let places: Vec<Along> = places(data).filter(is_place).collect();
     let by = groupings(data).into_iter().filter(|by| by.iter().all(is_label) && count(data, by) >= LEAST_ASKEW);
-    let of_one = |(by, place): (&Vec<usize>, &usize)| {
-        let is_angle = coordinates[*place].holds.kind() == Some(ANGLE);
-        let along = Some(Along { coordinate: *place, is_angle });
-        let term = Term { by: by.clone(), along, ..Term::new(&effects::ALIGNMENT) };
+    let of_one = |(by, place): (&Vec<usize>, &Along)| {
+        let term = Term { by: by.clone(), along: Some(*place), ..Term::new(&effects::ALIGNMENT) };
         own_observables(data).into_iter().map(move |observable| Term { observable, ..term.clone() })
     };
     by.flat_map(|by| places.iter().flat_map(move |place| of_one((&by, place))).collect::<Vec<_>>()).collect()

@@ -17,7 +17,6 @@ use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{look_alike, next, sensitivity, told};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::{Repeats, repeats};
-use crate::noise::effects;
 use crate::process::Failure;
 
 /// Makes the diagnosis of the result of a search.
@@ -66,10 +65,10 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
             (goodness, verdict::features(base))
         }
     };
-    let is_curve = best.objective.noise.terms.iter().any(|t| *t.effect == effects::DISCREPANCY);
-    if is_curve && found.base.objective.data.terms.iter().all(|t| *t.effect != effects::DISCREPANCY) {
-        // A curve that no law has describes; it explains nothing.
-        let alone = best.members.is_empty() && told.iter().all(|m| m.effect.name == effects::DISCREPANCY.name);
+    let stated = &found.base.objective.data.terms;
+    if best.objective.noise.terms.iter().any(|t| t.effect.describes() && !t.is_among(stated)) {
+        // A curve or a wave that no law has describes; it explains nothing.
+        let alone = best.members.is_empty() && told.iter().all(Missing::describes);
         verdict = if alone { Verdict::Unexplained } else { Verdict::PartlyExplained };
         missing.splice(0..0, told);
     } else if !told.is_empty() {

@@ -8,6 +8,7 @@ use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
 use crate::noise::{MeasurementEffect, NoiseLevel};
 use crate::process::Description;
+use crate::units::Kind;
 
 /// Diagnosis of a model. SI units.
 pub struct Diagnosis {
@@ -73,8 +74,10 @@ pub enum Cause {
         effect: &'static MeasurementEffect,
         /// Coordinates whose levels group the rows.
         by: Vec<&'static str>,
-        /// Coordinate along which the part lies askew.
+        /// Coordinate along which the part lies askew or a wave runs.
         along: Option<&'static str>,
+        /// Period of a wave along it, SI, with its kind.
+        period: Option<(f64, Kind)>,
         /// Observable on which it acts, where the file has several.
         observable: Option<&'static str>,
         /// Records of the file, counted from 1: those that are outlying, or the first after a step.
@@ -93,6 +96,7 @@ impl Cause {
             effect,
             by: Vec::new(),
             along: None,
+            period: None,
             observable,
             records: Vec::new(),
             from: None,
@@ -118,6 +122,13 @@ pub struct Missing {
     pub indistinguishable_from: Vec<Description>,
     /// How far and along what its law bends, where that describes much of what is left.
     pub bend: Option<Bend>,
+}
+
+impl Missing {
+    /// Whether it only describes what no law here has.
+    pub fn describes(&self) -> bool {
+        matches!(self.cause, Cause::Measurement { effect, .. } if effect.describes())
+    }
 }
 
 /// Evaluation of one effect that the model does not have.

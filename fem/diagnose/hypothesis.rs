@@ -110,7 +110,7 @@ impl<'a> Hypothesis<'a> {
 
     /// Whether a curve that no law has stands in its noise.
     fn describes(&self) -> bool {
-        self.found.best().objective.noise.terms.iter().any(|t| *t.effect == effects::DISCREPANCY)
+        self.found.best().objective.noise.terms.iter().any(|t| t.effect.describes())
     }
 
     /// Whether its noise could swallow what a model lacks: it is believed only where it explains everything.

@@ -50,12 +50,12 @@ pub fn told(
             instrument::plain(base, repeats, &noise.terms[..=number]).0.with(noise.terms[..=number].to_vec(), data);
         let solution = minimise(&mut grown.objective, &plain.solution.position, &[], StoppingCriterion::FULL);
         grown.solution = solution.unwrap_or_else(|| plain.solution.clone());
+        let along = term.along.map(|along| data.model.process.coordinates()[along.coordinate]);
         Missing {
             cause: Cause::Measurement {
                 effect: term.effect,
-                along: (*term.effect == effects::ALIGNMENT)
-                    .then(|| term.along.map(|along| data.model.process.coordinates()[along.coordinate].name))
-                    .flatten(),
+                along: along.map(|coordinate| coordinate.name),
+                period: term.period.zip(along.and_then(|coordinate| coordinate.holds.kind())),
                 by: term.by.iter().map(|i| grouping_name(data.model.process, *i)).collect(),
                 observable: term.observable.map(|o| data.model.process.observables()[o].name),
                 records: records(term, data),

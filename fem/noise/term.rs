@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::effects::{DISCREPANCY, WAVE};
 use super::given::GivenCovariance;
 use crate::measure::Measurements;
 use crate::process::Parameter;
@@ -27,6 +28,13 @@ pub struct MeasurementEffect {
     pub size: Size,
     /// How it enters the covariance.
     pub acts: Acts,
+}
+
+impl MeasurementEffect {
+    /// Whether it only describes what no law here has: it explains nothing.
+    pub fn describes(&self) -> bool {
+        [&DISCREPANCY, &WAVE].contains(&self)
+    }
 }
 
 impl PartialEq for MeasurementEffect {
@@ -114,6 +122,8 @@ pub struct Term {
     pub by: Vec<usize>,
     /// The coordinate along which it changes, if it does.
     pub along: Option<Along>,
+    /// Period of a wave along that coordinate, SI.
+    pub period: Option<f64>,
     /// The observable on which it acts, by its position in the process's list; `None` for all.
     pub observable: Option<usize>,
     /// Rows, from 0: those that are outlying, or the first after a step.
@@ -134,6 +144,7 @@ impl Term {
             table: String::new(),
             by: Vec::new(),
             along: None,
+            period: None,
             observable: None,
             rows: Vec::new(),
             file: None,

@@ -96,7 +96,11 @@ pub fn words(term: &Term, process: &dyn Process, measurements: Option<&Measureme
     let mut text = term.effect.name.to_string();
     text.push_str(&grouped(&coordinates(term, process)));
     if let Some(along) = term.along {
-        let _ = write!(text, " along {}", process.coordinates()[along.coordinate].name);
+        let coordinate = process.coordinates()[along.coordinate];
+        let _ = write!(text, " along {}", coordinate.name);
+        if let Some((period, kind)) = term.period.zip(coordinate.holds.kind()) {
+            let _ = write!(text, " once in {:.3} {}", kind.from_si(period), kind.unit);
+        }
     }
     if let Some(observable) = term.observable {
         let _ = write!(text, " of {}", process.observables()[observable].name);
@@ -163,6 +167,10 @@ pub fn json(terms: &[Term], process: &dyn Process, measurements: Option<&Measure
             "table": Some(&term.table).filter(|table| !table.is_empty()),
             "by": coordinates(term, process),
             "along": term.along.map(|a| process.coordinates()[a.coordinate].name),
+            "period": term.period.zip(term.along).map(|(period, along)| {
+                let kind = process.coordinates()[along.coordinate].holds.kind();
+                kind.map(|kind| json!({ "value": kind.from_si(period), "unit": kind.unit }))
+            }),
             "observable": term.observable.map(|o| process.observables()[o].name),
             "rows": term.rows.iter().map(record).collect::<Vec<_>>(),
             "parameter": term.effect.size.key(),

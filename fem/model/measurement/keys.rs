@@ -22,9 +22,12 @@ pub const BY: Key = Key {
 /// The coordinate along which a part lies askew.
 pub const ALONG: Key = Key {
     name: "along",
-    about: "the coordinate along which it lies askew, or the angle around it",
+    about: "the coordinate along which it lies askew or a wave runs, or the angle around it",
     example: "position",
 };
+/// The period of a wave.
+pub const PERIOD: Key =
+    Key { name: "period", about: "length of one wave, in a unit of that coordinate", example: "90 mm" };
 /// The observable on which an effect acts.
 pub const OBSERVABLE: Key =
     Key { name: "observable", about: "the observable on which it acts, where a file has several", example: "" };
@@ -65,7 +68,8 @@ pub fn keys(effect: &MeasurementEffect) -> Vec<Key> {
     let mut keys = Vec::new();
     for (has, key) in [
         (groups, BY),
-        (is(&effects::ALIGNMENT), ALONG),
+        (is(&effects::ALIGNMENT) || is(&effects::WAVE), ALONG),
+        (is(&effects::WAVE), PERIOD),
         (of_one, OBSERVABLE),
         (matches!(effect.acts, Acts::Weighs), ROWS),
         (is(&effects::JUMP), FROM),

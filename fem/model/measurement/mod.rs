@@ -12,9 +12,9 @@ use std::path::PathBuf;
 use crate::input::{Cache, Reader, did_you_mean, is_one_of};
 use crate::measure::{FILE, FILE_WORD};
 use crate::noise::{Acts, Along, GivenCovariance, MeasurementEffect, Size, Term, effects};
-use crate::process::{Holds, Parameter, Process};
-use crate::units::{ANGLE, TIME, Unit};
-use keys::{ALONG, BY, FROM, IN_FILE, OBSERVABLE, ROWS, UNIT};
+use crate::process::{Coordinate, Holds, Parameter, Process};
+use crate::units::{ANGLE, Kind, Knowledge, LENGTH, Quantity, TIME, Unit};
+use keys::{ALONG, BY, FROM, IN_FILE, OBSERVABLE, PERIOD, ROWS, UNIT};
 
 /// The covariances of a model, by their files and the factors of their units.
 type Covariances = Cache<(PathBuf, u64), GivenCovariance, 4>;
@@ -64,6 +64,9 @@ fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process
     if *effect == effects::ALIGNMENT {
         return alignment(term, table, process);
     }
+    if *effect == effects::WAVE {
+        return wave(term, table, process);
+    }
     match (effect.acts, effect.size) {
         (Acts::Reads, Size::Quantity(Parameter { name, kind, about, .. })) => {
             let field = table.quantity(name, *kind, about);
@@ -103,29 +106,7 @@ fn sized(mut term: Term, table: &Reader, process: &dyn Process) -> Option<Term> 
 
 /// Offset and slope of an alignment; one that is zero is left out.
 fn alignment(term: Term, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
-    let names = || process.coordinates().iter().map(|c| c.name);
-    let along = table.text(ALONG.name, ALONG.about);
-    let position = along.as_ref().and_then(|along| names().position(|name| name == along));
-    let holds = position.map(|i| process.coordinates()[i].holds);
-    let listed = || {
-        let is_quantity = |c: &&crate::process::Coordinate| matches!(c.holds, Holds::Quantity(_));
-        let all = process.coordinates().iter().filter(is_quantity).map(|c| c.name);
-        format!("known are {}", all.collect::<Vec<_>>().join(", "))
-    };
-    match (&along, holds) {
-        (None, _) => table.problem(
-            ALONG.name,
-            "it is not said along what the part lies askew",
-            format!("add along; {}", listed()),
-        ),
-        (Some(_), Some(Holds::Quantity(_))) => {}
-        (Some(name), Some(_)) => table.problem(ALONG.name, format!("`{name}` is no length, angle or time"), listed()),
-        (Some(name), None) => {
-            let meant = did_you_mean(name, names(), '"');
-            table.problem(ALONG.name, format!("`{name}` is no coordinate"), format!("{meant}{}", listed()));
-        }
-    }
-    let along = position.map(|coordinate| Along { coordinate, is_angle: holds.and_then(Holds::kind) == Some(ANGLE) });
+    let along = along(table, process, "the part lies askew").map(|(along, _)| along);
     let offset = sized(Term { effect: &effects::ALIGNMENT_OFFSET, ..term.clone() }, table, process);
     let slope = sized(Term { along, ..term }, table, process);
     let all: Vec<Term> = offset.into_iter().chain(slope).filter(|t| t.size != 0.0).collect();
@@ -133,6 +114,59 @@ fn alignment(term: Term, table: &Reader, process: &'static dyn Process) -> Vec<T
         table.problem("slope", "neither an offset nor a slope is at work", "leave the table out, or write \"?\"");
     }
     all
+}
+
+/// The coordinate along which something `happens`, with its kind; `None` where none is said, and the problem is noted.
+fn along(table: &Reader, process: &dyn Process, happens: &str) -> Option<(Along, Kind)> {
+    let names = || process.coordinates().iter().map(|c| c.name);
+    let said = table.text(ALONG.name, ALONG.about);
+    let listed = || {
+        let is_quantity = |c: &&Coordinate| matches!(c.holds, Holds::Quantity(_));
+        let all = process.coordinates().iter().filter(is_quantity).map(|c| c.name);
+        format!("known are {}", all.collect::<Vec<_>>().join(", "))
+    };
+    let Some(said) = said else {
+        let message = format!("it is not said along what {happens}");
+        table.problem(ALONG.name, message, format!("add along; {}", listed()));
+        return None;
+    };
+    let Some(coordinate) = names().position(|name| name == said) else {
+        let meant = did_you_mean(&said, names(), '"');
+        table.problem(ALONG.name, format!("`{said}` is no coordinate"), format!("{meant}{}", listed()));
+        return None;
+    };
+    let Holds::Quantity(kind) = process.coordinates()[coordinate].holds else {
+        table.problem(ALONG.name, format!("`{said}` is no length, angle or time"), listed());
+        return None;
+    };
+    Some((Along { coordinate, is_angle: kind == ANGLE }, kind))
+}
+
+/// A wave with the coordinate along which it runs.
+fn wave(term: Term, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
+    let along = along(table, process, "the wave runs");
+    let kind = along.map_or(LENGTH, |(_, kind)| kind);
+    let period = period(table, kind);
+    let along = along.map(|(along, _)| along);
+    sized(Term { along, period, ..term }, table, process).into_iter().collect()
+}
+
+/// The period of a wave; `None` where it is not known, and the problem is noted.
+fn period(table: &Reader, kind: Kind) -> Option<f64> {
+    let key = PERIOD.name;
+    let Some(text) = table.text(key, PERIOD.about) else {
+        table.problem(key, "the period of the wave is not said", format!("add period = \"{}\"", PERIOD.example));
+        return None;
+    };
+    match Quantity::parse(&text, &kind) {
+        Ok(Quantity { value, knowledge: Knowledge::Known }) if value > 0.0 => return Some(value),
+        Ok(_) => {
+            let help = "write the value alone, above zero; `fem diagnose` looks for one that is not known";
+            table.problem(key, format!("`{text}` is no period"), help);
+        }
+        Err(e) => table.problem(key, format!("`{key}`: {}", e.message), e.hint.unwrap_or_default()),
+    }
+    None
 }
 
 /// The covariance that a file gives; `None` where there is none, and the problem is noted.

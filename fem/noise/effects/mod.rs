@@ -12,6 +12,7 @@ mod jump;
 mod outliers;
 mod resolution;
 mod uncertainty_scale;
+mod wave;
 mod zero_shift;
 
 pub use alignment::{ALIGNMENT, ALIGNMENT_OFFSET};
@@ -25,6 +26,7 @@ pub use jump::JUMP;
 pub use outliers::{OUTLIERS, OUTLYING};
 pub use resolution::RESOLUTION;
 pub use uncertainty_scale::UNCERTAINTY_SCALE;
+pub use wave::WAVE;
 pub use zero_shift::ZERO_SHIFT;
 
 use super::term::MeasurementEffect;
@@ -45,5 +47,6 @@ pub static ALL: &[&MeasurementEffect] = &[
     &ALIGNMENT,
     &CLOCK,
     &COVARIANCE,
+    &WAVE,
     &DISCREPANCY,
 ];

@@ -21,7 +21,7 @@ pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Vec<Setting
     let mut addition = |missing: &Missing| {
         let (name, settings) = match &missing.cause {
             Cause::Physical => (missing.effect.name.to_string(), fitted_settings(missing, &diagnosis.fit)),
-            Cause::Measurement { effect, by, along, observable, records, from_line, .. } => {
+            Cause::Measurement { effect, by, along, period, observable, records, from_line, .. } => {
                 let listed = records.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
                 let text = |key: &str, value: String| Setting { key: key.into(), value };
                 let by = (!by.is_empty()).then(|| text("by", by.join(", ")));
@@ -29,8 +29,11 @@ pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Vec<Setting
                 let rows = if from_line.is_some() { "from" } else { "rows" };
                 let rows = (!records.is_empty()).then(|| text(rows, listed));
                 let along = along.map(|name| text("along", name.into()));
-                let level = along.is_some().then(|| text(effects::ALIGNMENT_OFFSET.size.key(), "0 um".into()));
-                let texts = [by, along, observable, rows, level].into_iter().flatten();
+                let is_askew = **effect == effects::ALIGNMENT;
+                let level = is_askew.then(|| text(effects::ALIGNMENT_OFFSET.size.key(), "0 um".into()));
+                let period =
+                    period.map(|(si, kind)| text("period", format!("{:.6} {}", Short(kind.from_si(si)), kind.unit)));
+                let texts = [by, along, period, observable, rows, level].into_iter().flatten();
                 let name = data.model.free_table(missing.effect.name, &names);
                 let sizes = match effect.acts {
                     Acts::Reads => fitted_settings(missing, &diagnosis.fit),

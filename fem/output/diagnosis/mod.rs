@@ -63,6 +63,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
         "verdict": d.verdict.word(),
         "missing": d.missing.iter().map(|m| missing(m, data)).collect::<Vec<_>>(),
+        "described": d.missing.iter().filter(|m| m.describes()).map(text::label).collect::<Vec<_>>(),
         "outliers": d.outliers.iter().map(|o| outlier(o, data)).collect::<Vec<_>>(),
         "after": after(d, kind),
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
@@ -112,8 +113,8 @@ fn missing(missing: &Missing, data: &Data) -> Json {
     let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
     let measurement = match &missing.cause {
         Cause::Physical => None,
-        Cause::Measurement { effect, by, observable, records, from_line, .. } => {
-            Some((effect, by, observable, records, from_line))
+        Cause::Measurement { effect, by, observable, records, from_line, along, period, .. } => {
+            Some((effect, by, observable, records, from_line, along, period))
         }
     };
     json!({
@@ -123,6 +124,8 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "observable": measurement.map(|m| m.2),
         "rows": measurement.map(|m| m.3),
         "from_line": measurement.map(|m| m.4),
+        "along": measurement.map(|m| m.5),
+        "period": measurement.and_then(|m| *m.6).map(|(period, kind)| json!({ "value": kind.from_si(period), "unit": kind.unit })),
         "separated_by": measurement.map(|m| m.0.separates),
         "known_as": measurement.and_then(|m| curve(m.0, m.1, data.model.process)).map(|c| c.0),
         "rms_after": kind.from_si(missing.goodness.rms),

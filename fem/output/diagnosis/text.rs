@@ -86,9 +86,13 @@ fn where_it_fails(text: &mut String, d: &Diagnosis, columns: usize) {
 pub fn label(missing: &Missing) -> String {
     match &missing.cause {
         Cause::Physical => missing.effect.name.to_string(),
-        Cause::Measurement { by, observable, .. } => {
+        Cause::Measurement { by, observable, along, period, .. } => {
             let of = observable.map_or(String::new(), |name| format!(" of {name}"));
-            format!("{}{}{of}", missing.effect.name, measurement::grouped(by))
+            let along = along.map_or(String::new(), |name| format!(" along {name}"));
+            let period = period.map_or(String::new(), |(period, kind)| {
+                format!(", once in {:.4} {}", Short(kind.from_si(period)), kind.unit)
+            });
+            format!("{}{}{along}{of}{period}", missing.effect.name, measurement::grouped(by))
         }
     }
 }
