@@ -4,7 +4,7 @@
 use super::bent_law;
 use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
-use super::hypothesis::{Hypothesis, is_greedy};
+use super::hypothesis::{Hypothesis, is_greedy, stands_or_falls};
 use super::instrument::{self, Proposal};
 use super::null_distribution::variance;
 use super::search::{Breadth, Extent, SIGNIFICANCE, SearchResult};
@@ -68,12 +68,12 @@ impl Exploration<'_> {
             path.push(without);
         }
         self.grow(&mut path, |_| true)?;
-        if path.last().is_some_and(|h| h.is_greedy() && !h.explains) {
+        if path.last().is_some_and(|h| h.stands_or_falls() && !h.explains) {
             // What could swallow everything and does not is no reason to overlook the others.
-            while path.len() > 1 && path.last().is_some_and(Hypothesis::is_greedy) {
+            while path.len() > 1 && path.last().is_some_and(Hypothesis::stands_or_falls) {
                 path.pop();
             }
-            self.grow(&mut path, |proposal| !is_greedy(&proposal.noise.terms))?;
+            self.grow(&mut path, |proposal| !stands_or_falls(&proposal.noise.terms))?;
         }
         if path.last().is_some_and(|h| !h.found.best().members.is_empty()) {
             let alone = path.first().map_or(Ok(None), |first| self.alone(first))?;

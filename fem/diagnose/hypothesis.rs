@@ -113,13 +113,24 @@ impl<'a> Hypothesis<'a> {
         self.found.best().objective.noise.terms.iter().any(|t| t.effect.describes())
     }
 
-    /// Whether its noise could swallow what a model lacks: it is believed only where it explains everything.
+    /// Whether its noise could swallow what a model lacks.
     pub fn is_greedy(&self) -> bool {
         is_greedy(&self.found.best().objective.noise.terms)
+    }
+
+    /// Whether its noise is believed only where it explains everything.
+    pub fn stands_or_falls(&self) -> bool {
+        stands_or_falls(&self.found.best().objective.noise.terms)
     }
 }
 
 /// Whether one of these terms could swallow what a model lacks.
 pub fn is_greedy(terms: &[Term]) -> bool {
     terms.iter().any(|t| matches!(t.effect.acts, Acts::Neighbours | Acts::Scales))
+}
+
+/// Whether one of these terms is believed only where nothing is left beside it: what could swallow what a model lacks,
+/// and a wave, of which several make any curve.
+pub fn stands_or_falls(terms: &[Term]) -> bool {
+    is_greedy(terms) || terms.iter().any(|t| *t.effect == effects::WAVE)
 }

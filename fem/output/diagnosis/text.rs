@@ -99,7 +99,8 @@ pub fn label(missing: &Missing) -> String {
 
 fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &Diagnosis) {
     let effect = &missing.effect;
-    let _ = writeln!(text, "\ncause {number}: {}, {}", label(missing), effect.about);
+    let what = if missing.describes() { "described" } else { "cause" };
+    let _ = writeln!(text, "\n{what} {number}: {}, {}", label(missing), effect.about);
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
     for e in &missing.estimates {
         let k = e.parameter.kind;
@@ -210,7 +211,7 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
 /// Describes the structure that remains.
 pub fn unexplained(d: &Diagnosis) -> String {
     match &d.remaining[..] {
-        [] if d.after.is_as_noise() => "nothing but noise beside a curve that describes and explains nothing".into(),
+        [] if d.after.is_as_noise() => "nothing but noise beside what is described and not explained".into(),
         [] => "more is left than the noise explains, but along no coordinate".into(),
         features => features.iter().map(|f| f.text.clone()).collect::<Vec<_>>().join("; "),
     }
