@@ -3,8 +3,11 @@
 //! Rows are binned along a coordinate, and the means of the bins are compared with the scatter that the
 //! noise alone would give them. Rows are also correlated with waves along the coordinate, or along both of a
 //! pair, which show what bins average out. The p-values are multiplied by the number of tests (Bonferroni).
-//! Where the noise is only estimated, or scaled by an estimated factor, a permutation test takes the place of the table: residuals are
-//! shuffled over the rows, and a feature must beat the smallest p-value of each shuffle (max-statistic).
+//! Where the noise is only estimated, or scaled by an estimated factor, a permutation test takes the place of
+//! the table: residuals are shuffled over the rows, and a feature must beat the smallest p-value of each
+//! shuffle (max-statistic).
+
+use rayon::prelude::*;
 
 use super::binning::{Along, Binned, Statistic, binnings};
 use super::rng::Rng;
@@ -18,6 +21,8 @@ use crate::process::Process;
 const MANY: usize = 20_000;
 /// Shuffles of the residuals where the noise is estimated; the smallest p-value is 2/1000.
 const SHUFFLES: usize = 999;
+/// Where the random numbers of the shuffles begin.
+const SEED: u64 = 0x5EED;
 
 /// Structure that the noise does not explain.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,7 +137,8 @@ enum NullDistribution {
     /// residuals that are far larger than the rest make cells of pairs look significant by chance, and would
     /// hide a structure along one coordinate.
     Permutation {
-        /// Smallest p-value of each shuffle, rising, along single coordinates and along pairs.
+        /// Smallest p-value of each shuffle, rising, along single coordinates and along pairs; empty where no
+        /// shuffle is needed to see that there is nothing.
         smallest: [Vec<f64>; 2],
         /// Number of rows.
         rows: usize,
@@ -142,30 +148,21 @@ enum NullDistribution {
 }
 
 impl NullDistribution {
-    /// Makes the null distribution of standardised residuals. Residuals that are shuffled are scaled to a
-    /// mean square of one: measured by a noise that is a small part of them, every shuffle would be as
-    /// significant as they are.
+    /// Makes the null distribution of standardised residuals.
     fn new(source: NoiseSource, binnings: &[Binned], z: &mut [f64]) -> Self {
         if source != NoiseSource::Estimated || z.len() > MANY {
             return Self::Bonferroni(binnings.len() as f64);
         }
+        // Residuals that are shuffled are scaled to a mean square of one: measured by a noise that is a small part of
+        // them, every shuffle would be as significant as they are.
         let square = (z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64).max(1.0);
         let scale = square.sqrt();
         z.iter_mut().for_each(|z| *z /= scale);
-        let mut shuffled = z.to_vec();
-        let mut rng = Rng::new(0x5EED);
-        let mut smallest = [Vec::new(), Vec::new()];
-        for _ in 0..SHUFFLES {
-            for i in (1..shuffled.len()).rev() {
-                shuffled.swap(i, rng.below(i + 1));
-            }
-            // A shuffle cannot change the mean, which is no feature without a known noise.
-            for (coordinates, smallest) in (1..).zip(&mut smallest) {
-                let own = binnings.iter().filter(|a| a.along.0.len() == coordinates);
-                smallest.push(own.map(|a| a.statistic(&shuffled).p_value).fold(1.0, f64::min));
-            }
-        }
-        smallest.iter_mut().for_each(|s| s.sort_unstable_by(f64::total_cmp));
+        // A shuffle cannot change the mean, which is no feature without a known noise.
+        let smallest = [1, 2].map(|coordinates| {
+            let own: Vec<&Binned> = binnings.iter().filter(|b| b.along.0.len() == coordinates).collect();
+            smallest_of_shuffles(&own, z)
+        });
         Self::Permutation { smallest, rows: z.len(), square }
     }
 
@@ -179,10 +176,34 @@ impl NullDistribution {
             }
             (Self::Permutation { smallest, .. }, coordinates) => {
                 let own = &smallest[coordinates - 1];
+                if own.is_empty() {
+                    return 1.0;
+                }
                 let below = own.partition_point(|p| *p <= statistic.p_value);
                 // Single coordinates and pairs are both tested.
                 (2.0 * (below + 1) as f64 / (own.len() + 1) as f64).min(1.0)
             }
         }
     }
+}
+
+/// The smallest p-value of each of many shuffles, rising; nothing where the values as they stand are far from
+/// significant: the smallest of several p-values is below one of them more often than that one itself.
+fn smallest_of_shuffles(binnings: &[&Binned], z: &[f64]) -> Vec<f64> {
+    /// Ratio to the level of significance that allows for p-values from a table.
+    const FAR: f64 = 3.0;
+    let smallest = |z: &[f64]| binnings.iter().map(|b| b.statistic(z).p_value).fold(1.0, f64::min);
+    if smallest(z) > FAR * SIGNIFICANCE {
+        return Vec::new();
+    }
+    let shuffle = |number: usize| {
+        let (mut shuffled, mut rng) = (z.to_vec(), Rng::new(SEED + number as u64));
+        for i in (1..shuffled.len()).rev() {
+            shuffled.swap(i, rng.below(i + 1));
+        }
+        smallest(&shuffled)
+    };
+    let mut all: Vec<f64> = (0..SHUFFLES).into_par_iter().map(shuffle).collect();
+    all.sort_unstable_by(f64::total_cmp);
+    all
 }

@@ -131,7 +131,9 @@ impl Suspicion<'_> {
         let scan = Scan::new(self);
         for observable in own_observables(data) {
             scan.step(&Term { observable, ..Term::new(&effects::JUMP) }).into_iter().for_each(&mut with);
-            for along in places(data) {
+            // Several waves make any curve, and none of them is there.
+            let is_wave = |t: &Term| *t.effect == effects::WAVE && t.observable == observable;
+            for along in places(data).filter(|_| !present.iter().any(is_wave)) {
                 let wave = Term { observable, along: Some(along), ..Term::new(&effects::WAVE) };
                 scan.wave(&wave).into_iter().for_each(&mut with);
             }

@@ -3,6 +3,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+/// Part of the product of two squares below which their determinant is round-off.
+const DEPENDENT: f64 = 1e-14;
+
 /// Fall of χ² and the amplitudes that give it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gain {
@@ -24,6 +27,9 @@ pub fn gain(gram: &DMatrix<f64>, along: &DVector<f64>, signed: &[bool]) -> Gain 
         }
         return best;
     }
+    if n == 2 {
+        return of_two(gram, along, signed);
+    }
     for used in 1u32..1 << n {
         let members: Vec<usize> = (0..n).filter(|i| used & (1 << i) != 0).collect();
         let part = DMatrix::from_fn(members.len(), members.len(), |r, c| gram[(members[r], members[c])]);
@@ -37,6 +43,25 @@ pub fn gain(gram: &DMatrix<f64>, along: &DVector<f64>, signed: &[bool]) -> Gain 
             best.delta_chi2 = delta_chi2;
             best.amplitudes = vec![0.0; n];
             members.iter().zip(a.iter()).for_each(|(i, a)| best.amplitudes[*i] = *a);
+        }
+    }
+    best
+}
+
+/// The same for two columns, without a matrix: pairs of effects are many.
+fn of_two(gram: &DMatrix<f64>, along: &DVector<f64>, signed: &[bool]) -> Gain {
+    let (p, q, r) = (gram[(0, 0)], gram[(1, 1)], gram[(0, 1)]);
+    let (u, v) = (along[0], along[1]);
+    let determinant = p * q - r * r;
+    let both = [(q * u - r * v) / determinant, (p * v - r * u) / determinant];
+    let allowed = |a: [f64; 2]| a.iter().zip(signed).all(|(a, signed)| *signed || *a >= 0.0);
+    let mut best = Gain { delta_chi2: 0.0, amplitudes: vec![0.0; 2] };
+    let one = |a: f64| if a.is_finite() { a } else { 0.0 };
+    let trials = [[one(u / p), 0.0], [0.0, one(v / q)], if determinant > DEPENDENT * p * q { both } else { [0.0; 2] }];
+    for amplitudes in trials.into_iter().filter(|a| allowed(*a)) {
+        let delta_chi2 = amplitudes[0] * u + amplitudes[1] * v;
+        if delta_chi2 > best.delta_chi2 {
+            best = Gain { delta_chi2, amplitudes: amplitudes.to_vec() };
         }
     }
     best

@@ -25,6 +25,7 @@ mod pairs;
 mod plan;
 mod prior_conflict;
 mod residual_projection;
+mod screening;
 mod search;
 mod sensitivity;
 mod settle;

@@ -3,20 +3,20 @@
 //!
 //! Many effects with many nonlinear parameters are tried, and the best is taken; its Δχ² follows no χ²
 //! distribution of a table. So the whole search is simulated on noise, with the same projection and the same
-//! sensitivities, and the gain that was found is compared with those (parametric bootstrap).
+//! sensitivities, and the gain that was found is compared with those (parametric bootstrap). A search sees the rows
+//! only through their products with the sensitivities, whose distribution is known: no row need be drawn.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 
-use super::gain::gain;
-use super::residual_projection::ProjectedResidual;
-use super::sensitivity::CandidateEffect;
+use super::screening::Screening;
 use crate::compare::Rng;
 use crate::measure::Repeats;
 use crate::noise::{Acts, Noise, NoiseSource, beyond_chi2};
 
-/// Number of simulated searches.
+/// Number of simulated searches, and of those that are drawn together.
 const SEARCHES: usize = 1000;
+const TOGETHER: usize = 50;
 /// Number of exceedances below which a p-value is extrapolated along the tail of χ².
 const FEW: usize = 10;
 
@@ -38,24 +38,26 @@ pub struct MaxStatistic {
 }
 
 impl MaxStatistic {
-    /// Simulates searches over `candidates`.
-    pub fn simulate(projected: &ProjectedResidual, candidates: &[&CandidateEffect], variance: Variance) -> Self {
-        let variants: Vec<ProjectedVariant> = candidates
-            .iter()
-            .flat_map(|c| &c.variants)
-            .map(|v| {
-                let columns = projected.project_columns(&v.columns);
-                ProjectedVariant { gram: columns.transpose() * &columns, columns, signed: &v.signed }
-            })
-            .filter(|p| p.gram.diagonal().min() > 0.0)
-            .collect();
-        let search = |seed: usize| {
-            let mut rng = Rng::new(seed as u64);
-            let noise = DVector::from_fn(projected.residual.len(), |_, _| rng.normal());
-            let best = variants.iter().map(|p| p.delta_chi2(&noise)).fold(0.0, f64::max);
-            best / variance.square(projected, &noise, best, &mut rng)
+    /// Simulates searches over candidates beside a residual with so many degrees of freedom.
+    pub fn simulate(screening: &Screening, freedom: f64, variance: Variance) -> Self {
+        let factor = screening.factor();
+        let together = |first: usize| {
+            let mut draws: Vec<Rng> = (first..first + TOGETHER).map(|seed| Rng::new(seed as u64)).collect();
+            let mut normal = DMatrix::zeros(factor.ncols(), TOGETHER);
+            for (mut column, rng) in normal.column_iter_mut().zip(&mut draws) {
+                column.iter_mut().for_each(|entry| *entry = rng.normal());
+            }
+            let along = &factor * &normal;
+            let gain = |(number, mut rng): (usize, Rng)| {
+                let own = &along.as_slice()[number * along.nrows()..][..along.nrows()];
+                let best = screening.variants.iter().map(|v| screening.delta_chi2(v, own)).fold(0.0, f64::max);
+                let left = normal.column(number).norm_squared() - best;
+                best / variance.square(left, factor.ncols() as f64, freedom, &mut rng)
+            };
+            draws.into_iter().enumerate().map(gain).collect::<Vec<f64>>()
         };
-        let mut gains: Vec<f64> = (0..SEARCHES).into_par_iter().map(search).collect();
+        let starts: Vec<usize> = (0..SEARCHES).step_by(TOGETHER).collect();
+        let mut gains: Vec<f64> = starts.into_par_iter().flat_map_iter(together).collect();
         gains.sort_unstable_by(f64::total_cmp);
         Self { gains }
     }
@@ -81,37 +83,14 @@ impl MaxStatistic {
     }
 }
 
-struct ProjectedVariant<'a> {
-    columns: DMatrix<f64>,
-    gram: DMatrix<f64>,
-    signed: &'a [bool],
-}
-
-impl ProjectedVariant<'_> {
-    /// Fall of χ² on a draw of noise. The columns are projected, so that the noise need not be.
-    fn delta_chi2(&self, noise: &DVector<f64>) -> f64 {
-        if let [signed] = self.signed {
-            let along = self.columns.column(0).dot(noise);
-            return if along > 0.0 || *signed { along * along / self.gram[(0, 0)] } else { 0.0 };
-        }
-        gain(&self.gram, &(self.columns.transpose() * noise), self.signed).delta_chi2
-    }
-}
-
 impl Variance {
-    /// Draws the estimate of σ² that data would give when its true value is 1.
-    fn square(self, projected: &ProjectedResidual, noise: &DVector<f64>, gain: f64, rng: &mut Rng) -> f64 {
+    /// Draws the estimate of σ² that data with so many degrees of `freedom` would give when its true value is 1; `left`
+    /// is the χ² that the best effect leaves of the directions that effects can make, of which `inside` is the number.
+    fn square(self, left: f64, inside: f64, freedom: f64, rng: &mut Rng) -> f64 {
         match self {
             Self::Known => 1.0,
-            // Wilson and Hilferty 1931: χ²_ν/ν is nearly the cube of a normal; to 1 % for ν ≥ 5.
-            Self::Estimated(freedom) => {
-                let a = 2.0 / (9.0 * freedom);
-                (1.0 - a + rng.normal() * a.sqrt()).max(0.0).powi(3).max(1e-3)
-            }
-            Self::Residual => {
-                let left = projected.project(noise.clone()).norm_squared() - gain;
-                left / (projected.freedom - 1.0).max(1.0)
-            }
+            Self::Estimated(freedom) => (chi2(freedom, rng) / freedom).max(1e-3),
+            Self::Residual => (left + chi2(freedom - inside, rng)) / (freedom - 1.0).max(1.0),
         }
     }
 
@@ -123,6 +102,17 @@ impl Variance {
             Self::Residual => gain / (left / freedom.max(1.0)),
         }
     }
+}
+
+/// Draws χ² with ν degrees of freedom: nearly ν times the cube of a normal, to 1 % for ν ≥ 5 (Wilson and Hilferty
+/// 1931); a sum of squares where a few are left.
+fn chi2(freedom: f64, rng: &mut Rng) -> f64 {
+    const FEW: f64 = 8.0;
+    if freedom < FEW && freedom.fract() == 0.0 {
+        return (0..freedom.max(0.0) as usize).map(|_| rng.normal().powi(2)).sum();
+    }
+    let a = 2.0 / (9.0 * freedom);
+    freedom * (1.0 - a + rng.normal() * a.sqrt()).max(0.0).powi(3)
 }
 
 /// What the variance of the rows is known from.

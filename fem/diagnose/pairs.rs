@@ -2,42 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::gain::{Gain, gain};
-use super::residual_projection::ProjectedResidual;
-use super::sensitivity::{CandidateEffect, Variant};
-
-/// Variant with the model's own freedom projected out.
-struct ProjectedVariant<'a> {
-    columns: DMatrix<f64>,
-    gram: DMatrix<f64>,
-    along: DVector<f64>,
-    signed: &'a [bool],
-}
-
-impl<'a> ProjectedVariant<'a> {
-    fn new(projected: &ProjectedResidual, variant: &'a Variant) -> Self {
-        let columns = projected.project_columns(&variant.columns);
-        let (gram, along) = (columns.transpose() * &columns, columns.transpose() * &projected.residual);
-        Self { columns, gram, along, signed: &variant.signed }
-    }
-
-    /// Gain with both variants.
-    fn with(&self, other: &Self) -> Gain {
-        let (m, n) = (self.columns.ncols(), other.columns.ncols());
-        let cross = self.columns.transpose() * &other.columns;
-        let mut gram = DMatrix::zeros(m + n, m + n);
-        gram.view_mut((0, 0), (m, m)).copy_from(&self.gram);
-        gram.view_mut((m, m), (n, n)).copy_from(&other.gram);
-        gram.view_mut((0, m), (m, n)).copy_from(&cross);
-        gram.view_mut((m, 0), (n, m)).copy_from(&cross.transpose());
-        let along = DVector::from_iterator(m + n, self.along.iter().chain(other.along.iter()).copied());
-        let signed = [self.signed, other.signed].concat();
-        gain(&gram, &along, &signed)
-    }
-}
+use super::gain::Gain;
+use super::screening::{ScreenedVariant, Screening};
+use super::sensitivity::CandidateEffect;
 
 /// Two candidate effects in the variants with the largest joint gain.
 #[derive(Clone, Debug)]
@@ -62,16 +31,19 @@ impl Pair {
 }
 
 /// Finds the joint gain of every pair of candidate effects that has any, by their numbers in rising order.
-pub fn pairs(projected: &ProjectedResidual, candidates: &[&CandidateEffect]) -> BTreeMap<(usize, usize), Pair> {
-    let all: Vec<Vec<ProjectedVariant>> =
-        candidates.iter().map(|c| c.variants.iter().map(|v| ProjectedVariant::new(projected, v)).collect()).collect();
-    let pairs: Vec<(usize, usize)> = (0..candidates.len()).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
+pub fn pairs(screening: &Screening) -> BTreeMap<(usize, usize), Pair> {
+    let of_effects: Vec<&[ScreenedVariant]> = screening.variants.chunk_by(|a, b| a.candidate == b.candidate).collect();
+    let pairs: Vec<(usize, usize)> = (0..of_effects.len()).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
     let best = |(i, j): (usize, usize)| {
-        let both = all[i].iter().enumerate().flat_map(|(a, one)| {
-            all[j].iter().enumerate().map(move |(b, other)| Pair { variants: [a, b], gain: one.with(other) })
+        let both = of_effects[i].iter().flat_map(|one| {
+            let with = move |other: &ScreenedVariant| Pair {
+                variants: [one.variant, other.variant],
+                gain: screening.gain_of_pair(one, other),
+            };
+            of_effects[j].iter().map(with)
         });
         let best = both.filter(|p| p.delta_chi2() > 0.0).max_by(|p, q| p.delta_chi2().total_cmp(&q.delta_chi2()))?;
-        Some(((i, j), best))
+        Some(((of_effects[i][0].candidate, of_effects[j][0].candidate), best))
     };
     pairs.into_par_iter().filter_map(best).collect()
 }

@@ -10,6 +10,7 @@ use super::gain::gain;
 use super::next::REPEATS;
 use super::null_distribution::{MaxStatistic, Variance};
 use super::residual_projection::ProjectedResidual;
+use super::screening::Screening;
 use super::search::SIGNIFICANCE;
 use super::sensitivity::{self, CandidateEffect};
 use super::{Next, absent, unsolvable};
@@ -120,8 +121,8 @@ impl Assessment {
         let solution = Solution { position, predicted, chi2: 0.0 };
         let candidates = sensitivity::candidates(&objective, &solution, absent);
         let projected = ProjectedResidual::new(&mut objective, &solution).ok_or_else(unsolvable)?;
-        let null_distribution =
-            MaxStatistic::simulate(&projected, &candidates.iter().collect::<Vec<_>>(), Variance::Known);
+        let screening = Screening::new(&projected, &candidates.iter().collect::<Vec<_>>());
+        let null_distribution = MaxStatistic::simulate(&screening, projected.freedom, Variance::Known);
         let threshold = null_distribution.quantile(SIGNIFICANCE);
         Ok(Self {
             visible: candidates.iter().map(|c| detection_limit(&projected, c, threshold)).collect(),

@@ -14,6 +14,7 @@ use super::lead::{Lead, fit_from, leads, refit, together, without};
 use super::null_distribution::{MaxStatistic, Variance};
 use super::pairs;
 use super::residual_projection::ProjectedResidual;
+use super::screening::Screening;
 use super::sensitivity::CandidateEffect;
 use crate::progress::Progress;
 
@@ -94,7 +95,8 @@ pub fn search<'a>(
     let Extent { most, breadth, known, progress, .. } = extent;
     let everyone: Vec<&CandidateEffect> = candidates.iter().collect();
     let projected = ProjectedResidual::new(&mut base.objective.clone(), &base.solution)?;
-    let first_null_distribution = MaxStatistic::simulate(&projected, &everyone, variance);
+    let screening = Screening::new(&projected, &everyone);
+    let first_null_distribution = MaxStatistic::simulate(&screening, projected.freedom, variance);
     let mut null_distribution = first_null_distribution.clone();
     // The map keeps an order, so that the same data always give the same answer.
     let mut tried: BTreeMap<Vec<usize>, CandidateModel<'a>> = BTreeMap::new();
@@ -108,7 +110,7 @@ pub fn search<'a>(
         }
         let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
         if size == 2 {
-            let pairs = pairs::pairs(&projected, &everyone);
+            let pairs = pairs::pairs(&screening);
             for lead in &mut leads {
                 lead.look_at(&pairs, &base, projected.residual.norm_squared(), &candidates);
             }
@@ -143,7 +145,8 @@ pub fn search<'a>(
         progress.advance(1);
         let Some(projected) = ProjectedResidual::new(&mut best.objective.clone(), &best.solution) else { break };
         let others = candidates.iter().enumerate().filter(|(i, _)| !best.members.contains(i)).map(|(_, c)| c);
-        null_distribution = MaxStatistic::simulate(&projected, &others.collect::<Vec<_>>(), variance);
+        let others = Screening::new(&projected, &others.collect::<Vec<_>>());
+        null_distribution = MaxStatistic::simulate(&others, projected.freedom, variance);
     }
     progress.advance((most.max(1) - steps.len()) as u64);
     prune(&base, &candidates, &mut steps, &null_distribution, variance);
@@ -256,7 +259,7 @@ fn reseated<'a>(
         let rest = smaller(base, candidates, set, two[0], tried)?;
         let rest = smaller(base, candidates, &rest, two[1], tried)?;
         let projected = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution)?;
-        let pairs = pairs::pairs(&projected, &two.map(|i| &candidates[i]));
+        let pairs = pairs::pairs(&Screening::new(&projected, &two.map(|i| &candidates[i])));
         let start = together(&rest, pairs.get(&(0, 1))?, *two, candidates);
         let objective = rest.objective.with(&candidates[two[0]].effect).with(&candidates[two[1]].effect);
         fit_from(&rest, two, objective, [start])

@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::mean::Mean;
+use super::size_profile::SizeProfile;
 use super::{Acts, Noise, Term};
 use crate::measure::Measurements;
 
@@ -29,29 +31,30 @@ impl Restricted<'_> {
         noise.log_determinant() + of_mean + square
     }
 
+    /// The columns of the mean, whitened; those of which free directions of the noise leave only round-off are left
+    /// out.
+    fn mean_under(&self, noise: &Noise) -> DMatrix<f64> {
+        /// Length of a column over its length in the rows' own standard uncertainties.
+        const ROUND_OFF: f64 = 1e-9;
+        let length = |column: &[f64]| column.iter().zip(&noise.sigma).map(|(v, s)| (v / s).powi(2)).sum::<f64>().sqrt();
+        let whitened = |column: Vec<f64>| {
+            let before = length(&column);
+            let white = DVector::from_vec(noise.whiten(column));
+            (white.norm() > ROUND_OFF * before).then_some(white)
+        };
+        let own = self.mean.column_iter().filter_map(|c| whitened(c.iter().copied().collect()));
+        let columns: Vec<DVector<f64>> = own.collect();
+        if columns.is_empty() { DMatrix::zeros(self.residuals.len(), 0) } else { DMatrix::from_columns(&columns) }
+    }
+
     /// Square of the whitened residuals that no column of the mean can touch, ln det(XᵀV⁻¹X), and the
     /// degrees of freedom.
     fn parts(&self, noise: &Noise) -> (f64, f64, f64) {
         let z = DVector::from_vec(noise.whiten(self.residuals.iter().copied()));
-        let columns: Vec<DVector<f64>> = self
-            .mean
-            .column_iter()
-            .map(|c| DVector::from_vec(noise.whiten(c.iter().copied())))
-            .filter(|c| c.norm_squared() > 0.0)
-            .collect();
-        if columns.is_empty() {
-            return (z.norm_squared(), 0.0, (z.len() - noise.free_directions()) as f64);
-        }
-        let x = DMatrix::from_columns(&columns);
-        // Columns may depend on each other: directions without length are left out.
-        let eigen = (x.transpose() * &x).symmetric_eigen();
-        let along = eigen.eigenvectors.transpose() * (x.transpose() * &z);
-        let least = 1e-12 * eigen.eigenvalues.max();
-        let told = || eigen.eigenvalues.iter().zip(along.iter()).filter(|(value, _)| **value > least);
-        let taken: f64 = told().map(|(value, a)| a * a / value).sum();
-        let of_mean = told().map(|(value, _)| value.ln()).sum();
-        let freedom = (z.len() - told().count()).saturating_sub(noise.free_directions());
-        ((z.norm_squared() - taken).max(0.0), of_mean, freedom as f64)
+        let x = self.mean_under(noise);
+        let mean = Mean::of(&x.tr_mul(&x), &x.tr_mul(&z));
+        let freedom = (z.len() - mean.rank).saturating_sub(noise.free_directions());
+        ((z.norm_squared() - mean.square).max(0.0), mean.log_determinant, freedom as f64)
     }
 
     /// The noise with the sizes of the last `free` of `terms` at their most likely values, beside `own`; the
@@ -75,16 +78,31 @@ impl Restricted<'_> {
                     Acts::Scales => (0.1, 100.0),
                     Acts::Weighs | Acts::Rounds | Acts::Reads | Acts::Given => continue,
                 };
-                let mut at = |log_size: f64| {
-                    terms[i].size = log_size.exp();
-                    let noise = self.scaled(own.with(terms.clone(), self.measurements), first);
-                    (self.minus_two_log(&noise), noise)
+                let size = match self.size_profile(own, &terms, i, first) {
+                    Some(profile) => golden(low.ln(), high.ln(), |log_size| profile.minus_two_log(log_size.exp())),
+                    None => golden(low.ln(), high.ln(), |log_size| {
+                        terms[i].size = log_size.exp();
+                        self.minus_two_log(&self.scaled(own.with(terms.clone(), self.measurements), first))
+                    }),
                 };
-                let size = golden(low.ln(), high.ln(), |s| at(s).0);
-                noise = at(size).1;
+                terms[i].size = size.exp();
+                noise = self.scaled(own.with(terms.clone(), self.measurements), first);
             }
         }
         noise
+    }
+
+    /// The likelihood by the size of one term beside the others; `None` where the noise of the others, or its level,
+    /// does not stay as it is while the size changes.
+    fn size_profile(&self, own: &Noise, terms: &[Term], number: usize, known: usize) -> Option<SizeProfile> {
+        let is_stated = terms.iter().take(known).any(|t| matches!(t.effect.acts, Acts::Shared(_)));
+        let is_rounded = terms.iter().any(|t| matches!(t.effect.acts, Acts::Rounds));
+        if !own.source.is_known() && (is_stated || is_rounded) {
+            return None;
+        }
+        let others = terms.iter().enumerate().filter(|(i, _)| *i != number).map(|(_, term)| term.clone());
+        let others = own.with(others.collect(), self.measurements);
+        SizeProfile::new(&others, &terms[number], self.residuals, &self.mean_under(&others), self.measurements)
     }
 
     /// Ends of the 95 % interval of the size of a term, where −2 ln L has risen by the quantile of χ² with
@@ -159,4 +177,42 @@ fn golden(mut low: f64, mut high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
         }
     }
     if at_a < at_b { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::FILE;
+    use crate::noise::tests::measured;
+    use crate::noise::{NoiseSource, effects};
+
+    #[test]
+    fn the_profile_of_a_size_is_the_likelihood_itself() {
+        // Twelve rows with a drift and a step, a constant fitted, one row in three of larger uncertainty.
+        let rows = measured(&(0..12).map(f64::from).collect::<Vec<_>>());
+        let residuals: Vec<f64> = (0..12).map(|i| f64::from(i * i % 7) - 2.0 + 0.3 * f64::from(i)).collect();
+        let sigma: Vec<f64> = (0..12).map(|i| if i % 3 == 0 { 2.0 } else { 1.0 }).collect();
+        let mean = DMatrix::from_element(12, 1, 1.0);
+        let restricted = Restricted { measurements: &rows, residuals: &residuals, mean: &mean };
+        let step = Term { rows: vec![5], size: 1.5, ..Term::new(&effects::JUMP) };
+        let drift = Term { size: 1.0, ..Term::new(&effects::DRIFT) };
+        let zeros = Term { by: vec![FILE], size: f64::INFINITY, ..Term::new(&effects::ZERO_SHIFT) };
+        for source in [NoiseSource::Column, NoiseSource::Estimated] {
+            let own = Noise::independent(sigma.clone(), source);
+            for terms in [vec![drift.clone()], vec![step.clone(), drift.clone()], vec![zeros.clone(), drift.clone()]] {
+                let number = terms.len() - 1;
+                let Some(profile) = restricted.size_profile(&own, &terms, number, 0) else { panic!("{source:?}") };
+                let at = |size: f64| {
+                    let mut terms = terms.clone();
+                    terms[number].size = size;
+                    restricted.minus_two_log(&restricted.scaled(own.with(terms, &rows), 0))
+                };
+                for size in [0.01, 0.7, 3.0, 50.0] {
+                    // Less the same constant.
+                    let own = profile.minus_two_log(size) - profile.minus_two_log(1.0);
+                    assert!((own - (at(size) - at(1.0))).abs() < 1e-8, "{source:?} {size}: {own}");
+                }
+            }
+        }
+    }
 }

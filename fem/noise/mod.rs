@@ -9,6 +9,8 @@ mod given;
 mod grid;
 mod level;
 mod likelihood;
+mod mean;
+mod size_profile;
 mod term;
 
 pub use chance::{beyond_chi2, beyond_f};
