@@ -1,6 +1,8 @@
 //! Projects what the model's own free parameters can imitate out of residual and sensitivities, before
 //! anything is judged.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::gain::{Gain, gain};
@@ -13,6 +15,8 @@ const DEPENDENT: f64 = 1e-7;
 /// Residual of a fitted model with everything that its free parameters can imitate projected out. Priors are
 /// rows like any others.
 pub struct ProjectedResidual {
+    /// Jacobian of the residuals.
+    pub jacobian: Arc<DMatrix<f64>>,
     /// Orthonormal basis of the datum directions and of the tangent space of the free parameters.
     tangent: DMatrix<f64>,
     /// Standardised residual, measured less predicted.
@@ -25,12 +29,12 @@ impl ProjectedResidual {
     /// Projects the residual of a solution; `None` where the model cannot be computed beside it.
     pub fn new(objective: &mut Objective, solution: &Solution) -> Option<Self> {
         let jacobian = objective.jacobian(solution)?;
-        let tangent = orthonormal(&with_blind(objective, jacobian));
+        let tangent = orthonormal(&with_blind(objective, jacobian.clone()));
         let residual = objective.residuals(&solution.position, &solution.predicted);
         let fixed = tangent.ncols() + objective.noise.free_directions();
         let freedom = residual.len().saturating_sub(fixed) as f64;
         let residual = project(&tangent, residual);
-        Some(Self { tangent, residual, freedom })
+        Some(Self { jacobian: Arc::new(jacobian), tangent, residual, freedom })
     }
 
     /// Projects what the free parameters can imitate out of a vector.

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::least_squares::{StoppingCriterion, minimise};
+use super::least_squares::{CloseBy, StoppingCriterion, minimise, minimise_with};
 use super::objective::{Objective, Solution};
 use crate::noise::NoiseSource;
 use crate::process::Failure;
@@ -59,7 +59,11 @@ pub struct ProfiledMinimum {
 pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> Result<ProfiledMinimum, Failure> {
     let mut gone = 0;
     loop {
-        let covariance = objective.covariance(&solution)?;
+        let jacobian = objective.jacobian(&solution).ok_or_else(|| Failure {
+            message: "the model cannot be computed beside the best values".into(),
+            help: "check bounds and values".into(),
+        })?;
+        let covariance = objective.covariance(&jacobian);
         let before = (objective.evaluations, objective.failures);
         // The first deeper minimum in the order of the parameters is taken, so that the same data always
         // give the same answer.
@@ -67,6 +71,7 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
             let mut own = objective.clone();
             let mut profile = Profile {
                 best: &solution,
+                jacobian: &jacobian,
                 quantile: quantile(&own),
                 deeper: None,
                 goes_on: gone == MOST,
@@ -90,6 +95,8 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
 /// Profile of χ² along a parameter.
 struct Profile<'a> {
     best: &'a Solution,
+    /// Jacobian there, with which every walk along the profile begins.
+    jacobian: &'a DMatrix<f64>,
     quantile: f64,
     /// Deeper minimum on the way, at which the walk ends.
     deeper: Option<Solution>,
@@ -300,7 +307,8 @@ impl Profile<'_> {
 
     /// Re-fits all variables but one.
     fn follow(&mut self, objective: &mut Objective, held: usize, start: DVector<f64>) -> Option<Point> {
-        let settled = minimise(objective, &start, &[held], FOLLOW)?;
+        let close_by = Some(CloseBy { jacobian: self.jacobian.clone(), unknown: Vec::new() });
+        let settled = minimise_with(objective, &start, &[held], FOLLOW, close_by)?;
         let rise = (settled.chi2 - self.best.chi2).max(0.0).sqrt();
         self.seen.push((objective.variables[held].value(settled.position[held]), rise * rise));
         if settled.chi2 < self.best.chi2 - DEEPER && !self.goes_on {
