@@ -53,6 +53,14 @@ impl CandidateModel<'_> {
         self.solution.predicted.iter().zip(&other.solution.predicted).map(|(own, other)| own - other)
     }
 
+    /// Whether its prediction differs from that of another model by the same wherever rows are of the same level.
+    pub fn goes_by(&self, other: &CandidateModel, levels: &[usize]) -> bool {
+        /// Largest share of the difference's variance within levels.
+        const WITHIN: f64 = 0.01;
+        let change: Vec<f64> = self.change_from(other).collect();
+        sum_of_squares(&change, levels) < WITHIN * sum_of_squares(&change, &vec![0; change.len()])
+    }
+
     /// Number of added effects that are larger than is plausible.
     fn implausible(&self) -> usize {
         let own = self.objective.data.model.parameters.len();
@@ -127,4 +135,16 @@ pub fn key(members: &[usize]) -> Vec<usize> {
     let mut sorted = members.to_vec();
     sorted.sort_unstable();
     sorted
+}
+
+/// Sum of squares of values about the mean of their level.
+fn sum_of_squares(values: &[f64], levels: &[usize]) -> f64 {
+    let mut sums = vec![(0.0, 0.0, 0.0); values.len()];
+    for (value, level) in values.iter().zip(levels) {
+        let (n, sum, square) = &mut sums[*level];
+        *n += 1.0;
+        *sum += value;
+        *square += value * value;
+    }
+    sums.iter().filter(|s| s.0 > 0.0).map(|(n, sum, square)| square - sum * sum / n).sum()
 }

@@ -278,24 +278,9 @@ impl Exploration<'_> {
 
 /// Whether what an effect adds is the same at every place, and differs from one direction or branch to the other.
 fn goes_by_words(single: &CandidateModel, base: &CandidateModel) -> bool {
-    /// Largest share of its variance within a direction.
-    const WITHIN: f64 = 0.01;
     let data = base.objective.data;
     let coordinates = data.model.process.coordinates();
     let words = data.given.iter().copied().filter(|i| matches!(coordinates[*i].holds, Holds::Word(_)));
     let levels = data.levels(&words.collect::<Vec<_>>());
-    let added: Vec<f64> = single.change_from(base).collect();
-    sum_of_squares(&added, &levels) < WITHIN * sum_of_squares(&added, &vec![0; added.len()])
-}
-
-/// Sum of squares of values about the mean of their level.
-fn sum_of_squares(values: &[f64], levels: &[usize]) -> f64 {
-    let mut sums = vec![(0.0, 0.0, 0.0); values.len()];
-    for (value, level) in values.iter().zip(levels) {
-        let (n, sum, square) = &mut sums[*level];
-        *n += 1.0;
-        *sum += value;
-        *square += value * value;
-    }
-    sums.iter().filter(|s| s.0 > 0.0).map(|(n, sum, square)| square - sum * sum / n).sum()
+    single.goes_by(base, &levels)
 }

@@ -1,7 +1,14 @@
 //! What an instrument does to readings that are right: a scale that is off, a clock that is late, parts that lie
 //! askew. Each is named for what it is, at its size, and no effect of the machine in its stead.
 
-use fem::diagnose::{Cause, Verdict};
+use std::f64::consts::TAU;
+
+use fem::diagnose::{Cause, Verdict, diagnose};
+use fem::input::Source;
+use fem::measure::Measurements;
+use fem::model::{Data, Model};
+use fem::progress::Progress;
+use generator::random::Random;
 use generator::{AXIS, Case, Process, RING, THERMAL};
 
 use crate::score;
@@ -44,6 +51,43 @@ fn what_an_instrument_does_is_named() {
             );
         }
         assert!(named + 1 >= all && held + 1 >= named, "{effect}: {named} of {all} named, {held} of these held");
+    }
+}
+
+/// A wave of 90 mm that was read every 20 mm: neighbouring rows scatter as much as all rows, as if `u` were too small.
+#[test]
+fn a_wave_that_is_read_coarsely_is_no_larger_uncertainty() {
+    const MODEL: &str = r#"process = "turning"
+[workpiece]
+material = "steel"
+segments = [{ length = "500 mm", diameter = "60 mm" }]
+[workholding]
+type = "centres"
+[cut]
+depth = "0.5 mm"
+feed = "0.2 mm/rev"
+spindle_speed = "600 rpm"
+radial_force = "300 N""#;
+    let model = Model::parse(Source::new("shaft.toml", MODEL)).unwrap();
+    for seed in 0..6 {
+        let mut random = Random::new("wave", seed);
+        let phase = random.uniform(0.0, TAU);
+        let rows = |value: &mut dyn FnMut(usize, f64) -> f64| {
+            let line = |i: usize| format!("{},{},0.5\n", 20 * i, value(i - 1, 20.0 * i as f64));
+            format!("x [mm],diameter_error [um],u [um]\n{}", (1..25).map(line).collect::<String>())
+        };
+        let read = |text| Measurements::parse(Source::new("rows.csv", text), model.process).unwrap();
+        let predicted = model.forward().observe(&read(rows(&mut |_, _| 0.0)).rows).unwrap();
+        let text = rows(&mut |i, x| 1e6 * predicted[i] + 4.0 * (TAU * x / 90.0 + phase).sin() + 0.5 * random.normal());
+        let data = Data::of(&model, read(text)).unwrap();
+        let said = diagnose(&data, 3, &Progress::default()).unwrap();
+        let names: Vec<_> = said.missing.iter().map(|m| m.effect.name).collect();
+        assert_eq!((said.verdict, &names[..]), (Verdict::Unexplained, &["wave"][..]), "{seed}");
+        let Cause::Measurement { along: Some("x"), period: Some((period, _)), .. } = said.missing[0].cause else {
+            panic!("{seed}: a wave along x has a period")
+        };
+        // Standard uncertainty of a frequency: sqrt(6)/(pi T) sigma/a/sqrt(n), here 0.35 mm of 90 (Bretthorst 1988).
+        assert!((1e3 * period - 90.0).abs() < 1.4, "{seed}: {period}");
     }
 }
 

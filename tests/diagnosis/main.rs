@@ -2,7 +2,8 @@
 //!
 //! `cargo test --test diagnosis` runs a sample, `cargo test --release --test diagnosis -- --ignored
 //! --nocapture` the whole and prints the table of `README.md`. With `FEM_MISSES=DIR` each case that went
-//! wrong is written to DIR; with `FEM_EVERY=3` the whole is every third case of it.
+//! wrong is written to DIR; with `FEM_EVERY=3` the whole is every third case of it, with `FEM_GROUP=outside` the rows of
+//! the table with that word.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -26,6 +27,9 @@ const SIZES: &[f64] = &[5.0, 8.0, 15.0, 40.0, 100.0];
 /// Two cases at a time.
 fn run(table: &mut Table, group: &str, cases: impl Iterator<Item = (String, Case)>) {
     const TOGETHER: usize = 2;
+    if std::env::var("FEM_GROUP").is_ok_and(|word| !group.contains(&word)) {
+        return;
+    }
     let cases: Vec<(String, Case)> = cases.collect();
     let scored = |from: usize| {
         let own = cases.iter().enumerate().skip(from).step_by(TOGETHER);

@@ -17,6 +17,8 @@ pub struct Score {
     pub right: bool,
     /// Whether effects of the catalogue are hidden in it.
     pub hides_effects: bool,
+    /// No effect of the machine is named.
+    pub no_cause: bool,
     /// The first effect that is named, or one of its class, is hidden.
     pub first: bool,
     /// Every hidden effect is named or stands in a class.
@@ -75,6 +77,7 @@ pub fn score(case: &Case) -> Score {
     let squares = differences.iter().zip(&case.truth.noise_of_rows).map(|(d, sigma)| (d / sigma).powi(2));
     Score {
         right,
+        no_cause: diagnosis.missing.iter().all(|m| m.cause != Cause::Physical),
         hides_effects: case.truth.kind == Kind::Effects,
         first: classes.first().is_some_and(|c| hidden.iter().any(|h| c.contains(h))),
         all_named,
