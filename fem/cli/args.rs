@@ -205,10 +205,13 @@ pub struct Plan {
 #[command(
     after_help = "The test is evaluated by ISO 230-2; what the model leaves open (`+-`, `?`) is fitted to it first. With -o, what is entered into a
 controller stands in points.csv, segments.csv, both-directions.csv and linuxcnc.comp, and what is left along the travel in predicted.csv.
+Controls that have a file of their own are named with --for: linuxcnc, siemens-eec, siemens-cec, heidenhain, fanuc,
+fanuc-bidirectional, mitsubishi, mach4, beckhoff.
 
 Examples:
   fem compensate axis.toml --with test.csv
-  fem compensate axis.toml --with test.csv -o tables"
+  fem compensate axis.toml --with test.csv -o tables
+  fem compensate axis.toml --with test.csv -o tables --for siemens-eec,heidenhain --axis X1"
 )]
 pub struct Compensate {
     /// The model file, of a process that moves to targets
@@ -218,12 +221,24 @@ pub struct Compensate {
     /// Where to write the tables; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// The controls whose files are written; linuxcnc, where it takes so many targets, if left out
+    #[arg(long = "for", value_name = "CONTROL", value_delimiter = ',', requires = "output")]
+    pub controls: Vec<String>,
+    /// The name of the axis in the control
+    #[arg(long, value_name = "NAME", default_value = "X", value_parser = axis_name)]
+    pub axis: String,
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// The name of an axis: what stands in files of controls between brackets and blanks.
+fn axis_name(text: &str) -> Result<String, String> {
+    let is_one = (1..=16).contains(&text.len()) && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    is_one.then(|| text.to_string()).ok_or_else(|| "a name is 1 to 16 letters and digits: write X or X1".into())
 }
 
 #[derive(Clone, Debug, clap::Args)]
