@@ -4,9 +4,11 @@ mod shared;
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Parser, Subcommand};
 
 use crate::model::Setting;
+use crate::output::CONTROLS;
 
 pub use shared::{Data, Limit, Mark, Reading};
 
@@ -205,8 +207,6 @@ pub struct Plan {
 #[command(
     after_help = "The test is evaluated by ISO 230-2; what the model leaves open (`+-`, `?`) is fitted to it first. With -o, what is entered into a
 controller stands in points.csv, segments.csv, both-directions.csv and linuxcnc.comp, and what is left along the travel in predicted.csv.
-Controls that have a file of their own are named with --for: linuxcnc, siemens-eec, siemens-cec, heidenhain, fanuc,
-fanuc-bidirectional, mitsubishi, mach4, beckhoff.
 
 Examples:
   fem compensate axis.toml --with test.csv
@@ -222,7 +222,7 @@ pub struct Compensate {
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// The controls whose files are written; linuxcnc, where it takes so many targets, if left out
-    #[arg(long = "for", value_name = "CONTROL", value_delimiter = ',', requires = "output")]
+    #[arg(long = "for", value_name = "CONTROL", value_delimiter = ',', requires = "output", value_parser = controls())]
     pub controls: Vec<String>,
     /// The name of the axis in the control
     #[arg(long, value_name = "NAME", default_value = "X", value_parser = axis_name)]
@@ -233,6 +233,11 @@ pub struct Compensate {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// The controls that can be named, with what they are.
+fn controls() -> PossibleValuesParser {
+    PossibleValuesParser::new(CONTROLS.iter().map(|control| PossibleValue::new(control.name).help(control.about)))
 }
 
 /// The name of an axis: what stands in files of controls between brackets and blanks.
@@ -352,9 +357,11 @@ pub struct Demo {
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Every command reads such files as they are; this one shows what is taken, and keeps it. `fem effects PROCESS` names the columns.
+Reports by ISO 230-2, Q-DAS .dfq and Renishaw .rtx are read as well.
 
 Examples:
   fem import test.csv --process axis -o measured.csv
+  fem import parts.dfq --process turning --columns 'Near=diameter_error@x=20 mm' -o measured.csv
   fem import log.csv --process thermal --columns 'Zeit=time [s],T1=temperature@x=12 mm [degC]' -o measured.csv"
 )]
 pub struct Import {

@@ -6,7 +6,7 @@ use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::compensate::{Compensation, compensate};
-use crate::input::{Problem, did_you_mean};
+use crate::input::Problem;
 use crate::model::{Data, Model};
 use crate::output::files::Guard;
 use crate::output::{CONTROLS, Control, Folder, Format, LINUXCNC, Report, Supplied, supplied};
@@ -19,7 +19,8 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
         let help = "compensation is for axes that are tested by going to targets from both sides";
         return Err(Error::Request(problem.help(help)));
     };
-    let controls = args.controls.iter().map(|name| control(name)).collect::<Result<Vec<_>, _>>()?;
+    let is_asked = |control: &&Control| args.controls.iter().any(|name| name == control.name);
+    let controls: Vec<&'static Control> = CONTROLS.iter().filter(is_asked).collect();
     let data = Data::of(&model, args.data.load(model.process)?)?;
     let found = watched(&data.progress, || compensate(&data, axis))?;
     let files = match &controls[..] {
@@ -40,18 +41,6 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
     notes(&data.notes);
     let list = if args.json { "" } else { &written };
     print(&(page(&report, args.json)? + list))
-}
-
-/// The control of a name.
-fn control(name: &str) -> Result<&'static Control, Error> {
-    CONTROLS.iter().find(|control| control.name == name).ok_or_else(|| {
-        let names = || CONTROLS.iter().map(|control| control.name);
-        let meant = did_you_mean(name, names(), '`');
-        let known = names().collect::<Vec<_>>().join(", ");
-        Error::Request(
-            Problem::new(format!("`{name}` is no control known here")).help(format!("{meant}known are {known}")),
-        )
-    })
 }
 
 /// Files for a control that the user has named.

@@ -372,7 +372,7 @@ fn controls_that_are_named_get_their_files() {
     for (controls, words) in [
         ("fanuc", "fanuc cannot hold this table"),
         ("fanuc", "add `steps` to [controller]"),
-        ("sienens-eec", "did you mean `siemens-eec`?"),
+        ("sienens-eec", "a similar value exists: 'siemens-eec'"),
     ] {
         let answer = asked(controls);
         assert!(answer.status == 2 && answer.err.contains(words), "{}", answer.err);

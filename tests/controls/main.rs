@@ -46,6 +46,18 @@ const CONTROLS: &[Control] = &[
     Control { name: "beckhoff", read: beckhoff::read, least: 1e-4, each_way: true },
 ];
 
+/// Every control that the program knows has its interpreter here, and its row in the page.
+#[test]
+fn every_control_is_read_again() {
+    let known: Vec<&str> = fem::output::CONTROLS.iter().map(|control| control.name).collect();
+    let page = include_str!("../../docs/compensation.md");
+    for name in &known {
+        assert!(CONTROLS.iter().any(|control| control.name == *name), "{name} has no interpreter");
+        assert!(page.contains(&format!("\n| `{name}` | ")), "{name} has no row in the page");
+    }
+    assert_eq!(known.len(), CONTROLS.len());
+}
+
 /// What is left on an axis at its targets from both sides, once it is moved with what its control adds, mm. The
 /// scale moves by as much as is added: the error of the place is met, and not that of the command.
 fn left(axis: &Axis, added: &Added) -> Vec<f64> {

@@ -174,10 +174,8 @@ impl Counted {
 
 /// Refuses the increments that a control does not take, with the magnification that would do.
 pub fn within(increments: &[i64], least: i64, most: i64, magnification: i64) -> Result<(), String> {
-    let worst = increments.iter().copied().max_by_key(|n| n.unsigned_abs()).unwrap_or(0);
-    if (least..=most).contains(&worst) && increments.iter().all(|n| (least..=most).contains(n)) {
-        return Ok(());
-    }
+    let beyond = increments.iter().copied().filter(|n| !(least..=most).contains(n));
+    let Some(worst) = beyond.max_by_key(|n| n.unsigned_abs()) else { return Ok(()) };
     let needed = (worst.unsigned_abs() as f64 / most as f64 * magnification as f64).ceil();
     Err(format!(
         "an increment of {worst} counts is beyond the {least} to {most} that it takes: make `magnification` of `steps` \
