@@ -4,9 +4,11 @@ mod shared;
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Parser, Subcommand};
 
 use crate::model::Setting;
+use crate::output::CONTROLS;
 
 pub use shared::{Data, Limit, Mark, Reading};
 
@@ -208,7 +210,8 @@ controller stands in points.csv, segments.csv, both-directions.csv and linuxcnc.
 
 Examples:
   fem compensate axis.toml --with test.csv
-  fem compensate axis.toml --with test.csv -o tables"
+  fem compensate axis.toml --with test.csv -o tables
+  fem compensate axis.toml --with test.csv -o tables --for siemens-eec,heidenhain --axis X1"
 )]
 pub struct Compensate {
     /// The model file, of a process that moves to targets
@@ -218,12 +221,29 @@ pub struct Compensate {
     /// Where to write the tables; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// The controls whose files are written; linuxcnc, where it takes so many targets, if left out
+    #[arg(long = "for", value_name = "CONTROL", value_delimiter = ',', requires = "output", value_parser = controls())]
+    pub controls: Vec<String>,
+    /// The name of the axis in the control
+    #[arg(long, value_name = "NAME", default_value = "X", value_parser = axis_name)]
+    pub axis: String,
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// The controls that can be named, with what they are.
+fn controls() -> PossibleValuesParser {
+    PossibleValuesParser::new(CONTROLS.iter().map(|control| PossibleValue::new(control.name).help(control.about)))
+}
+
+/// The name of an axis: what stands in files of controls between brackets and blanks.
+fn axis_name(text: &str) -> Result<String, String> {
+    let is_one = (1..=16).contains(&text.len()) && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    is_one.then(|| text.to_string()).ok_or_else(|| "a name is 1 to 16 letters and digits: write X or X1".into())
 }
 
 #[derive(Clone, Debug, clap::Args)]
@@ -337,9 +357,11 @@ pub struct Demo {
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Every command reads such files as they are; this one shows what is taken, and keeps it. `fem effects PROCESS` names the columns.
+Reports by ISO 230-2, Q-DAS .dfq and Renishaw .rtx are read as well.
 
 Examples:
   fem import test.csv --process axis -o measured.csv
+  fem import parts.dfq --process turning --columns 'Near=diameter_error@x=20 mm' -o measured.csv
   fem import log.csv --process thermal --columns 'Zeit=time [s],T1=temperature@x=12 mm [degC]' -o measured.csv"
 )]
 pub struct Import {

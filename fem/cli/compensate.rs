@@ -5,11 +5,11 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::compensate::compensate;
+use crate::compensate::{Compensation, compensate};
 use crate::input::Problem;
 use crate::model::{Data, Model};
 use crate::output::files::Guard;
-use crate::output::{Folder, Format, LINUXCNC, Report};
+use crate::output::{CONTROLS, Control, Folder, Format, LINUXCNC, Report, Supplied, supplied};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Compensate) -> Result<(), Error> {
@@ -19,20 +19,34 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
         let help = "compensation is for axes that are tested by going to targets from both sides";
         return Err(Error::Request(problem.help(help)));
     };
+    let is_asked = |control: &&Control| args.controls.iter().any(|name| name == control.name);
+    let controls: Vec<&'static Control> = CONTROLS.iter().filter(is_asked).collect();
     let data = Data::of(&model, args.data.load(model.process)?)?;
     let found = watched(&data.progress, || compensate(&data, axis))?;
-    let report = Report::Compensation(&data, &found);
+    let files = match &controls[..] {
+        [] => supplied(&CONTROLS[0], &found, &args.axis, false).into_iter().collect(),
+        asked => asked.iter().map(|control| asked_for(control, &found, &args.axis)).collect::<Result<Vec<_>, _>>()?,
+    };
+    let report = Report::Compensation(&data, &found, &files);
     let mut written = String::new();
     if let Some(directory) = &args.output {
         let reads = args.data.reads(&args.model);
         written =
             Folder { directory, guard: Guard { reads: &reads, force: args.force }, progress: &Progress::default() }
                 .write(&report)?;
-        if !written.contains(LINUXCNC) {
+        if files.is_empty() {
             say!("note: no {LINUXCNC}: it takes fewer targets than these");
         }
     }
     notes(&data.notes);
     let list = if args.json { "" } else { &written };
     print(&(page(&report, args.json)? + list))
+}
+
+/// Files for a control that the user has named.
+fn asked_for(control: &'static Control, found: &Compensation, axis: &str) -> Result<Supplied, Error> {
+    supplied(control, found, axis, true).map_err(|why| {
+        let problem = Problem::new(format!("{} cannot hold this table", control.name));
+        Error::Request(problem.help(why))
+    })
 }

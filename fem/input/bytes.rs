@@ -16,34 +16,42 @@ impl Source {
     /// The file cannot be read, is larger than `limit`, or is not UTF-8 (the error points at the first bad
     /// byte).
     pub fn read(path: &Path, limit: u64) -> Result<Self, InputError> {
-        Self::decoded(path, limit, |e| Err(not_text(e.as_bytes(), e.utf8_error().valid_up_to())))
+        Self::decoded(path, limit, |_| None, |e| Err(not_text(e.as_bytes(), e.utf8_error().valid_up_to())))
     }
 
     /// Reads a table as an instrument or a spreadsheet writes it, of at most `limit` bytes: UTF-8; UTF-16 with a byte
     /// order mark; else a code page in which `µ` and `°` stand where Windows-1252 has them, as all western, Greek and
-    /// Cyrillic ones do.
+    /// Cyrillic ones do. `binary` makes a text of the bytes of files that hold more than text, as far as it knows them.
     ///
     /// # Errors
     /// The file cannot be read, is larger than `limit`, or is no text.
-    pub fn read_exported(path: &Path, limit: u64) -> Result<Self, InputError> {
-        Self::decoded(path, limit, |e| {
+    pub fn read_exported(
+        path: &Path,
+        limit: u64,
+        binary: impl FnOnce(&[u8]) -> Option<Result<String, Problem>>,
+    ) -> Result<Self, InputError> {
+        Self::decoded(path, limit, binary, |e| {
             // The mark of UTF-16 is heeded.
             let text = WINDOWS_1252.decode(e.as_bytes()).0.into_owned();
-            match text.chars().any(|c| c.is_control() && !c.is_whitespace()) {
+            // Characters 15 and 20 part the values of measuring machines (AQDEF).
+            let is_part = |c: char| matches!(c, '\u{f}' | '\u{14}');
+            match text.chars().any(|c| c.is_control() && !c.is_whitespace() && !is_part(c)) {
                 true => Err(Problem::new("this is no text").help("save it as CSV: .xlsx and .ods are no text")),
                 false => Ok(text),
             }
         })
     }
 
-    /// Reads a file, and decodes in another way what is not UTF-8.
+    /// Reads a file, and decodes in another way what is not UTF-8, or is known by its bytes.
     fn decoded(
         path: &Path,
         limit: u64,
+        binary: impl FnOnce(&[u8]) -> Option<Result<String, Problem>>,
         other: impl FnOnce(FromUtf8Error) -> Result<String, Problem>,
     ) -> Result<Self, InputError> {
         let name: Arc<str> = path.display().to_string().into();
-        let text = read(path, limit).and_then(|bytes| String::from_utf8(bytes).or_else(other));
+        let text = read(path, limit)
+            .and_then(|bytes| binary(&bytes).unwrap_or_else(|| String::from_utf8(bytes).or_else(other)));
         match text {
             Ok(text) => Ok(Self::new(name, text)),
             Err(problem) => Err(InputError::one(Self::new(name, ""), problem)),

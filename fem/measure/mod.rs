@@ -5,6 +5,7 @@ mod clock;
 mod decimal;
 mod header;
 mod heading;
+mod instrument;
 mod join;
 mod moment;
 mod neighbours;

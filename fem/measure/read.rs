@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::header::{self, Column, Header};
+use super::instrument::text_of_rtx;
 use super::reading::Reading;
 use super::sheet::{MOST_PROBLEMS, Row};
 use super::table;
@@ -30,7 +31,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_as(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(Source::read_exported(path, LARGEST_FILE)?, process, Purpose::Measured, said)
+        read(Source::read_exported(path, LARGEST_FILE, text_of_rtx)?, process, Purpose::Measured, said)
     }
 
     /// Reads a design, a file of planned rows in which nothing need have been observed yet.
@@ -38,7 +39,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_design(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(Source::read_exported(path, LARGEST_FILE)?, process, Purpose::Design, said)
+        read(Source::read_exported(path, LARGEST_FILE, text_of_rtx)?, process, Purpose::Design, said)
     }
 
     /// Reads measurements from the text of a file.

@@ -9,7 +9,7 @@ use super::heading::{self, Heading};
 use super::reading::{self, Reading};
 use super::sheet::{self, MOST_PROBLEMS, Row, Sheet};
 use super::vocabulary::Vocabulary;
-use super::{actual, clock, decimal, wide, words};
+use super::{actual, clock, decimal, instrument, wide, words};
 use crate::input::{Problem, Source, did_you_mean};
 use crate::process::Holds;
 use crate::units::TIME;
@@ -39,7 +39,8 @@ pub struct Table {
 /// # Errors
 /// Problems of the header, and those without which nothing else can be read.
 pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<Table, Vec<Problem>> {
-    let mut sheet = sheet::read(source).map_err(|problem| vec![problem])?;
+    let sheet = instrument::read(source).unwrap_or_else(|| sheet::read(source));
+    let mut sheet = sheet.map_err(|problem| vec![problem])?;
     let place = sheet.place.clone();
     let of_header = |problem: Problem| problem.at(Some(place.clone()));
     let mut told = std::mem::take(&mut sheet.told);

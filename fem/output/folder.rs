@@ -38,9 +38,11 @@ impl Format for Folder<'_> {
                     ("diagnosis.svg", Some(diagnosis::falling(data, diagnosis).svg().file())),
                 ],
             )?,
-            Report::Compensation(_, found) => self.files(
+            Report::Compensation(_, found, supplied) => self.files(
                 "compensate",
-                compensation::tables(found).into_iter().chain([("compensation.json", Some(Json.write(report)?))]),
+                compensation::tables(found, supplied)
+                    .into_iter()
+                    .chain([("compensation.json", Some(Json.write(report)?))]),
             )?,
             Report::Fit(..) => self.files("fit", [("fit.json", Some(Json.write(report)?))])?,
             Report::Plan(..) => self.files("plan", [("plan.json", Some(Json.write(report)?))])?,

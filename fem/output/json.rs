@@ -23,7 +23,7 @@ impl Format for Json {
             Report::Fit(data, found) => fit::json(data, found),
             Report::Diagnosis(data, found) => diagnosis::json(data, found),
             Report::Plan(design, found) => plan::json(design, found),
-            Report::Compensation(data, found) => compensation::json(data, found),
+            Report::Compensation(data, found, supplied) => compensation::json(data, found, supplied),
             Report::Budget(file, estimate) => budget::json(file, *estimate),
             Report::Effects(entries, of_measurement, _) => {
                 let own = entries.iter().map(|(process, e)| effect(*process, e));

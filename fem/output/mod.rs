@@ -17,6 +17,7 @@ mod folder;
 mod json;
 mod measurement;
 mod measurements;
+mod number;
 mod page;
 mod pictures;
 mod plan;
@@ -29,7 +30,7 @@ pub mod vtk;
 
 pub use budget::warnings as budget_warnings;
 pub use columns::{columns, commented};
-pub use compensation::LINUXCNC;
+pub use compensation::{CONTROLS, Control, LINUXCNC, Supplied, supplied};
 pub use diagnosis::additions;
 pub use error::OutputError;
 pub use folder::Folder;

@@ -1,6 +1,6 @@
 //! The reports of the commands, and the trait of everything that writes one.
 
-use super::OutputError;
+use super::{OutputError, Supplied};
 use crate::budget::{Budget, Estimate};
 use crate::compare::Comparison;
 use crate::compensate::Compensation;
@@ -23,8 +23,8 @@ pub enum Report<'a> {
     Diagnosis(&'a Data<'a>, &'a Diagnosis),
     /// `fem plan`.
     Plan(&'a Data<'a>, &'a Plan),
-    /// `fem compensate`.
-    Compensation(&'a Data<'a>, &'a Compensation),
+    /// `fem compensate`, with the files for the controls that are asked for.
+    Compensation(&'a Data<'a>, &'a Compensation, &'a [Supplied]),
     /// `fem budget`.
     Budget(&'a Budget, Option<&'a Estimate>),
     /// `fem effects`: entries of the catalogue, those of processes and those of the measurement, as a list or
@@ -39,7 +39,7 @@ impl Report<'_> {
     pub fn left_undone(&self) -> Vec<String> {
         /// Most that are named.
         const MOST: usize = 12;
-        let (Self::Fit(data, _) | Self::Diagnosis(data, _) | Self::Plan(data, _) | Self::Compensation(data, _)) = self
+        let (Self::Fit(data, _) | Self::Diagnosis(data, _) | Self::Plan(data, _) | Self::Compensation(data, ..)) = self
         else {
             return Vec::new();
         };

@@ -33,7 +33,7 @@ impl Format for Text {
             Report::Fit(data, found) => fit::text(data, found),
             Report::Diagnosis(data, found) => diagnosis::text(data, found, self.columns),
             Report::Plan(design, found) => plan::text(design, found),
-            Report::Compensation(data, found) => compensation::text(data, found),
+            Report::Compensation(data, found, supplied) => compensation::text(data, found, supplied),
             Report::Budget(file, estimate) => budget::text(file, *estimate),
             Report::Effects(entries, of_measurement, Detail::Line) => catalogue(entries, of_measurement),
             Report::Effects(entries, of_measurement, Detail::Page) => {

@@ -3,12 +3,14 @@
 //! SI units; a deviation is the actual less the commanded position.
 
 mod evaluation;
+mod grid;
 mod pitch;
 mod quantity;
 mod table;
 mod tolerance;
 
 pub use evaluation::{EDITION, Evaluation, Side, Target};
+pub use grid::Grid;
 pub use pitch::{PitchErrors, Reversal, Step};
 pub use quantity::Quantity;
 pub use table::{Increment, Law, Node, Steps, Table};

@@ -41,6 +41,17 @@ pub struct Steps {
     /// What one count of an increment is worth: the controller's detection unit times its magnification, m; 0 where
     /// increments are not counted.
     pub unit: f64,
+    /// By what the controller multiplies every count; part of `unit`.
+    pub magnification: i64,
+    /// Number that the controller gives to the reference point; `None` where nobody has said.
+    pub number: Option<i64>,
+}
+
+impl Steps {
+    /// The controller's detection unit, m; 0 where it is not told.
+    pub fn detection_unit(&self) -> f64 {
+        self.unit / self.magnification as f64
+    }
 }
 
 /// What a controller adds from one point to the next. m.
@@ -81,7 +92,7 @@ impl Table {
 
     /// The table as increments forwards at points of equal distance over its length [seed 001: each from the
     /// point before, entered by the number of the reference point].
-    pub fn increments(&self, Steps { reference, interval, unit }: Steps) -> Vec<Increment> {
+    pub fn increments(&self, Steps { reference, interval, unit, .. }: Steps) -> Vec<Increment> {
         let Some((first, last)) = self.nodes.first().zip(self.nodes.last()) else { return Vec::new() };
         // A point that a rounding has put beyond the end stands at it.
         let number = |position: f64| (position - reference) / interval;
@@ -217,7 +228,8 @@ mod tests {
     #[test]
     fn increments_are_counted_from_the_reference_point() {
         let table = table(0.0, &[(0.0, 1.0), (100.0, 6.0), (300.0, -2.0)]);
-        let steps = table.increments(Steps { reference: 0.2, interval: 0.1, unit: 0.0 });
+        let steps =
+            table.increments(Steps { reference: 0.2, interval: 0.1, unit: 0.0, magnification: 1, number: None });
         let told: Vec<(i64, f64, f64)> =
             steps.iter().map(|s| (s.number, (1e6 * s.from_reference).round(), (1e6 * s.increment).round())).collect();
         assert_eq!(told, [(-2, -1.0, 0.0), (-1, 4.0, 5.0), (0, 0.0, -4.0), (1, -4.0, -4.0)]);
@@ -228,7 +240,8 @@ mod tests {
     fn counts_do_not_drift_from_what_they_stand_for() {
         // 1 um from point to point in counts of 3 um: every third point takes one.
         let nodes: Vec<(f64, f64)> = (0..10).map(|i| (100.0 * f64::from(i), f64::from(i))).collect();
-        let steps = table(0.0, &nodes).increments(Steps { reference: 0.0, interval: 0.1, unit: 3e-6 });
+        let steps = Steps { reference: 0.0, interval: 0.1, unit: 3e-6, magnification: 1, number: None };
+        let steps = table(0.0, &nodes).increments(steps);
         let counts: Vec<i64> = steps.iter().filter_map(|s| s.counts).collect();
         assert_eq!(counts, [0, 0, 1, 0, 0, 1, 0, 0, 1, 0]);
         let mut sum = 0;

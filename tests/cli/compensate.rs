@@ -347,3 +347,38 @@ fn a_controllers_table_must_rise() {
     assert_eq!(answer.status, 2);
     assert!(answer.err.contains("the positions do not rise"), "{}", answer.err);
 }
+
+#[test]
+fn controls_that_are_named_get_their_files() {
+    let place = Place::new();
+    published(&place);
+    let command = ["compensate", "stage.toml", "--with", "m.csv", "-o", "out", "--for"];
+    let asked = |controls| place.fem(&[&command[..], &[controls, "--axis", "X1"]].concat());
+    let answer = asked("siemens-eec,heidenhain");
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(place.read("out/siemens-eec.ini").contains("\n$AA_ENC_COMP_STEP[0,X1]=5.12\n"));
+    assert!(
+        place.read("out/heidenhain.com").starts_with("BEGIN HEIDENHAIN .COM MM\nNR AXISPOS BACKLASH X1\n0 -10.0000 ")
+    );
+    assert!(!place.path("out/linuxcnc.comp").exists());
+    for words in ["for siemens-eec, SINUMERIK", "um at the targets", "set MD38000", "Look at one point"] {
+        assert!(answer.out.contains(words), "{words}: {}", answer.out);
+    }
+    let json: Json = serde_json::from_str(&place.read("out/compensation.json")).unwrap();
+    assert_eq!(json["controls"][1]["control"], "heidenhain");
+    assert_eq!(json["controls"][0]["files"][0], "siemens-eec.ini");
+    // What cannot be held is refused, and nothing is written.
+    let before = place.read("out/compensation.json");
+    for (controls, words) in [
+        ("fanuc", "fanuc cannot hold this table"),
+        ("fanuc", "add `steps` to [controller]"),
+        ("sienens-eec", "a similar value exists: 'siemens-eec'"),
+    ] {
+        let answer = asked(controls);
+        assert!(answer.status == 2 && answer.err.contains(words), "{}", answer.err);
+    }
+    assert_eq!(place.read("out/compensation.json"), before);
+    let answer =
+        place.fem(&["compensate", "stage.toml", "--with", "m.csv", "-o", "out", "--for", "mach4", "--axis", "a]b"]);
+    assert!(answer.status == 2 && answer.err.contains("1 to 16 letters"), "{}", answer.err);
+}

@@ -216,3 +216,28 @@ fn processes_name_the_columns_of_their_files() {
     let columns = |name: &str| place.fem(&["effects", name]).out.split("\n\ncolumns").nth(1).unwrap().to_string();
     insta::assert_snapshot!("columns", ["axis", "thermal", "turning"].map(columns).join("\n"));
 }
+
+/// What a report by ISO 230-2 holds is written in the program's own form, with what was taken and what was left.
+#[test]
+fn a_report_is_imported() {
+    let place = Place::new();
+    let table = "i |tgt_pos(i) [mm]|ref_pos(i,1) [mm]|\n--- |--- |--- |\n1|0.0|0.0012|\n2|250.0|250.0035|\n";
+    let report = |count: usize| {
+        format!("# ISO 230-2 motion test\n\nPosition count | {count}\n\n### Data forward direction\n\n{table}")
+    };
+    place.write("report.md", report(2));
+    let command = ["import", "report.md", "--process", "axis", "-o", "own.csv"];
+    let answer = place.fem(&command);
+    assert_eq!(
+        (answer.status, answer.out.as_str()),
+        (0, "written own.csv: 2 observations of deviation from report.md\n")
+    );
+    assert!(answer.err.contains("a report by ISO 230-2") && answer.err.contains("no table backward"), "{}", answer.err);
+    let rows = "run,position [mm],direction,deviation [mm]\n1,0.0,+,0.0012\n1,250.0,+,0.0035\n";
+    assert_eq!(place.read("own.csv"), format!("# Taken from report.md.\n{rows}"));
+    place.write("report.md", report(3));
+    let answer = place.fem(&["import", "report.md", "--process", "axis", "-o", "again.csv"]);
+    for words in ["report.md:7", "the table has 2 targets, and the report says 3", "has the file been cut off?"] {
+        assert!(answer.status == 2 && answer.err.contains(words), "{words}: {}", answer.err);
+    }
+}

@@ -217,6 +217,15 @@ const CASES: &[Case] = &[
         ..PLAIN
     },
     Case {
+        name: "traces of roundness, a column for each, units in the row below",
+        process: "ring",
+        columns: "Winkel=angle,Spur 1=deviation@run=1,Spur 2=deviation@run=2",
+        written: "Winkel;Spur 1;Spur 2\ndeg;um;um\n0;1,5;2,5\n0,5;-1,25;0\n",
+        own: "angle [deg],run,deviation [um]\n0,1,1.5\n0,2,2.5\n0.5,1,-1.25\n0.5,2,0\n",
+        told: "a row for each of 2 places in the header",
+        ..PLAIN
+    },
+    Case {
         name: "a column for every run and direction",
         process: "axis",
         written: "position [mm];deviation@run=1@direction=up [um];deviation@run=1@direction=down [um]\n10;1,5;-2,5\n",

@@ -8,6 +8,7 @@ mod diagnose;
 mod fit;
 mod import;
 mod instrument;
+mod instruments;
 mod limits;
 mod noise;
 mod real;

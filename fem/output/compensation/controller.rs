@@ -1,23 +1,18 @@
-//! Writes tables as controllers take them.
+//! Writes tables in general form; files of single controls are in `control`.
 //!
 //! A value that is *added* goes onto the commanded position; it is the deviation with the other sign.
-
-use std::fmt::Write;
 
 use crate::compensate::{Compensation, Course};
 use crate::positioning::{Direction, Steps, Table as Entries};
 use crate::process::{Column, Table};
 
-/// Most triplets that LinuxCNC takes for a joint.
-const MOST_TRIPLETS: usize = 256;
-
 fn um(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    // Rounded to a thousandth of a nanometre: smaller digits are round-off of sums.
-    values.map(|m| (m * 1e12).round() / 1e6).collect()
+    // Rounded to a thousandth of a nanometre: smaller digits are round-off of sums. Nothing has no sign.
+    values.map(|m| (m * 1e12).round() / 1e6 + 0.0).collect()
 }
 
 fn mm(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    values.map(|m| (m * 1e12).round() / 1e9).collect()
+    values.map(|m| (m * 1e12).round() / 1e9 + 0.0).collect()
 }
 
 /// Makes one row a point: the value added there, linear from point to point, and its increment over the
@@ -76,23 +71,6 @@ pub fn increments(table: &Entries, steps: Steps) -> Table {
     Table { columns: columns.into_iter().chain(counts).collect() }
 }
 
-/// Makes LinuxCNC's screw compensation, `COMP_FILE` with `COMP_FILE_TYPE = 0`: lines of nominal, forward and
-/// reverse position in machine units (mm), the last two being the positions that are really reached; rising,
-/// without comments, at most 256. `None` where there are more. `BACKLASH` of the joint is not used then.
-pub fn linuxcnc(table: &Entries) -> Option<String> {
-    if table.nodes.len() > MOST_TRIPLETS {
-        return None;
-    }
-    let mut text = String::new();
-    for node in &table.nodes {
-        let [nominal, forward, reverse] =
-            [node.position, node.position - node.forward, node.position - node.backward].map(|m| 1e3 * m);
-        // Writing to a String does not fail.
-        let _ = writeln!(text, "{nominal:.6} {forward:.6} {reverse:.6}");
-    }
-    Some(text)
-}
-
 /// Makes the table of the modelled axis along its travel, before and after.
 pub fn predicted(compensation: &Compensation) -> Table {
     let [points, segments, both] = &compensation.schemes;
@@ -137,17 +115,5 @@ mod tests {
         let segments = lines(&segments(&table(Law::Segments)));
         assert_eq!(segments[1..], ["0,50,-2,3", "50,175.25,-4,3", "175.25,250.5,1,3"]);
         assert_eq!(lines(&both_directions(&table(Law::Points)))[1..], ["0,-2,-5", "100,-4,-7", "250.5,1,-2"]);
-    }
-
-    #[test]
-    fn linuxcnc_is_told_where_the_axis_really_goes() {
-        // 2 um are taken off where the axis goes 2 um too far.
-        let text = linuxcnc(&table(Law::Points)).unwrap();
-        assert_eq!(
-            text,
-            "0.000000 0.002000 0.005000\n100.000000 100.004000 100.007000\n250.500000 250.499000 250.502000\n"
-        );
-        let nodes = vec![table(Law::Points).nodes[0]; 257];
-        assert_eq!(linuxcnc(&Entries { law: Law::Points, nodes }), None);
     }
 }

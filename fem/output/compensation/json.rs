@@ -2,13 +2,14 @@
 
 use serde_json::{Map, Value as Json, json};
 
+use super::Supplied;
 use crate::compensate::{self, Compensation, Kinematic, LostMotion, Rules, Scheme, WrongReading};
 use crate::model::Data;
 use crate::output::measurement::{self, files};
 use crate::positioning::{Check, EDITION, Evaluation, PitchErrors, Quantity, Side, Step, Target};
 
 /// Makes the JSON: lengths along the axis in mm, everything else in um; unknown values are null.
-pub fn json(data: &Data, c: &Compensation) -> Json {
+pub fn json(data: &Data, c: &Compensation, supplied: &[Supplied]) -> Json {
     let reversal = c.reversal.as_ref().map(|r| {
         let lost = |(position, lost): &(f64, f64)| json!({ "position": mm(*position), "b": um(-lost), "lost_motion": um(*lost) });
         json!({
@@ -17,7 +18,7 @@ pub fn json(data: &Data, c: &Compensation) -> Json {
             "unavoidable_rest": um(r.rest),
         })
     });
-    json!({
+    let mut all = json!({
         "schema": "fem-compensation/1",
         "model": &*data.model.source.name,
         "data": data.name,
@@ -43,7 +44,16 @@ pub fn json(data: &Data, c: &Compensation) -> Json {
         "cautions": c.cautions,
         "wrong_readings": c.wrong_readings.iter().map(wrong).collect::<Vec<_>>(),
         "measurement": measurement::json(&data.terms, data.model.process, Some(data)),
-    })
+    });
+    if supplied.iter().any(|s| s.is_asked) {
+        all["controls"] = supplied.iter().map(control).collect();
+    }
+    all
+}
+
+fn control(s: &Supplied) -> Json {
+    let files: Vec<&str> = s.files.iter().map(|(name, _)| *name).collect();
+    json!({ "control": s.control.name, "files": files, "left": um(s.left), "notes": s.notes })
 }
 
 fn wrong(w: &WrongReading) -> Json {

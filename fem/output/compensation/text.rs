@@ -2,16 +2,18 @@
 
 use std::fmt::Write;
 
+use super::Supplied;
 use crate::compensate::{Compensation, Feasibility, Kinematic, LostMotion, Rules, Step};
 use crate::model::Data;
 use crate::output::measurement;
+use crate::output::number::{fixed, signed};
 use crate::positioning::{Check, EDITION, Evaluation, Quantity};
 
 /// Most targets that are listed; all are in the files.
 const LISTED: usize = 24;
 
 /// Writes verdict, evaluation and tables. Writing to a String does not fail, here and below.
-pub fn text(data: &Data, c: &Compensation) -> String {
+pub fn text(data: &Data, c: &Compensation, supplied: &[Supplied]) -> String {
     let (targets, runs) = (c.evaluation.targets.len(), c.evaluation.runs());
     let times = if runs == 1 { "once".into() } else { format!("{runs} times") };
     let mut text = format!(
@@ -43,6 +45,7 @@ pub fn text(data: &Data, c: &Compensation) -> String {
     tolerances(&mut text, c);
     modelled(&mut text, c);
     entries(&mut text, c);
+    controls(&mut text, supplied);
     text
 }
 
@@ -53,13 +56,14 @@ fn wrong_readings(text: &mut String, c: &Compensation) {
     }
     let _ = writeln!(text, "\nleft out of means and tables, as wrong");
     for wrong in &c.wrong_readings {
-        let (x, sign) = (1e3 * wrong.approach.position, wrong.approach.direction.sign());
+        let (x, sign) = (millimetres(wrong.approach.position), wrong.approach.direction.sign());
         let why = match (wrong.is_stated, wrong.others) {
             (true, _) => "the model weighs it down".to_string(),
-            (false, Some(mean)) => format!("the other approaches have {:.4} in the mean", 1e6 * mean),
+            (false, Some(mean)) => format!("the other approaches have {} in the mean", micrometres(mean)),
             (false, None) => "it contradicts the other approaches".to_string(),
         };
-        let _ = writeln!(text, "  line {:<5} {:.4} um at {x:.3} mm, {sign}: {why}", wrong.line, 1e6 * wrong.value);
+        let value = micrometres(wrong.value);
+        let _ = writeln!(text, "  line {:<5} {value} um at {x} mm, {sign}: {why}", wrong.line);
     }
 }
 
@@ -86,13 +90,17 @@ fn verdict(c: &Compensation) -> &'static str {
 }
 
 fn um(m: Option<f64>) -> String {
-    m.map_or("-".into(), |m| format!("{:.4}", micrometres(m)))
+    m.map_or("-".into(), micrometres)
 }
 
-/// Micrometres as they are printed: what rounds to nothing has no sign.
-fn micrometres(m: f64) -> f64 {
-    let um = 1e6 * m;
-    if um.abs() < 5e-5 { 0.0 } else { um }
+/// Micrometres as they are printed.
+fn micrometres(m: f64) -> String {
+    fixed(1e6 * m, 4)
+}
+
+/// Millimetres as they are printed.
+fn millimetres(m: f64) -> String {
+    fixed(1e3 * m, 3)
 }
 
 fn standard(text: &mut String, c: &Compensation) {
@@ -126,8 +134,8 @@ fn targets_of(text: &mut String, evaluation: &Evaluation) {
         let (reversal, repeatability) = (um(t.reversal()), um(t.repeatability()));
         let _ = writeln!(
             text,
-            "  {:>10.3}  {forward:>10} {sf:>8}  {backward:>10} {sb:>8}  {reversal:>10} {repeatability:>10}",
-            1e3 * t.position
+            "  {:>10}  {forward:>10} {sf:>8}  {backward:>10} {sb:>8}  {reversal:>10} {repeatability:>10}",
+            millimetres(t.position)
         );
     }
     let more = evaluation.targets.len().saturating_sub(LISTED);
@@ -144,7 +152,7 @@ fn reversal(text: &mut String, c: &Compensation) {
     };
     let _ = writeln!(
         text,
-        "\nbacklash value   {:.4} um, (b_max + b_min)/2 of the lost motion b = mean- less mean+\nnot removable    {:.4} um either way by any single value, (b_max - b_min)/2",
+        "\nbacklash value   {} um, (b_max + b_min)/2 of the lost motion b = mean- less mean+\nnot removable    {} um either way by any single value, (b_max - b_min)/2",
         micrometres(reversal.value),
         micrometres(reversal.rest)
     );
@@ -172,13 +180,13 @@ fn lost_motion(l: &LostMotion) -> String {
         Kinematic::Seen => "",
     };
     let [constant, std, misfit] = [l.constant, l.constant_std, l.misfit].map(micrometres);
-    let constant = format!("{constant:.4} +- {std:.4} um of it are the same all along{none}");
+    let constant = format!("{constant} +- {std} um of it are the same all along{none}");
     let is_play = "play, or the give of nut and bearing";
     let rules = match l.rules() {
         Rules::Constant => format!("what is the same all along rules: {is_play}"),
         Rules::Elastic => "the elastic part rules, as in heavy machines".to_string(),
         Rules::Both => "neither rules".to_string(),
-        Rules::Unclear => format!("no part can be named, for together they miss the targets by up to {misfit:.4} um"),
+        Rules::Unclear => format!("no part can be named, for together they miss the targets by up to {misfit} um"),
     };
     if !l.grows() {
         let what = match (l.rules(), l.kinematic()) {
@@ -188,23 +196,20 @@ fn lost_motion(l: &LostMotion) -> String {
         };
         return format!("{constant}; no part is seen that grows along the screw{what}");
     }
-    let (low, high) = (1e6 * l.screw.0, 1e6 * l.screw.1);
-    format!(
-        "{constant}, {low:.4} to {high:.4} um the stretch of the screw under {:.0} +- {:.0} N of friction: {rules}",
-        l.friction, l.friction_std
-    )
+    let [low, high] = [l.screw.0, l.screw.1].map(micrometres);
+    let [friction, std] = [l.friction, l.friction_std].map(|force| fixed(force, 0));
+    format!("{constant}, {low} to {high} um the stretch of the screw under {friction} +- {std} N of friction: {rules}")
 }
 
 /// The step that comes nearer to the targets than the parts do.
 fn step(s: &Step) -> String {
-    let [height, misfit, constant] = [s.height, s.misfit, s.constant].map(|m| 1e6 * m);
+    let [misfit, constant] = [s.misfit, s.constant].map(micrometres);
+    let [from, to] = [s.from, s.to].map(millimetres);
+    let (height, friction) = (signed(1e6 * s.height, 4), fixed(s.friction, 0));
     let harder = if s.height > 0.0 { "beyond" } else { "before" };
     format!(
-        "a step of {height:+.4} um between {:.3} and {:.3} mm comes within {misfit:.4} um, beside {constant:.4} um that \
-         are the same all along and {:.0} N: {harder} it the slide goes harder, or the screw has more play",
-        1e3 * s.from,
-        1e3 * s.to,
-        s.friction
+        "a step of {height} um between {from} and {to} mm comes within {misfit} um, beside {constant} um that are the \
+         same all along and {friction} N: {harder} it the slide goes harder, or the screw has more play"
     )
 }
 
@@ -246,13 +251,14 @@ fn entries(text: &mut String, c: &Compensation) {
     let mut before = None;
     let _ = writeln!(
         text,
-        "\nto enter: backlash {:.4} um, and at each point (linear between)",
+        "\nto enter: backlash {} um, and at each point (linear between)",
         micrometres(points.entered.backlash())
     );
     let _ = writeln!(text, "  {:>10}  {:>10} {:>10}", "position", "added", "increment");
     for node in points.entered.nodes.iter().take(LISTED) {
-        let step = before.map_or("-".into(), |b: f64| format!("{:+.4}", micrometres(node.forward - b)));
-        let _ = writeln!(text, "  {:>10.3}  {:>+10.4} {step:>10}", 1e3 * node.position, micrometres(node.forward));
+        let step = before.map_or("-".into(), |b: f64| signed(1e6 * (node.forward - b), 4));
+        let (at, added) = (millimetres(node.position), signed(1e6 * node.forward, 4));
+        let _ = writeln!(text, "  {at:>10}  {added:>10} {step:>10}");
         before = Some(node.forward);
     }
     let onto = match c.active {
@@ -260,4 +266,19 @@ fn entries(text: &mut String, c: &Compensation) {
         None => "onto what the controller had during the test",
     };
     let _ = writeln!(text, "  in mm and um, {onto}; then measure again, until the axis keeps its tolerance");
+}
+
+/// What stands in the files for controls.
+fn controls(text: &mut String, supplied: &[Supplied]) {
+    for s in supplied.iter().filter(|s| s.is_asked) {
+        let left = micrometres(s.left);
+        let _ = writeln!(
+            text,
+            "\nfor {}, {}\n  leaves a range of {left} um at the targets",
+            s.control.name, s.control.about
+        );
+        for note in &s.notes {
+            let _ = writeln!(text, "  {note}");
+        }
+    }
 }

@@ -48,7 +48,10 @@ impl Controller {
                 let help = "add detection_unit = \"1 um\"";
                 t.problem("magnification", "it multiplies counts, and what a count is is not told", help);
             }
-            Steps { reference, interval, unit: unit * magnification as f64 }
+            let about = "number that it gives to the reference point, for files that hold numbers";
+            let number = t.count("number", about).between(0, 100_000).optional();
+            let unit = unit * magnification as f64;
+            Steps { reference, interval, unit, magnification: magnification as i64, number: number.map(|n| n as i64) }
         });
         let node = |(position, added): (f64, f64)| Node { position, forward: added, backward: added - backlash };
         let nodes: Vec<Node> =

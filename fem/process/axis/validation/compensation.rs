@@ -35,7 +35,7 @@ pub fn cases() -> Vec<Case> {
     let correction = |table: &Table, mm: f64| Some(table.correction(1e-3 * mm, Forward));
     let lost = |i: usize| reversal.as_ref().and_then(|r| r.lost.get(i)).map(|b| b.1);
     // Added are 0, -3, -6, -10, -14, -16: in counts of 1 um times 2 these are 0, -2, -3, -5, -7, -8.
-    let counts = points.increments(Steps { reference: 0.0, interval: 0.1, unit: 2e-6 });
+    let counts = points.increments(Steps { reference: 0.0, interval: 0.1, unit: 2e-6, magnification: 1, number: None });
     let counted = |name: &str, number: i64, expected: f64| {
         let own = counts.iter().find(|step| step.number == number).and_then(|step| step.counts);
         let computed = own.map_or(f64::NAN, |counts| counts as f64);
