@@ -167,12 +167,22 @@ fn gather(bins: &[usize], count: usize, values: impl Iterator<Item = f64>) -> (V
 
 /// Interaction of two coordinates: the statistic of their cells beyond the sum of the two main effects.
 fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &[f64], mean: f64) -> Statistic {
+    /// Largest mean, in standard uncertainties, that need not be taken out any more.
+    const SETTLED: f64 = 1e-3;
     let mut left: Vec<f64> = z.iter().map(|z| z - mean).collect();
     // Backfitting: the means of the one and the other are taken out in turn; balanced designs need one turn.
     for _ in 0..10 {
+        let mut largest = 0.0f64;
         for (bins, count) in [(first, high), (second, wide)] {
-            let (sums, counts) = gather(bins, count, left.iter().copied());
-            left.iter_mut().zip(bins).for_each(|(l, b)| *l -= sums[*b] / counts[*b]);
+            let (mut means, counts) = gather(bins, count, left.iter().copied());
+            for (mean, count) in means.iter_mut().zip(&counts).filter(|(_, count)| **count > 0.0) {
+                *mean /= count;
+                largest = largest.max(mean.abs());
+            }
+            left.iter_mut().zip(bins).for_each(|(l, b)| *l -= means[*b]);
+        }
+        if largest < SETTLED {
+            break;
         }
     }
     let cells: Vec<usize> = first.iter().zip(second).map(|(a, b)| a * wide + b).collect();
