@@ -100,8 +100,7 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         true => next::next(&found, &best, &confoundings, &look_alikes),
         false => None,
     };
-    let all = found.tried.iter().chain([&found.base, &best]);
-    let trials = all.fold((0, 0), |(f, e), t| (f + t.objective.failures, e + t.objective.evaluations));
+    let trials = (best.objective.trials.failures(), best.objective.trials.evaluations());
     let candidates = outlooks(&found, &best, variance);
     let verdict_after = match verdict {
         Verdict::MissingEffect => Verdict::Adequate,

@@ -64,7 +64,6 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
             help: "check bounds and values".into(),
         })?;
         let covariance = objective.covariance(&jacobian);
-        let before = (objective.evaluations, objective.failures);
         // The first deeper minimum in the order of the parameters is taken, so that the same data always
         // give the same answer.
         let walked = |i: usize| {
@@ -78,13 +77,11 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
                 seen: Vec::new(),
             };
             let interval = profile.interval(&mut own, &covariance, i);
-            (interval, profile.deeper.take(), own.evaluations - before.0, own.failures - before.1, profile.rising())
+            (interval, profile.deeper.take(), profile.rising())
         };
         let walked: Vec<_> = (0..solution.position.len()).into_par_iter().map(walked).collect();
-        objective.evaluations += walked.iter().map(|w| w.2).sum::<usize>();
-        objective.failures += walked.iter().map(|w| w.3).sum::<usize>();
         let Some(deeper) = walked.iter().find_map(|w| w.1.clone()) else {
-            let (intervals, profiles) = walked.into_iter().map(|w| (w.0, w.4)).unzip();
+            let (intervals, profiles) = walked.into_iter().map(|w| (w.0, w.2)).unzip();
             return Ok(ProfiledMinimum { solution, covariance, intervals, profiles });
         };
         solution = minimise(objective, &deeper.position, &[], StoppingCriterion::FULL).unwrap_or(deeper);

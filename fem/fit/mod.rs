@@ -14,7 +14,7 @@ mod write;
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
 pub use least_squares::{CloseBy, StoppingCriterion, minimise, minimise_with};
-pub use objective::{Objective, Solution};
+pub use objective::{Objective, Solution, Trials};
 pub use search_variable::SearchVariable;
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
@@ -132,8 +132,8 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
         rms,
         reduced_chi2,
         p_value,
-        failures: objective.failures,
-        evaluations: objective.evaluations,
+        failures: objective.trials.failures(),
+        evaluations: objective.trials.evaluations(),
     }
 }
 

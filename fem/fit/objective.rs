@@ -1,5 +1,8 @@
 //! Objective function: χ² of the rows and of the priors, as a function of the search variables.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use nalgebra::{DMatrix, DVector};
 
 use super::search_variable::SearchVariable;
@@ -24,10 +27,27 @@ pub struct Objective<'a> {
     pub variables: Vec<SearchVariable>,
     /// Noise by which the rows are weighted.
     pub noise: Noise,
-    /// Number of evaluations of the model so far.
-    pub evaluations: usize,
-    /// Number of evaluations that gave no prediction.
-    pub failures: usize,
+    /// Evaluations of the model so far, of this objective and of all that were made of it.
+    pub trials: Arc<Trials>,
+}
+
+/// Counts evaluations of a model.
+#[derive(Debug, Default)]
+pub struct Trials {
+    evaluations: AtomicUsize,
+    failures: AtomicUsize,
+}
+
+impl Trials {
+    /// Number of evaluations so far.
+    pub fn evaluations(&self) -> usize {
+        self.evaluations.load(Ordering::Relaxed)
+    }
+
+    /// Number of those that gave no prediction.
+    pub fn failures(&self) -> usize {
+        self.failures.load(Ordering::Relaxed)
+    }
 }
 
 /// Differences by which a Jacobian is made.
@@ -93,8 +113,7 @@ impl<'a> Objective<'a> {
             parameters: model.parameters.clone(),
             variables,
             noise,
-            evaluations: 0,
-            failures: 0,
+            trials: Arc::default(),
         })
     }
 
@@ -194,7 +213,7 @@ impl<'a> Objective<'a> {
 
     /// Prediction of any rows, if the model can be computed there.
     pub fn predict_rows(&mut self, position: &DVector<f64>, rows: &Rows) -> Option<Vec<f64>> {
-        self.evaluations += 1;
+        self.trials.evaluations.fetch_add(1, Ordering::Relaxed);
         let values = self.values(position);
         let (own, mut rest) = values.split_at(self.data.model.parameters.len());
         let active = |description: &Description| {
@@ -205,7 +224,7 @@ impl<'a> Objective<'a> {
         let added: Vec<Active> = self.added.iter().map(active).collect();
         let observed = self.data.model.forward_with(own, &added).and_then(|job| job.observe(rows));
         let predicted = observed.ok().filter(|p| p.iter().all(|v| v.is_finite()));
-        self.failures += usize::from(predicted.is_none());
+        self.trials.failures.fetch_add(usize::from(predicted.is_none()), Ordering::Relaxed);
         predicted
     }
 
