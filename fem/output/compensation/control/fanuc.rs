@@ -2,12 +2,16 @@
 //! Manual, B-63980EN, parameters 3620 to 3624; tape of parameters and pitch errors: Series 15i Parameter Manual,
 //! B-63330EN, 3].
 //!
-//! A whole number at each point, −7 to 7: what is added from the point before to it, in the direction of larger
-//! positions, in counts of detection unit times magnification (3623). Points stand at equal distances (3624), 128 at
-//! most between the ends of the stroke; their numbers, 0 to 1023, are counted from that of the reference point (3620),
-//! at which nothing is added: a point n stands for the way from n − 1 to n, so that the stroke begins at the point
-//! after its end (3621) [B-63980EN, p. 99 and 100]. The sums of the numbers are the rounded table, so that roundings do
-//! not add up. Between two points the control adds its counts somewhere; at the points it has added them.
+//! A whole number at each point: what is added from the point before to it, in the direction of larger positions, in
+//! counts of detection unit times magnification (3623). Points stand at equal distances (3624); their numbers are
+//! counted from that of the reference point (3620), at which nothing is added: a point n stands for the way from n − 1
+//! to n, so that the stroke begins at the point after its end (3621), as in the example of the manual, p. 100. The sums
+//! of the numbers are the rounded table, so that roundings do not add up. Between two points the control adds its
+//! counts somewhere; at the points it has added them.
+//!
+//! The limits (−7 to 7, 128 between the ends of the stroke, numbers 0 to 1023) and the words of the tape (N10000 and the
+//! number of the point) are those of guides to these controls; the pages of the manuals that could be read have the
+//! form `N…P…;` between `%` alone, which is told.
 
 use std::fmt::Write;
 
@@ -26,6 +30,10 @@ const LAST_NUMBER: i64 = 1023;
 
 /// What is added to the number of a point to make the number of its word on a tape.
 const TAPE: i64 = 10_000;
+
+/// What is to be looked at before a tape is read in.
+pub(super) const AS_PUNCHED: &str =
+    "the tape numbers the points from N10000 on: compare it with what the control itself punches out first";
 
 /// `--for fanuc`.
 pub const FANUC: Control =
@@ -49,6 +57,7 @@ fn write(order: &Order) -> Result<Written, String> {
     notes.push(
         "enter fanuc-parameters.txt by hand, read in fanuc.txt, switch off and on, go to the reference point".into(),
     );
+    notes.push(AS_PUNCHED.into());
     let files = vec![("fanuc.txt", tape(&[(numbers.first, &increments)])), ("fanuc-parameters.txt", parameters)];
     Ok(Written { files, table: counted.table(&forward, &backward), notes })
 }

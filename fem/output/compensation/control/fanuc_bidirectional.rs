@@ -7,7 +7,7 @@
 
 use std::fmt::Write;
 
-use super::fanuc::{Numbers, RANGE, increments, tape};
+use super::fanuc::{AS_PUNCHED, Numbers, RANGE, increments, tape};
 use super::order::{Control, Order, Written, within};
 use crate::positioning::Direction;
 
@@ -61,6 +61,7 @@ fn write(order: &Order) -> Result<Written, String> {
          point from both sides first"
             .into(),
     );
+    notes.push(AS_PUNCHED.into());
     let tape = tape(&[(numbers.first, &lists[0]), (second, &lists[1])]);
     let files = vec![("fanuc-bidirectional.txt", tape), ("fanuc-bidirectional-parameters.txt", parameters)];
     Ok(Written { files, table, notes })

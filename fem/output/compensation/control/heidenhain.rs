@@ -3,9 +3,9 @@
 //!
 //! `AXISPOS` in mm from the machine datum, at equal distances, at most 256; the column of the axis' own name holds
 //! the values on the way forwards, `BACKLASH` those on the way backwards. Older TNCs want a power of two of 0.1 um as
-//! the distance and hold no backward values. The manuals print a sign for the linear error alone, which is positive
+//! the distance, which `steps` can say. The manuals print a sign for the linear error alone, which is positive
 //! where the table travels too far: the deviation, actual less commanded. The same is taken here, and told. The frame
-//! is that of a TNC's tables. Values are written to 0.1 um.
+//! (`BEGIN`, `[END]`) is that of a TNC's tool tables. Values are written to 0.1 um.
 
 use std::fmt::Write;
 

@@ -6,7 +6,7 @@
 //! `$AN_CEC_DIRECTION` = 1 and −1 make a table act on the way forwards and backwards alone, which "compensates
 //! backlash by position". Machine data 18342 reserves the points of a table; the 828D has 8 tables of 200. The manual
 //! prints the sign of `$AA_ENC_COMP` alone, where a positive value moves the axis in the negative direction; the same
-//! is taken here, and told, with the setting data 41310 that turns it.
+//! is taken here, and told.
 
 use std::fmt::Write;
 
@@ -48,7 +48,7 @@ fn write(order: &Order) -> Result<Written, String> {
     ));
     notes.push(
         "the manual prints no sign for $AN_CEC: that of $AA_ENC_COMP is taken, where a positive value moves the axis in \
-         the negative direction. Look at one point first; SD41310 CEC_TABLE_WEIGHT = -1 turns the sign"
+         the negative direction. Look at one point first"
             .into(),
     );
     if points > FEW {
