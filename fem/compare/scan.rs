@@ -3,7 +3,6 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::Suspicion;
 use crate::measure::Measurements;
 use crate::noise::{Acts, Noise, Term};
 
@@ -33,12 +32,12 @@ pub struct Scan<'a> {
 
 impl<'a> Scan<'a> {
     /// Whitens the residuals, and what the parameters can imitate.
-    pub fn new(suspicion: &Suspicion<'a>) -> Self {
-        let Suspicion { data, noise, residuals, mean, .. } = *suspicion;
+    pub fn new(measurements: &'a Measurements, noise: &'a Noise, residuals: &[f64], mean: &DMatrix<f64>) -> Self {
         let white = |values: Vec<f64>| DVector::from_vec(noise.whiten(values));
         let mean: Vec<_> = mean.column_iter().map(|c| white(c.iter().copied().collect())).collect();
-        let basis = if mean.is_empty() { DMatrix::zeros(data.len(), 0) } else { DMatrix::from_columns(&mean).qr().q() };
-        Self { measurements: data, noise, basis, residual: white(residuals.to_vec()) }
+        let basis =
+            if mean.is_empty() { DMatrix::zeros(residuals.len(), 0) } else { DMatrix::from_columns(&mean).qr().q() };
+        Self { measurements, noise, basis, residual: white(residuals.to_vec()) }
     }
 
     /// Fall of χ² when the columns of a term are fitted, each with a free amplitude.

@@ -128,7 +128,7 @@ impl Suspicion<'_> {
             with(Term::new(&effects::UNCERTAINTY_SCALE));
         }
         resolutions(data, self.noise).into_iter().for_each(&mut with);
-        let scan = Scan::new(self);
+        let scan = Scan::new(data, self.noise, self.residuals, self.mean);
         for observable in own_observables(data) {
             scan.step(&Term { observable, ..Term::new(&effects::JUMP) }).into_iter().for_each(&mut with);
             // Several waves make any curve, and none of them is there.

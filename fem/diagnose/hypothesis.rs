@@ -38,11 +38,7 @@ impl<'a> Hypothesis<'a> {
     /// held out is predicted worse with them.
     pub fn leave_out_the_unbelievable(&mut self) {
         let is_strict = |this: &Self| !this.explains || this.describes();
-        let unbelievable = |this: &Self| {
-            let best = this.found.best();
-            best.unbelievable(is_strict(this)).or_else(|| this.misleading()).or_else(|| this.within_a_curve())
-        };
-        while let Some(member) = unbelievable(self) {
+        while let Some(member) = self.found.best().unbelievable(is_strict(self)).or_else(|| self.misleading()) {
             let (base, candidates) = (&self.found.base, &self.found.candidates);
             let rest = lead::without(base, candidates, self.found.best(), member);
             self.replace(rest.filter(|rest| !rest.members.is_empty()));
@@ -87,21 +83,6 @@ impl<'a> Hypothesis<'a> {
             errors.into_iter().any(|(with, without)| with > WORSE * without)
         };
         best.members.iter().copied().find(misleads)
-    }
-
-    /// Member that is the same wherever a curve that no law has is the same: beside such a curve it is a part of the
-    /// curve as well, and nothing shows it.
-    fn within_a_curve(&self) -> Option<usize> {
-        let best = self.found.best();
-        let data = best.objective.data;
-        let is_curve = |t: &&Term| *t.effect == effects::DISCREPANCY && !t.is_among(&data.terms);
-        let curves: Vec<Vec<usize>> =
-            best.objective.noise.terms.iter().filter(is_curve).map(|t| data.levels(&t.by)).collect();
-        let is_within = |member: &usize| {
-            let rest = lead::bare(&self.found.base, &self.found.candidates, best, *member);
-            rest.is_some_and(|rest| curves.iter().any(|levels| best.goes_by(&rest, levels)))
-        };
-        if curves.is_empty() { None } else { best.members.iter().copied().find(is_within) }
     }
 
     /// Whether a zero that was set anew, or a step of it, explains as much as effects of the machine, and takes no

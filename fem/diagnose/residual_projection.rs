@@ -11,6 +11,8 @@ use crate::fit::{Objective, Solution};
 
 /// Relative length below which a direction depends on earlier ones.
 const DEPENDENT: f64 = 1e-7;
+/// Relative length below which what is left of a column is round-off: the free parameters imitate all of it.
+const IMITATED: f64 = 1e-6;
 
 /// Residual of a fitted model with everything that its free parameters can imitate projected out. Priors are
 /// rows like any others.
@@ -47,9 +49,18 @@ impl ProjectedResidual {
         columns - &self.tangent * (self.tangent.transpose() * columns)
     }
 
+    /// The columns of a variant without what the free parameters can imitate; `None` where that is all of one of them.
+    pub fn seen(&self, variant: &Variant) -> Option<DMatrix<f64>> {
+        let left = self.project_columns(&variant.columns);
+        let is_seen = |i: usize| left.column(i).norm() > IMITATED * variant.columns.column(i).norm();
+        (0..left.ncols()).all(is_seen).then_some(left)
+    }
+
     /// Gain, to first order, when an effect is added in this variant.
     pub fn gain(&self, variant: &Variant) -> Gain {
-        let columns = self.project_columns(&variant.columns);
+        let Some(columns) = self.seen(variant) else {
+            return Gain { delta_chi2: 0.0, amplitudes: vec![0.0; variant.linear.len()] };
+        };
         gain(&(columns.transpose() * &columns), &(columns.transpose() * &self.residual), &variant.signed)
     }
 }

@@ -12,8 +12,6 @@ use super::gain::{Gain, gain};
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::CandidateEffect;
 
-/// Relative length below which what is left of a column is round-off: the parameters imitate all of it.
-const IMITATED: f64 = 1e-6;
 /// Part of the square of a column beyond the factor of the products: its draws are too short by half of that.
 const LEFT_OUT: f64 = 1e-6;
 
@@ -45,11 +43,7 @@ impl<'c> Screening<'c> {
         let mut columns: Vec<DVector<f64>> = Vec::new();
         for (candidate, effect) in candidates.iter().enumerate() {
             for (variant, own) in effect.variants.iter().enumerate() {
-                let left = projected.project_columns(&own.columns);
-                let is_seen = |i: usize| left.column(i).norm() > IMITATED * own.columns.column(i).norm();
-                if !(0..left.ncols()).all(is_seen) {
-                    continue;
-                }
+                let Some(left) = projected.seen(own) else { continue };
                 let first = columns.len();
                 columns.extend(left.column_iter().map(|column| column.into_owned()));
                 variants.push(ScreenedVariant {

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::effects::{DISCREPANCY, WAVE};
 use super::given::GivenCovariance;
 use crate::measure::Measurements;
 use crate::process::Parameter;
@@ -28,13 +27,6 @@ pub struct MeasurementEffect {
     pub size: Size,
     /// How it enters the covariance.
     pub acts: Acts,
-}
-
-impl MeasurementEffect {
-    /// Whether it only describes what no law here has: it explains nothing.
-    pub fn describes(&self) -> bool {
-        [&DISCREPANCY, &WAVE].contains(&self)
-    }
 }
 
 impl PartialEq for MeasurementEffect {

@@ -60,7 +60,16 @@ impl Tally {
         }
         self.told[0] += 1;
         let wanted = trouble.names();
-        self.told[1] += usize::from(wanted.is_empty() || names(&diagnosis).any(|name| wanted.contains(&name)));
+        let is_told = wanted.is_empty() || names(&diagnosis).any(|name| wanted.contains(&name));
+        self.told[1] += usize::from(is_told);
+        if !is_told || case.truth.hidden.is_empty() && !physical.is_empty() {
+            let said: Vec<&str> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
+            let hidden: Vec<&str> = case.truth.hidden.iter().map(|h| h.effect).collect();
+            println!("{trouble:?} and {hidden:?}: {said:?}");
+            if let Some(directory) = std::env::var_os("FEM_MISSES") {
+                crate::keep(&std::path::Path::new(&directory).join(format!("{trouble:?} {}", hidden.join(" "))), &case);
+            }
+        }
         let rows: BTreeSet<usize> = diagnosis.outliers.iter().map(|o| o.record - 1).collect();
         let wrong: BTreeSet<usize> = case.truth.outliers.iter().copied().collect();
         self.outliers[0] += wrong.len();

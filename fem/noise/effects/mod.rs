@@ -50,3 +50,10 @@ pub static ALL: &[&MeasurementEffect] = &[
     &WAVE,
     &DISCREPANCY,
 ];
+
+impl MeasurementEffect {
+    /// Whether it only describes what no law here has: it explains nothing.
+    pub fn describes(&self) -> bool {
+        [&DISCREPANCY, &WAVE].contains(&self)
+    }
+}
