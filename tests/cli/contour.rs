@@ -265,7 +265,7 @@ fn one_way_round_does_not_tell_servos_from_squareness() {
     place.write("contour.toml", text);
     let mut measured = String::from("angle [deg],deviation [um],u [um]\n");
     for i in 0..72 {
-        let (angle, wobble) = (f64::from(5 * i).to_radians(), 0.2 * (17.0 * f64::from(i * i)).sin());
+        let (angle, wobble) = (f64::from(5 * i).to_radians(), 0.28 * (17.0 * f64::from(i * i)).sin());
         measured.push_str(&format!("{},{},0.2\n", 5 * i, 5.0 * (2.0 * angle).sin() - 0.37 + wobble));
     }
     place.write("m.csv", measured);
