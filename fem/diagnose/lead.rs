@@ -1,16 +1,15 @@
 //! Sets that are worth fitting: where a fit with one effect more, or one less, begins.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::candidate_model::{self, CandidateModel};
 use super::gain::Gain;
 use super::pairs::Pair;
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
-use crate::fit::{CloseBy, Objective, SearchVariable, Solution, StoppingCriterion, minimise, minimise_with};
+use crate::fit::{Objective, SearchVariable, Solution, StoppingCriterion, minimise};
 
 /// Starts of a re-fit: the best variants of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
@@ -33,8 +32,6 @@ pub struct Lead<'t, 'a> {
     together: Option<Start>,
     /// Smallest χ² among these starts, to first order.
     pub promised: f64,
-    /// Jacobian of the parent.
-    jacobian: Arc<DMatrix<f64>>,
 }
 
 /// Start of a re-fit.
@@ -43,38 +40,21 @@ pub struct Start {
     position: DVector<f64>,
     /// Linear parameters of the added effects (number of the search variable), with their neutral values.
     linear: Vec<(usize, f64)>,
-    /// Derivatives of the residuals by some search variables of added effects.
-    slopes: BTreeMap<usize, DVector<f64>>,
 }
 
 impl Start {
     /// Starts with the model's own variables at `values`, and no effect yet.
     fn own(values: &DVector<f64>) -> Self {
-        Self { position: values.clone(), linear: Vec::new(), slopes: BTreeMap::new() }
+        Self { position: values.clone(), linear: Vec::new() }
     }
 
     /// Adds an effect, whose variables come next among `variables`.
     fn with(mut self, variant: &Variant, amplitudes: &[f64], variables: &[SearchVariable]) -> Self {
         let first = self.position.len();
         let own = variant.position(amplitudes, &variables[first..]);
-        self.slopes.extend(variant.slopes(amplitudes).map(|(parameter, slope)| (first + parameter, slope)));
         self.linear.extend(variant.linear.iter().map(|s| (first + s.parameter, variant.position[s.parameter])));
         self.position = DVector::from_iterator(first + own.len(), self.position.iter().copied().chain(own));
         self
-    }
-
-    /// The Jacobian there, as far as that of the parent and the derivatives tell it.
-    fn close_by(&self, parent: &DMatrix<f64>) -> CloseBy {
-        let mut jacobian = DMatrix::zeros(parent.nrows(), self.position.len());
-        jacobian.columns_mut(0, parent.ncols()).copy_from(parent);
-        let mut unknown = Vec::new();
-        for variable in parent.ncols()..self.position.len() {
-            match self.slopes.get(&variable) {
-                Some(slope) => jacobian.set_column(variable, slope),
-                None => unknown.push(variable),
-            }
-        }
-        CloseBy { jacobian, unknown }
     }
 }
 
@@ -114,8 +94,7 @@ pub fn leads<'t, 'a>(parent: &'t CandidateModel<'a>, candidates: &[CandidateEffe
     let lead = |added: usize| {
         let starts = starts(&projected, &candidates[added]);
         let delta_chi2 = starts.first().map_or(0.0, |s| s.1.delta_chi2);
-        let promised = parent.solution.chi2 - delta_chi2;
-        Lead { parent, added, starts, together: None, promised, jacobian: projected.jacobian.clone() }
+        Lead { parent, added, starts, together: None, promised: parent.solution.chi2 - delta_chi2 }
     };
     (0..candidates.len()).filter(|i| !parent.members.contains(i)).map(lead).filter(|l| !l.starts.is_empty()).collect()
 }
@@ -157,10 +136,10 @@ pub fn refit<'a>(
         && let Some(predicted) = objective.predict(&position)
         && objective.residuals(&position, &predicted).norm_squared() <= lead.promised
     {
-        return fit_from(lead.parent, &[lead.added], objective, [Start::own(&position)], None);
+        return fit_from(lead.parent, &[lead.added], objective, [Start::own(&position)]);
     }
-    let starts = one_by_one(lead.parent, candidate, &lead.starts, &objective.variables).into_iter();
-    fit_from(lead.parent, &[lead.added], objective, starts.chain(lead.together.clone()), Some(&lead.jacobian))
+    let starts = one_by_one(lead.parent, candidate, &lead.starts, &objective.variables);
+    fit_from(lead.parent, &[lead.added], objective, starts.into_iter().chain(lead.together.clone()))
 }
 
 /// Fits a set with one candidate effect more from the given starts.
@@ -172,7 +151,7 @@ pub fn fit_with<'a>(
 ) -> Option<CandidateModel<'a>> {
     let objective = parent.objective.with(&candidate.effect);
     let starts = one_by_one(parent, candidate, starts, &objective.variables);
-    fit_from(parent, &[added], objective, starts, None)
+    fit_from(parent, &[added], objective, starts)
 }
 
 /// Starts where the set stands, with the new effect in each of its variants.
@@ -198,14 +177,12 @@ pub fn together(rest: &CandidateModel, pair: &Pair, two: [usize; 2], candidates:
     start
 }
 
-/// Fits a set from its starts, and keeps the deepest minimum; the first steps are made with the parent's Jacobian
-/// where it is given.
+/// Fits a set from its starts, and keeps the deepest minimum.
 pub fn fit_from<'a>(
     parent: &CandidateModel<'a>,
     added: &[usize],
     mut objective: Objective<'a>,
     starts: impl IntoIterator<Item = Start>,
-    jacobian: Option<&DMatrix<f64>>,
 ) -> Option<CandidateModel<'a>> {
     if objective.freedom() < 1.0 {
         // A model with as many parameters as rows fits anything.
@@ -217,10 +194,9 @@ pub fn fit_from<'a>(
         // barred.
         let bent = objective.prior_chi2(&start.position) > BENT;
         let written = bent.then(|| Start { position: objective.as_written(&start.position), ..start.clone() });
-        for (start, jacobian) in std::iter::once((start, jacobian)).chain(written.map(|start| (start, None))) {
-            let close_by = jacobian.map(|parent| start.close_by(parent));
-            let found = nearer(&mut objective, start)
-                .and_then(|start| minimise_with(&mut objective, &start, &[], SEARCHING, close_by));
+        for start in std::iter::once(start).chain(written) {
+            let found =
+                nearer(&mut objective, start).and_then(|start| minimise(&mut objective, &start, &[], SEARCHING));
             best = best.into_iter().chain(found).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
         }
     }

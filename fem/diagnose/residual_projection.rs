@@ -1,8 +1,6 @@
 //! Projects what the model's own free parameters can imitate out of residual and sensitivities, before
 //! anything is judged.
 
-use std::sync::Arc;
-
 use nalgebra::{DMatrix, DVector};
 
 use super::gain::{Gain, gain};
@@ -17,8 +15,6 @@ const IMITATED: f64 = 1e-6;
 /// Residual of a fitted model with everything that its free parameters can imitate projected out. Priors are
 /// rows like any others.
 pub struct ProjectedResidual {
-    /// Jacobian of the residuals.
-    pub jacobian: Arc<DMatrix<f64>>,
     /// Orthonormal basis of the datum directions and of the tangent space of the free parameters.
     tangent: DMatrix<f64>,
     /// Standardised residual, measured less predicted.
@@ -31,12 +27,12 @@ impl ProjectedResidual {
     /// Projects the residual of a solution; `None` where the model cannot be computed beside it.
     pub fn new(objective: &mut Objective, solution: &Solution) -> Option<Self> {
         let jacobian = objective.jacobian(solution)?;
-        let tangent = orthonormal(&with_blind(objective, jacobian.clone()));
+        let tangent = orthonormal(&with_blind(objective, jacobian));
         let residual = objective.residuals(&solution.position, &solution.predicted);
         let fixed = tangent.ncols() + objective.noise.free_directions();
         let freedom = residual.len().saturating_sub(fixed) as f64;
         let residual = project(&tangent, residual);
-        Some(Self { jacobian: Arc::new(jacobian), tangent, residual, freedom })
+        Some(Self { tangent, residual, freedom })
     }
 
     /// Projects what the free parameters can imitate out of a vector.

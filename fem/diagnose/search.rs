@@ -262,7 +262,7 @@ fn reseated<'a>(
         let pairs = pairs::pairs(&Screening::new(&projected, &two.map(|i| &candidates[i])));
         let start = together(&rest, pairs.get(&(0, 1))?, *two, candidates);
         let objective = rest.objective.with(&candidates[two[0]].effect).with(&candidates[two[1]].effect);
-        fit_from(&rest, two, objective, [start], Some(&projected.jacobian))
+        fit_from(&rest, two, objective, [start])
     };
     twos.par_iter().filter_map(reseat).collect()
 }

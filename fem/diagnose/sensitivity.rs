@@ -61,20 +61,9 @@ impl LinearParameter {
     pub fn value(&self, amplitude: f64) -> f64 {
         if self.is_square { (amplitude.max(0.0) * self.size).sqrt() } else { amplitude }
     }
-
-    /// Derivative of the amplitude by the search variable there.
-    fn slope(&self, amplitude: f64) -> f64 {
-        if self.is_square { 2.0 * self.value(amplitude) / self.size } else { 1.0 }
-    }
 }
 
 impl Variant {
-    /// Derivatives of the residuals by the linear parameters at these amplitudes, with their numbers.
-    pub fn slopes(&self, amplitudes: &[f64]) -> impl Iterator<Item = (usize, DVector<f64>)> {
-        let columns = self.linear.iter().zip(amplitudes).zip(self.columns.column_iter());
-        columns.map(|((linear, amplitude), column)| (linear.parameter, column * -linear.slope(*amplitude)))
-    }
-
     /// Position with these amplitudes.
     pub fn position(&self, amplitudes: &[f64], variables: &[SearchVariable]) -> Vec<f64> {
         let mut position = self.position.clone();

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::least_squares::{CloseBy, StoppingCriterion, minimise, minimise_with};
+use super::least_squares::{StoppingCriterion, minimise};
 use super::objective::{Objective, Solution};
 use crate::noise::NoiseSource;
 use crate::process::Failure;
@@ -59,18 +59,13 @@ pub struct ProfiledMinimum {
 pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> Result<ProfiledMinimum, Failure> {
     let mut gone = 0;
     loop {
-        let jacobian = objective.jacobian(&solution).ok_or_else(|| Failure {
-            message: "the model cannot be computed beside the best values".into(),
-            help: "check bounds and values".into(),
-        })?;
-        let covariance = objective.covariance(&jacobian);
+        let covariance = objective.covariance(&solution)?;
         // The first deeper minimum in the order of the parameters is taken, so that the same data always
         // give the same answer.
         let walked = |i: usize| {
             let mut own = objective.clone();
             let mut profile = Profile {
                 best: &solution,
-                jacobian: &jacobian,
                 quantile: quantile(&own),
                 deeper: None,
                 goes_on: gone == MOST,
@@ -92,8 +87,6 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
 /// Profile of χ² along a parameter.
 struct Profile<'a> {
     best: &'a Solution,
-    /// Jacobian there, with which every walk along the profile begins.
-    jacobian: &'a DMatrix<f64>,
     quantile: f64,
     /// Deeper minimum on the way, at which the walk ends.
     deeper: Option<Solution>,
@@ -304,8 +297,7 @@ impl Profile<'_> {
 
     /// Re-fits all variables but one.
     fn follow(&mut self, objective: &mut Objective, held: usize, start: DVector<f64>) -> Option<Point> {
-        let close_by = Some(CloseBy { jacobian: self.jacobian.clone(), unknown: Vec::new() });
-        let settled = minimise_with(objective, &start, &[held], FOLLOW, close_by)?;
+        let settled = minimise(objective, &start, &[held], FOLLOW)?;
         let rise = (settled.chi2 - self.best.chi2).max(0.0).sqrt();
         self.seen.push((objective.variables[held].value(settled.position[held]), rise * rise));
         if settled.chi2 < self.best.chi2 - DEEPER && !self.goes_on {

@@ -1,8 +1,6 @@
 //! Levenberg–Marquardt within bounds. Damping is scaled by the size of each column, a variable that pushes
 //! against its bound stands still, and a step to where the model cannot be computed counts as too long.
 
-use std::ops::RangeInclusive;
-
 use nalgebra::{DMatrix, DVector};
 
 use super::objective::{Differences, Objective, Solution};
@@ -41,48 +39,16 @@ pub fn solve(objective: &mut Objective, start: &DVector<f64>) -> Result<Solution
 }
 
 /// Minimises χ² from `start` with the variables `held` fixed; `None` where χ² cannot be computed at the
-/// start. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden 1965). A search
-/// ends on differences; a rough one also where the last step kept what was promised, and the next promises nothing.
+/// start. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden 1965);
+/// no search ends but on differences.
 pub fn minimise(
     objective: &mut Objective,
     start: &DVector<f64>,
     held: &[usize],
     stop: StoppingCriterion,
 ) -> Option<Solution> {
-    minimise_with(objective, start, held, stop, None)
-}
-
-/// Jacobian from close by, with which the first steps are made.
-#[derive(Clone, Debug)]
-pub struct CloseBy {
-    /// The Jacobian.
-    pub jacobian: DMatrix<f64>,
-    /// Columns that it does not have, to be made by differences.
-    pub unknown: Vec<usize>,
-}
-
-impl CloseBy {
-    /// With its unknown columns by differences about a point.
-    fn filled(self, objective: &mut Objective, here: &Solution) -> Option<DMatrix<f64>> {
-        if self.unknown.is_empty() {
-            return Some(self.jacobian);
-        }
-        let known: Vec<usize> = (0..self.jacobian.ncols()).filter(|i| !self.unknown.contains(i)).collect();
-        Some(self.jacobian + objective.jacobian_about(here, &known, Differences::Forward)?)
-    }
-}
-
-/// Minimises χ² as [`minimise`] does, the first steps with a Jacobian from close by.
-pub fn minimise_with(
-    objective: &mut Objective,
-    start: &DVector<f64>,
-    held: &[usize],
-    stop: StoppingCriterion,
-    close_by: Option<CloseBy>,
-) -> Option<Solution> {
     let mut here = evaluate(objective, start.clone())?;
-    let mut is_trusted = false;
-    let (mut damping, mut mended) = (1e-3, close_by.and_then(|own| own.filled(objective, &here)));
+    let (mut damping, mut mended) = (1e-3, None);
     for _ in 0..stop.steps {
         if !objective.data.progress.permits("searches for a minimum to their end") {
             break;
@@ -110,13 +76,11 @@ pub fn minimise_with(
         };
         let fall = here.chi2 - step.to.chi2;
         let settled = fall <= stop.tolerance * (1.0 + here.chi2);
-        let is_over = is_fresh || is_trusted && step.promised <= stop.tolerance * (1.0 + here.chi2);
-        is_trusted = stop.differences == Differences::Forward && TRUSTED.contains(&(fall / step.promised));
         if !settled && fall >= AS_PROMISED * step.promised {
             mended = Some(slope.mended(objective, &residuals, &here.position, &step.to));
         }
         here = step.to;
-        if settled && is_over {
+        if settled && is_fresh {
             break;
         }
     }
@@ -134,10 +98,6 @@ const TRIALS: usize = 25;
 const MENDED_TRIALS: usize = 2;
 /// Part of the promised fall of χ² from which a Jacobian is mended and kept.
 const AS_PROMISED: f64 = 0.5;
-
-/// Falls of χ², as parts of what was promised, after which a rough search ends on a Jacobian that was not made by
-/// differences here.
-const TRUSTED: RangeInclusive<f64> = 0.8..=1.2;
 
 /// A step that lowers χ².
 struct Step {

@@ -13,7 +13,7 @@ mod write;
 
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
-pub use least_squares::{CloseBy, StoppingCriterion, minimise, minimise_with};
+pub use least_squares::{StoppingCriterion, minimise};
 pub use objective::{Objective, Solution, Trials};
 pub use search_variable::SearchVariable;
 pub use sizes::{EstimatedSize, size_estimate};
