@@ -107,12 +107,17 @@ impl Comparison {
 /// # Errors
 /// The model could not be computed.
 pub fn compare(data: &Data) -> Result<Comparison, Failure> {
+    let predicted = data.model.forward().observe(&data.rows)?;
+    Ok(judged(data, &data.terms, predicted))
+}
+
+/// Judges a prediction of every row, with the effects of the measurement that are at work in it.
+pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
     let (model, measurements): (&Model, &Measurements) = (data.model, data);
-    let predicted = model.forward().observe(&measurements.rows)?;
     let residuals = measurements.residuals(&predicted);
     let all_repeats = repeats(measurements, model.process.coordinates());
     let nothing = DMatrix::zeros(measurements.len(), 0);
-    let (noise, repeats) = Noise::stated(&data.terms, measurements, &all_repeats, &residuals, &nothing);
+    let (noise, repeats) = Noise::stated(terms, measurements, &all_repeats, &residuals, &nothing);
     let suspicion = Suspicion { data, noise: &noise, repeats: &all_repeats, residuals: &residuals, mean: &nothing };
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
@@ -120,7 +125,7 @@ pub fn compare(data: &Data) -> Result<Comparison, Failure> {
     let features = features::find(model.process, measurements, &residuals, &noise);
     let is_explained = p_value.is_none_or(|p| p >= SIGNIFICANCE) && features.is_empty();
     let suspects = if is_explained { suspicion.suspects() } else { Vec::new() };
-    Ok(Comparison {
+    Comparison {
         model: model.source.name.to_string(),
         rms: rms(&errors),
         bias: errors.iter().sum::<f64>() / errors.len() as f64,
@@ -134,7 +139,7 @@ pub fn compare(data: &Data) -> Result<Comparison, Failure> {
         residuals,
         errors,
         noise,
-    })
+    }
 }
 
 /// Root mean square.

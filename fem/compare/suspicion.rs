@@ -89,7 +89,8 @@ impl Suspicion<'_> {
         }
         let restricted = Restricted { measurements: self.data, residuals: self.residuals, mean: self.mean };
         let cost = |noise: &Noise| restricted.minus_two_log(noise) + price(noise, self.data);
-        let here = cost(self.noise);
+        // Terms are weighed at the level that is most likely with them; what is here is too.
+        let here = cost(self.noise).min(cost(&restricted.estimate(self.noise, &self.noise.terms, 0)));
         let judge = |terms: Vec<Term>| {
             let (own, _) = Noise::beside(&terms, self.data, self.repeats, self.residuals);
             let noise = restricted.estimate(&own, &terms, terms.len() - self.noise.terms.len());

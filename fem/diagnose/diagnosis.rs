@@ -6,7 +6,7 @@ use super::next::Next;
 use super::verdict::{GoodnessOfFit, Verdict};
 use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
-use crate::noise::{MeasurementEffect, NoiseLevel};
+use crate::noise::{MeasurementEffect, NoiseLevel, Term};
 use crate::process::Description;
 use crate::units::Kind;
 
@@ -36,6 +36,8 @@ pub struct Diagnosis {
     pub fit: Fit,
     /// Structure of the residuals that remain.
     pub remaining: Vec<Feature>,
+    /// Effects of the measurement that the residuals still ask for, where they have no other structure.
+    pub suspects: Vec<Term>,
     /// Evaluation of every effect that the model does not have.
     pub candidates: Vec<Outlook>,
     /// Next measurement, where effects are confounded.

@@ -4,7 +4,7 @@ use super::candidate_model::CandidateModel;
 use super::confounding::EQUAL_FIT;
 use super::cross_validation::Folds;
 use super::search::SearchResult;
-use super::verdict::is_explained;
+use super::verdict::{is_explained, will_be_adequate};
 use super::{bent_law, instrument, lead};
 use crate::measure::Repeats;
 use crate::noise::{Acts, Term, effects};
@@ -21,7 +21,7 @@ pub struct Hypothesis<'a> {
     pub repeats: Repeats,
     /// −2 ln L with penalties.
     pub criterion: f64,
-    /// Whether the noise explains what the best set leaves.
+    /// Whether the noise explains what the best set leaves, here and to `compare`.
     pub explains: bool,
 }
 
@@ -29,7 +29,7 @@ impl<'a> Hypothesis<'a> {
     /// Judges the result of a search.
     pub fn new(found: SearchResult<'a>, repeats: Repeats) -> Self {
         let criterion = instrument::criterion(found.best());
-        let explains = is_explained(found.best(), &repeats);
+        let explains = explains(found.best(), &repeats);
         Self { found, repeats, criterion, explains }
     }
 
@@ -63,7 +63,7 @@ impl<'a> Hypothesis<'a> {
             Some(set) => self.found.steps.push(set),
             None => self.found.steps.clear(),
         }
-        self.explains = is_explained(self.found.best(), &self.repeats);
+        self.explains = explains(self.found.best(), &self.repeats);
         self.criterion = instrument::criterion(self.found.best());
     }
 
@@ -122,6 +122,10 @@ impl<'a> Hypothesis<'a> {
     pub fn stands_or_falls(&self) -> bool {
         stands_or_falls(&self.found.best().objective.noise.terms)
     }
+}
+
+fn explains(best: &CandidateModel, repeats: &Repeats) -> bool {
+    is_explained(best, repeats) && will_be_adequate(best)
 }
 
 /// Whether one of these terms could swallow what a model lacks.

@@ -2,13 +2,11 @@
 
 use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
-use crate::compare::{self, Feature, features as find_features};
+use crate::compare::{self, Comparison, Feature, SIGNIFICANCE, features as find_features};
 use crate::fit::reduced_chi2;
 use crate::measure::Repeats;
 use crate::noise::NoiseSource;
 
-/// Significance level of χ² and of structure: half of what the search may spend, for both are tested.
-const UNEXPLAINED: f64 = 0.005;
 /// Least part of the unexplained χ² that effects must explain to be named as the cause.
 const HALF: f64 = 0.5;
 
@@ -58,7 +56,7 @@ impl GoodnessOfFit {
 impl GoodnessOfFit {
     /// Whether the noise is as large as what is left, if it is known; what is left may still have structure.
     pub fn is_as_noise(&self) -> bool {
-        self.p_value.is_none_or(|p| p >= UNEXPLAINED)
+        self.p_value.is_none_or(|p| p >= SIGNIFICANCE)
     }
 }
 
@@ -97,12 +95,23 @@ pub fn verdict(
 
 /// Whether the noise explains the residuals.
 fn is_noise(goodness: &GoodnessOfFit, features: &[Feature]) -> bool {
-    goodness.is_as_noise() && features.iter().all(|f| f.p_value >= UNEXPLAINED)
+    goodness.is_as_noise() && features.iter().all(|f| f.p_value >= SIGNIFICANCE)
 }
 
 /// Whether the noise explains what a candidate model leaves.
 pub fn is_explained(trial: &CandidateModel, repeats: &Repeats) -> bool {
     is_noise(&GoodnessOfFit::of(trial, repeats, None), &features(trial))
+}
+
+/// Whether `compare` will call the model adequate that is written with what the candidate model has found.
+pub fn will_be_adequate(trial: &CandidateModel) -> bool {
+    as_written(trial).adequacy() != Some(false)
+}
+
+/// The comparison of the model that is written with what a candidate model has found.
+pub fn as_written(trial: &CandidateModel) -> Comparison {
+    let objective = &trial.objective;
+    compare::judged(objective.data, &objective.noise.terms, trial.solution.predicted.clone())
 }
 
 /// Part of χ² that the noise does not explain; where the noise is only estimated, the part that has

@@ -68,7 +68,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "after": after(d, kind),
         "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
         "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
-        "unexplained": remaining(d),
+        "unexplained": remaining(data, d),
         "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
         "separated_by": text::separated_pairs(d).iter().map(|(a, b, by)| json!({ "separates": [a, b], "text": by })).collect::<Vec<_>>(),
         "held_out_by": d.cross_validation_by,
@@ -195,12 +195,12 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
     })
 }
 
-fn remaining(diagnosis: &Diagnosis) -> Json {
+fn remaining(data: &Data, diagnosis: &Diagnosis) -> Json {
     match diagnosis.verdict {
         Verdict::Adequate | Verdict::MissingEffect => Json::Null,
         Verdict::PartlyExplained | Verdict::Unexplained => {
             let features: Vec<Json> = diagnosis.remaining.iter().map(super::comparison::feature).collect();
-            json!({ "text": text::unexplained(diagnosis), "features": features })
+            json!({ "text": text::unexplained(data, diagnosis), "features": features })
         }
     }
 }

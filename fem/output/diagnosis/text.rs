@@ -32,7 +32,7 @@ pub fn text(data: &Data, diagnosis: &Diagnosis, columns: usize) -> String {
             let _ =
                 writeln!(text, "\nthe intervals count the noise alone: what remains may have bent the values further");
         }
-        let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(d));
+        let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(data, d));
         own_effect(&mut text, data, d);
     }
     not_seen(&mut text, d);
@@ -209,8 +209,12 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
 }
 
 /// Describes the structure that remains.
-pub fn unexplained(d: &Diagnosis) -> String {
+pub fn unexplained(data: &Data, d: &Diagnosis) -> String {
     match &d.remaining[..] {
+        [] if !d.suspects.is_empty() => {
+            let all = d.suspects.iter().map(|term| measurement::words(term, data.model.process, Some(data)));
+            format!("the noise is not what it is taken for: the rows ask for {}", all.collect::<Vec<_>>().join("; "))
+        }
         [] if d.after.is_as_noise() => "nothing but noise beside what is described and not explained".into(),
         [] => "more is left than the noise explains, but along no coordinate".into(),
         features => features.iter().map(|f| f.text.clone()).collect::<Vec<_>>().join("; "),

@@ -190,9 +190,9 @@ fn left(subject: &Subject, found: &Evidence, last: &Step) -> Section {
     let mut blocks = Vec::new();
     if let Some(d) = found.diagnosis {
         let remaining: Vec<String> = d.remaining.iter().map(|f| f.text.clone()).collect();
-        let text = match remaining.is_empty() {
+        let text = match remaining.is_empty() && d.suspects.is_empty() {
             true => "No structure is left along any coordinate or pair.".to_string(),
-            false => format!("What remains, described and not explained: {}.", diagnosis::unexplained(d)),
+            false => format!("What remains, described and not explained: {}.", diagnosis::unexplained(found.data, d)),
         };
         blocks.push(html::paragraph("", &text));
     }
