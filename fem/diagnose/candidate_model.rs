@@ -6,6 +6,7 @@ use super::sensitivity::CandidateEffect;
 use crate::fit::{Objective, Solution};
 use crate::noise::MEASUREMENT;
 use crate::process::Neutral;
+use crate::units::{PERIOD, TIME};
 
 /// Penalty in χ² on an added effect that is larger than is plausible.
 const IMPLAUSIBLE: f64 = 6.0;
@@ -78,8 +79,23 @@ impl CandidateModel<'_> {
         }
     }
 
+    /// Whether the rows differ in nothing but time, and less of it than a period (s): any bow is a piece of some wave,
+    /// where nothing else about the wave is seen.
+    fn is_a_piece_of_a_wave(&self, period: f64) -> bool {
+        let data = self.objective.data;
+        let coordinates = data.model.process.coordinates();
+        let span = |i: usize| {
+            let column = &data.rows.columns[i];
+            let ends = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+            ends.1 - ends.0
+        };
+        let varying: Vec<usize> = data.given.iter().copied().filter(|i| span(*i) > 0.0).collect();
+        matches!(varying[..], [time] if coordinates[time].holds.kind() == Some(TIME) && period > span(time))
+    }
+
     /// Member with an amplitude at a bound of what can be computed other than where the effect vanishes, or
-    /// far larger than is plausible; or just larger, if that is asked for.
+    /// far larger than is plausible, or a wave of which only a piece is seen; with an amplitude just larger or a shape
+    /// other than is plausible, if that is asked for.
     pub fn unbelievable(&self, if_implausible: bool) -> Option<usize> {
         let mut first = self.objective.data.model.parameters.len();
         for (number, effect) in self.members.iter().zip(&self.objective.added) {
@@ -91,7 +107,10 @@ impl CandidateModel<'_> {
                 let ends = [variable.low, variable.high].into_iter().filter(|b| (*b - variable.neutral()).abs() > 0.0);
                 let is_amplitude = entry.neutral != Neutral::Shape;
                 let too_large = self.is_too_large(i, if if_implausible { 1.0 } else { ABSURD });
-                if is_amplitude && (ends.into_iter().any(is_at_bound) || too_large) {
+                let value = entry.kind.from_si(variable.value(s));
+                let is_odd = if_implausible && !is_amplitude && !(entry.range.0..=entry.range.1).contains(&value);
+                let is_piece = entry.kind == PERIOD && self.is_a_piece_of_a_wave(variable.value(s));
+                if is_amplitude && (ends.into_iter().any(is_at_bound) || too_large) || is_odd || is_piece {
                     return Some(*number);
                 }
             }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use generator::thermal::rod::{Rod, histories};
+use generator::thermal::rod::{Heater, Rod, histories};
 
 /// A steel rod of 200 mm and Ø20, heated by 5 W at its end.
 fn rod() -> Rod {
@@ -14,6 +14,7 @@ fn rod() -> Rod {
         base: 0.0,
         joint: None,
         sources: vec![(0.2, 5.0, 0.0, 3000.0)],
+        heater: None,
         surroundings: (0.0, 1.0, 0.0),
     }
 }
@@ -45,6 +46,31 @@ fn flux_into_an_insulated_bar() {
     // The source is switched off.
     let after = &histories(&rod(), &at, &[20_000.0])[0];
     close(after.0[0], 15_000.0 / (7850.0 * 470.0 * AREA * 0.2), 1e-3);
+}
+
+/// A short stout rod is a lump: two lumps that a contact joins, one of which is heated, differ by P C_b/(G (C + C_b))
+/// once 1 − e^(−G(1/C + 1/C_b)t) has settled, and hold all of the heat.
+#[test]
+fn a_heater_at_an_end_and_between() {
+    let (power, held, contact) = (5.0, 40.0, 0.5);
+    for at in [0.02, 0.0113] {
+        let rod = Rod {
+            segments: vec![(0.02, 0.03)],
+            conductivity: 5e4,
+            sources: vec![(at, power, 0.0, f64::INFINITY)],
+            heater: Some(Heater { capacity: held, contact }),
+            ..rod()
+        };
+        let lump = rod.capacity * 0.25 * PI * 0.03 * 0.03 * 0.02;
+        let rate = contact * (1.0 / held + 1.0 / lump);
+        for time in [30.0f64, 200.0, 2000.0] {
+            let behind = power / held / rate * (1.0 - (-rate * time).exp());
+            let exact = (power * time - held * behind) / (held + lump);
+            let found = &histories(&rod, &[0.01], &[time])[0].0;
+            // A method of second order in steps of up to 12 s.
+            close(found[0], exact, (12.0 * rate).powi(2) / 12.0 * held * behind / (held + lump));
+        }
+    }
 }
 
 /// A fin: T = Q cosh(mx)/(kAm sinh(mL)), m² = hp/(kA), long after.

@@ -5,6 +5,7 @@ mod base_conductance;
 mod contact_resistance;
 mod convection;
 mod extra_source;
+mod heater_capacity;
 mod sensor_lag;
 
 use super::machine::Machine;
@@ -17,6 +18,7 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &base_conductance::BASE_CONDUCTANCE,
     &ambient_drift::AMBIENT_DRIFT,
     &extra_source::EXTRA_SOURCE,
+    &heater_capacity::HEATER_CAPACITY,
     &contact_resistance::CONTACT_RESISTANCE,
     &sensor_lag::SENSOR_LAG,
 ];

@@ -146,6 +146,12 @@ fn sources_and_sensors() -> Vec<Case> {
     let switched = body(&ROD.replace("power = \"15 W\"", turns), "");
     let (late, instant) = (rod("[sensor-lag]\ntime_constant = \"120 s\""), rod(""));
     let slope = POWER / (RHO_C * AREA * LENGTH);
+    let heated = rod("[heater-capacity]\nheat_capacity = \"40 J/K\"\ncontact = \"2 W/K\"");
+    // Once waves have settled heater and rod warm alike: what comes through the contact drives the heater ahead of the
+    // end by flow/G, and the end ahead of the mean by flow·L/(3kA).
+    let (held, whole) = (40.0, RHO_C * AREA * LENGTH);
+    let flow = POWER * whole / (held + whole);
+    let mean = (POWER * time - held * flow * (0.5 + LENGTH / (3.0 * K * AREA))) / (held + whole);
     let energy = followed(&rod("[convection]\ncoefficient = \"25 W/m^2/K\""), &[], 10.0, time);
     vec![
         kept("further source of 4 W, 60 min", 19.0 * time, &bearing),
@@ -157,6 +163,14 @@ fn sources_and_sensors() -> Vec<Case> {
             // What is left of the slowest wave, which takes 5 min, after an hour.
             Tolerance::Relative(1e-4),
             "tau dT/dt",
+        ),
+        row(
+            "heater of 40 J/K behind 2 W/K, 60 min",
+            "elongation",
+            (1e6 * ALPHA * LENGTH * mean, 1e6 * elongation(&heated, time), "um"),
+            // The slowest wave again.
+            Tolerance::Relative(1e-4),
+            "two bodies that warm alike",
         ),
         row(
             "heat in less lost less stored, 360 steps",

@@ -19,6 +19,13 @@ pub const LAWS: &[Law] = &[
         &[Parameter("at", "mm", 0.12, 0.88, Role::Shape), Parameter("power", "W", 0.2, 2.0, Role::Amplitude)],
     ),
     (
+        "heater-capacity",
+        &[
+            Parameter("heat_capacity", "J/K", 5.0, 200.0, Role::Amplitude),
+            Parameter("contact", "W/K", 0.2, 3.0, Role::Shape),
+        ],
+    ),
+    (
         "contact-resistance",
         &[
             Parameter("at", "mm", 0.15, 0.85, Role::Shape),

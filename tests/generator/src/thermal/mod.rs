@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use catalogue::LAWS;
 use job::{Job, Row, Seen};
-use rod::{Rod, histories};
+use rod::{Heater, Rod, histories};
 
 use crate::Process;
 use crate::job::{NoiseKind, Shown};
@@ -145,6 +145,8 @@ impl Job {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
         let (at, power, from, to) = self.source;
         let mut sources = vec![(1e-3 * at, power, 60.0 * from, 60.0 * to)];
+        let heater = value(causes, "heater-capacity", "contact")
+            .map(|contact| Heater { capacity: size("heater-capacity", "heat_capacity"), contact });
         if let Some(at) = value(causes, "extra-source", "at") {
             sources.push((1e-3 * at, size("extra-source", "power"), 0.0, f64::INFINITY));
         }
@@ -160,6 +162,7 @@ impl Job {
             base: size("base-conductance", "conductance"),
             joint: joint.map(|at| (1e-3 * at, size("contact-resistance", "conductance"))),
             sources,
+            heater,
             surroundings,
         }
     }

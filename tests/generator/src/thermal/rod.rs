@@ -21,8 +21,19 @@ pub struct Rod {
     pub joint: Option<(f64, f64)>,
     /// (x, W, from, to) in m and s.
     pub sources: Vec<(f64, f64, f64, f64)>,
+    /// What the first source warms before it warms the rod.
+    pub heater: Option<Heater>,
     /// Rise of the surroundings: amplitude K, angular frequency 1/s, phase.
     pub surroundings: (f64, f64, f64),
+}
+
+/// A body at one temperature between a source and the rod.
+#[derive(Debug, Clone, Copy)]
+pub struct Heater {
+    /// Heat capacity, J/K.
+    pub capacity: f64,
+    /// Conductance to the rod, W/K.
+    pub contact: f64,
 }
 
 /// Cells along the whole rod, about.
@@ -44,6 +55,17 @@ struct Cells {
     between: Vec<f64>,
     /// To the surroundings, W/K.
     loss: Vec<f64>,
+    /// Beside the rod; its own rise stands behind those of the cells.
+    heater: Option<Held>,
+}
+
+/// A heater and where it sits.
+struct Held {
+    capacity: f64,
+    /// To the middle of a cell at an end, or to a place between two middles.
+    contact: f64,
+    /// Cells about its place, with their shares.
+    about: Vec<(usize, f64)>,
 }
 
 /// Rises at every place `at` (m) and the integral of the rise over the rod (K m), at each of the rising
@@ -53,7 +75,8 @@ pub fn histories(rod: &Rod, at: &[f64], times: &[f64]) -> Vec<(Vec<f64>, f64)> {
     let heat = |t: f64| cells.heat(rod, t);
     let mut stops: Vec<f64> = rod.sources.iter().flat_map(|s| [s.2, s.3]).chain(times.iter().copied()).collect();
     stops.sort_by(f64::total_cmp);
-    let (mut rises, mut now, mut found) = (vec![0.0; cells.x.len()], 0.0, Vec::new());
+    let unknowns = cells.x.len() + usize::from(cells.heater.is_some());
+    let (mut rises, mut now, mut found) = (vec![0.0; unknowns], 0.0, Vec::new());
     for stop in stops.into_iter().filter(|s| *s >= 0.0) {
         let steps = ((stop - now) / STEP).ceil();
         for k in 0..steps as usize {
@@ -109,7 +132,13 @@ impl Cells {
         if rod.base > 0.0 {
             loss[0] += 1.0 / (1.0 / rod.base + half(0));
         }
-        Self { x, size, capacity, between, loss }
+        let heater = rod.heater.zip(rod.sources.first()).map(|(heater, source)| {
+            let about = shares(&x, source.0);
+            // At an end the face is half a cell away.
+            let apart = if about.len() == 1 { half(about[0].0) } else { 0.0 };
+            Held { capacity: heater.capacity, contact: 1.0 / (1.0 / heater.contact + apart), about }
+        });
+        Self { x, size, capacity, between, loss, heater }
     }
 
     /// Heat into every cell at a time, W; a source is shared by the two cells about it, so that it stands
@@ -118,20 +147,16 @@ impl Cells {
         let (amplitude, frequency, phase) = rod.surroundings;
         let around = amplitude * ((frequency * time + phase).sin() - phase.sin());
         let mut heat: Vec<f64> = self.loss.iter().map(|loss| loss * around).collect();
-        for (x, power, from, to) in &rod.sources {
+        heat.extend(self.heater.iter().map(|_| 0.0));
+        for (number, (x, power, from, to)) in rod.sources.iter().enumerate() {
             // Steps begin and end at the switching, and stages lie inside them.
             if time <= *from || time > *to + 1e-9 {
                 continue;
             }
-            let above = self.x.partition_point(|own| own < x);
-            match above {
-                0 => heat[0] += power,
-                a if a == self.x.len() => heat[a - 1] += power,
-                a => {
-                    let part = (x - self.x[a - 1]) / (self.x[a] - self.x[a - 1]);
-                    heat[a - 1] += (1.0 - part) * power;
-                    heat[a] += part * power;
-                }
+            if number == 0 && self.heater.is_some() {
+                heat[self.x.len()] = *power;
+            } else {
+                shares(&self.x, *x).into_iter().for_each(|(cell, share)| heat[cell] += share * power);
             }
         }
         heat
@@ -147,9 +172,9 @@ impl Cells {
         }
     }
 
-    /// The slope k with C k = −K (T + g k) + q, by elimination along the rod.
+    /// The slope k with C k = −K (T + g k) + q, by elimination along the rod, the heater eliminated first.
     fn slope(&self, rises: &[f64], g: f64, heat: &[f64]) -> Vec<f64> {
-        let n = rises.len();
+        let n = self.x.len();
         let stiff = |i: usize| {
             let below = if i > 0 { self.between[i - 1] } else { 0.0 };
             below + if i + 1 < n { self.between[i] } else { 0.0 } + self.loss[i]
@@ -162,14 +187,34 @@ impl Cells {
                 heat[i] - stiff(i) * rises[i] + below + above
             })
             .collect();
+        // Negative entries beside the diagonal.
+        let mut beside: Vec<f64> = self.between.iter().map(|between| g * between).collect();
+        let weighed = |held: &Held, values: &[f64]| held.about.iter().map(|(i, w)| w * values[*i]).sum::<f64>();
+        let whole = |held: &Held| held.capacity + g * held.contact;
+        if let Some(held) = &self.heater {
+            let flow = held.contact * (rises[n] - weighed(held, rises));
+            let comes = flow + g * held.contact * (heat[n] - flow) / whole(held);
+            let resists = g * held.contact * held.capacity / whole(held);
+            for (i, share) in &held.about {
+                right[*i] += share * comes;
+                diagonal[*i] += share * share * resists;
+            }
+            if let [(i, a), (_, b)] = held.about[..] {
+                beside[i] -= a * b * resists;
+            }
+        }
         for i in 1..n {
-            let factor = g * self.between[i - 1] / diagonal[i - 1];
-            diagonal[i] -= factor * g * self.between[i - 1];
+            let factor = beside[i - 1] / diagonal[i - 1];
+            diagonal[i] -= factor * beside[i - 1];
             right[i] += factor * right[i - 1];
         }
         right[n - 1] /= diagonal[n - 1];
         for i in (0..n - 1).rev() {
-            right[i] = (right[i] + g * self.between[i] * right[i + 1]) / diagonal[i];
+            right[i] = (right[i] + beside[i] * right[i + 1]) / diagonal[i];
+        }
+        if let Some(held) = &self.heater {
+            let flow = held.contact * (rises[n] - weighed(held, rises));
+            right.push((heat[n] - flow + g * held.contact * weighed(held, &right)) / whole(held));
         }
         right
     }
@@ -179,5 +224,17 @@ impl Cells {
         let above = self.x.partition_point(|own| own < &x).clamp(1, self.x.len() - 1);
         let part = ((x - self.x[above - 1]) / (self.x[above] - self.x[above - 1])).clamp(0.0, 1.0);
         (1.0 - part) * rises[above - 1] + part * rises[above]
+    }
+}
+
+/// The cells about a place with their shares of what happens there; one at an end.
+fn shares(middles: &[f64], x: f64) -> Vec<(usize, f64)> {
+    match middles.partition_point(|own| *own < x) {
+        0 => vec![(0, 1.0)],
+        a if a == middles.len() => vec![(a - 1, 1.0)],
+        a => {
+            let part = (x - middles[a - 1]) / (middles[a] - middles[a - 1]);
+            vec![(a - 1, 1.0 - part), (a, part)]
+        }
     }
 }
