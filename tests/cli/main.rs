@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod add;
+mod agreement;
 mod axis;
 mod bad_input;
 mod budget;

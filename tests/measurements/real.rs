@@ -94,3 +94,12 @@ fn a_slack_or_a_gauge_off_its_zero() {
     assert!(class.contains(&"datum-offset") && class.contains(&"gap"), "{class:?}");
     assert!(cause.estimates.iter().all(|e| e.warnings.iter().all(|w| !w.contains("bound"))));
 }
+
+/// One sensor sees less than a period: any bow is a piece of some wave, and whether the room swings, the body was
+/// warmer than the room or the power changed is not to be seen.
+#[test]
+fn a_piece_of_a_wave_is_no_wave_of_the_room() {
+    let diagnosis = diagnosed("motor");
+    assert_eq!(physical(&diagnosis), Vec::<&str>::new());
+    assert_eq!(diagnosis.verdict, Verdict::Unexplained);
+}

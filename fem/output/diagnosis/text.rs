@@ -67,8 +67,10 @@ fn where_it_fails(text: &mut String, d: &Diagnosis, columns: usize) {
     }
     let _ = writeln!(text, "\nwhere it fails, with what the model leaves open re-fitted");
     if d.features.is_empty() {
+        let is_of_noise = d.missing.iter().all(|m| m.cause != Cause::Physical);
         let _ = match d.before.is_as_noise() {
-            true => writeln!(text, "  along no coordinate: the noise is not what it is taken for"),
+            true if is_of_noise => writeln!(text, "  along no coordinate: the noise is not what it is taken for"),
+            true => writeln!(text, "  along no coordinate by itself: what is missing is known by its shape alone"),
             false => writeln!(text, "  more is left than the noise explains, but along no coordinate"),
         };
     }
