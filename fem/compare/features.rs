@@ -14,7 +14,7 @@ use super::rng::Rng;
 use super::sentence::{name, sentence};
 use super::{SIGNIFICANCE, Trend};
 use crate::measure::Measurements;
-use crate::noise::{Acts, Noise, NoiseSource, beyond_f};
+use crate::noise::{Noise, NoiseSource, beyond_f};
 use crate::process::Process;
 
 /// Number of rows beyond which the estimated noise is as good as known, and shuffles would take long.
@@ -50,12 +50,7 @@ pub struct Feature {
 pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
     let left = noise.unshared(residuals);
     let z = noise.whiten(residuals.iter().copied());
-    // Uncertainties that were scaled by these very residuals do not tell their level.
-    let source = if noise.terms.iter().any(|t| matches!(t.effect.acts, Acts::Scales)) {
-        NoiseSource::Estimated
-    } else {
-        noise.source
-    };
+    let source = noise.source_of_level();
     let whole = Residuals { sigma: noise.rms(), source, left, z };
     let [_, _, ..] = &measurements.observables[..] else { return of_one(process, measurements, whole) };
     let square = |rows: &[usize]| rows.iter().map(|r| whole.z[*r].powi(2)).sum::<f64>();

@@ -105,12 +105,15 @@ impl CandidateModel<'_> {
                 let (variable, s) = (&self.objective.variables[i], self.solution.position[i]);
                 let is_at_bound = |bound: f64| bound.is_finite() && (s - bound).abs() <= 1e-9 * bound.abs();
                 let ends = [variable.low, variable.high].into_iter().filter(|b| (*b - variable.neutral()).abs() > 0.0);
-                let is_amplitude = entry.neutral != Neutral::Shape;
-                let too_large = self.is_too_large(i, if if_implausible { 1.0 } else { ABSURD });
                 let value = entry.kind.from_si(variable.value(s));
-                let is_odd = if_implausible && !is_amplitude && !(entry.range.0..=entry.range.1).contains(&value);
+                let is_plausible = (entry.range.0..=entry.range.1).contains(&value);
+                let is_amplitude = entry.neutral != Neutral::Shape;
+                // An exponent of 1 is the end of what can be, and most metals are there.
+                let is_at_end = !is_plausible && ends.into_iter().any(is_at_bound);
+                let too_large = self.is_too_large(i, if if_implausible { 1.0 } else { ABSURD });
+                let is_odd = if_implausible && !is_amplitude && !is_plausible;
                 let is_piece = entry.kind == PERIOD && self.is_a_piece_of_a_wave(variable.value(s));
-                if is_amplitude && (ends.into_iter().any(is_at_bound) || too_large) || is_odd || is_piece {
+                if is_amplitude && (is_at_end || too_large) || is_odd || is_piece {
                     return Some(*number);
                 }
             }

@@ -168,6 +168,12 @@ impl Noise {
         }
     }
 
+    /// Source of the level of the standard uncertainties: those that were scaled by the residuals do not tell it.
+    pub fn source_of_level(&self) -> NoiseSource {
+        let is_scaled = self.terms.iter().any(|t| matches!(t.effect.acts, Acts::Scales));
+        if is_scaled { NoiseSource::Estimated } else { self.source }
+    }
+
     /// The same noise, all of it larger by a factor.
     #[must_use]
     pub fn times(&self, factor: f64, measurements: &Measurements) -> Self {

@@ -21,7 +21,8 @@ pub fn table(table: &Table) -> String {
             let _ = match column.words.get(value as usize) {
                 _ if value.is_nan() => write!(text, "{comma}"),
                 Some(word) => write!(text, "{comma}{word}"),
-                None => write!(text, "{comma}{value}"),
+                // Nothing has no sign.
+                None => write!(text, "{comma}{}", value + 0.0),
             };
         }
         text.push('\n');
@@ -38,8 +39,8 @@ mod tests {
     fn words_stand_as_words() {
         let columns = vec![
             Column::words("direction", vec![1.0, 0.0], &["+", "-"]),
-            Column::numbers("deviation", Some("um"), vec![0.5, -2.0]),
+            Column::numbers("deviation", Some("um"), vec![-0.0, -2.0]),
         ];
-        assert_eq!(table(&Table { columns }), "direction,deviation [um]\n-,0.5\n+,-2\n");
+        assert_eq!(table(&Table { columns }), "direction,deviation [um]\n-,0\n+,-2\n");
     }
 }

@@ -23,8 +23,9 @@ pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String
         while measurements.records_of.get(row) == Some(&number) {
             let own = measurements.observable(row);
             let unit = unit(&measurements.observables[own]);
-            added[2 * own] = ((comparison.predicted[row] - unit.offset) / unit.factor).to_string();
-            added[2 * own + 1] = (comparison.residuals[row] / unit.factor).to_string();
+            // Nothing has no sign: -0 + 0 is 0.
+            added[2 * own] = ((comparison.predicted[row] - unit.offset) / unit.factor + 0.0).to_string();
+            added[2 * own + 1] = (comparison.residuals[row] / unit.factor + 0.0).to_string();
             row += 1;
         }
         let file = measurements.file_of_record(number).map(str::to_string);

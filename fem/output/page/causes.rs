@@ -19,11 +19,16 @@ const BETWEEN: usize = 12;
 /// The missing effects.
 pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
     let curves = found.completed.map_or(Vec::new(), |(model, run)| plots::changes(model, &run.contributions));
-    let cards = d.missing.iter().enumerate().map(|(i, m)| card(i + 1, m, &curves, subject)).collect();
+    let card = |(number, missing): (usize, &Missing)| {
+        // As the command numbers them.
+        let number = if missing.describes() { format!("described {number}") } else { number.to_string() };
+        card(&number, missing, &curves, subject)
+    };
+    let cards = (1..).zip(&d.missing).map(card).collect();
     Section { id: "causes", title: "The causes", blocks: cards }
 }
 
-fn card(number: usize, missing: &Missing, curves: &[(&str, Chart)], subject: &Subject) -> String {
+fn card(number: &str, missing: &Missing, curves: &[(&str, Chart)], subject: &Subject) -> String {
     let effect = &missing.effect;
     let mut html = format!(
         "<article class=\"cause\"><h3><span class=\"number\">{number}</span>{}</h3><p>{}</p>",
