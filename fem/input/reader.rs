@@ -214,6 +214,17 @@ impl<'a> Reader<'a> {
         text
     }
 
+    /// A key with yes or no.
+    pub fn flag(&self, key: &'static str, about: &'static str) -> Option<bool> {
+        self.describe(key, || json!({ "type": "boolean", "description": about }), false);
+        let item = self.item(key)?;
+        if item.as_bool().is_none() {
+            let problem = Problem::new(format!("`{key}`: expected true or false, found {}", item.type_name()));
+            self.refuse(problem.help(format!("write {key} = true")).at(item.span()));
+        }
+        item.as_bool()
+    }
+
     /// The keys of this table, in the order of the file.
     pub fn keys(&self) -> Vec<String> {
         match &self.ground {

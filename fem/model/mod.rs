@@ -5,6 +5,7 @@ mod data;
 mod formula_effect;
 mod instrument;
 mod measurement;
+mod named;
 mod require;
 mod run;
 mod schema;
