@@ -26,6 +26,7 @@ mod ring;
 mod start;
 mod stiffness;
 mod story;
+mod study;
 mod thermal;
 mod validate;
 mod writing;

@@ -16,7 +16,7 @@ use crate::study::{Layout, Summary};
 const ROWS: &str = "rows.csv";
 const PARTIAL: &str = "rows.partial.csv";
 /// Times after which rows are handed to the system, and to the disk.
-const WRITTEN_AFTER: Duration = Duration::from_millis(100);
+const WRITTEN_AFTER: Duration = Duration::from_millis(20);
 const SYNCED_AFTER: Duration = Duration::from_secs(5);
 
 /// Part of a study's jobs: number `number`, from 1, of `of`.
