@@ -190,7 +190,7 @@ fn read_design(t: &Reader) -> Chosen {
     } else if way != Way::Table && t.has("file") {
         t.problem("file", "only a design of type \"table\" has a `file`", "add type = \"table\", or remove `file`");
     }
-    let table = named.and_then(|file| match file.text() {
+    let table = named.filter(|_| way == Way::Table).and_then(|file| match file.text() {
         Ok(source) => Some(source),
         Err(problem) => {
             t.problem("file", problem.message, problem.help.unwrap_or_default());

@@ -154,8 +154,6 @@ fn a_time_limit_leaves_jobs_for_the_next_time() {
     assert!(!place.path("out/rows.partial.csv").exists());
 }
 
-const BAD_JOB: &str = "[[result]]\nfigure = \"total.value\"";
-
 /// The name of the first number that a run of the spring tells.
 fn figure(place: &Place) -> String {
     let run = json(place, &["run", "spring.toml"]);
@@ -170,7 +168,7 @@ fn a_job_that_fails_is_told_and_stops_no_other() {
     let place = place("type = \"table\"\nfile = \"points.csv\"", "");
     place.write("points.csv", "joint.stiffness [N/um]\n80\n-3\n100\n0.09 kN\n".replace("0.09 kN", "90"));
     let name = figure(&place);
-    let result = BAD_JOB.replace("total.value", &name);
+    let result = format!("[[result]]\nfigure = \"{name}\"");
     let told = json(&place, &["run", "spring.toml"]);
     let (key, entry) = name.split_once('.').unwrap();
     let usual = told["findings"][key][entry].as_f64().unwrap();
@@ -183,7 +181,8 @@ fn a_job_that_fails_is_told_and_stops_no_other() {
     assert!(answer.out.contains("4, 1 failed") && answer.out.contains("job 2: joint.stiffness cannot be -3 N/um"));
     let rows = rows(&place, "out/plan/rows.csv");
     assert_eq!((rows.len(), rows[1][2].as_str(), rows[1][3].as_str()), (4, "", "joint.stiffness cannot be -3 N/um"));
-    assert_eq!((rows[0][2].parse(), rows[0][3].as_str()), (Ok(usual), ""));
+    let first: f64 = rows[0][2].parse().unwrap();
+    assert!((first - usual).abs() <= 4.0 * f64::EPSILON * usual.abs() && rows[0][3].is_empty());
     let found = json(&place, &["study", "plan.toml"]);
     let accepted = &found["results"][0]["yield"];
     assert_eq!((accepted["failed"].as_u64(), found["failed"].as_u64()), (Some(1), Some(1)));
@@ -193,7 +192,7 @@ fn a_job_that_fails_is_told_and_stops_no_other() {
     // Where nothing else is to be had, the command fails.
     place.write("points.csv", "joint.stiffness [N/um]\n-3\n-4\n");
     let none = place.fem(&["study", "plan.toml", "-o", "none"]);
-    assert!(none.status != 0 && none.err.contains("gives no results"), "{}", none.err);
+    assert!(none.status == 1 && none.err.contains("every job failed: joint.stiffness cannot be -3"), "{}", none.err);
 }
 
 #[test]
@@ -206,13 +205,18 @@ fn rows_are_what_a_run_gives() {
     assert_eq!(answer.status, 0, "{}", answer.err);
     let rows = rows(&place, "out/rows.csv");
     assert_eq!(rows.len(), 6);
+    // Reading JSON may round a number to its neighbour.
+    let same = |cell: &str, number: &Json| {
+        let (cell, number) = (cell.parse::<f64>().unwrap(), number.as_f64().unwrap());
+        assert!((cell - number).abs() <= 4.0 * f64::EPSILON * number.abs(), "{cell} for {number}");
+    };
     for row in &rows {
         let text = place.read("lathe.toml").replace("radial_force = \"450 N\"", &format!("radial_force = \"{} N\"", row[1]));
         place.write("one.toml", text.replace("rate = \"8 um/km\"", &format!("rate = \"{} um/km\"", row[2])));
         let run = json(&place, &["run", "one.toml"]);
         let found = &run["findings"];
-        assert_eq!(row[4].parse::<f64>().ok(), found["largest"]["value"].as_f64());
-        assert_eq!(row[5].parse::<f64>().ok(), found["batch"]["part_means"][11].as_f64());
+        same(&row[4], &found["largest"]["value"]);
+        same(&row[5], &found["batch"]["part_means"][11]);
         assert_eq!(found["form"]["form"], row[6].as_str());
     }
     let cells: Vec<(&str, &str)> = rows.iter().map(|r| (r[1].as_str(), r[2].as_str())).collect();
@@ -222,7 +226,7 @@ fn rows_are_what_a_run_gives() {
     place.write("points.csv", columns);
     place.write("table.toml", "model = \"lathe.toml\"\ndesign = { type = \"table\", file = \"points.csv\" }\nresult = [{ figure = \"largest\" }]\n");
     assert_eq!(place.fem(&["study", "table.toml", "-o", "again"]).status, 0);
-    let again = super::study::rows(&place, "again/rows.csv");
+    let again = self::rows(&place, "again/rows.csv");
     assert!(rows.iter().zip(&again).all(|(a, b)| a[4] == b[3]) && again.len() == 6);
 }
 
@@ -279,7 +283,7 @@ fn fits_and_diagnoses_are_those_of_the_commands() {
             format!("{force},{},0.1\n", force / stiffness + 0.05 * f64::from(i % 3 - 1))
         };
         let rows: String = (1..=10).map(row).collect();
-        place.write(name, format!("force [N],deflection [um],u [um]\n{rows}"));
+        place.write(name, format!("force [N],displacement [um],u [um]\n{rows}"));
     }
     for task in ["fit", "diagnose"] {
         place.write("plan.toml", format!("model = \"spring.toml\"\ntask = \"{task}\"\ndata = \"m*.csv\"\n"));
