@@ -32,7 +32,12 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     let jobs = folder.jobs();
     let left = folder.next()..jobs.end;
     if !left.is_empty() && left.start > jobs.start {
-        say!("note: going on after {} of {} jobs in {}", left.start - jobs.start, jobs.end - jobs.start, directory.display());
+        say!(
+            "note: going on after {} of {} jobs in {}",
+            left.start - jobs.start,
+            jobs.end - jobs.start,
+            directory.display()
+        );
     }
     let progress = args.limit.progress();
     watched(&progress, || {

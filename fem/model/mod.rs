@@ -28,7 +28,8 @@ use std::sync::Arc;
 use toml_edit::Document;
 
 use crate::input::{
-    FileKey, Found, InputError, Instead, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
+    FileKey, Found, InputError, Instead, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest,
+    seen_from,
 };
 use crate::noise::{self, Term};
 use crate::process::{self, Active, Contradiction, Description, ForwardModel, Process, System};
@@ -85,7 +86,9 @@ impl Model {
         let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
         let kept = Kept::default();
         let ((title, system, effects, measurement), found) =
-            Reader::of_file(document.as_table(), source.folder(), &kept, Instead::default(), |model| read(model, process));
+            Reader::of_file(document.as_table(), source.folder(), &kept, Instead::default(), |model| {
+                read(model, process)
+            });
         let Found { parameters, quantities, files, problems } = found;
         match system {
             Some(system) if problems.is_empty() => {

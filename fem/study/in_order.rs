@@ -31,13 +31,8 @@ pub fn in_order<T: Send, E: Send>(
     sink: impl FnMut(T) -> Result<(), E> + Send,
 ) -> Result<u64, E> {
     progress.expect(numbers.end.saturating_sub(numbers.start));
-    let state = Mutex::new(State {
-        next: numbers.start,
-        due: numbers.start,
-        waiting: BTreeMap::new(),
-        sink,
-        failed: None,
-    });
+    let state =
+        Mutex::new(State { next: numbers.start, due: numbers.start, waiting: BTreeMap::new(), sink, failed: None });
     let freed = Condvar::new();
     let threads = rayon::current_num_threads().max(1);
     let workers = threads.min(usize::try_from(numbers.end.saturating_sub(numbers.start)).unwrap_or(threads)).max(1);

@@ -23,8 +23,7 @@ pub enum Task {
 
 impl Task {
     /// Words in a plan.
-    pub const WORDS: &[(&'static str, Self)] =
-        &[("run", Self::Run), ("fit", Self::Fit), ("diagnose", Self::Diagnose)];
+    pub const WORDS: &[(&'static str, Self)] = &[("run", Self::Run), ("fit", Self::Fit), ("diagnose", Self::Diagnose)];
 
     /// Word in a plan.
     pub fn word(self) -> &'static str {

@@ -331,7 +331,11 @@ fn check_design(reader: &Reader, inputs: &[Input], chosen: &Chosen) {
 fn check_data(reader: &Reader, task: Task, data: &[std::path::PathBuf]) {
     match task {
         Task::Run if !data.is_empty() => {
-            reader.problem("data", "a run has no measurements", "remove them, or let `task` be \"fit\" or \"diagnose\"");
+            reader.problem(
+                "data",
+                "a run has no measurements",
+                "remove them, or let `task` be \"fit\" or \"diagnose\"",
+            );
         }
         Task::Fit | Task::Diagnose if data.is_empty() => {
             let help = "add data = \"measured.csv\" or \"parts/*.csv\" by the folder of the plan, or a table with a column `data`";
@@ -344,9 +348,8 @@ fn check_data(reader: &Reader, task: Task, data: &[std::path::PathBuf]) {
 
 /// Quantities that are unknown, and that a run needs.
 fn unknown<'m>(model: &'m Model, inputs: &[Input], task: Task) -> Vec<&'m Parameter> {
-    let is_open = |p: &&Parameter| {
-        p.quantity.knowledge == Knowledge::Free && inputs.iter().all(|input| input.path != p.path)
-    };
+    let is_open =
+        |p: &&Parameter| p.quantity.knowledge == Knowledge::Free && inputs.iter().all(|input| input.path != p.path);
     let open = model.parameters.iter().filter(is_open);
     if task == Task::Run { open.collect() } else { Vec::new() }
 }

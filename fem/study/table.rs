@@ -37,15 +37,13 @@ enum Column {
 /// The table is wrong; the error names the line.
 pub fn read(source: &Source, model: &Model, given: Vec<Input>, folder: &Path) -> Result<Table, InputError> {
     let text = &source.text;
-    let refuse = |problem: Problem, byte: usize| {
-        InputError::one(source.clone(), problem.at(Some(line_at(text, byte, 0))))
-    };
+    let refuse =
+        |problem: Problem, byte: usize| InputError::one(source.clone(), problem.at(Some(line_at(text, byte, 0))));
     if !given.is_empty() {
         let problem = Problem::new("the table says what varies, and the plan has an [[input]] too");
         return Err(refuse(problem.help("remove the [[input]], or the table"), 0));
     }
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let header = reader.headers().map_err(|e| refuse(no_csv(&e, 0), 0))?.clone();
     parted_by_commas(header.iter()).map_err(|problem| refuse(problem, 0))?;
     let (mut inputs, mut columns) = (Vec::<Input>::new(), Vec::new());

@@ -10,7 +10,7 @@ use crate::process::{Case, Tolerance};
 use crate::units::NUMBER;
 
 /// Groups of independent draws in every row.
-const GROUPS: u64 = 16_384;
+const GROUPS: u64 = 4096;
 
 /// A function with its inputs, and its indices, first and total, in closed form.
 struct Known {

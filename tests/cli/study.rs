@@ -9,7 +9,8 @@ use serde_json::Value as Json;
 use super::fem::{Answer, Mistake, Place, answer, model};
 
 /// A spring whose deflection under 1 kN is 1000/k.
-const SPRING: &str = "process = \"stiffness\"\njoint = { stiffness = \"80 +- 8 N/um\" }\ntest = { max_force = \"1 kN\" }\n";
+const SPRING: &str =
+    "process = \"stiffness\"\njoint = { stiffness = \"80 +- 8 N/um\" }\ntest = { max_force = \"1 kN\" }\n";
 
 /// A plan over the spring.
 fn plan(design: &str, rest: &str) -> String {
@@ -211,7 +212,8 @@ fn rows_are_what_a_run_gives() {
         assert!((cell - number).abs() <= 4.0 * f64::EPSILON * number.abs(), "{cell} for {number}");
     };
     for row in &rows {
-        let text = place.read("lathe.toml").replace("radial_force = \"450 N\"", &format!("radial_force = \"{} N\"", row[1]));
+        let text =
+            place.read("lathe.toml").replace("radial_force = \"450 N\"", &format!("radial_force = \"{} N\"", row[1]));
         place.write("one.toml", text.replace("rate = \"8 um/km\"", &format!("rate = \"{} um/km\"", row[2])));
         let run = json(&place, &["run", "one.toml"]);
         let found = &run["findings"];
@@ -222,7 +224,11 @@ fn rows_are_what_a_run_gives() {
     let cells: Vec<(&str, &str)> = rows.iter().map(|r| (r[1].as_str(), r[2].as_str())).collect();
     assert_eq!(cells, [("300", "4"), ("300", "6"), ("300", "8"), ("450", "4"), ("450", "6"), ("450", "8")]);
     // Rows of results are a table of points.
-    let columns: String = place.read("out/rows.csv").lines().map(|l| l.split(',').skip(1).take(2).collect::<Vec<_>>().join(",") + "\n").collect();
+    let columns: String = place
+        .read("out/rows.csv")
+        .lines()
+        .map(|l| l.split(',').skip(1).take(2).collect::<Vec<_>>().join(",") + "\n")
+        .collect();
     place.write("points.csv", columns);
     place.write("table.toml", "model = \"lathe.toml\"\ndesign = { type = \"table\", file = \"points.csv\" }\nresult = [{ figure = \"largest\" }]\n");
     assert_eq!(place.fem(&["study", "table.toml", "-o", "again"]).status, 0);
@@ -278,11 +284,13 @@ fn fits_and_diagnoses_are_those_of_the_commands() {
     let place = Place::new();
     place.write("spring.toml", SPRING.replace("80 +- 8", "? near 80"));
     for (name, stiffness) in [("m1.csv", 70.0), ("m2.csv", 90.0)] {
-        let row = |i: i32| {
+        // A scatter as the uncertainty says.
+        let scatter = [0.11, -0.08, 0.02, -0.15, 0.09, 0.13, -0.04, -0.12, 0.06, 0.01];
+        let row = |(i, off): (u32, f64)| {
             let force = 100.0 * f64::from(i);
-            format!("{force},{},0.1\n", force / stiffness + 0.05 * f64::from(i % 3 - 1))
+            format!("{force},{},0.1\n", force / stiffness + off)
         };
-        let rows: String = (1..=10).map(row).collect();
+        let rows: String = (1..).zip(scatter).map(row).collect();
         place.write(name, format!("force [N],displacement [um],u [um]\n{rows}"));
     }
     for task in ["fit", "diagnose"] {
@@ -304,7 +312,10 @@ fn fits_and_diagnoses_are_those_of_the_commands() {
     assert!(words.contains(",adequate,nothing,"), "{words}");
     // A data file of a row's own, from a table, and a quantity that is entered instead of fitted.
     place.write("points.csv", "data,test.max_force [kN]\nm2.csv,1\nm1.csv,2\n");
-    place.write("plan.toml", "model = \"spring.toml\"\ntask = \"fit\"\ndesign = { type = \"table\", file = \"points.csv\" }\n");
+    place.write(
+        "plan.toml",
+        "model = \"spring.toml\"\ntask = \"fit\"\ndesign = { type = \"table\", file = \"points.csv\" }\n",
+    );
     assert_eq!(place.fem(&["study", "plan.toml", "-o", "table"]).status, 0);
     let rows = rows(&place, "table/rows.csv");
     assert_eq!((rows[0][2].as_str(), rows[1][2].as_str()), ("m2.csv", "m1.csv"));
@@ -394,7 +405,7 @@ const MISTAKES: &[Mistake] = &[
     ("samples = 4", "samples = 0", "`samples` is 0", "from 1 to"),
     ("seed = 1", "file = \"lathe.toml\"", "only a design of type \"table\" has a `file`", "remove `file`"),
     ("seed = 1", "indices = 3", "expected true or false", "indices = true"),
-    ("\"cut.depth\"", "\"cut.deep\"", "has no quantity `cut.deep`", "did you mean `cut.depth`?"),
+    ("\"cut.depth\"", "\"cut.depths\"", "has no quantity `cut.depths`", "did you mean `cut.depth`?"),
     ("quantity = \"cut.depth\"", "", "`quantity` is missing", "the path of a key"),
     ("\"cut.depth\"", "\"effects.tool-wear.rate\"", "stands in two inputs", "keep one"),
     ("half_field = \"0.1 mm\"", "", "nothing says how far `cut.depth` scatters", "add `half_field`"),

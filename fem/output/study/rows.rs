@@ -19,12 +19,8 @@ pub fn header(layout: &Layout) -> String {
     let inputs = layout.inputs.iter().map(|(name, unit)| named(name, unit));
     let results = layout.results.iter().map(|r| named(&r.name, &r.unit));
     let data = layout.has_data.then(|| DATA.to_string());
-    let all: Vec<String> = std::iter::once(JOB.to_string())
-        .chain(inputs)
-        .chain(data)
-        .chain(results)
-        .chain([ERROR.to_string()])
-        .collect();
+    let all: Vec<String> =
+        std::iter::once(JOB.to_string()).chain(inputs).chain(data).chain(results).chain([ERROR.to_string()]).collect();
     all.join(",") + "\n"
 }
 
@@ -120,7 +116,10 @@ mod tests {
             error: "no \"force\",\nand no depth".into(),
         };
         let told = line(&row);
-        assert_eq!(told, "7,0.3,1e-7,450,\"a,b.csv\",-1.2345678901234567e-9,,saddle,\"no \"\"force\"\", and no depth\"\n");
+        assert_eq!(
+            told,
+            "7,0.3,1e-7,450,\"a,b.csv\",-1.2345678901234567e-9,,saddle,\"no \"\"force\"\", and no depth\"\n"
+        );
         assert_eq!((job_of(told.as_bytes()), job_of(told.trim_end().as_bytes())), (Some(7), None));
     }
 }

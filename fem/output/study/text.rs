@@ -111,7 +111,11 @@ fn tolerated(
         }
     };
     let word = if layout.nature == Nature::Listed { "within" } else { "yield" };
-    let _ = writeln!(text, "    {word:<10} {} %{interval}: {good} good, {bad} bad, {failed} failed", percent(acceptance.share()));
+    let _ = writeln!(
+        text,
+        "    {word:<10} {} %{interval}: {good} good, {bad} bad, {failed} failed",
+        percent(acceptance.share())
+    );
     if let Some(worst) = &numbers.worst {
         let beyond = (low - worst.value).max(worst.value - high);
         let told = if beyond > 0.0 { "beyond" } else { "within" };
