@@ -9,7 +9,7 @@ use clap::{Parser, Subcommand};
 
 use crate::model::Setting;
 use crate::output::CONTROLS;
-use crate::output::study::Shard;
+use crate::study::Shard;
 
 pub use shared::{Data, Limit, Mark, Reading};
 

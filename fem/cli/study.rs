@@ -9,10 +9,10 @@ use super::terminal::{page, print};
 use super::watch::watched;
 use crate::input::Problem;
 use crate::output::files::Guard;
-use crate::output::study::{Shard, StudyFolder, line, merge};
+use crate::output::study::{StudyFolder, line, merge};
 use crate::output::{Folder, Format, Report};
 use crate::progress::Progress;
-use crate::study::{Layout, Summary, in_order, load};
+use crate::study::{Layout, Shard, Summary, in_order, load};
 
 pub fn run(args: &args::Study) -> Result<(), Error> {
     if let Some(args::StudyCommand::Merge(args)) = &args.command {

@@ -48,13 +48,13 @@ impl Acceptance {
 mod tests {
     use super::*;
 
-    /// P(X <= k) of a binomial distribution, summed.
+    /// P(X <= k) of a binomial distribution, summed by logarithms of its terms.
     fn up_to(k: u64, n: u64, p: f64) -> f64 {
-        let mut term = (1.0 - p).powi(n as i32);
-        let mut sum = term;
+        let mut term = n as f64 * (-p).ln_1p();
+        let mut sum = term.exp();
         for i in 0..k {
-            term *= (n - i) as f64 / (i + 1) as f64 * p / (1.0 - p);
-            sum += term;
+            term += ((n - i) as f64 / (i + 1) as f64 * p / (1.0 - p)).ln();
+            sum += term.exp();
         }
         sum
     }

@@ -166,7 +166,7 @@ impl Points {
     }
 
     /// Number of points.
-    pub fn len(&self) -> u64 {
+    pub fn count(&self) -> u64 {
         let listed = |input: &Input| match &input.spread {
             Spread::List(values) => values.len() as u64,
             _ => 1,
@@ -244,8 +244,8 @@ mod tests {
     fn every_design_has_the_moments_of_the_law() {
         for sampler in [Sampler::Random, Sampler::LatinHypercube, Sampler::Sobol] {
             let points = Points::new(vec![normal(450.0, 60.0, Bounds::Any); 2], drawn(sampler, false));
-            assert_eq!(points.len(), 4096);
-            let all: Vec<Vec<f64>> = (0..points.len()).map(|i| points.at(i)).collect();
+            assert_eq!(points.count(), 4096);
+            let all: Vec<Vec<f64>> = (0..points.count()).map(|i| points.at(i)).collect();
             for input in 0..2 {
                 let mean = all.iter().map(|p| p[input]).sum::<f64>() / 4096.0;
                 let variance = all.iter().map(|p| (p[input] - 450.0).powi(2)).sum::<f64>() / 4096.0;
@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn a_law_is_cut_off_where_the_quantity_ends() {
         let points = Points::new(vec![normal(10.0, 60.0, Bounds::Positive)], drawn(Sampler::LatinHypercube, false));
-        let all: Vec<f64> = (0..points.len()).map(|i| points.at(i)[0]).collect();
+        let all: Vec<f64> = (0..points.count()).map(|i| points.at(i)[0]).collect();
         assert!(all.iter().all(|v| *v > 0.0));
         // The part of the uncut law that lies between 0 and its middle, over what is left of it.
         let below = Law::Normal.below(-1.0 / 6.0);
@@ -272,7 +272,7 @@ mod tests {
     fn a_group_mixes_two_points() {
         for sampler in [Sampler::Random, Sampler::LatinHypercube, Sampler::Sobol] {
             let points = Points::new(vec![normal(450.0, 60.0, Bounds::Any); 3], drawn(sampler, true));
-            assert_eq!((points.len(), points.group()), (5 * 4096, 5));
+            assert_eq!((points.count(), points.group()), (5 * 4096, 5));
             let group: Vec<Vec<f64>> = (35..40).map(|i| points.at(i)).collect();
             let (a, b) = (&group[0], &group[1]);
             for input in 0..3 {
@@ -293,7 +293,7 @@ mod tests {
             spread: Spread::List(values.to_vec()),
         };
         let points = Points::new(vec![list("a", &[0.1, 0.2]), list("b", &[0.001, 0.002, 0.0003])], Design::Grid);
-        let all: Vec<Vec<f64>> = (0..points.len()).map(|i| points.at(i)).collect();
+        let all: Vec<Vec<f64>> = (0..points.count()).map(|i| points.at(i)).collect();
         let expected = [[100.0, 1.0], [100.0, 2.0], [100.0, 0.3], [200.0, 1.0], [200.0, 2.0], [200.0, 0.3]];
         assert_eq!(all, expected);
     }

@@ -1,5 +1,7 @@
 //! What the rows of a study are: enough to read them again without plan and model.
 
+use std::ops::Range;
+
 /// Nature of the points at which a study looked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Nature {
@@ -72,5 +74,32 @@ impl Layout {
             (before != now).then(|| format!("{key} was {} and is {}", told(before), told(now)))
         });
         different.take(MOST).collect()
+    }
+}
+
+/// Part of a study's jobs: number `number`, from 1, of `of`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Which.
+    pub number: u64,
+    /// Of how many.
+    pub of: u64,
+}
+
+impl Shard {
+    /// All jobs.
+    pub const ALL: Self = Self { number: 1, of: 1 };
+
+    /// Its jobs, from 0; groups stay together.
+    pub fn jobs(self, layout: &Layout) -> Range<u64> {
+        let groups = u128::from(layout.jobs / layout.group);
+        let first = |number: u64| (groups * u128::from(number) / u128::from(self.of)) as u64 * layout.group;
+        first(self.number - 1)..first(self.number)
+    }
+}
+
+impl std::fmt::Display for Shard {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}/{}", self.number, self.of)
     }
 }

@@ -25,7 +25,7 @@ pub use acceptance::Acceptance;
 pub use design::{Design, Input, Points, Sampler, Spread};
 pub use in_order::in_order;
 pub use indices::{Index, Indices};
-pub use layout::{Layout, Nature, ResultColumn};
+pub use layout::{Layout, Nature, ResultColumn, Shard};
 pub use plan::{Offered, Plan, Task, Wanted};
 pub use read::{load, schema};
 pub use summary::{Cell, Extreme, Found, Numbers, Row, Summary, Summing};

@@ -81,12 +81,12 @@ impl Plan {
     /// Number of jobs.
     pub fn jobs(&self) -> u64 {
         let files = if self.data_of_point.is_empty() { self.data.len().max(1) } else { 1 };
-        self.points.len().saturating_mul(files as u64)
+        self.points.count().saturating_mul(files as u64)
     }
 
     /// Values of the inputs (in their units) and file of job number `number`, from 0.
     pub fn point(&self, number: u64) -> (Vec<f64>, Option<&PathBuf>) {
-        let (round, point) = (number / self.points.len(), number % self.points.len());
+        let (round, point) = (number / self.points.count(), number % self.points.count());
         let file = self.data_of_point.get(point as usize).copied().unwrap_or(round as usize);
         (self.points.at(point), self.data.get(file))
     }

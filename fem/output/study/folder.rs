@@ -10,7 +10,7 @@ use super::{layout, rows};
 use crate::input::Problem;
 use crate::output::OutputError;
 use crate::output::files::{self, Guard};
-use crate::study::{Layout, Summary};
+use crate::study::{Layout, Shard, Summary};
 
 /// Names of the rows, finished and not.
 const ROWS: &str = "rows.csv";
@@ -18,33 +18,6 @@ const PARTIAL: &str = "rows.partial.csv";
 /// Times after which rows are handed to the system, and to the disk.
 const WRITTEN_AFTER: Duration = Duration::from_millis(20);
 const SYNCED_AFTER: Duration = Duration::from_secs(5);
-
-/// Part of a study's jobs: number `number`, from 1, of `of`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard {
-    /// Which.
-    pub number: u64,
-    /// Of how many.
-    pub of: u64,
-}
-
-impl Shard {
-    /// All jobs.
-    pub const ALL: Self = Self { number: 1, of: 1 };
-
-    /// Its jobs, from 0; groups stay together.
-    pub fn jobs(self, layout: &Layout) -> Range<u64> {
-        let groups = u128::from(layout.jobs / layout.group);
-        let first = |number: u64| (groups * u128::from(number) / u128::from(self.of)) as u64 * layout.group;
-        first(self.number - 1)..first(self.number)
-    }
-}
-
-impl std::fmt::Display for Shard {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}/{}", self.number, self.of)
-    }
-}
 
 /// A folder that cannot be used.
 #[derive(Debug)]

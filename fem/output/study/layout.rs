@@ -2,8 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::folder::Shard;
-use crate::study::{Layout, Nature, ResultColumn};
+use crate::study::{Layout, Nature, ResultColumn, Shard};
 
 /// Name of the file.
 pub const FILE: &str = ".fem-study.json";

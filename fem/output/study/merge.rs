@@ -4,10 +4,10 @@ use std::io::BufRead;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::folder::{Shard, StudyError, StudyFolder, failed, finished, known};
+use super::folder::{StudyError, StudyFolder, failed, finished, known};
 use super::rows;
 use crate::input::Problem;
-use crate::study::{Layout, Summary};
+use crate::study::{Layout, Shard, Summary};
 
 /// Writes the rows of all shards into one folder, as if the study had been done there, and says what they say.
 ///

@@ -112,13 +112,13 @@ mod tests {
             job: 7,
             inputs: vec![0.3, 1e-7, 450.0],
             data: Some("a,b.csv".into()),
-            results: vec![Cell::Number(-1.234_567_890_123_456_7e-9), Cell::Empty, Cell::Word("saddle".into())],
+            results: vec![Cell::Number(-1.25e-9), Cell::Empty, Cell::Word("saddle".into())],
             error: "no \"force\",\nand no depth".into(),
         };
         let told = line(&row);
         assert_eq!(
             told,
-            "7,0.3,1e-7,450,\"a,b.csv\",-1.2345678901234567e-9,,saddle,\"no \"\"force\"\", and no depth\"\n"
+            "7,0.3,1e-7,450,\"a,b.csv\",-1.25e-9,,saddle,\"no \"\"force\"\", and no depth\"\n"
         );
         assert_eq!((job_of(told.as_bytes()), job_of(told.trim_end().as_bytes())), (Some(7), None));
     }
