@@ -116,10 +116,7 @@ mod tests {
             error: "no \"force\",\nand no depth".into(),
         };
         let told = line(&row);
-        assert_eq!(
-            told,
-            "7,0.3,1e-7,450,\"a,b.csv\",-1.25e-9,,saddle,\"no \"\"force\"\", and no depth\"\n"
-        );
+        assert_eq!(told, "7,0.3,1e-7,450,\"a,b.csv\",-1.25e-9,,saddle,\"no \"\"force\"\", and no depth\"\n");
         assert_eq!((job_of(told.as_bytes()), job_of(told.trim_end().as_bytes())), (Some(7), None));
     }
 }
