@@ -65,7 +65,7 @@ fn mixed(seed: u64) -> u64 {
 
 #[test]
 fn a_study_that_is_killed_goes_on_where_it_was() {
-    let place = place("type = \"random\"\nsamples = 12000", "");
+    let place = place("type = \"random\"\nsamples = 4000", "");
     assert_eq!(place.fem(&["study", "plan.toml", "-o", "whole"]).status, 0);
     let whole = place.read("whole/rows.csv");
     let there = || std::fs::read_to_string(place.path("killed/rows.partial.csv")).unwrap_or_default();
