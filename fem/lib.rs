@@ -53,6 +53,7 @@
 //! compensate            tables for a controller, and what they cannot do
 //! diagnose              which effect is missing
 //! budget                errors added up by rules and by drawing
+//! study                 many jobs with one model: points, rows, yield, worst case, sensitivity
 //! output                text, CSV, JSON, VTK; files that appear whole
 //! cli                   the commands
 //! ```
@@ -78,4 +79,5 @@ pub mod process;
 pub mod progress;
 pub mod series;
 pub mod solve;
+pub mod study;
 pub mod units;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use fem::process::{Case, Tolerance};
-use fem::{budget, fit, process};
+use fem::{budget, fit, process, study};
 
 use super::chapters::Chapter;
 use super::markdown::{code, plain, table};
@@ -13,7 +13,11 @@ use super::{Made, Pages};
 /// The table by sources, and a page of rows for each part of the program.
 pub fn all(deep: usize) -> Pages {
     let of_processes = process::validation().map(|(name, cases)| (name, name, cases));
-    let others = [("budgets", "budgets", budget::validation()), ("fit", "least squares", fit::validation())];
+    let others = [
+        ("budgets", "budgets", budget::validation()),
+        ("fit", "least squares", fit::validation()),
+        ("studies", "studies", study::validation()),
+    ];
     let parts: Vec<(&str, &str, Vec<Case>)> = of_processes.chain(others).collect();
     let mut pages = vec![page("by source", "sources", deep, by_source(&parts))];
     for (file, name, cases) in &parts {

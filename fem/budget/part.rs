@@ -87,19 +87,10 @@ pub struct Models {
 }
 
 impl Input {
-    fn admits(&self, value: f64) -> bool {
-        match self.bounds {
-            Bounds::Any => true,
-            Bounds::Positive => value > 0.0,
-            Bounds::NotNegative => value >= 0.0,
-            Bounds::Within(low, high) => value > low && value <= high,
-        }
-    }
-
     /// Draws a value; returns it with the number of draws that fell outside before.
     pub fn draw(&self, stream: &Stream, dimension: u32) -> Option<(f64, u32)> {
         let at = |attempt| self.centre + self.half * self.law.draw(stream, dimension, attempt);
-        (0..ATTEMPTS).map(|attempt| (at(attempt), attempt)).find(|(value, _)| self.admits(*value))
+        (0..ATTEMPTS).map(|attempt| (at(attempt), attempt)).find(|(value, _)| self.bounds.admits(*value))
     }
 }
 
@@ -177,7 +168,7 @@ impl Models {
         let change = |i: usize, by: f64| {
             let mut moved = centre.clone();
             moved[i] += by;
-            self.inputs[i].admits(moved[i]).then(|| self.results(&moved).map(|figures| sum(&figures) - middle))
+            self.inputs[i].bounds.admits(moved[i]).then(|| self.results(&moved).map(|figures| sum(&figures) - middle))
         };
         let mut swings = Vec::new();
         for (i, input) in self.inputs.iter().enumerate() {

@@ -2,13 +2,12 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
-use std::collections::HashMap;
 use std::path::Path;
 
 use toml_edit::Document;
 
 use super::{Budget, Contribution, Drill, Group, Kind, Law, part, sizes};
-use crate::input::{InputError, Kept, Problem, Reader, Source as File, nearest};
+use crate::input::{InputError, Instead, Kept, Problem, Reader, Source as File, nearest};
 use crate::units::{MICRO, NUMBER};
 
 /// Largest budget file, bytes.
@@ -37,7 +36,7 @@ pub(super) fn parse(file: File) -> Result<Budget, InputError> {
     // The problems of a wrong model are reported by themselves, for they lie in another file.
     let broken = RefCell::new(None);
     let (budget, mut found) =
-        Reader::of_file(document.as_table(), file.folder(), &Kept::default(), HashMap::new(), |reader| {
+        Reader::of_file(document.as_table(), file.folder(), &Kept::default(), Instead::default(), |reader| {
             read(reader, &file, &broken)
         });
     if let Some(error) = broken.take() {

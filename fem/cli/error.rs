@@ -11,6 +11,7 @@ use super::look;
 use super::say::say;
 use crate::input::{Excerpt, InputError, Problem};
 use crate::output::OutputError;
+use crate::output::study::StudyError;
 use crate::process::Failure;
 
 /// Reason for which a command failed.
@@ -45,6 +46,15 @@ impl From<Failure> for Error {
 impl From<OutputError> for Error {
     fn from(error: OutputError) -> Self {
         Self::Output(error)
+    }
+}
+
+impl From<StudyError> for Error {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Refused(problem) => Self::Request(problem),
+            StudyError::Output(error) => Self::Output(error),
+        }
     }
 }
 

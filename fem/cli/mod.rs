@@ -22,6 +22,7 @@ mod schema;
 mod serve;
 mod start;
 mod story;
+mod study;
 mod terminal;
 mod validate;
 mod watch;
@@ -47,12 +48,13 @@ pub fn main() -> ExitCode {
         Some(Command::Report(args)) => report::run(&args),
         Some(Command::Plan(args)) => plan::run(&args),
         Some(Command::Budget(args)) => budget::run(&args),
+        Some(Command::Study(args)) => study::run(&args),
         Some(Command::Effects(args)) => effects::effects(&args),
         Some(Command::Add(args)) => add::add(&args),
         Some(Command::Demo(args)) => demo::demo(&args),
         Some(Command::New(args)) => new::new(&args),
         Some(Command::Import(args)) => import::import(&args),
-        Some(Command::Schema) => schema::schema(),
+        Some(Command::Schema { of }) => schema::schema(of),
         Some(Command::Validate(args)) => validate::validate(&args),
         Some(Command::Completions { shell }) => {
             let mut script = Vec::new();

@@ -8,6 +8,7 @@ use crate::input::{Problem, did_you_mean};
 use crate::output::commented;
 use crate::output::files::{self, Guard};
 use crate::process;
+use crate::study;
 
 /// Name of a starting file, its text, and the command that reads it.
 type Start = (&'static str, String, &'static str);
@@ -16,7 +17,7 @@ pub fn new(args: &args::New) -> Result<(), Error> {
     let starts: Vec<Start> = process::ALL
         .iter()
         .map(|p| (p.name(), format!("{}\n{}", p.starting_model(), commented(*p)), "run"))
-        .chain([("budget", budget::STARTING.to_string(), "budget")])
+        .chain([("budget", budget::STARTING.to_string(), "budget"), ("study", study::STARTING.to_string(), "study")])
         .collect();
     let Some(name) = &args.process else { return print(&listed()) };
     let Some((_, text, command)) = starts.iter().find(|s| s.0 == *name) else {
@@ -40,11 +41,12 @@ fn listed() -> String {
     let all: String = process::ALL.iter().map(|p| about(p.name(), p.about())).collect();
     let first = process::ALL.first().map_or("", |p| p.name());
     format!(
-        "a model says what is made and on what; these can be modelled\n{all}{}
+        "a model says what is made and on what; these can be modelled\n{all}{}{}
   fem new {first} -o model.toml   writes a model in which every line is explained; change it to yours
   fem run model.toml              predicts
   fem effects {first}             what else could be happening, to be added to the model
 ",
-        about("budget", "errors that are added up, by rules and by drawing")
+        about("budget", "errors that are added up, by rules and by drawing"),
+        about("study", "many jobs with one model: a grid, draws or a table")
     )
 }

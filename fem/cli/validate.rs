@@ -10,13 +10,15 @@ use crate::fit;
 use crate::input::{Problem, nearest};
 use crate::output::Report;
 use crate::process::{self, Case};
+use crate::study;
 
 /// Sources that an error lists: those of most rows.
 const LISTED: usize = 16;
 
 pub fn validate(args: &args::Validate) -> Result<(), Error> {
     let of_processes = process::validation().flat_map(|(_, cases)| cases);
-    let all: Vec<Case> = of_processes.chain(budget::validation()).chain(fit::validation()).collect();
+    let all: Vec<Case> =
+        of_processes.chain(budget::validation()).chain(fit::validation()).chain(study::validation()).collect();
     let cases = match &args.source {
         Some(text) => all.iter().filter(|case| case.cites(text)).cloned().collect(),
         None => all.clone(),

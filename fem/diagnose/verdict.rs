@@ -39,6 +39,18 @@ pub enum Verdict {
     Unexplained,
 }
 
+impl Verdict {
+    /// The word in JSON.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Adequate => "adequate",
+            Self::MissingEffect => "missing-effect",
+            Self::PartlyExplained => "partly-explained",
+            Self::Unexplained => "unexplained",
+        }
+    }
+}
+
 impl GoodnessOfFit {
     /// Goodness of fit of a candidate model.
     pub fn of(trial: &CandidateModel, repeats: &Repeats, folds: Option<&Folds>) -> Self {

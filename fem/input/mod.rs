@@ -22,6 +22,6 @@ pub use field::{Choice, Count, Field};
 pub use file::{NamedFile, seen_from};
 pub use kept::{Cache, Kept};
 pub use problem::{InputError, Problem, did_you_mean, nearest};
-pub use reader::{FileKey, Found, Names, Parameter, Reader, Shape, is_one_of};
+pub use reader::{FileKey, Found, Instead, Names, Parameter, Reader, Shape, is_one_of};
 pub use record::{Along, Record, Varying};
 pub use source::Source;

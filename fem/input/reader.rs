@@ -56,8 +56,26 @@ pub struct Found {
     pub problems: Vec<Problem>,
     /// The quantities that are not exactly known.
     pub parameters: Vec<Parameter>,
+    /// All quantities, where every value is that of the file.
+    pub quantities: Vec<Parameter>,
     /// The files that are named.
     pub files: Vec<FileKey>,
+}
+
+/// Values (SI) to take in place of those of the file, by the paths of their keys.
+#[derive(Clone, Debug, Default)]
+pub struct Instead {
+    /// Of quantities that are not exactly known, and stay so: a search tries them.
+    pub tried: HashMap<String, f64>,
+    /// Of any quantities, which are known with them.
+    pub entered: HashMap<String, f64>,
+}
+
+impl Instead {
+    /// Whether every value is that of the file.
+    pub fn is_nothing(&self) -> bool {
+        self.tried.is_empty() && self.entered.is_empty()
+    }
 }
 
 /// The state that all readers of a document share.
@@ -66,8 +84,8 @@ struct Findings {
     found: RefCell<Found>,
     /// The folder that paths are relative to.
     folder: PathBuf,
-    /// Values to take in place of those of the file, by path.
-    trial: HashMap<String, f64>,
+    /// Values to take in place of those of the file.
+    instead: Instead,
     /// Results that stay from one reading to the next.
     kept: Kept,
     /// Paths of tables whose tables are read by somebody else.
@@ -118,23 +136,23 @@ impl<'a> Reader<'a> {
         table: &'a dyn TableLike,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> (T, Vec<Parameter>, Vec<Problem>) {
-        let (value, found) = Self::of_file(table, Path::new(""), &Kept::default(), HashMap::new(), read);
+        let (value, found) = Self::of_file(table, Path::new(""), &Kept::default(), Instead::default(), read);
         (value, found.parameters, found.problems)
     }
 
     /// Reads the top of a document whose paths are relative to `folder`, with what was kept from readings
-    /// before and other values (SI) for some of the quantities that are not exactly known, by their paths.
+    /// before and other values for some of the quantities.
     pub fn of_file<T>(
         table: &'a dyn TableLike,
         folder: &Path,
         kept: &Kept,
-        trial: HashMap<String, f64>,
+        instead: Instead,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> (T, Found) {
         let findings = Findings {
             found: RefCell::default(),
             folder: folder.to_path_buf(),
-            trial,
+            instead,
             kept: kept.clone(),
             parted: RefCell::default(),
         };
@@ -194,6 +212,17 @@ impl<'a> Reader<'a> {
             self.refuse(problem.help(format!("write {key} = \"…\"")).at(item.span()));
         }
         text
+    }
+
+    /// A key with yes or no.
+    pub fn flag(&self, key: &'static str, about: &'static str) -> Option<bool> {
+        self.describe(key, || json!({ "type": "boolean", "description": about }), false);
+        let item = self.item(key)?;
+        if item.as_bool().is_none() {
+            let problem = Problem::new(format!("`{key}`: expected true or false, found {}", item.type_name()));
+            self.refuse(problem.help(format!("write {key} = true")).at(item.span()));
+        }
+        item.as_bool()
     }
 
     /// The keys of this table, in the order of the file.
@@ -319,18 +348,29 @@ impl<'a> Reader<'a> {
         quantity: Quantity,
         span: Option<Range<usize>>,
     ) -> f64 {
-        if quantity.knowledge == Knowledge::Known {
+        let (is_known, instead) = (quantity.knowledge == Knowledge::Known, &self.findings.instead);
+        if is_known && !self.is_as_written() && instead.entered.is_empty() {
             return quantity.value;
         }
-        let path = format!("{}.{key}", self.path);
-        let value = self.findings.trial.get(&path).copied().unwrap_or(quantity.value);
-        self.findings.found.borrow_mut().parameters.push(Parameter { path, kind, quantity, bounds, span });
+        let path = if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) };
+        if let Some(entered) = instead.entered.get(&path) {
+            return *entered;
+        }
+        let value = instead.tried.get(&path).copied().unwrap_or(quantity.value);
+        let parameter = Parameter { path, kind, quantity, bounds, span };
+        let found = &mut self.findings.found.borrow_mut();
+        if self.is_as_written() {
+            found.quantities.push(parameter.clone());
+        }
+        if !is_known {
+            found.parameters.push(parameter);
+        }
         value
     }
 
     /// Whether every quantity has the value of the file, none that of a search.
     pub fn is_as_written(&self) -> bool {
-        self.findings.trial.is_empty()
+        self.findings.instead.is_nothing()
     }
 
     pub(super) fn describe(&self, key: &str, schema: impl FnOnce() -> Json, required: bool) {

@@ -5,6 +5,7 @@ mod data;
 mod formula_effect;
 mod instrument;
 mod measurement;
+mod named;
 mod require;
 mod run;
 mod schema;
@@ -27,7 +28,8 @@ use std::sync::Arc;
 use toml_edit::Document;
 
 use crate::input::{
-    FileKey, Found, InputError, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest, seen_from,
+    FileKey, Found, InputError, Instead, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest,
+    seen_from,
 };
 use crate::noise::{self, Term};
 use crate::process::{self, Active, Contradiction, Description, ForwardModel, Process, System};
@@ -36,6 +38,7 @@ use crate::process::{self, Active, Contradiction, Description, ForwardModel, Pro
 const LARGEST: u64 = 4_000_000;
 
 /// A model that was read without a problem.
+#[derive(Clone)]
 pub struct Model {
     /// Name and text of the file.
     pub source: Source,
@@ -51,11 +54,15 @@ pub struct Model {
     pub measurement: Vec<Term>,
     /// Parameters that it does not know exactly.
     pub parameters: Vec<Parameter>,
+    /// All quantities that the file has.
+    pub quantities: Arc<[Parameter]>,
+    /// Values (SI) that were entered in place of those of the file, by the paths of their quantities.
+    entered: HashMap<String, f64>,
     /// Files that it names.
     files: Vec<FileKey>,
     /// Results of reading that stay from one reading to the next.
     kept: Kept,
-    document: Document<String>,
+    document: Arc<Document<String>>,
 }
 
 impl Model {
@@ -79,11 +86,27 @@ impl Model {
         let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
         let kept = Kept::default();
         let ((title, system, effects, measurement), found) =
-            Reader::of_file(document.as_table(), source.folder(), &kept, HashMap::new(), |model| read(model, process));
-        let Found { parameters, files, problems } = found;
+            Reader::of_file(document.as_table(), source.folder(), &kept, Instead::default(), |model| {
+                read(model, process)
+            });
+        let Found { parameters, quantities, files, problems } = found;
         match system {
             Some(system) if problems.is_empty() => {
-                Ok(Self { title, process, system, effects, measurement, parameters, files, source, kept, document })
+                let (quantities, entered, document) = (quantities.into(), HashMap::new(), Arc::new(document));
+                Ok(Self {
+                    title,
+                    process,
+                    system,
+                    effects,
+                    measurement,
+                    parameters,
+                    quantities,
+                    entered,
+                    files,
+                    source,
+                    kept,
+                    document,
+                })
             }
             _ => Err(InputError::new(source, problems)),
         }

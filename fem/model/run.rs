@@ -58,6 +58,15 @@ impl Model {
         Ok(Run { report: forward.report(prediction.clone())?, prediction, contributions })
     }
 
+    /// Report of a run, without the contributions of its effects.
+    ///
+    /// # Errors
+    /// The computation failed.
+    pub fn report(&self, progress: &Progress) -> Result<RunReport, Failure> {
+        let forward = self.forward();
+        forward.report(forward.predict(progress)?)
+    }
+
     /// Contribution of one of its effects to each observable, as a run has it: two predictions, and no report.
     ///
     /// # Errors

@@ -3,11 +3,37 @@
 use std::sync::Arc;
 
 use super::{Model, instrument, read};
-use crate::input::Reader;
+use crate::input::{Instead, Reader};
 use crate::noise::{MEASUREMENT, Term};
 use crate::process::{Active, Failure, ForwardModel, System};
 
 impl Model {
+    /// The model with values (SI) entered for quantities, by their paths: known, whatever the file says of them. The
+    /// values must lie within the bounds of their quantities.
+    ///
+    /// # Errors
+    /// The values make no model.
+    pub fn with_values(&self, values: &[(&str, f64)]) -> Result<Self, Failure> {
+        let mut model = self.clone();
+        model.parameters.retain(|p| values.iter().all(|(path, _)| p.path != *path));
+        model.entered.extend(values.iter().map(|(path, value)| (path.to_string(), *value)));
+        let places = values.iter().map(|(path, value)| Some((self.place(path)?, *value)));
+        match places.collect::<Option<Vec<_>>>() {
+            // The system need not be read again.
+            Some(places) => {
+                for ((effect, parameter), value) in places {
+                    model.effects[effect].values[parameter] = value;
+                }
+            }
+            None => {
+                let entered = model.entered.clone();
+                (model.system, model.effects, model.measurement) =
+                    self.read_instead(Instead { entered, ..Instead::default() })?;
+            }
+        }
+        Ok(model)
+    }
+
     /// Forward model with the parameters at these values (SI, in the order of `parameters`).
     ///
     /// # Errors
@@ -73,9 +99,14 @@ impl Model {
     /// Reads the file again with other values.
     #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
     fn read_at(&self, values: &[f64]) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
-        let trial = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
+        let tried = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
+        self.read_instead(Instead { tried, entered: self.entered.clone() })
+    }
+
+    #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
+    fn read_instead(&self, instead: Instead) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
         let ((_, system, effects, terms), found) =
-            Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, trial, |model| {
+            Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, instead, |model| {
                 read(model, self.process)
             });
         match (system, found.problems.first()) {

@@ -47,6 +47,7 @@ impl Format for Folder<'_> {
             Report::Fit(..) => self.files("fit", [("fit.json", Some(Json.write(report)?))])?,
             Report::Plan(..) => self.files("plan", [("plan.json", Some(Json.write(report)?))])?,
             Report::Budget(..) => self.files("budget", [("budget.json", Some(Json.write(report)?))])?,
+            Report::Study(..) => self.files("study", [("study.json", Some(Json.write(report)?))])?,
             Report::Effects(..) => self.files("effects", [("effects.json", Some(Json.write(report)?))])?,
             Report::Validation(..) => self.files("validate", [("validation.json", Some(Json.write(report)?))])?,
         };

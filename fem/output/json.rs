@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::report::{Format, Report};
-use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan};
+use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan, study};
 
 use crate::model::{Contribution, Model, Run};
 use crate::process::{Case, Datum, Description, Figure, Neutral, Parameter, Process, Tolerance};
@@ -25,6 +25,7 @@ impl Format for Json {
             Report::Plan(design, found) => plan::json(design, found),
             Report::Compensation(data, found, supplied) => compensation::json(data, found, supplied),
             Report::Budget(file, estimate) => budget::json(file, *estimate),
+            Report::Study(layout, summary) => study::json(layout, summary),
             Report::Effects(entries, of_measurement, _) => {
                 let own = entries.iter().map(|(process, e)| effect(*process, e));
                 own.chain(of_measurement.iter().map(|e| measurement::entry(e))).collect()

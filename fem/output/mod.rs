@@ -25,6 +25,7 @@ mod plot;
 mod plots;
 mod report;
 mod sketch;
+pub mod study;
 mod text;
 pub mod vtk;
 

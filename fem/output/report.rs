@@ -10,6 +10,7 @@ use crate::measure::Measurements;
 use crate::model::{Data, Model, Run};
 use crate::noise::MeasurementEffect;
 use crate::process::{Case, Description, Process};
+use crate::study::{Layout, Summary};
 
 /// What a command has found.
 pub enum Report<'a> {
@@ -27,6 +28,8 @@ pub enum Report<'a> {
     Compensation(&'a Data<'a>, &'a Compensation, &'a [Supplied]),
     /// `fem budget`.
     Budget(&'a Budget, Option<&'a Estimate>),
+    /// `fem study`: what its rows are, and what they say.
+    Study(&'a Layout, &'a Summary),
     /// `fem effects`: entries of the catalogue, those of processes and those of the measurement, as a list or
     /// as a page each.
     Effects(&'a [(&'a dyn Process, Description)], &'a [&'a MeasurementEffect], Detail),

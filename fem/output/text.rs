@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::report::{Detail, Format, Report};
-use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan, plot};
+use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan, plot, study};
 use crate::model::{Contribution, Model, Run};
 use crate::noise::MeasurementEffect;
 use crate::process::{Case, Description, Neutral, Observable, Parameter, Process, Tolerance};
@@ -35,6 +35,7 @@ impl Format for Text {
             Report::Plan(design, found) => plan::text(design, found),
             Report::Compensation(data, found, supplied) => compensation::text(data, found, supplied),
             Report::Budget(file, estimate) => budget::text(file, *estimate),
+            Report::Study(layout, summary) => study::text(layout, summary),
             Report::Effects(entries, of_measurement, Detail::Line) => catalogue(entries, of_measurement),
             Report::Effects(entries, of_measurement, Detail::Page) => {
                 let own = entries.iter().map(|(process, e)| effect(process.name(), e));

@@ -87,6 +87,16 @@ impl Figure {
 
     /// A number by its path, `key` or `/list/0/step`, in the unit in which it is told.
     pub fn told(&self, path: &str) -> Option<f64> {
+        match self.datum(path)? {
+            Datum::Quantity(kind, si) => Some(kind.from_si(si)),
+            Datum::Number(number) => Some(number),
+            Datum::Count(count) => Some(count as f64),
+            _ => None,
+        }
+    }
+
+    /// A value by its path, as [`Self::told`] takes it.
+    pub fn datum(&self, path: &str) -> Option<Datum> {
         let mut steps = path.trim_start_matches('/').split('/');
         let first = steps.next()?;
         let start = &self.entries.iter().find(|(key, _)| key == first)?.1;
@@ -97,17 +107,12 @@ impl Figure {
                 Datum::Record(entries) => &entries.iter().find(|(key, _)| key == step)?.1,
                 Datum::List(list) => list.get(step.parse::<usize>().ok()?)?,
                 Datum::Quantities(kind, values) if rest.peek().is_none() => {
-                    return values.get(step.parse::<usize>().ok()?).map(|si| kind.from_si(*si));
+                    return values.get(step.parse::<usize>().ok()?).map(|si| Datum::of(*kind, *si));
                 }
                 _ => return None,
             };
         }
-        match datum {
-            Datum::Quantity(kind, si) => Some(kind.from_si(*si)),
-            Datum::Number(number) => Some(*number),
-            Datum::Count(count) => Some(*count as f64),
-            _ => None,
-        }
+        Some(datum.clone())
     }
 }
 

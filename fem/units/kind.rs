@@ -154,6 +154,11 @@ impl Kind {
         }
     }
 
+    /// Kind in which a difference of two such quantities is written: that of temperatures is not in degC.
+    pub fn difference(&self) -> Self {
+        if self.canonical().offset == 0.0 { *self } else { TEMPERATURE_RISE }
+    }
+
     /// An example as a model file has it: `0.2 mm/rev`.
     pub fn example(&self) -> String {
         format!("{} {}", self.usual, self.unit).trim_end().to_string()

@@ -27,6 +27,7 @@ mod ring;
 mod start;
 mod stiffness;
 mod story;
+mod study;
 mod thermal;
 mod validate;
 mod writing;

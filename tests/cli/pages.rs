@@ -24,7 +24,8 @@ fn the_docs_show_what_the_program_prints() {
     assert!(shown.lines().count() > 10);
     let cases = fem::process::validation().map(|(_, cases)| cases.len()).sum::<usize>()
         + fem::budget::validation().len()
-        + fem::fit::validation().len();
+        + fem::fit::validation().len()
+        + fem::study::validation().len();
     assert!(
         include_str!("../../docs/validation.md").contains(&format!("computes {cases} cases")),
         "there are {cases} cases"

@@ -23,7 +23,8 @@ fn every_model_gives_the_number_of_its_header() {
         if path.extension().is_none_or(|e| e != "toml") {
             continue;
         }
-        if path.file_stem().unwrap().to_str().unwrap().starts_with("budget") {
+        let stem = path.file_stem().unwrap().to_str().unwrap();
+        if stem.starts_with("budget") || stem.starts_with("study") {
             continue;
         }
         let model = Model::load(&path).unwrap_or_else(|e| panic!("{e}"));
@@ -47,4 +48,22 @@ fn every_budget_gives_the_number_of_its_header() {
         let estimate = fem::budget::estimate(&budget, &Progress::default()).unwrap().unwrap();
         assert!((1e6 * estimate.handbook.total - stated).abs() < 6e-4, "{name}: {}", estimate.handbook.total);
     }
+}
+
+#[test]
+fn every_study_gives_the_number_of_its_header() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/study-lathe.toml");
+    let plan = fem::study::load(&path).unwrap();
+    let line = plan.file.text.lines().take(5).find_map(|l| l.strip_prefix("# Yield: ")).unwrap();
+    let stated: f64 = line.trim_end_matches(" %").parse().unwrap();
+    let layout = plan.layout();
+    let mut summing = fem::study::Summing::new(&layout);
+    let add = |row| {
+        summing.add(&row);
+        Ok::<(), ()>(())
+    };
+    fem::study::in_order(0..layout.jobs, &Progress::default(), |job| plan.job(job), add).unwrap();
+    let fem::study::Found::Numbers(numbers) = &summing.told().results[0] else { panic!("no numbers") };
+    let share = 100.0 * numbers.acceptance.unwrap().share();
+    assert!((share - stated).abs() < 0.0006, "{share} for {stated}");
 }

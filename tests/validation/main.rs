@@ -11,7 +11,13 @@ use fem::process::{Case, Tolerance};
 
 /// Every table, computed once: those of the processes, of budgets, and of the least squares.
 static TABLES: LazyLock<Vec<(&'static str, Vec<Case>)>> = LazyLock::new(|| {
-    fem::process::validation().chain([("budget", fem::budget::validation()), ("fit", fem::fit::validation())]).collect()
+    fem::process::validation()
+        .chain([
+            ("budget", fem::budget::validation()),
+            ("fit", fem::fit::validation()),
+            ("study", fem::study::validation()),
+        ])
+        .collect()
 });
 
 /// The same row with an expected value that is off by three tolerances (or by the smallest difference that

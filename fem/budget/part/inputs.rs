@@ -3,7 +3,7 @@
 use super::{Input, ModelPart, Target};
 use crate::budget::Law;
 use crate::input::{Bounds, Reader, nearest};
-use crate::units::{Kind, Knowledge, TEMPERATURE_RISE};
+use crate::units::{Kind, Knowledge};
 
 /// Reads the inputs that are given, and adds what the models mark `+-` beside them. A quantity of one file varies
 /// in all its figures at once.
@@ -101,7 +101,7 @@ fn read_parameter(t: &Reader, (parts, chosen): (&[ModelPart], &[usize]), path: &
         t.problem("parameter", format!("the models know `{path}` differently"), help);
     }
     let about = "half of its field; from the model's `+-` if left out";
-    let half = t.quantity("half_field", spread(known.kind), about).not_negative().or(law.half_field(std));
+    let half = t.quantity("half_field", known.kind.difference(), about).not_negative().or(law.half_field(std));
     Some(Input {
         name: path.to_string(),
         targets: found.into_iter().map(|(i, at)| (i, Target::Parameter(at))).collect(),
@@ -133,7 +133,7 @@ fn read_varying(t: &Reader, (parts, chosen): (&[ModelPart], &[usize]), name: &st
     };
     let usual = parts[first].model.system.resolved(&parts[first].rows).columns[at][0];
     let centre = t.quantity("value", kind, "middle of its field; the model's if left out").or(usual);
-    let half = t.quantity("half_field", spread(kind), "half of its field").not_negative().required();
+    let half = t.quantity("half_field", kind.difference(), "half of its field").not_negative().required();
     for &(i, at, _) in found.iter().filter(|_| t.is_sound()) {
         let wrong = [centre - half, centre + half].into_iter().find_map(|value| {
             let mut moved = parts[i].rows.clone();
@@ -155,9 +155,4 @@ fn read_varying(t: &Reader, (parts, chosen): (&[ModelPart], &[usize]), name: &st
         law,
         bounds,
     })
-}
-
-/// Kind in which a field of this kind is written: that of a temperature is a difference.
-fn spread(kind: Kind) -> Kind {
-    if kind.canonical().offset == 0.0 { kind } else { TEMPERATURE_RISE }
 }

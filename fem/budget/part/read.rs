@@ -9,9 +9,6 @@ use crate::model::Model;
 use crate::process::{Absent, Coordinate, Holds, Rows};
 use crate::units::{FACTOR, Kind, MICRO};
 
-/// Largest model file, bytes.
-const LARGEST: u64 = 4_000_000;
-
 /// Reads the models of a budget and their inputs. The problems of a wrong model file go to `broken`.
 pub fn read(reader: &Reader, broken: &RefCell<Option<InputError>>) -> Models {
     let about = "models that contribute figures of their predictions";
@@ -46,19 +43,8 @@ fn read_part(t: &Reader, broken: &RefCell<Option<InputError>>) -> Option<ModelPa
     let effect = t.text("effect", "the effect whose change alone is the figure, if it is not the whole prediction");
     let about = "the value at a place, or the spread, largest less smallest, over the model's own programme";
     let figure = t.choice("figure", about, Figure::WORDS).or_first(Figure::Difference);
-    let file = t.file("file", "the model file", LARGEST);
-    if file.is_none() && !t.has("file") {
-        t.problem("", "`file` is missing in `model`", "add file = \"lathe.toml\"");
-    }
-    let loaded = file.and_then(|file| match file.text() {
-        Ok(source) => {
-            Model::parse(source).and_then(|m| m.require_values().map(|()| m)).map_err(|e| broken.replace(Some(e))).ok()
-        }
-        Err(problem) => {
-            t.problem("file", problem.message, problem.help.unwrap_or_default());
-            None
-        }
-    });
+    let loaded = Model::named(t, "file", "the model file", broken);
+    let loaded = loaded.filter(|m| m.require_values().map_err(|e| broken.replace(Some(e))).is_ok());
     let observable = t.text("observable", "what is observed; the model's first length if left out");
     let Some(model) = loaded else {
         // Nothing more can be checked without the model.

@@ -20,18 +20,6 @@ use crate::noise::MEASUREMENT;
 use crate::process::Description;
 use crate::units::Kind;
 
-impl Verdict {
-    /// The word in JSON.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Adequate => "adequate",
-            Self::MissingEffect => "missing-effect",
-            Self::PartlyExplained => "partly-explained",
-            Self::Unexplained => "unexplained",
-        }
-    }
-}
-
 /// The error of the model as it is re-fitted, and with each missing effect added.
 pub(super) fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
     let kind = data.kind();

@@ -1,0 +1,85 @@
+//! The commands `fem study` and `fem study merge`.
+
+use std::path::{Path, PathBuf};
+
+use super::args;
+use super::error::Error;
+use super::say::say;
+use super::terminal::{page, print};
+use super::watch::watched;
+use crate::input::Problem;
+use crate::output::files::Guard;
+use crate::output::study::{StudyFolder, line, merge};
+use crate::output::{Folder, Format, Report};
+use crate::progress::Progress;
+use crate::study::{Layout, Shard, Summary, in_order, load};
+
+pub fn run(args: &args::Study) -> Result<(), Error> {
+    if let Some(args::StudyCommand::Merge(args)) = &args.command {
+        let (layout, rows, summary) = merge(&args.folders, &args.output)?;
+        return told((&layout, &summary), (&args.output, &rows), &[], args.json);
+    }
+    let Some(file) = &args.plan else {
+        let problem = Problem::new("no plan is named");
+        return Err(Error::Request(problem.help("fem study PLAN.toml; `fem new study` writes one")));
+    };
+    let plan = load(file)?;
+    let layout = plan.layout();
+    let shard = args.shard.unwrap_or(Shard::ALL);
+    let directory = args.output.clone().unwrap_or_else(|| default_directory(file, shard));
+    let reads = plan.paths();
+    let mut folder = StudyFolder::open(&directory, &layout, shard, args.restart, &reads)?;
+    let jobs = folder.jobs();
+    let left = folder.next()..jobs.end;
+    if !left.is_empty() && left.start > jobs.start {
+        say!(
+            "note: going on after {} of {} jobs in {}",
+            left.start - jobs.start,
+            jobs.end - jobs.start,
+            directory.display()
+        );
+    }
+    let progress = args.limit.progress();
+    watched(&progress, || {
+        in_order(left, &progress, |number| line(&plan.job(number)), |line| folder.append(line.as_bytes()))
+    })?;
+    let undone = jobs.end - folder.next();
+    let (rows, summary) = folder.finish()?;
+    if undone > 0 {
+        say!("note: the time was over; {undone} jobs are left. The same command goes on with them");
+        return print(&page(&Report::Study(&layout, &summary), args.json)?);
+    }
+    if shard != Shard::ALL {
+        say!("note: these are the jobs of shard {shard}; `fem study merge` puts all of them together");
+    }
+    told((&layout, &summary), (&directory, &rows), &reads, args.json)?;
+    if summary.rows > 0 && summary.failed == summary.rows {
+        let first = summary.failures.first().map_or(String::new(), |(_, message)| message.clone());
+        say!("error: every job failed: {first}");
+        return Err(Error::Found);
+    }
+    Ok(())
+}
+
+/// Writes and prints what finished rows say.
+fn told(
+    (layout, summary): (&Layout, &Summary),
+    (directory, rows): (&Path, &Path),
+    reads: &[PathBuf],
+    json: bool,
+) -> Result<(), Error> {
+    let report = Report::Study(layout, summary);
+    let guard = Guard { reads, force: false };
+    let written = Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
+    let list = if json { String::new() } else { format!("{written}  {}\n", rows.display()) };
+    print(&(page(&report, json)? + &list))
+}
+
+/// Folder `out/<plan name>`, of a shard with its number.
+fn default_directory(plan: &Path, shard: Shard) -> PathBuf {
+    let stem = plan.file_stem().unwrap_or(plan.as_os_str()).to_string_lossy();
+    match shard {
+        Shard::ALL => Path::new("out").join(&*stem),
+        Shard { number, of } => Path::new("out").join(format!("{stem}-{number}-of-{of}")),
+    }
+}
