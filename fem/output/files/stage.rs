@@ -83,12 +83,17 @@ impl<'a> Stage<'a> {
     pub fn publish(self) -> Result<(), OutputError> {
         loop {
             // One program at a time; whoever waited may find another folder under the name.
-            let lock = self.directory.exists().then(|| locked(&self.directory)).flatten();
+            let was_there = self.directory.exists();
+            let lock = was_there.then(|| locked(&self.directory)).flatten();
             if lock.as_ref().is_some_and(|lock| !is_at(lock, &self.directory)) {
                 continue;
             }
-            if self.place()? {
-                return Ok(());
+            match self.place() {
+                Ok(true) => return Ok(()),
+                Ok(false) => {}
+                // Another program has put the folder there since: its files are looked at again, under lock.
+                Err(OutputError::Exists { .. }) if !was_there => {}
+                Err(error) => return Err(error),
             }
         }
     }

@@ -155,7 +155,7 @@ impl Nodes {
                 continue;
             };
             sources.push((size + heaters.len(), source.power.clone()));
-            heaters.push((own, heater));
+            heaters.push((own, heater.no_faster_than_seen()));
             losses.push(0.0);
             stores.push(heater.heat_capacity);
         }

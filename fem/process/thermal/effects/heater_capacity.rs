@@ -61,4 +61,14 @@ mod tests {
         let whole = 15.0 * 5400.0 * capacity() / (capacity() + 40.0);
         assert!((stored(10_800.0) / whole - 1.0).abs() < 1e-4);
     }
+
+    /// However small it is and however well it touches: a search comes by such values.
+    #[test]
+    fn a_heater_that_holds_nothing_is_none() {
+        let bare = rise(&rod(""), 0.19, 600.0);
+        for (held, contact) in [("1e-12", "1e4"), ("1e-3", "1e12"), ("1e-9", "1e9")] {
+            let heater = format!("heater-capacity = {{ heat_capacity = '{held} J/K', contact = '{contact} W/K' }}");
+            assert!((rise(&rod(&heater), 0.19, 600.0) / bare - 1.0).abs() < 1e-4, "{held} {contact}");
+        }
+    }
 }
