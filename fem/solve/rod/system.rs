@@ -3,8 +3,9 @@
 use super::tridiagonal::Tridiagonal;
 use super::{Heater, Power, Probe, Rod, RodError, RodPiece};
 
-/// Places closer than this part of the length are one.
-const SAME: f64 = 1e-9;
+/// Places closer than this part of the length are one: a search comes by such, and between them an element would be so
+/// fast that the rates of the rod drown in its round-off.
+const SAME: f64 = 1e-6;
 /// Elements between two places that have a node, at least.
 const LEAST: usize = 4;
 

@@ -53,4 +53,18 @@ mod tests {
         assert!(((at(0.1001) - at(0.1)) / step - 1.0).abs() < 0.1, "{} and {step}", at(0.1001) - at(0.1));
         assert!(step > 0.5);
     }
+
+    /// A search brings joints and sources as close to each other as it likes.
+    #[test]
+    fn a_source_on_the_joint_is_on_its_side() {
+        let at = |apart: f64| {
+            let joint = "contact-resistance = { at = '70 mm', conductance = '3000 W/m^2/K' }";
+            rod(&format!("{joint}\nextra-source = {{ at = '{} mm', power = '4 W' }}", 70.0 + apart))
+        };
+        let on = rise(&at(0.0), 0.12, 3600.0);
+        for apart in [1e-10, 1e-8, 1e-6, 1e-5, 1e-4, 2e-4] {
+            let near = rise(&at(-apart), 0.12, 3600.0);
+            assert!((near / on - 1.0).abs() < 1e-4, "{apart} mm: {near} {on}");
+        }
+    }
 }
