@@ -36,6 +36,7 @@ use crate::process::{self, Active, Contradiction, Description, ForwardModel, Pro
 const LARGEST: u64 = 4_000_000;
 
 /// A model that was read without a problem.
+#[derive(Clone)]
 pub struct Model {
     /// Name and text of the file.
     pub source: Source,

@@ -1,0 +1,137 @@
+"""Columns of equal length with units."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+    from fem._fem import Column
+
+Array = np.ndarray[Any, np.dtype[Any]]
+
+# Rows that are shown of a long table, at its beginning and at its end.
+_SHOWN = 5
+
+
+class Table(Mapping[str, Array]):
+    """Columns by their names, as NumPy arrays."""
+
+    def __init__(self, columns: Sequence[Column], coordinates: Sequence[str] = ()) -> None:
+        self._columns: dict[str, Array] = {}
+        self.units: dict[str, Optional[str]] = {}
+        """Unit of each column; None where it has none."""
+        for name, unit, values, words in columns:
+            own = name if name not in self._columns else heading(name, unit)
+            self._columns[own] = _meant(values, words, unit is None and name in coordinates)
+            self.units[own] = unit
+        self.coordinates: list[str] = [name for name in self._columns if name in coordinates]
+        """Columns that say where, when and under which conditions."""
+
+    def __getitem__(self, name: str) -> Array:
+        try:
+            return self._columns[name]
+        except KeyError:
+            raise KeyError(f"no column {name!r}; there is {', '.join(self._columns)}") from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        return max((len(values) for values in self._columns.values()), default=0)
+
+    @property
+    def values_of(self) -> list[str]:
+        """Columns that are no coordinates."""
+        return [name for name in self._columns if name not in self.coordinates]
+
+    @property
+    def headings(self) -> list[str]:
+        """Names with units, as a measurement file has them: `x [mm]`."""
+        return [heading(name, self.units[name]) for name in self._columns]
+
+    def varying(self) -> list[str]:
+        """Coordinates that take more than one value, that with the most values first."""
+        counts = {name: len(np.unique(self._columns[name])) for name in self.coordinates}
+        return sorted((name for name, count in counts.items() if count > 1), key=lambda name: -counts[name])
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A data frame, its columns headed `name [unit]`; it can be compared with a model as it is."""
+        import pandas as pd
+
+        return pd.DataFrame(dict(zip(self.headings, self._columns.values())))
+
+    def to_xarray(self) -> xr.Dataset:
+        """A dataset with units as attributes. Where coordinates make a whole grid they are its dimensions."""
+        import xarray as xr
+
+        attributes = {name: {"units": unit} for name, unit in self.units.items() if unit}
+        dimensions = sorted(self.varying(), key=self.coordinates.index)
+        levels = [np.unique(self._columns[name], return_inverse=True) for name in dimensions]
+        shape = tuple(len(values) for values, _ in levels)
+        is_grid = bool(dimensions) and int(np.prod(shape)) == self.rows
+        places = np.ravel_multi_index(tuple(at for _, at in levels), shape) if is_grid else np.arange(self.rows)
+        if is_grid and len(np.unique(places)) == self.rows:
+            order = np.argsort(places)
+            constant = [name for name in self.coordinates if name not in dimensions]
+            coordinates: dict[str, Any] = {
+                name: (name, values, attributes.get(name, {})) for name, (values, _) in zip(dimensions, levels)
+            }
+            for name in constant:
+                coordinates[name] = ((), self._columns[name][0], attributes.get(name, {}))
+            data = {
+                name: (dimensions, self._columns[name][order].reshape(shape), attributes.get(name, {}))
+                for name in self.values_of
+            }
+            return xr.Dataset(data, coordinates)
+        both = {name: ("row", values, attributes.get(name, {})) for name, values in self._columns.items()}
+        return xr.Dataset(
+            {name: both[name] for name in self.values_of}, {name: both[name] for name in self.coordinates}
+        )
+
+    def __repr__(self) -> str:
+        lines = [self.headings, *self._shown()]
+        widths = [max(len(line[i]) for line in lines) for i in range(len(self._columns))]
+        text = "\n".join("  ".join(cell.rjust(width) for cell, width in zip(line, widths)) for line in lines)
+        return f"{text}\n[{self.rows} rows]"
+
+    def _repr_html_(self) -> str:
+        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.headings)
+        rows = "".join(
+            "<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in line) + "</tr>" for line in self._shown()
+        )
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table><p>{self.rows} rows</p>"
+
+    def _shown(self) -> list[list[str]]:
+        whole = self.rows <= 2 * _SHOWN
+        rows = range(self.rows) if whole else [*range(_SHOWN), -1, *range(self.rows - _SHOWN, self.rows)]
+        return [["…" if row < 0 else _cell(values[row]) for values in self._columns.values()] for row in rows]
+
+
+def heading(name: str, unit: Optional[str]) -> str:
+    """A name with its unit, as a measurement file has it."""
+    return f"{name} [{unit}]" if unit else name
+
+
+def _meant(values: Array, words: Sequence[str], is_label: bool) -> Array:
+    if words:
+        return np.asarray(words)[values.astype(np.int64)]
+    # Numbers of parts and runs.
+    if is_label and np.all(values == np.rint(values)):
+        return values.astype(np.int64)
+    return values
+
+
+def _cell(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
