@@ -18,6 +18,7 @@ class Answer(TypedDict):
     coordinates: list[str]
     notes: list[str]
     model: Optional[str]
+    steps: list[tuple[str, str]]
 
 class Asked(TypedDict):
     parts: list[tuple[str, Optional[str]]]

@@ -96,8 +96,10 @@ class Model:
     def _set(self, path: Sequence[str], value: Any) -> None:
         self._change(_fem.with_value(self._text, list(path), _json(value)))
 
-    def _with_text(self, text: str) -> Model:
-        return Model(text, self._name)
+    def _with_text(self, text: str, mark: str = "") -> Model:
+        # A mark tells its name from that of the model from which it came.
+        place = Path(self._name)
+        return Model(text, str(place.with_name(f"{place.stem}-{mark}{place.suffix}")) if mark else self._name)
 
     @property
     def text(self) -> str:

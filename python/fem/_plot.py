@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 
 from fem._record import Record
-from fem._table import Array, Table, heading
+from fem._table import Table, heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from fem._table import Array
 
 # Most lines that a legend names.
 _NAMED = 12

@@ -172,7 +172,7 @@ class Fit(_Parameters):
         (tables,) = answer["tables"]
         self.tables: dict[str, Table] = _tables(tables, answer["coordinates"])
         """The table of each observable: coordinates, what was measured, `u`, `predicted`, `residual`."""
-        self.model: Model = model._with_text(answer["model"] or model.text)
+        self.model: Model = model._with_text(answer["model"] or model.text, "fitted")
         """The model with the fitted values and their uncertainties."""
 
     @property
@@ -199,8 +199,16 @@ class Diagnosis(_Parameters):
 
     def __init__(self, answer: Answer, model: Model) -> None:
         super().__init__(answer)
-        self.model: Optional[Model] = model._with_text(answer["model"]) if answer["model"] else None
+        self.model: Optional[Model] = model._with_text(answer["model"], "completed") if answer["model"] else None
         """The model with the missing effects and every fitted value; None where no model may hold these."""
+        self.steps: list[Model] = _steps(model, answer["steps"])
+        """The model with one missing effect after the other: `fem.compare([model, *diagnosis.steps], data)` shows the
+        error falling."""
+        # Commands name files, of which there are none here.
+        told, commands, _ = self.text.partition("\nto go on\n")
+        if commands:
+            self.text = f"{told}\nto go on\n  .steps   the model with one of them after the other\n"
+            self.text += "  .model   the model with all of them, every value re-fitted\n" if self.model else ""
 
     def _records(self) -> list[dict[str, Any]]:
         keys = ("effect", "kind", "rms_after", "delta_bic", "p_value", "note")
@@ -335,6 +343,13 @@ class Catalogue(Sequence[Record]):
 
 def _tables(tables: dict[str, Any], coordinates: Sequence[str]) -> dict[str, Table]:
     return {name: Table(columns, coordinates) for name, columns in tables.items()}
+
+
+def _steps(model: Model, steps: Sequence[tuple[str, str]]) -> list[Model]:
+    models: list[Model] = []
+    for effect, text in steps:
+        models.append((models[-1] if models else model)._with_text(text, effect))
+    return models
 
 
 def _estimate(path: str, estimate: Any) -> dict[str, Any]:

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import html
+import itertools
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Optional
 
-import numpy as np
-
 if TYPE_CHECKING:
+    import numpy as np
     import pandas as pd
     import xarray as xr
 
     from fem._fem import Column
 
-Array = np.ndarray[Any, np.dtype[Any]]
+    Array = np.ndarray[Any, np.dtype[Any]]
 
 # Rows that are shown of a long table, at its beginning and at its end.
 _SHOWN = 5
 
 
-class Table(Mapping[str, Array]):
+class Table(Mapping[str, "Array"]):
     """Columns by their names, as NumPy arrays."""
 
     def __init__(self, columns: Sequence[Column], coordinates: Sequence[str] = ()) -> None:
@@ -62,9 +63,10 @@ class Table(Mapping[str, Array]):
         return [heading(name, self.units[name]) for name in self._columns]
 
     def varying(self) -> list[str]:
-        """Coordinates that take more than one value, that with the most values first."""
-        counts = {name: len(np.unique(self._columns[name])) for name in self.coordinates}
-        return sorted((name for name, count in counts.items() if count > 1), key=lambda name: -counts[name])
+        """Coordinates that take more than one value."""
+        import numpy as np
+
+        return [name for name in self.coordinates if len(np.unique(self._columns[name])) > 1]
 
     def to_pandas(self) -> pd.DataFrame:
         """A data frame, its columns headed `name [unit]`; it can be compared with a model as it is."""
@@ -74,31 +76,39 @@ class Table(Mapping[str, Array]):
 
     def to_xarray(self) -> xr.Dataset:
         """A dataset with units as attributes. Where coordinates make a whole grid they are its dimensions."""
+        import numpy as np
         import xarray as xr
 
         attributes = {name: {"units": unit} for name, unit in self.units.items() if unit}
-        dimensions = sorted(self.varying(), key=self.coordinates.index)
-        levels = [np.unique(self._columns[name], return_inverse=True) for name in dimensions]
-        shape = tuple(len(values) for values, _ in levels)
-        is_grid = bool(dimensions) and int(np.prod(shape)) == self.rows
-        places = np.ravel_multi_index(tuple(at for _, at in levels), shape) if is_grid else np.arange(self.rows)
-        if is_grid and len(np.unique(places)) == self.rows:
-            order = np.argsort(places)
-            constant = [name for name in self.coordinates if name not in dimensions]
-            coordinates: dict[str, Any] = {
-                name: (name, values, attributes.get(name, {})) for name, (values, _) in zip(dimensions, levels)
-            }
-            for name in constant:
-                coordinates[name] = ((), self._columns[name][0], attributes.get(name, {}))
-            data = {
-                name: (dimensions, self._columns[name][order].reshape(shape), attributes.get(name, {}))
-                for name in self.values_of
-            }
-            return xr.Dataset(data, coordinates)
-        both = {name: ("row", values, attributes.get(name, {})) for name, values in self._columns.items()}
+        dimensions, order, shape = self._grid()
+
+        def laid(name: str) -> tuple[Any, ...]:
+            values = self._columns[name][order].reshape(shape)
+            if name in dimensions:
+                return name, np.unique(values), attributes.get(name, {})
+            if name in self.coordinates and len(np.unique(values)) == 1:
+                return (), values.flat[0], attributes.get(name, {})
+            return dimensions, values, attributes.get(name, {})
+
         return xr.Dataset(
-            {name: both[name] for name in self.values_of}, {name: both[name] for name in self.coordinates}
+            {name: laid(name) for name in self.values_of}, {name: laid(name) for name in self.coordinates}
         )
+
+    def _grid(self) -> tuple[list[str], Array, tuple[int, ...]]:
+        """As many coordinates as make a whole grid, the rows in its order, and its shape; else the rows as they are."""
+        import numpy as np
+
+        varying = self.varying()
+        levels = {name: np.unique(self._columns[name], return_inverse=True) for name in varying}
+        for count in range(min(len(varying), 4), 0, -1):
+            for names in itertools.combinations(varying, count):
+                shape = tuple(len(levels[name][0]) for name in names)
+                if math.prod(shape) != self.rows:
+                    continue
+                places = np.ravel_multi_index(tuple(levels[name][1] for name in names), shape)
+                if len(np.unique(places)) == self.rows:
+                    return list(names), np.argsort(places), shape
+        return ["row"], np.arange(self.rows), (self.rows,)
 
     def __repr__(self) -> str:
         lines = [self.headings, *self._shown()]
@@ -125,6 +135,8 @@ def heading(name: str, unit: Optional[str]) -> str:
 
 
 def _meant(values: Array, words: Sequence[str], is_label: bool) -> Array:
+    import numpy as np
+
     if words:
         return np.asarray(words)[values.astype(np.int64)]
     # Numbers of parts and runs.

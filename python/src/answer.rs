@@ -29,6 +29,8 @@ pub struct Answer {
     pub notes: Vec<String>,
     /// The text of a model that came of it.
     pub model: Option<String>,
+    /// Effects that are added one after the other, and the text of the model with each.
+    pub steps: Vec<(String, String)>,
 }
 
 impl Answer {
@@ -70,6 +72,7 @@ impl Answer {
         told.set_item("coordinates", self.coordinates)?;
         told.set_item("notes", self.notes)?;
         told.set_item("model", self.model)?;
+        told.set_item("steps", self.steps)?;
         Ok(told)
     }
 }

@@ -47,9 +47,9 @@ pub fn compute<T: Send + 'static>(
     loop {
         match (py.detach(|| wait(LOOK_EVERY)), &interrupted) {
             // What a stopped computation gives is no result.
-            (Ok(_), Some((interrupt, _))) => return Err(interrupt.clone_ref(py)),
+            (Ok(_) | Err(RecvTimeoutError::Disconnected), Some((interrupt, _))) => return Err(interrupt.clone_ref(py)),
             (Ok(found), None) => return found.map_err(|error| error.raised(py)),
-            (Err(RecvTimeoutError::Disconnected), _) => {
+            (Err(RecvTimeoutError::Disconnected), None) => {
                 return Err(fault(py, worker.join().err().as_deref().map_or("", said)));
             }
             (Err(RecvTimeoutError::Timeout), Some((interrupt, since))) if since.elapsed() >= PATIENCE => {

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use fem::cli;
 use fem::compensate::compensate;
-use fem::diagnose::{diagnose, plan};
+use fem::diagnose::{Diagnosis, diagnose, plan};
 use fem::fit::{fit, fitted_text};
 use fem::input::{Parameter, Source};
 use fem::model::{self, Data, Setting, add_effect};
-use fem::output::Report;
+use fem::output::{Report, additions};
 use fem::progress::Progress;
 use fem::units::Knowledge;
 use pyo3::prelude::*;
@@ -138,7 +138,8 @@ impl Model {
             }
             // A fitted value that no model may hold leaves none.
             let model = cli::completed(data, &found).ok().map(|better| better.source.text.to_string());
-            Ok(Answer { notes, model, ..Answer::of(&Report::Diagnosis(data, &found), data.model)? })
+            let steps = steps(data, &found);
+            Ok(Answer { notes, model, steps, ..Answer::of(&Report::Diagnosis(data, &found), data.model)? })
         })?;
         answer.told(py)
     }
@@ -176,6 +177,18 @@ impl Model {
         })?;
         answer.told(py)
     }
+}
+
+/// The model with one missing effect after the other, as far as values go that a model may hold.
+fn steps(data: &Data, found: &Diagnosis) -> Vec<(String, String)> {
+    let mut model = data.model.clone();
+    let mut steps = Vec::new();
+    for (effect, settings) in additions(data, found) {
+        let Ok(better) = add_effect(&model, &effect, &settings) else { break };
+        steps.push((effect, better.source.text.to_string()));
+        model = better;
+    }
+    steps
 }
 
 impl Model {
