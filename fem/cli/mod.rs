@@ -34,6 +34,7 @@ use clap::{CommandFactory, Parser};
 
 pub use compare::refuse_mixed;
 pub use compensate::axis_of;
+pub use demo::STORY;
 pub use diagnose::completed;
 pub use effects::catalogue;
 pub use error::Error;

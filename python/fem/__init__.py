@@ -7,7 +7,7 @@ from typing import Optional
 
 from fem import _fem
 from fem._errors import ComputationError, DataError, Error, Fault, ModelError, Problem
-from fem._model import Model, Parameter, compare, load, model, new, report
+from fem._model import Demo, Model, Parameter, compare, demo, load, model, new, report
 from fem._record import Record
 from fem._results import (
     Catalogue,
@@ -30,6 +30,7 @@ __all__ = [
     "Compensation",
     "ComputationError",
     "DataError",
+    "Demo",
     "Diagnosis",
     "Error",
     "Fault",
@@ -45,6 +46,7 @@ __all__ = [
     "Run",
     "Table",
     "compare",
+    "demo",
     "effects",
     "load",
     "model",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import html
 import json
 import os
@@ -9,11 +10,14 @@ import tempfile
 from collections.abc import Iterator, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from fem import _fem
 from fem._data import Columns, Data, asked
 from fem._results import Comparison, Compensation, Diagnosis, Fit, Plan, Report, Run
+
+if TYPE_CHECKING:
+    from fem._table import Array
 
 _Path = Union[str, "os.PathLike[str]"]
 
@@ -287,6 +291,25 @@ def load(path: _Path) -> Model:
 def new(process: str) -> Model:
     """A model of a process to start from."""
     return Model(_fem.starting_model(process), process)
+
+
+class Demo(NamedTuple):
+    """Something to try everything on."""
+
+    model: Model
+    """A lathe that is believed to be rigid."""
+    measured: dict[str, Array]
+    """Columns of measurements of twelve shafts that it turned."""
+
+
+def demo() -> Demo:
+    """A model of a lathe, and measurements that it does not explain: `pandas.DataFrame(measured)` makes a frame of them."""
+    import numpy as np
+
+    text, measured = _fem.demo()
+    header, *rows = csv.reader(line for line in measured.splitlines() if not line.startswith("#"))
+    columns = np.array(rows, dtype=np.float64).T
+    return Demo(Model(text, "rigid"), dict(zip(header, columns)))
 
 
 def model(keys: Union[str, Mapping[str, Any]], name: str = "model") -> Model:

@@ -53,6 +53,8 @@ impl Answer {
     /// # Errors
     /// NumPy is not to be had.
     pub fn told(self, py: Python) -> PyResult<Bound<PyDict>> {
+        // Asked for first, so that its absence is an error and no fault.
+        py.import("numpy")?;
         let told = PyDict::new(py);
         let tables = PyList::empty(py);
         for of_model in self.tables {

@@ -31,6 +31,13 @@ fn starting_model(py: Python, process: String) -> PyResult<String> {
     compute(py, &Arc::default(), move |_| Ok(cli::starting_file(&process)?))
 }
 
+/// A model and what was measured, to try everything on: the texts of their files.
+#[pyfunction]
+fn demo() -> (&'static str, &'static str) {
+    let [(_, model), (_, measured)] = cli::STORY;
+    (model, measured)
+}
+
 /// The catalogue of effects as JSON and as text, whole or of a process or an effect.
 #[pyfunction]
 #[pyo3(signature = (name=None))]
@@ -60,6 +67,7 @@ fn _fem(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_class::<Model>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     module.add_function(wrap_pyfunction!(starting_model, module)?)?;
+    module.add_function(wrap_pyfunction!(demo, module)?)?;
     module.add_function(wrap_pyfunction!(catalogue, module)?)?;
     module.add_function(wrap_pyfunction!(rehearse, module)?)?;
     module.add_function(wrap_pyfunction!(document::keys, module)?)?;
