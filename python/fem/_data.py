@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from fem._table import heading
 
 if TYPE_CHECKING:
-    from fem._fem import Asked
+    from fem._answer import Asked
 
 Data = Any
 """A path; a data frame of pandas or polars; a table of Arrow, or whatever hands one over (`__arrow_c_stream__`,
@@ -112,7 +112,8 @@ def _cell(value: Any) -> str:
         value = value.item()
     if hasattr(value, "as_py"):  # one of pyarrow
         value = value.as_py()
-    if value is None or value != value or str(value) in ("<NA>", "NaT"):
+    # pandas.NA is not even equal or unequal to itself.
+    if value is None or str(value) in ("<NA>", "NaT", "nan"):
         return ""
     if isinstance(value, (datetime.datetime, datetime.date)):
         return value.isoformat(sep=" ") if isinstance(value, datetime.datetime) else value.isoformat()

@@ -1,29 +1,26 @@
 """The extension module: models, questions and answers as they pass between Rust and Python."""
 
-from typing import Optional, TypedDict, final
+from typing import Optional, final
 
-import numpy as np
-import numpy.typing as npt
+from fem._answer import Answer, Asked
+
+__all__ = [
+    "Model",
+    "__version__",
+    "catalogue",
+    "command",
+    "compare",
+    "demo",
+    "keys",
+    "rehearse",
+    "report",
+    "starting_model",
+    "with_value",
+    "without",
+    "written",
+]
 
 __version__: str
-
-# Name, unit, values, and the words that the values number where they are words.
-Column = tuple[str, Optional[str], npt.NDArray[np.float64], list[str]]
-
-class Answer(TypedDict):
-    json: str
-    text: str
-    figures: list[tuple[str, str]]
-    tables: list[dict[str, list[Column]]]
-    coordinates: list[str]
-    notes: list[str]
-    model: Optional[str]
-    steps: list[tuple[str, str]]
-
-class Asked(TypedDict):
-    parts: list[tuple[str, Optional[str]]]
-    columns: list[str]
-    decimal: Optional[str]
 
 @final
 class Model:

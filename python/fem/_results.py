@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from fem._fem import Answer
+    from fem._answer import Answer
     from fem._model import Model
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-    from fem._fem import Column
+    from fem._answer import Column
 
     Array = np.ndarray[Any, np.dtype[Any]]
 

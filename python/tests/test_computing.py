@@ -77,7 +77,7 @@ def test_a_stopped_search_ends_and_the_next_one_is_whole(rigid: fem.Model, measu
     def ring(*_: object) -> None:
         raise Alarm
 
-    whole = rigid.diagnose(measured).to_dict()
+    whole = rigid.diagnose(measured).text
     before = signal.signal(signal.SIGALRM, ring)
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.05)
@@ -86,7 +86,7 @@ def test_a_stopped_search_ends_and_the_next_one_is_whole(rigid: fem.Model, measu
                 rigid.diagnose(measured)
     finally:
         signal.signal(signal.SIGALRM, before)
-    assert rigid.diagnose(measured).to_dict() == whole
+    assert rigid.diagnose(measured).text == whole
 
 
 def test_a_fault_is_an_exception(rigid: fem.Model) -> None:

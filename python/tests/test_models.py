@@ -105,15 +105,15 @@ def test_models_pickle_by_their_text(root: Path, rigid: fem.Model) -> None:
 
 def test_a_mistake_is_told_with_place_and_remedy(rigid: fem.Model) -> None:
     rigid["cut"]["depht"] = "0.6 mm"
-    rigid["batch"]["parts"] = -1
+    rigid["workholding"]["type"] = "center"
     with pytest.raises(fem.ModelError) as caught:
         rigid.run()
     error = caught.value
     lines = rigid.text.splitlines()
     assert [problem.file for problem in error.problems] == ["rigid", "rigid"]
-    assert [lines[(p.line or 0) - 1].split(" ")[0] for p in error.problems] == ["depht", "parts"]
-    assert "depht" in error.problems[0].message and "depth" in (error.problems[0].remedy or "")
-    assert "\x1b" not in str(error) and f"rigid:{error.problems[0].line}:1" in str(error)
+    assert [lines[(p.line or 0) - 1].split(" ")[0] for p in error.problems] == ["type", "depht"]
+    assert "depht" in error.problems[1].message and "depth" in (error.problems[1].remedy or "")
+    assert "\x1b" not in str(error) and f"rigid:{error.problems[1].line}:1" in str(error)
     assert isinstance(error, (fem.Error, ValueError))
     again = pickle.loads(pickle.dumps(error))
     assert str(again) == str(error) and again.problems == error.problems
@@ -127,7 +127,7 @@ def test_what_is_unknown_or_cannot_be_computed_is_told_apart(rigid: fem.Model) -
     with pytest.raises(fem.ModelError, match="no effect"):
         rigid.add("tool-waer")
     with pytest.raises(fem.ComputationError) as caught:
-        rigid.with_({"cut.radial_force": "4e9 N"}).run()
+        rigid.with_({"effects.headstock-compliance.stiffness": "1e-9 N/um"}).run()
     assert caught.value.problems[0].remedy
 
 
