@@ -1,16 +1,18 @@
 //! The progress of a computation, for whoever watches, and the time that it may take.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Counts finished units of work. Computing code adds; a watcher on another thread reads. Where there is a time
-/// limit, code asks before every step that may be left out, and what was left out is remembered.
+/// limit, code asks before every step that may be left out, and what was left out is remembered. Whoever does not want
+/// the result any more stops it.
 #[derive(Debug, Default)]
 pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     deadline: Option<Instant>,
+    stopped: AtomicBool,
     undone: Mutex<Vec<String>>,
 }
 
@@ -41,9 +43,19 @@ impl Progress {
         self.deadline.is_some()
     }
 
+    /// Asks the computation to end as soon as it can: nobody waits for its result.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was asked to end; what it gives then is no result.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
     /// Whether the time is over.
     pub fn is_over(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
+        self.is_stopped() || self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Whether there is time for a step that may be left out; where there is none, `what` is left undone.
@@ -76,5 +88,7 @@ mod tests {
         assert!(over.is_over() && !over.permits("a") && !over.permits("b") && !over.permits("a"));
         assert_eq!(over.left_undone(), ["a", "b"]);
         assert!(!Progress::within(Some(Duration::MAX)).is_over());
+        endless.stop();
+        assert!(endless.is_over() && !endless.permits("c"));
     }
 }

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use fem::model::{Model, Run};
-use fem::output::{columns, figures};
+use fem::output::{Report, columns, figures};
 use fem::process::{ALL, Description, Process};
 use fem::progress::Progress;
 use rayon::prelude::*;
@@ -35,7 +35,7 @@ fn page(process: &dyn Process, model: &Model) -> Result<Vec<Made>, Box<dyn Error
     let path = PathBuf::from(format!("docs/processes/{name}.md"));
     let run = model.run(&Progress::default())?;
     let file = |stem: &str| format!("{name}-{stem}.svg");
-    let pictures = figures(model, &run);
+    let pictures = figures(&Report::Run(model, &run));
     let shown: String = pictures.iter().map(|(stem, _)| format!("![{name}: {stem}]({})\n\n", file(stem))).collect();
     let effects = process.effects();
     let text = [

@@ -45,6 +45,9 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
 }
 
 /// Models of several processes have no measurements in common.
+///
+/// # Errors
+/// They are of several.
 pub fn refuse_mixed(models: &[Model]) -> Result<(), Error> {
     let Some(first) = models.first() else { return Ok(()) };
     let Some(other) = models.iter().find(|m| m.process.name() != first.process.name()) else { return Ok(()) };

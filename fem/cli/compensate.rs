@@ -10,15 +10,12 @@ use crate::input::Problem;
 use crate::model::{Data, Model};
 use crate::output::files::Guard;
 use crate::output::{CONTROLS, Control, Folder, Format, LINUXCNC, Report, Supplied, supplied};
+use crate::process::Positioning;
 use crate::progress::Progress;
 
 pub fn run(args: &args::Compensate) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
-    let Some(axis) = model.system.positioning() else {
-        let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
-        let help = "compensation is for axes that are tested by going to targets from both sides";
-        return Err(Error::Request(problem.help(help)));
-    };
+    let axis = axis_of(&model)?;
     let is_asked = |control: &&Control| args.controls.iter().any(|name| name == control.name);
     let controls: Vec<&'static Control> = CONTROLS.iter().filter(is_asked).collect();
     let data = Data::of(&model, args.data.load(model.process)?)?;
@@ -41,6 +38,18 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
     notes(&data.notes);
     let list = if args.json { "" } else { &written };
     print(&(page(&report, args.json)? + list))
+}
+
+/// What a model says of a positioning test.
+///
+/// # Errors
+/// It models none.
+pub fn axis_of(model: &Model) -> Result<&dyn Positioning, Error> {
+    model.system.positioning().ok_or_else(|| {
+        let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
+        let help = "compensation is for axes that are tested by going to targets from both sides";
+        Error::Request(problem.help(help))
+    })
 }
 
 /// Files for a control that the user has named.

@@ -6,19 +6,19 @@ use super::terminal::print;
 use crate::input::Problem;
 use crate::output::files::{self, Guard};
 
-/// The files of the story.
-const FILES: [(&str, &str); 2] = [
+/// The files of the story, a model and what was measured: name and text.
+pub const STORY: [(&str, &str); 2] = [
     ("rigid.toml", include_str!("../../models/story/rigid.toml")),
     ("measured.csv", include_str!("../../models/story/measured.csv")),
 ];
 
 pub fn demo(args: &args::Demo) -> Result<(), Error> {
     let directory = &args.directory;
-    if let Some((name, _)) = FILES.iter().find(|(name, _)| directory.join(name).exists()) {
+    if let Some((name, _)) = STORY.iter().find(|(name, _)| directory.join(name).exists()) {
         let problem = Problem::new(format!("{} exists already", directory.join(name).display()));
         return Err(Error::Request(problem.help("name another folder: fem demo FOLDER")));
     }
-    for (name, text) in FILES {
+    for (name, text) in STORY {
         files::write(&directory.join(name), text.as_bytes(), Guard { reads: &[], force: false })?;
     }
     let folder = directory.display();

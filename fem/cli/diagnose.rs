@@ -43,6 +43,9 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
 }
 
 /// The model with the missing effects and every fitted value.
+///
+/// # Errors
+/// A fitted value lies outside of what a model may hold.
 pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
     let text = fitted_text(data, &diagnosis.fit);
     let mut better = Model::parse(Source::new(data.model.source.name.to_string(), text))?;

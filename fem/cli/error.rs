@@ -1,7 +1,5 @@
 //! Errors of commands, and their report.
 
-use std::process::ExitCode;
-
 use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError, MietteSpanContents, SourceCode,
     SourceSpan, SpanContents,
@@ -65,47 +63,51 @@ impl From<Problem> for Error {
 }
 
 impl Error {
-    /// Reports the error on stderr and returns the exit status: 2 where the input is wrong, 1 where the
-    /// computation or the writing failed.
-    pub fn report(self) -> ExitCode {
+    /// Reports the error on stderr and returns the exit status.
+    pub fn report(&self) -> u8 {
+        let text = self.text(look::has_colour());
+        if !text.is_empty() {
+            say!("{text}");
+        }
+        self.status()
+    }
+
+    /// Exit status: 2 where the input is wrong, 1 where the computation or the writing failed.
+    pub fn status(&self) -> u8 {
         match self {
-            Self::Input(error) => {
-                say!("{}", rendered(&error, look::has_colour()).trim_end());
-                ExitCode::from(2)
-            }
-            Self::Request(problem) => {
-                tell(&problem.message, problem.help.as_deref());
-                ExitCode::from(2)
-            }
-            Self::Compute(failure) => {
-                tell(&failure.message, Some(&failure.help));
-                ExitCode::from(1)
-            }
-            Self::Output(error @ OutputError::Read { .. }) => {
-                tell(&error.to_string(), Some("name another file; models and measurements are never overwritten"));
-                ExitCode::from(2)
-            }
-            Self::Output(error @ OutputError::Exists { .. }) => {
-                tell(&error.to_string(), Some("name another place, or let it be replaced with --force"));
-                ExitCode::from(2)
-            }
-            Self::Output(error) => {
-                tell(&error.to_string(), Some("choose another place with -o, or make room"));
-                ExitCode::from(1)
-            }
-            Self::Stdout(error) => {
-                tell(&format!("the output cannot be written: {error}"), None);
-                ExitCode::from(1)
-            }
-            Self::Found => ExitCode::from(1),
+            Self::Input(_) | Self::Request(_) => 2,
+            Self::Output(OutputError::Read { .. } | OutputError::Exists { .. }) => 2,
+            Self::Compute(_) | Self::Output(_) | Self::Stdout(_) | Self::Found => 1,
         }
     }
-}
 
-fn tell(message: &str, help: Option<&str>) {
-    say!("error: {message}");
-    if let Some(help) = help {
-        say!("  help: {help}");
+    /// The error as people read it, with its remedy; empty where the result has told it.
+    pub fn text(&self, has_colour: bool) -> String {
+        if let Self::Input(error) = self {
+            return rendered(error, has_colour).trim_end().to_string();
+        }
+        let Problem { message, help, .. } = self.problem();
+        match help {
+            _ if message.is_empty() => String::new(),
+            Some(help) => format!("error: {message}\n  help: {help}"),
+            None => format!("error: {message}"),
+        }
+    }
+
+    /// The error as one problem without its place; that of a file stands for all of them.
+    pub fn problem(&self) -> Problem {
+        match self {
+            Self::Input(error) => error.problems.first().cloned().unwrap_or_else(|| Problem::new("")),
+            Self::Request(problem) => problem.clone(),
+            Self::Compute(failure) => Problem::new(&failure.message).help(&failure.help),
+            Self::Output(error) => Problem::new(error.to_string()).help(match error {
+                OutputError::Read { .. } => "name another file; models and measurements are never overwritten",
+                OutputError::Exists { .. } => "name another place, or let it be replaced with --force",
+                OutputError::File { .. } | OutputError::Shape { .. } => "choose another place with -o, or make room",
+            }),
+            Self::Stdout(error) => Problem::new(format!("the output cannot be written: {error}")),
+            Self::Found => Problem::new(""),
+        }
     }
 }
 

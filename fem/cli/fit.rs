@@ -18,10 +18,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
-    if has_nothing_to_fit(&model) {
-        let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
-        return Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")));
-    }
+    refuse_certain(&model)?;
     let data = Data::of(&model, args.data.load(model.process)?)?.watched(args.limit.progress());
     let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {
@@ -37,4 +34,16 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     }
     notes(&data.notes_of_fit());
     print(&page(&Report::Fit(&data, &fit), args.json)?)
+}
+
+/// Refuses a model that leaves nothing open.
+///
+/// # Errors
+/// Nothing of it is marked.
+pub fn refuse_certain(model: &Model) -> Result<(), Error> {
+    if !has_nothing_to_fit(model) {
+        return Ok(());
+    }
+    let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
+    Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")))
 }

@@ -2,8 +2,7 @@
 
 use super::args;
 use super::error::Error;
-use super::say::say;
-use super::terminal::{page, print};
+use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::diagnose::plan;
 use crate::input::Problem;
@@ -19,20 +18,27 @@ pub fn run(args: &args::Plan) -> Result<(), Error> {
         false => Data::of(&model, Measurements::load_all(&args.with, model.process, &args.reading.said()?, true)?)?,
         true => Data::programme(&model)?,
     };
-    let sigma = noise(model.process, &args.noise)?;
-    if design.uncertainty.is_none() {
-        let assumed =
-            design.observables.iter().filter(|s| sigma[s.position].is_none()).map(|s| format!("1 {}", s.kind.unit));
-        let assumed: Vec<String> = assumed.collect();
-        if !assumed.is_empty() {
-            say!("note: a noise of {} is assumed; say --noise or add a column u", assumed.join(" and "));
-        }
-    }
-    let usual = |(o, sigma): (&Observable, &Option<f64>)| sigma.unwrap_or_else(|| o.error_kind().to_si(1.0));
-    let sigma: Vec<f64> = model.process.observables().iter().zip(&sigma).map(usual).collect();
+    let (sigma, note) = planned_noise(&design, &args.noise)?;
+    notes(note.as_slice());
     let design = design.watched(args.limit.progress());
     let plan = watched(&design.progress, || plan(&design, &sigma))?;
     print(&page(&Report::Plan(&design, &plan), args.json)?)
+}
+
+/// The noise of each observable, SI: what is said, such as `1.5 um`, or one unit; and a note where that is assumed.
+///
+/// # Errors
+/// What is said is no positive quantity of any observable.
+pub fn planned_noise(design: &Data, said: &[String]) -> Result<(Vec<f64>, Option<String>), Error> {
+    let process = design.model.process;
+    let sigma = noise(process, said)?;
+    let is_assumed = |position: usize| design.uncertainty.is_none() && sigma[position].is_none();
+    let assumed = design.observables.iter().filter(|s| is_assumed(s.position)).map(|s| format!("1 {}", s.kind.unit));
+    let assumed: Vec<String> = assumed.collect();
+    let note = (!assumed.is_empty())
+        .then(|| format!("a noise of {} is assumed; say --noise or add a column u", assumed.join(" and ")));
+    let usual = |(o, sigma): (&Observable, &Option<f64>)| sigma.unwrap_or_else(|| o.error_kind().to_si(1.0));
+    Ok((process.observables().iter().zip(&sigma).map(usual).collect(), note))
 }
 
 /// The noise of each observable, SI, as far as it is said: each size stands for the observables that are

@@ -10,7 +10,7 @@ use std::time::{Duration, SystemTime};
 use tiny_http::{Header, Method, Request, Response, Server};
 
 use super::args;
-use super::error::{Error, rendered};
+use super::error::Error;
 use super::say::say;
 use super::story::{Depth, written};
 use crate::input::Problem;
@@ -92,22 +92,7 @@ fn renew(args: &args::Report, depth: Depth, shown: &Shared) {
     shown.version = version;
     match made {
         Ok(made) => (shown.html, shown.files) = (made.html, made.files),
-        Err(error) => shown.html = trouble(&told(&error), version),
-    }
-}
-
-/// An error as the terminal shows it, with place and remedy.
-fn told(error: &Error) -> String {
-    match error {
-        Error::Input(error) => rendered(error, false),
-        Error::Request(problem) => match &problem.help {
-            Some(help) => format!("{}\n\nhelp: {help}", problem.message),
-            None => problem.message.clone(),
-        },
-        Error::Compute(failure) => format!("{}\n\nhelp: {}", failure.message, failure.help),
-        Error::Output(error) => error.to_string(),
-        Error::Stdout(error) => error.to_string(),
-        Error::Found => String::new(),
+        Err(error) => shown.html = trouble(&error.text(false), version),
     }
 }
 

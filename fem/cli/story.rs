@@ -37,48 +37,81 @@ pub struct Made {
     pub files: Vec<PathBuf>,
 }
 
-/// Makes the page.
+/// Makes the page of files.
 ///
 /// # Errors
 /// As those of `fem run`, `fem compare` and `fem diagnose`.
 pub fn written(args: &args::Report, depth: Depth, live: Option<u64>, progress: &Arc<Progress>) -> Result<Made, Error> {
     let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     refuse_mixed(&models)?;
-    let Some(model) = models.last() else {
-        return Ok(Made { html: String::new(), notes: Vec::new(), files: Vec::new() });
+    let measurements = match models.last() {
+        Some(model) if !args.with.is_empty() => {
+            Some(Measurements::load_all(&args.with, model.process, &args.reading.said()?, false)?)
+        }
+        _ => None,
     };
-    let is_known = models.iter().all(|m| m.require_values().is_ok());
-    let named: Vec<PathBuf> = models.iter().flat_map(Model::paths).chain(args.with.iter().cloned()).collect();
-    let files = named.iter().map(|path| (path.display().to_string(), hash(path))).collect();
-    if args.with.is_empty() {
-        model.require_part()?;
-        let run = model.run(progress)?;
-        let subject = Subject { models: &models, run: Some(&run), evidence: None, files };
-        return Ok(Made { html: page(&subject, live), notes: Vec::new(), files: named });
+    let files = models.iter().flat_map(Model::paths).chain(args.with.iter().cloned()).collect();
+    let most_effects = usize::from(args.max_effects);
+    Story { models: &models, measurements, files, most_effects, depth, live }.told(progress)
+}
+
+/// All that a page is made of.
+pub struct Story<'a> {
+    /// Models of one process, in their order; the last is diagnosed.
+    pub models: &'a [Model],
+    /// What was measured.
+    pub measurements: Option<Measurements>,
+    /// Files that were read, to be named with their hashes.
+    pub files: Vec<PathBuf>,
+    /// Most effects to look for together.
+    pub most_effects: usize,
+    /// How far the page goes.
+    pub depth: Depth,
+    /// Version of a page that renews itself.
+    pub live: Option<u64>,
+}
+
+impl Story<'_> {
+    /// Makes the page.
+    ///
+    /// # Errors
+    /// As those of `fem run`, `fem compare` and `fem diagnose`.
+    pub fn told(self, progress: &Arc<Progress>) -> Result<Made, Error> {
+        let Self { models, measurements, files: named, most_effects, depth, live } = self;
+        let Some(model) = models.last() else {
+            return Ok(Made { html: String::new(), notes: Vec::new(), files: Vec::new() });
+        };
+        let is_known = models.iter().all(|m| m.require_values().is_ok());
+        let files = named.iter().map(|path| (path.display().to_string(), hash(path))).collect();
+        let Some(measurements) = measurements else {
+            model.require_part()?;
+            let run = model.run(progress)?;
+            let subject = Subject { models, run: Some(&run), evidence: None, files };
+            return Ok(Made { html: page(&subject, live), notes: Vec::new(), files: named });
+        };
+        let (comparisons, measurements) =
+            if is_known { compared(models, measurements)? } else { (Vec::new(), measurements) };
+        let all = Data::of(model, measurements)?.watched(progress.clone());
+        let mut notes = all.notes_of_fit();
+        let some = thinned(&all);
+        if let Some(some) = &some {
+            notes.push(format!("{} of {} rows were used for the diagnosis, evenly chosen", some.len(), all.len()));
+        }
+        let is_deep = depth == Depth::Diagnosed;
+        let data = if is_deep { some.unwrap_or(all) } else { all };
+        let diagnosis = if is_deep { Some(diagnose(&data, most_effects, progress)?) } else { None };
+        let better = diagnosis.as_ref().and_then(|d| complete(&data, d, progress));
+        let is_best = better.is_none() && model.require_values().is_ok();
+        let run = if is_best { Some(model.run(progress)?) } else { None };
+        let evidence = Evidence {
+            data: &data,
+            comparisons: &comparisons,
+            diagnosis: diagnosis.as_ref(),
+            completed: better.as_ref().map(|(model, run)| (model, run)),
+        };
+        let subject = Subject { models, run: run.as_ref(), evidence: Some(evidence), files };
+        Ok(Made { html: page(&subject, live), notes, files: named })
     }
-    let measurements = Measurements::load_all(&args.with, model.process, &args.reading.said()?, false)?;
-    let (comparisons, measurements) =
-        if is_known { compared(&models, measurements)? } else { (Vec::new(), measurements) };
-    let all = Data::of(model, measurements)?.watched(progress.clone());
-    let mut notes = all.notes_of_fit();
-    let some = thinned(&all);
-    if let Some(some) = &some {
-        notes.push(format!("{} of {} rows were used for the diagnosis, evenly chosen", some.len(), all.len()));
-    }
-    let is_deep = depth == Depth::Diagnosed;
-    let data = if is_deep { some.unwrap_or(all) } else { all };
-    let diagnosis = if is_deep { Some(diagnose(&data, usize::from(args.max_effects), progress)?) } else { None };
-    let better = diagnosis.as_ref().and_then(|d| complete(&data, d, progress));
-    let is_best = better.is_none() && model.require_values().is_ok();
-    let run = if is_best { Some(model.run(progress)?) } else { None };
-    let evidence = Evidence {
-        data: &data,
-        comparisons: &comparisons,
-        diagnosis: diagnosis.as_ref(),
-        completed: better.as_ref().map(|(model, run)| (model, run)),
-    };
-    let subject = Subject { models: &models, run: run.as_ref(), evidence: Some(evidence), files };
-    Ok(Made { html: page(&subject, live), notes, files: named })
 }
 
 /// Every model as it is written.

@@ -213,6 +213,9 @@ impl<'a> Objective<'a> {
 
     /// Prediction of any rows, if the model can be computed there.
     pub fn predict_rows(&mut self, position: &DVector<f64>, rows: &Rows) -> Option<Vec<f64>> {
+        if self.data.progress.is_stopped() {
+            return None;
+        }
         self.trials.evaluations.fetch_add(1, Ordering::Relaxed);
         let values = self.values(position);
         let (own, mut rest) = values.split_at(self.data.model.parameters.len());

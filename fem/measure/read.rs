@@ -42,6 +42,14 @@ impl Measurements {
         read(Source::read_exported(path, LARGEST_FILE, text_of_rtx)?, process, Purpose::Design, said)
     }
 
+    /// Reads a design from the text of a file.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its line.
+    pub fn parse_design(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
+        read(source, process, Purpose::Design, said)
+    }
+
     /// Reads measurements from the text of a file.
     ///
     /// # Errors

@@ -21,26 +21,31 @@ pub struct Pictures<'a> {
 impl Format for Pictures<'_> {
     /// Writes the figures, and lists them.
     fn write(&self, report: &Report) -> Result<String, OutputError> {
-        let all = match report {
-            Report::Run(model, run) => of_run(model, run),
-            Report::Comparison(models, measurements, comparisons) => {
-                let mut all = Vec::new();
-                for (model, comparison) in models.iter().zip(*comparisons) {
-                    let folder = if models.len() > 1 { format!("{}/", model.stem().display()) } else { String::new() };
-                    let own = of_comparison(model, measurements, comparison);
-                    all.extend(own.into_iter().map(|(name, svg)| (format!("{folder}{name}"), svg)));
-                }
-                all
-            }
-            Report::Diagnosis(data, found) => vec![("diagnosis".into(), diagnosis::falling(data, found).svg())],
-            _ => Vec::new(),
-        };
+        let all = of_report(report);
         let unwritable = |error: std::io::Error| OutputError::File { path: self.directory.to_path_buf(), error };
         let stage = Stage::new(self.directory, "plot", self.guard).map_err(unwritable)?;
         let written = stage_all(all, Path::new(""), &stage)?;
         stage.publish()?;
         let list: Vec<String> = written.iter().map(|f| format!("  {}", self.directory.join(f).display())).collect();
         Ok(format!("\nwritten\n{}\n", list.join("\n")))
+    }
+}
+
+/// The figures of a report, each with the stem of its file; those of several models in a folder each.
+fn of_report(report: &Report) -> Vec<(String, Svg)> {
+    match report {
+        Report::Run(model, run) => of_run(model, run),
+        Report::Comparison(models, measurements, comparisons) => {
+            let mut all = Vec::new();
+            for (model, comparison) in models.iter().zip(*comparisons) {
+                let folder = if models.len() > 1 { format!("{}/", model.stem().display()) } else { String::new() };
+                let own = of_comparison(model, measurements, comparison);
+                all.extend(own.into_iter().map(|(name, svg)| (format!("{folder}{name}"), svg)));
+            }
+            all
+        }
+        Report::Diagnosis(data, found) => vec![("diagnosis".into(), diagnosis::falling(data, found).svg())],
+        _ => Vec::new(),
     }
 }
 
@@ -65,9 +70,9 @@ pub fn signatures(model: &Model, contributions: &[Contribution]) -> Vec<String> 
     plots::changes(model, contributions).iter().map(|(_, chart)| draw(chart).file()).collect()
 }
 
-/// The figures of a run as texts of SVG files, each with the stem of its name.
-pub fn figures(model: &Model, run: &Run) -> Vec<(String, String)> {
-    of_run(model, run).into_iter().map(|(name, svg)| (name, svg.file())).collect()
+/// The figures of a report as texts of SVG files, each with the stem of its name.
+pub fn figures(report: &Report) -> Vec<(String, String)> {
+    of_report(report).into_iter().map(|(name, svg)| (name, svg.file())).collect()
 }
 
 /// The machine to scale, and the contours that it makes.

@@ -197,6 +197,9 @@ impl<D: Definition> Assembled<D> {
 impl<D: Definition> ForwardModel for Assembled<D> {
     fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
         self.possible()?;
+        if progress.is_stopped() {
+            return Err(Failure { message: "the computation was stopped".into(), help: "start it again".into() });
+        }
         let programme = self.programme();
         self.completed(D::predict(&self.machine, programme, progress)?, programme)
     }

@@ -1,0 +1,33 @@
+"""Questions and answers as they pass between Rust and Python."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional, TypedDict
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Column = tuple[str, Optional[str], npt.NDArray[np.float64], list[str]]
+    """Name, unit, values, and the words that the values number where they are words."""
+
+
+class Answer(TypedDict):
+    """What a command would print and draw, and more."""
+
+    json: str
+    text: str
+    figures: list[tuple[str, str]]
+    tables: list[dict[str, list[Column]]]
+    coordinates: list[str]
+    notes: list[str]
+    model: Optional[str]
+    steps: list[tuple[str, str]]
+
+
+class Asked(TypedDict):
+    """Measurements: files, and tables as CSV, each with its name; how they are to be read."""
+
+    parts: list[tuple[str, Optional[str]]]
+    columns: list[str]
+    decimal: Optional[str]

@@ -1,0 +1,366 @@
+"""Models: read, made, changed, and asked."""
+
+from __future__ import annotations
+
+import csv
+import html
+import json
+import os
+import tempfile
+from collections.abc import Iterator, Mapping, MutableMapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+
+from fem import _fem
+from fem._data import Columns, Data, asked
+from fem._results import Comparison, Compensation, Diagnosis, Fit, Plan, Report, Run
+
+if TYPE_CHECKING:
+    from fem._table import Array
+
+_Path = Union[str, "os.PathLike[str]"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A quantity that a model does not know exactly."""
+
+    path: str
+    """Where it stands: `effects.tool-wear.rate`."""
+    unit: str
+    value: Optional[float]
+    """None where it is unknown (`?`)."""
+    std: Optional[float]
+    """Its standard uncertainty (`+-`); None where it is unknown."""
+
+
+class Keys(MutableMapping[str, Any]):
+    """A table of a model: reading gives values as they are written, writing changes the model."""
+
+    def __init__(self, model: Model, path: tuple[str, ...]) -> None:
+        self._model = model
+        self._path = path
+
+    def _plain(self) -> Mapping[str, Any]:
+        found: Any = json.loads(_fem.keys(self._model.text))
+        for key in self._path:
+            found = found[int(key)] if isinstance(found, list) else found[key]
+        return dict(enumerate_keys(found)) if isinstance(found, list) else found
+
+    def __getitem__(self, key: Union[str, int]) -> Any:
+        found = self._plain()
+        if str(key) not in found:
+            raise KeyError(f"no {'.'.join((*self._path, str(key)))} in the model; there is {', '.join(found)}")
+        value = found[str(key)]
+        is_table = isinstance(value, dict) or isinstance(value, list) and any(isinstance(v, dict) for v in value)
+        return Keys(self._model, (*self._path, str(key))) if is_table else value
+
+    def __setitem__(self, key: Union[str, int], value: Any) -> None:
+        self._model._set((*self._path, str(key)), value)
+
+    def __delitem__(self, key: Union[str, int]) -> None:
+        self._model._change(_fem.without(self._model.text, [*self._path, str(key)]))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._plain())
+
+    def __len__(self) -> int:
+        return len(self._plain())
+
+    def __repr__(self) -> str:
+        return repr(self._plain())
+
+
+def enumerate_keys(values: Sequence[Any]) -> Iterator[tuple[str, Any]]:
+    """The places of a list as keys."""
+    return ((str(i), value) for i, value in enumerate(values))
+
+
+class Model:
+    """A machine, fixture, tool and workpiece, and what is asked of them.
+
+    `model["cut"]["depth"] = "0.5 mm"` changes it; `with_`, `add` and results give new ones. It is checked when it is
+    asked something, or by `check`.
+    """
+
+    def __init__(self, text: str, name: str = "model") -> None:
+        self._text = text
+        self._name = name
+        self._read: Optional[_fem.Model] = None
+
+    def _core(self) -> _fem.Model:
+        if self._read is None:
+            self._read = _fem.Model.parse(self._name, self._text)
+        return self._read
+
+    def _change(self, text: str) -> None:
+        self._text, self._read = text, None
+
+    def _set(self, path: Sequence[str], value: Any) -> None:
+        self._change(_fem.with_value(self._text, list(path), _json(value)))
+
+    def _with_text(self, text: str, mark: str = "") -> Model:
+        # A mark tells its name from that of the model from which it came.
+        place = Path(self._name)
+        return Model(text, str(place.with_name(f"{place.stem}-{mark}{place.suffix}")) if mark else self._name)
+
+    @property
+    def text(self) -> str:
+        """The model file."""
+        return self._text
+
+    @property
+    def name(self) -> str:
+        """The name of its file; the paths that it names are relative to its folder."""
+        return self._name
+
+    @property
+    def title(self) -> Optional[str]:
+        """Its title, if it has one."""
+        return self._core().title
+
+    @property
+    def process(self) -> str:
+        """The process that it models."""
+        return self._core().process
+
+    @property
+    def effects(self) -> list[str]:
+        """Names of its effects, in their order."""
+        return self._core().effects
+
+    @property
+    def parameters(self) -> list[Parameter]:
+        """What it does not know exactly."""
+        return [Parameter(*one) for one in self._core().parameters]
+
+    def check(self) -> Model:
+        """Raises what is wrong with it, and returns it."""
+        self._core()
+        return self
+
+    def copy(self) -> Model:
+        """The same again, to be changed by itself."""
+        return self._with_text(self._text)
+
+    def __getitem__(self, key: str) -> Any:
+        return Keys(self, ())[key]
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        Keys(self, ())[key] = value
+
+    def __delitem__(self, key: str) -> None:
+        del Keys(self, ())[key]
+
+    def __contains__(self, key: object) -> bool:
+        return key in json.loads(_fem.keys(self._text))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(Keys(self, ()))
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of its keys."""
+        return dict(json.loads(_fem.keys(self._text)))
+
+    def with_(self, values: Optional[Mapping[str, Any]] = None, **more: Any) -> Model:
+        """The model with other values, by their paths: `with_({"cut.depth": "0.6 mm"})`."""
+        model = self.copy()
+        for path, value in {**(values or {}), **more}.items():
+            model._set(path.split("."), value)
+        return model.check()
+
+    def add(self, effect: str, **parameters: Any) -> Model:
+        """The model with one more effect; what is left out of its parameters is unknown (`?`), to be fitted."""
+        settings = [(key, value if isinstance(value, str) else _json(value)) for key, value in parameters.items()]
+        added = Model(self._text, self._name)
+        added._read = self._core().add(effect, settings)
+        added._text = added._read.text
+        return added
+
+    def save(self, path: _Path, overwrite: bool = False) -> Path:
+        """Writes the model file; the paths that it names lead to the same files from there."""
+        place = Path(path)
+        if place.exists() and not overwrite:
+            raise FileExistsError(f"{place} is there already; name another file, or say overwrite=True")
+        handle, beside = tempfile.mkstemp(dir=place.parent, prefix=".fem-")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+                file.write(self._core().text_at(os.fspath(place)))
+            os.replace(beside, place)
+        except BaseException:
+            os.unlink(beside)
+            raise
+        return place
+
+    def run(self) -> Run:
+        """Predicts."""
+        return Run(self._core().run())
+
+    def compare(self, data: Data, *, columns: Columns = (), decimal: Optional[str] = None) -> Comparison:
+        """How well it agrees with measurements, and where it fails."""
+        return Comparison(_fem.compare([self._core()], asked(data, columns, decimal)))
+
+    def fit(
+        self,
+        data: Data,
+        *,
+        columns: Columns = (),
+        decimal: Optional[str] = None,
+        time_limit: Optional[float] = None,
+    ) -> Fit:
+        """Estimates what is marked `+-` or `?`, within so many seconds if a limit is given."""
+        return Fit(self._core().fit(asked(data, columns, decimal), time_limit), self)
+
+    def diagnose(
+        self,
+        data: Data,
+        *,
+        max_effects: int = 3,
+        columns: Columns = (),
+        decimal: Optional[str] = None,
+        time_limit: Optional[float] = None,
+    ) -> Diagnosis:
+        """Names the effects that are missing, at most so many together."""
+        _positive(max_effects)
+        return Diagnosis(self._core().diagnose(asked(data, columns, decimal), max_effects, time_limit), self)
+
+    def plan(
+        self,
+        design: Optional[Data] = None,
+        *,
+        noise: Union[str, Sequence[str]] = (),
+        columns: Columns = (),
+        decimal: Optional[str] = None,
+        time_limit: Optional[float] = None,
+    ) -> Plan:
+        """Before measuring: what could be seen at a noise such as `"1.5 um"`, and what would look alike.
+
+        A design is measurements without what is observed; left out, it is the model's own programme.
+        """
+        rows = None if design is None else asked(design, columns, decimal)
+        return Plan(self._core().plan(rows, [noise] if isinstance(noise, str) else list(noise), time_limit))
+
+    def compensate(self, data: Data, *, columns: Columns = (), decimal: Optional[str] = None) -> Compensation:
+        """Evaluates the test of a feed axis by ISO 230-2, and what tables for its controller would leave."""
+        return Compensation(self._core().compensate(asked(data, columns, decimal)))
+
+    def report(
+        self,
+        data: Optional[Data] = None,
+        path: Optional[_Path] = None,
+        *,
+        max_effects: int = 3,
+        columns: Columns = (),
+        decimal: Optional[str] = None,
+        time_limit: Optional[float] = None,
+    ) -> Report:
+        """Prediction, residuals, causes and what to do next as one page, written to a path if one is given."""
+        return report(
+            [self], data, path, max_effects=max_effects, columns=columns, decimal=decimal, time_limit=time_limit
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Model, (self._text, self._name)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and (self._text, self._name) == (other._text, other._name)
+
+    # It changes.
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        keys = self.to_dict()
+        title = f" {keys['title']!r}" if "title" in keys else ""
+        effects = f" with {', '.join(keys['effects'])}" if keys.get("effects") else ""
+        return f"<fem.Model {self._name}: {keys.get('process', 'no process')}{title}{effects}>"
+
+    def _repr_html_(self) -> str:
+        text = html.escape(self._text)
+        return f"<details><summary>{html.escape(repr(self))}</summary><pre>{text}</pre></details>"
+
+
+def load(path: _Path) -> Model:
+    """Reads a model file."""
+    core = _fem.Model.load(os.fspath(path))
+    model = Model(core.text, core.name)
+    model._read = core
+    return model
+
+
+def new(process: str) -> Model:
+    """A model of a process to start from."""
+    return Model(_fem.starting_model(process), process)
+
+
+class Demo(NamedTuple):
+    """Something to try everything on."""
+
+    model: Model
+    """A lathe that is believed to be rigid."""
+    measured: dict[str, Array]
+    """Columns of measurements of twelve shafts that it turned."""
+
+
+def demo() -> Demo:
+    """A model of a lathe, and measurements that it does not explain: `pandas.DataFrame(measured)` makes a frame of them."""
+    import numpy as np
+
+    text, measured = _fem.demo()
+    header, *rows = csv.reader(line for line in measured.splitlines() if not line.startswith("#"))
+    columns = np.array(rows, dtype=np.float64).T
+    return Demo(Model(text, "rigid"), dict(zip(header, columns)))
+
+
+def model(keys: Union[str, Mapping[str, Any]], name: str = "model") -> Model:
+    """A model of nested mappings, or of the text of a model file."""
+    text = keys if isinstance(keys, str) else _fem.written(_json(keys))
+    return Model(text, name).check()
+
+
+def compare(
+    models: Sequence[Model], data: Data, *, columns: Columns = (), decimal: Optional[str] = None
+) -> Comparison:
+    """Several models against the same measurements: the error falling, side by side."""
+    if not models:
+        raise ValueError("there is no model to compare")
+    return Comparison(_fem.compare([model._core() for model in models], asked(data, columns, decimal)))
+
+
+def report(
+    models: Sequence[Model],
+    data: Optional[Data] = None,
+    path: Optional[_Path] = None,
+    *,
+    max_effects: int = 3,
+    columns: Columns = (),
+    decimal: Optional[str] = None,
+    time_limit: Optional[float] = None,
+) -> Report:
+    """One page of several models, of which the last is diagnosed."""
+    if not models:
+        raise ValueError("there is no model to report on")
+    _positive(max_effects)
+    rows = None if data is None else asked(data, columns, decimal)
+    page = Report(*_fem.report([model._core() for model in models], rows, max_effects, time_limit))
+    if path is not None:
+        page.save(path)
+    return page
+
+
+def _positive(max_effects: int) -> None:
+    if not 1 <= max_effects <= 8:
+        raise ValueError(f"max_effects is {max_effects}; expected 1 to 8")
+
+
+def _json(value: Any) -> str:
+    """A value of a model; NumPy's numbers are numbers."""
+    return json.dumps(value, default=_number, allow_nan=False)
+
+
+def _number(value: Any) -> Any:
+    if isinstance(value, Keys):
+        return value._plain()
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"{value!r} is no value of a model; expected a text with a unit, a number, a list or a mapping")
