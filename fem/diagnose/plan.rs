@@ -13,7 +13,7 @@ use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
 use super::search::SIGNIFICANCE;
 use super::sensitivity::{self, CandidateEffect};
-use super::{Next, absent, unsolvable};
+use super::{Next, absent, instrument, unsolvable};
 use crate::fit::{Objective, Solution};
 use crate::model::Data;
 use crate::noise::{Acts, Noise, NoiseSource, Term};
@@ -28,7 +28,7 @@ pub struct Plan {
     pub rows: usize,
     /// Expected noise of each of the design's observables, root mean square.
     pub sigma: Vec<f64>,
-    /// Every effect that the model does not have, with its detection limit; `None` where it changes nothing
+    /// Every effect that the model does not have, also of the instrument, with its detection limit; `None` where it changes nothing
     /// in these rows.
     pub effects: Vec<(Description, Option<DetectionLimit>)>,
     /// Pairs of effects that would be confounded.
@@ -63,7 +63,7 @@ pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
     let known = design.uncertainty.clone().unwrap_or_else(|| of_rows(&design.rows));
     let (unknown, terms): (Vec<Term>, Vec<Term>) = design.terms.iter().cloned().partition(is_unknown);
     let expected = Noise::independent(known.clone(), NoiseSource::Column);
-    let absent = absent(model);
+    let absent = [absent(model), instrument::absent_readings(design)].concat();
     let now = Assessment::of(&absent, design, known.clone())?;
     let alike = now.alike(&absent);
     let experiments = model.system.candidate_experiments(&design.rows);

@@ -18,6 +18,7 @@ pub fn json(design: &Data, plan: &Plan) -> Json {
         let unit = v.as_ref().and_then(|v| d.parameters.iter().find(|p| p.name == v.parameter)).map(|p| p.kind.unit);
         json!({
             "effect": d.name,
+            "observable": d.observable,
             "visible": v.as_ref().is_some_and(|v| v.detectable),
             "parameter": v.as_ref().map(|v| v.parameter),
             "smallest": v.as_ref().and_then(|v| v.smallest),
@@ -60,14 +61,14 @@ pub fn text(design: &Data, plan: &Plan) -> String {
         let _ = writeln!(text, "caution: {caution}");
     }
     let visible = || plan.effects.iter().filter_map(|(d, v)| v.as_ref().filter(|v| v.detectable).map(|v| (d, v)));
-    let width = plan.effects.iter().map(|e| e.0.name.len()).max().unwrap_or(0);
+    let width = plan.effects.iter().map(|e| e.0.label().len()).max().unwrap_or(0);
     let _ = writeln!(text, "\nwould be seen, nine times in ten at a usual shape, from");
     for (d, v) in visible() {
         let size = v.smallest.map_or(String::new(), |s| bound(d, v.parameter, s));
-        let _ = writeln!(text, "  {:<width$}  {size:<28} {:>3.0} % of it is its own", d.name, 100.0 * v.own_share);
+        let _ = writeln!(text, "  {:<width$}  {size:<28} {:>3.0} % of it is its own", d.label(), 100.0 * v.own_share);
     }
-    let hidden: Vec<&str> =
-        plan.effects.iter().filter(|(_, v)| !v.as_ref().is_some_and(|v| v.detectable)).map(|e| e.0.name).collect();
+    let hidden: Vec<_> =
+        plan.effects.iter().filter(|(_, v)| !v.as_ref().is_some_and(|v| v.detectable)).map(|e| e.0.label()).collect();
     if !hidden.is_empty() {
         let _ = writeln!(text, "\nwould not be seen: {}", hidden.join(", "));
     }
@@ -77,7 +78,9 @@ pub fn text(design: &Data, plan: &Plan) -> String {
             let _ = writeln!(
                 text,
                 "  {} and {}, {:.1} sigma apart where either shows by 15",
-                a.one.name, a.other.name, a.separation
+                a.one.label(),
+                a.other.label(),
+                a.separation
             );
         }
     }
@@ -85,7 +88,7 @@ pub fn text(design: &Data, plan: &Plan) -> String {
         let _ = writeln!(text, "  and {} pairs more (--json has them all)", plan.alike.len() - MOST_PAIRS);
     }
     if let Some(next) = &plan.next {
-        let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();
+        let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.label(), b.label())).collect();
         let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
         let _ = writeln!(
             text,

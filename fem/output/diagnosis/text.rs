@@ -7,7 +7,7 @@ use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Outlier, Outlook
 use crate::model::{Data, Model};
 use crate::output::comparison;
 use crate::output::fit::Short;
-use crate::output::{measurement, plot};
+use crate::output::{measurement, number, plot};
 use crate::process::{Description, Holds, Neutral, Plot};
 use crate::units::Kind;
 
@@ -266,7 +266,15 @@ pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     let entry = effect.parameters.iter().find(|p| p.name == parameter);
     let unit = entry.map_or("", |p| p.kind.unit);
     let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };
-    format!("{parameter} {sign} {:.2} {unit}", Short(smallest)).trim_end().to_string()
+    let told = match entry.map(|p| p.neutral) {
+        // A factor of 1.00042 is told by what it differs from 1.
+        Some(Neutral::Value(neutral)) if neutral != 0.0 && smallest != neutral => {
+            let digits = 1.0 - (smallest - neutral).abs().log10().floor();
+            number::fixed(smallest, digits.clamp(0.0, 15.0) as usize)
+        }
+        _ => format!("{:.2}", Short(smallest)),
+    };
+    format!("{parameter} {sign} {told} {unit}").trim_end().to_string()
 }
 
 fn not_seen(text: &mut String, d: &Diagnosis) {
