@@ -92,8 +92,7 @@ pub fn tables_of_run(model: &Model, run: &mut Run) -> Tables {
         let own = observed_rows(&programme, position);
         let columns = shown.iter().map(|i| Column::coordinate(&coordinates[*i], &picked(&programme.columns[*i], &own)));
         let observables = model.process.observables();
-        let contributions =
-            of_observable.iter().map(|c| Column::quantities(c.name, c.kind(observables), &c.changes));
+        let contributions = of_observable.iter().map(|c| Column::quantities(c.name, c.kind(observables), &c.changes));
         let columns = columns.chain(contributions).collect();
         changes.push((format!("changes of {}", observables[position].name), Table { columns }));
     }
@@ -123,8 +122,7 @@ fn table_of_rows(
     let observable: &Observable = &process.observables()[seen.position];
     let own = observed_rows(&data.rows, seen.position);
     let of = |column: &[f64]| picked(column, &own);
-    let coordinates =
-        data.given.iter().map(|i| Column::coordinate(&process.coordinates()[*i], &of(&rows.columns[*i])));
+    let coordinates = data.given.iter().map(|i| Column::coordinate(&process.coordinates()[*i], &of(&rows.columns[*i])));
     let (kind, of_errors) = (observable.kind, observable.error_kind());
     let values = [
         Column::quantities(observable.name, kind, &of(&data.observed)),
