@@ -47,7 +47,7 @@ class Result:
         return [*super().__dir__(), *self.document]
 
     def __repr__(self) -> str:
-        return self.text.rstrip()
+        return "\n".join([self.text.rstrip(), *(f"note: {note}" for note in self.notes)])
 
     def _repr_html_(self) -> str:
         pictures = "".join(_picture(svg) for svg in list(self.figures.values())[:1])

@@ -20,23 +20,23 @@ wrong: str = model.run().profile.rows
 """
 
 
-def mypy(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, check=False)
+def checked(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-m", *arguments], cwd=folder, capture_output=True, text=True, check=False)
 
 
-def test_the_package_is_typed() -> None:
+def test_the_package_is_typed(tmp_path: Path) -> None:
     assert (Path(fem.__file__).parent / "py.typed").exists()
-    told = mypy("mypy", "--strict", "-p", "fem")
+    told = checked(tmp_path, "mypy", "--strict", "-p", "fem")
     assert told.returncode == 0, told.stdout
 
 
-def test_the_stub_is_that_of_the_extension() -> None:
-    told = mypy("mypy.stubtest", "fem._fem", "--ignore-disjoint-bases")
+def test_the_stub_is_that_of_the_extension(tmp_path: Path) -> None:
+    told = checked(tmp_path, "mypy.stubtest", "fem._fem", "--ignore-disjoint-bases")
     assert told.returncode == 0, told.stdout
 
 
 def test_users_see_the_types(tmp_path: Path) -> None:
     script = tmp_path / "user.py"
     script.write_text(USER)
-    told = mypy("mypy", "--strict", str(script))
+    told = checked(tmp_path, "mypy", "--strict", str(script))
     assert told.returncode == 1 and told.stdout.count("error:") == 1 and "user.py:8" in told.stdout, told.stdout
