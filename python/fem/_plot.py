@@ -34,23 +34,44 @@ def _groups(table: Table) -> tuple[Optional[str], list[tuple[str, Array]]]:
     # Numbers of parts tell lines apart where there is a place to draw along.
     along = next((name for name in numbers if table.units[name]), numbers[0] if numbers else None)
     others = [name for name in table.varying() if name != along and len(np.unique(table[name])) <= _NAMED]
-    labels = np.array([", ".join(f"{name} {table[name][row]}" for name in others) for row in range(table.rows)])
+    kinds = [_labels(table, others[: i + 1]) for i in range(len(others))] or [_labels(table, [])]
+    # As few coordinates as tell apart what all of them do: a part that was turned with a force of its own is that part.
+    labels = min(kinds, key=lambda kind: -len(np.unique(kind)))
     seen = list(dict.fromkeys(labels.tolist()))
     return along, [(label, np.flatnonzero(labels == label)) for label in seen]
+
+
+def _labels(table: Table, names: list[str]) -> Array:
+    def told(name: str, row: int) -> str:
+        value = table[name][row]
+        number = f"{value:g}" if isinstance(value, float) else str(value)
+        return " ".join(word for word in (name, number, table.units[name]) if word)
+
+    return np.array([", ".join(told(name, row) for name in names) for row in range(table.rows)])
 
 
 def _draw(table: Table, name: str, ax: Optional[Axes], style: dict[str, Any]) -> Axes:
     axes = _axes(ax)
     along, groups = _groups(table)
-    for label, rows in groups:
+    colours = _colours(len(groups))
+    for (label, rows), colour in zip(groups, colours):
         x = table[along][rows] if along else rows
         order = np.argsort(x, kind="stable") if table.units.get(along or "") else np.arange(len(rows))
-        axes.plot(x[order], table[name][rows][order], label=label, **style)
+        axes.plot(x[order], table[name][rows][order], label=label, color=colour, **style)
     axes.set_xlabel(heading(along, table.units[along]) if along else "row")
     axes.set_ylabel(heading(name, table.units[name]))
     if 1 < len(groups) <= _NAMED:
-        axes.legend()
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize="small")
     return axes
+
+
+def _colours(count: int) -> list[Any]:
+    """Colours of lines in an order, or the usual one."""
+    import matplotlib
+
+    if count == 1:
+        return [None]
+    return [matplotlib.colormaps["viridis"](0.9 * i / (count - 1)) for i in range(count)]
 
 
 def lines(table: Table, name: str, ax: Optional[Axes]) -> Axes:
@@ -68,6 +89,7 @@ def points(table: Table, name: str, ax: Optional[Axes]) -> Axes:
 def falling(diagnosis: Record, ax: Optional[Axes]) -> Axes:
     """The error as effects are added."""
     axes = _axes(ax)
+    # Everything is fitted anew with each effect.
     steps = [("as it is", diagnosis["before"]["rms"])]
     steps += [(f"+ {one['effect']}", one["rms_after"]) for one in diagnosis["missing"]]
     names, errors = [name for name, _ in steps], [error for _, error in steps]
