@@ -88,17 +88,27 @@ impl<'a> Stage<'a> {
             if lock.as_ref().is_some_and(|lock| !is_at(lock, &self.directory)) {
                 continue;
             }
-            match self.place() {
-                Ok(true) => return Ok(()),
-                Ok(false) => {}
-                // Another program has put the folder there since: its files are looked at again, under lock.
-                Err(OutputError::Exists { .. }) if !was_there => {}
-                Err(error) => return Err(error),
+            let is_placed = if was_there { self.place()? } else { self.appear()? };
+            if is_placed {
+                return Ok(());
             }
         }
     }
 
-    /// Puts the files into place; `false` where the folder has appeared in the meantime.
+    /// Puts the folder where none was; `false` where another program has put one there in the meantime, whose files are
+    /// to be looked at under lock.
+    fn appear(&self) -> Result<bool, OutputError> {
+        let new = self.files.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let beside = self.beside.path();
+        std::fs::write(beside.join(LIST), written::text(&new)).map_err(failed(&self.directory.join(LIST)))?;
+        match std::fs::rename(beside, &self.directory) {
+            Ok(()) => Ok(true),
+            Err(_) if self.directory.exists() => Ok(false),
+            Err(error) => Err(failed(&self.directory)(error)),
+        }
+    }
+
+    /// Puts the files into the place of others; `false` where the folder has gone in the meantime.
     fn place(&self) -> Result<bool, OutputError> {
         let new = self.files.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let names: BTreeSet<&PathBuf> = new.iter().map(|entry| &entry.name).collect();
@@ -114,11 +124,7 @@ impl<'a> Stage<'a> {
         std::fs::write(beside.join(LIST), list).map_err(failed(&self.directory.join(LIST)))?;
         let stale: Vec<PathBuf> = stale.into_iter().map(|e| e.name).collect();
         if self.exchanged && !self.directory.exists() {
-            return match std::fs::rename(beside, &self.directory) {
-                Ok(()) => Ok(true),
-                Err(_) if self.directory.exists() => Ok(false),
-                Err(error) => Err(failed(&self.directory)(error)),
-            };
+            return Ok(false);
         }
         let leave: BTreeSet<PathBuf> = new.iter().map(|e| e.name.clone()).chain(stale.iter().cloned()).collect();
         let leave = leave.into_iter().chain([LIST.into()]).collect();
