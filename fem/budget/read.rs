@@ -4,10 +4,8 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use toml_edit::Document;
-
 use super::{Budget, Contribution, Drill, Group, Kind, Law, part, sizes};
-use crate::input::{InputError, Instead, Kept, Problem, Reader, Source as File, nearest};
+use crate::input::{InputError, Reader, Source as File, nearest, read_tables};
 use crate::units::{MICRO, NUMBER};
 
 /// Largest budget file, bytes.
@@ -29,25 +27,8 @@ pub fn load(path: &Path) -> Result<Budget, InputError> {
 /// # Errors
 /// The text is wrong; the error lists every problem.
 pub(super) fn parse(file: File) -> Result<Budget, InputError> {
-    let document = Document::parse(file.text.to_string()).map_err(|e| {
-        let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
-        InputError::one(file.clone(), problem.help("a budget file is TOML: [table], key = \"value\", # comment"))
-    })?;
-    // The problems of a wrong model are reported by themselves, for they lie in another file.
-    let broken = RefCell::new(None);
-    let (budget, mut found) =
-        Reader::of_file(document.as_table(), file.folder(), &Kept::default(), Instead::default(), |reader| {
-            read(reader, &file, &broken)
-        });
-    if let Some(error) = broken.take() {
-        return Err(error);
-    }
-    found.problems.extend(found.parameters.iter().map(|parameter| {
-        Problem::new(format!("`{}` is written with `+-` or `?`", parameter.path))
-            .help("a budget takes fields: write a random error of its own, or let a model's input vary")
-            .at(parameter.span.clone())
-    }));
-    if found.problems.is_empty() { Ok(budget) } else { Err(InputError::new(file, found.problems)) }
+    let remedy = "a budget takes fields: write a random error of its own, or let a model's input vary";
+    read_tables(&file, "a budget file", remedy, |reader, broken| read(reader, &file, broken))
 }
 
 fn read(reader: &Reader, file: &File, broken: &RefCell<Option<InputError>>) -> Budget {

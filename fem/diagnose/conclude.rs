@@ -80,15 +80,14 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         missing.splice(0..0, told);
     }
     // What is said here must hold for the model that is written with it.
-    let written = verdict::as_written(&best);
-    let suspects = match verdict {
-        Verdict::Adequate | Verdict::MissingEffect if written.adequacy() == Some(false) => {
+    let mut suspects = Vec::new();
+    if matches!(verdict, Verdict::Adequate | Verdict::MissingEffect) {
+        let written = verdict::as_written(&best);
+        if written.adequacy() == Some(false) {
             verdict = if missing.is_empty() { Verdict::Unexplained } else { Verdict::PartlyExplained };
-            remaining = written.features;
-            written.suspects
+            (remaining, suspects) = (written.features, written.suspects);
         }
-        _ => Vec::new(),
-    };
+    }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
     let look_alikes = match is_explained && progress.permits("effects of the measurement that look alike") {
         true => look_alike::look_alikes(&found, &best, &all_repeats(&best)),

@@ -60,7 +60,7 @@ impl Folds {
         let mut objective = trial.objective.clone();
         let jacobian = objective.jacobian(&trial.solution)?;
         let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
-        let covariance = objective.covariance(&trial.solution).ok()?;
+        let covariance = objective.covariance(&jacobian);
         let mut square = 0.0;
         for fold in 0..self.count {
             let rows: Vec<usize> = (0..self.group.len()).filter(|r| self.group[*r] == fold).collect();

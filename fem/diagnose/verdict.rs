@@ -105,9 +105,9 @@ pub fn verdict(
     }
 }
 
-/// Whether the noise explains the residuals.
+/// Whether the noise explains the residuals: every feature that was found is significant.
 fn is_noise(goodness: &GoodnessOfFit, features: &[Feature]) -> bool {
-    goodness.is_as_noise() && features.iter().all(|f| f.p_value >= SIGNIFICANCE)
+    goodness.is_as_noise() && features.is_empty()
 }
 
 /// Whether the noise explains what a candidate model leaves.

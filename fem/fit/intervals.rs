@@ -59,7 +59,11 @@ pub struct ProfiledMinimum {
 pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> Result<ProfiledMinimum, Failure> {
     let mut gone = 0;
     loop {
-        let covariance = objective.covariance(&solution)?;
+        let jacobian = objective.jacobian(&solution).ok_or_else(|| Failure {
+            message: "the model cannot be computed beside the best values".into(),
+            help: "check bounds and values".into(),
+        })?;
+        let covariance = objective.covariance(&jacobian);
         // The first deeper minimum in the order of the parameters is taken, so that the same data always
         // give the same answer.
         let walked = |i: usize| {

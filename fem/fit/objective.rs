@@ -317,16 +317,12 @@ impl<'a> Objective<'a> {
         ((position[i] - step).max(variable.low), (position[i] + step).min(variable.high))
     }
 
-    /// Covariance of the search variables, (JᵀJ)⁻¹; a direction that the data do not see gets a huge
-    /// variance.
-    pub fn covariance(&mut self, solution: &Solution) -> Result<DMatrix<f64>, Failure> {
-        let jacobian = self.jacobian(solution).ok_or_else(|| Failure {
-            message: "the model cannot be computed beside the best values".into(),
-            help: "check bounds and values".into(),
-        })?;
+    /// Covariance of the search variables, (JᵀJ)⁻¹, from the Jacobian at a solution; a direction that the data do not
+    /// see gets a huge variance.
+    pub fn covariance(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
         let n = self.variables.len();
         if n == 0 {
-            return Ok(DMatrix::zeros(0, 0));
+            return DMatrix::zeros(0, 0);
         }
         let scale = DVector::from_iterator(n, self.variables.iter().map(|a| a.unit));
         let scaled = DMatrix::from_fn(jacobian.nrows(), n, |r, c| jacobian[(r, c)] * scale[c]);
@@ -334,7 +330,7 @@ impl<'a> Objective<'a> {
         let floor = (1e-14 * eigen.eigenvalues.max()).max(f64::MIN_POSITIVE);
         let inverse = DMatrix::from_diagonal(&eigen.eigenvalues.map(|v| 1.0 / v.max(floor)));
         let inverse = &eigen.eigenvectors * inverse * eigen.eigenvectors.transpose();
-        Ok(DMatrix::from_fn(n, n, |r, c| inverse[(r, c)] * scale[r] * scale[c]))
+        DMatrix::from_fn(n, n, |r, c| inverse[(r, c)] * scale[r] * scale[c])
     }
 }
 

@@ -14,6 +14,7 @@ mod reader;
 mod record;
 mod several;
 mod source;
+mod tables;
 
 pub use bounds::Bounds;
 pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};
@@ -25,3 +26,4 @@ pub use problem::{InputError, Problem, did_you_mean, nearest};
 pub use reader::{FileKey, Found, Instead, Names, Parameter, Reader, Shape, is_one_of};
 pub use record::{Along, Record, Varying};
 pub use source::Source;
+pub use tables::read_tables;

@@ -3,8 +3,6 @@
 use std::cell::RefCell;
 use std::path::Path;
 
-use toml_edit::Document;
-
 use super::design::{Design, Input, Points, Sampler, Spread};
 use super::job;
 use super::plan::{Offered, Plan, Task, Wanted};
@@ -13,7 +11,7 @@ use super::sobol::MOST_DIMENSIONS;
 use super::table::{self, Table};
 use super::wildcard;
 use crate::budget::Law;
-use crate::input::{InputError, Instead, Kept, Parameter, Problem, Reader, Source, did_you_mean};
+use crate::input::{InputError, Parameter, Reader, Source, did_you_mean, read_tables};
 use crate::model::Model;
 use crate::process::RunReport;
 use crate::progress::Progress;
@@ -48,28 +46,9 @@ pub fn schema() -> serde_json::Value {
 }
 
 fn parse(file: Source) -> Result<Plan, InputError> {
-    let document = Document::parse(file.text.to_string()).map_err(|e| {
-        let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
-        InputError::one(file.clone(), problem.help("a plan is TOML: [table], key = \"value\", # comment"))
-    })?;
-    // Problems of the model and of the table are reported by themselves, for they lie in other files.
-    let broken = RefCell::new(None);
-    let (plan, mut found) =
-        Reader::of_file(document.as_table(), file.folder(), &Kept::default(), Instead::default(), |reader| {
-            read(reader, &file, &broken)
-        });
-    if let Some(error) = broken.take() {
-        return Err(error);
-    }
-    found.problems.extend(found.parameters.iter().map(|parameter| {
-        Problem::new(format!("`{}` is written with `+-` or `?`", parameter.path))
-            .help("a plan takes a middle and a field: value = \"60 N/um\", half_field = \"15 N/um\"")
-            .at(parameter.span.clone())
-    }));
-    match plan {
-        Some(plan) if found.problems.is_empty() => Ok(plan),
-        _ => Err(InputError::new(file, found.problems)),
-    }
+    let remedy = "a plan takes a middle and a field: value = \"60 N/um\", half_field = \"15 N/um\"";
+    let plan = read_tables(&file, "a plan", remedy, |reader, broken| read(reader, &file, broken))?;
+    plan.ok_or_else(|| InputError::new(file, Vec::new()))
 }
 
 /// How points are chosen, before it is known what varies.

@@ -57,7 +57,8 @@ fn fitted(problem: &Problem, start: usize) -> Option<Vec<(f64, f64)>> {
         objective.noise = objective.residual_noise(&solution);
         solution = solve(&mut objective, &solution.position).ok()?;
     }
-    let covariance = objective.covariance(&solution).ok()?;
+    let jacobian = objective.jacobian(&solution)?;
+    let covariance = objective.covariance(&jacobian);
     let one = |(i, value): (usize, f64)| (value, covariance[(i, i)].sqrt());
     Some(objective.values(&solution.position).into_iter().enumerate().map(one).collect())
 }
