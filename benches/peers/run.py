@@ -67,7 +67,9 @@ CHANGES = {
     # Of 8 nodes: 3 unknowns an element. `fem` refuses more than 60 000 of them.
     ("heat", "100k"): {'"0.87 mm"': '"0.3876 mm"'},
 }
-BENCH = re.compile(r"total ([\d.]+) s, BackwardEuler: hot ([\d.]+), imbalance \S+, peak (\d+) MB")
+# What the bench says: the bore at three angles, um; the time, s, a temperature, and the peak of memory.
+RING_LINE = re.compile(r"u_r (\S+) (\S+) (\S+) um")
+HEAT_LINE = re.compile(r"total ([\d.]+) s, BackwardEuler: hot ([\d.]+), imbalance \S+, peak (\d+) MB")
 
 
 class Left(Exception):
@@ -179,16 +181,29 @@ def fem(binary, case, size, options):
     return once
 
 
-def bench(size):
-    """A function that asks `cargo bench --bench plane -- heat`, which has no command around it."""
-    cells = map(str, cases.HEAT_CELLS[size])
-    command = ["cargo", "bench", "--manifest-path", str(HERE / "../../Cargo.toml"), "--bench", "plane", "--", "heat"]
+def benches():
+    """The built bench of plane bodies, which has the solvers of `fem` without a command around them."""
+    command = ["cargo", "bench", "--manifest-path", str(HERE / "../../Cargo.toml"), "--bench", "plane", "--no-run"]
+    done = subprocess.run([*command, "--message-format", "json"], stdout=subprocess.PIPE, text=True, check=True)
+    built = (json.loads(line) for line in done.stdout.splitlines())
+    return next(b["executable"] for b in built if b.get("executable") and b["target"]["name"] == "plane")
+
+
+def bench(path, case, size):
+    """A function that asks the bench, which tells its own time: of heat it runs two schemes more."""
+    cells = (cases.RING_CELLS if case == "ring" else cases.HEAT_CELLS)[size]
 
     def once(threads, folder):
-        printed, _ = timed([*command, *cells], threads, folder)
-        wall, hot, peak = (float(v) for v in BENCH.search(printed).groups())
-        figures = {"wall": wall, "cpu": float("nan"), "own": float("nan"), "memory": peak}
-        return figures | {"version": "solver alone", "error": error("heat", [hot])}
+        printed, figures = timed([path, case, *map(str, cells)], threads, folder)
+        if case == "ring":
+            values = [float(v) / 1e6 for v in RING_LINE.search(printed).groups()]
+            version, memory = "whole mesh", figures["memory"]
+        else:
+            wall, hot, memory = (float(v) for v in HEAT_LINE.search(printed).groups())
+            values, version = [hot], "temperatures alone"
+            figures = {"wall": wall, "cpu": float("nan")}
+        more = {"version": version, "own": figures["cpu"], "memory": memory}
+        return figures | more | {"error": error(case, values)}
 
     return once
 
@@ -290,21 +305,22 @@ def main():
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--size", help="this size alone")
-    parser.add_argument("--bench", action="store_true", help="also the solver for heat alone, by cargo bench")
+    parser.add_argument("--bench", action="store_true", help="also the solvers for ring and heat alone, by cargo bench")
     arguments = parser.parse_args()
     binary = arguments.fem.resolve()
     if arguments.check:
         raise SystemExit(1 if check(binary) else 0)
     if not binary.exists():
         parser.error(f"{binary} is not there: build it by cargo build --release, or say --fem PATH")
+    built = benches() if arguments.bench else None
     for (case, size), names in SCRIPTS.items():
         if arguments.cases and case not in arguments.cases or arguments.size not in (None, size):
             continue
         programs = {}
         if (case, size) != ("heat", "500k"):
             programs |= {label: fem(str(binary), case, size, options) for label, options in FEM.items()}
-        if case == "heat" and arguments.bench:
-            programs["fem, cargo bench"] = bench(size)
+        if built and case in ("ring", "heat"):
+            programs["fem, bench"] = bench(built, case, size)
         programs |= {NAMES[name]: script(case, size, name) for name in names}
         taken, left = measure(programs, arguments.repeats, arguments.threads)
         print("\n".join(table(case, size, taken, left, arguments.threads)), flush=True)
