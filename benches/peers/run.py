@@ -84,7 +84,7 @@ def environment(threads):
 
 
 def timed(command, threads, folder):
-    """Runs a command. What it printed, and its wall time, CPU time with that of its children (s), and peak memory (MB)."""
+    """Runs a command. What it printed; its wall time, CPU time with that of its children, s, and peak memory, MB."""
     start = time.perf_counter()
     with open(pathlib.Path(folder, "stdout"), "w+") as out, open(pathlib.Path(folder, "stderr"), "w+") as err:
         # GNU time starts it: the peak of a child of ours would begin with the memory of this interpreter.
@@ -275,7 +275,7 @@ def span(least, most):
 
 
 def check(binary):
-    """The small cases against the exact answers. Tolerances are the round-off of each formulation or its mesh's error."""
+    """The small cases against the exact answers; how many are wrong. Tolerances are round-off or the mesh's error."""
     band = script("turning", "200", "scipy")
     # The condition of a plain stiffness grows with the fourth power of the elements: 200^4 times 1e-16.
     expected = [("turning", band, 2e-7)]
@@ -308,6 +308,8 @@ def main():
     parser.add_argument("--bench", action="store_true", help="also the solvers for ring and heat alone, by cargo bench")
     arguments = parser.parse_args()
     binary = arguments.fem.resolve()
+    if not pathlib.Path("/usr/bin/time").exists():
+        parser.error("GNU time is not there, which tells the peak of memory: apt-get install time")
     if arguments.check:
         raise SystemExit(1 if check(binary) else 0)
     if not binary.exists():
