@@ -14,6 +14,30 @@ pub struct Progress {
     deadline: Option<Instant>,
     stopped: AtomicBool,
     undone: Mutex<Vec<String>>,
+    evaluations: AtomicU64,
+    profile: Mutex<Profile>,
+}
+
+/// Stretches of a computation, each with what it took less what stretches within it took.
+#[derive(Debug, Default)]
+struct Profile {
+    stretches: Vec<Stretch>,
+    /// Those that are open, the innermost last: number, start, evaluations at the start; time and evaluations of what
+    /// lay within.
+    open: Vec<(usize, Instant, u64, Duration, u64)>,
+}
+
+/// What a stretch of a computation took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// What was done.
+    pub name: &'static str,
+    /// How often.
+    pub times: u64,
+    /// Evaluations of the model.
+    pub evaluations: u64,
+    /// Time on the clock.
+    pub time: Duration,
 }
 
 impl Progress {
@@ -31,6 +55,49 @@ impl Progress {
     /// Reports `units` as finished.
     pub fn advance(&self, units: u64) {
         self.done.fetch_add(units, Ordering::Relaxed);
+    }
+
+    /// Counts an evaluation of the model.
+    pub fn evaluated(&self) {
+        self.evaluations.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// Does a stretch of work, and notes what it takes. Stretches follow each other or lie within each other; those of
+    /// several threads at once would be told wrongly.
+    pub fn stretch<T>(&self, name: &'static str, work: impl FnOnce() -> T) -> T {
+        self.begin(name);
+        let result = work();
+        self.end();
+        result
+    }
+
+    fn begin(&self, name: &'static str) {
+        let mut profile = self.profile.lock().unwrap_or_else(PoisonError::into_inner);
+        let Profile { stretches, open } = &mut *profile;
+        let number = stretches.iter().position(|s| s.name == name).unwrap_or_else(|| {
+            stretches.push(Stretch { name, times: 0, evaluations: 0, time: Duration::ZERO });
+            stretches.len() - 1
+        });
+        stretches[number].times += 1;
+        open.push((number, Instant::now(), self.evaluations.load(Ordering::Relaxed), Duration::ZERO, 0));
+    }
+
+    fn end(&self) {
+        let mut profile = self.profile.lock().unwrap_or_else(PoisonError::into_inner);
+        let Profile { stretches, open } = &mut *profile;
+        let Some((number, start, before, time_within, evaluations_within)) = open.pop() else { return };
+        let (time, evaluations) = (start.elapsed(), self.evaluations.load(Ordering::Relaxed) - before);
+        stretches[number].time += time.saturating_sub(time_within);
+        stretches[number].evaluations += evaluations - evaluations_within;
+        if let Some((.., time_of_parent, evaluations_of_parent)) = open.last_mut() {
+            *time_of_parent += time;
+            *evaluations_of_parent += evaluations;
+        }
+    }
+
+    /// What each stretch took, in the order in which they first began.
+    pub fn profile(&self) -> Vec<Stretch> {
+        self.profile.lock().unwrap_or_else(PoisonError::into_inner).stretches.clone()
     }
 
     /// Finished and announced units.

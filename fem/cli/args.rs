@@ -180,6 +180,9 @@ pub struct Diagnose {
     pub force: bool,
     #[command(flatten)]
     pub limit: Limit,
+    /// Tell on stderr where the time went
+    #[arg(long)]
+    pub profile: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

@@ -11,6 +11,7 @@ use crate::input::Source;
 use crate::model::{Data, Model, add_effect};
 use crate::output::files::{self, Guard};
 use crate::output::{Folder, Format, Report, additions};
+use crate::progress::Stretch;
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
@@ -22,6 +23,9 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let progress = args.limit.progress();
     let data = Data::of(&model, args.data.load(model.process)?)?.watched(progress.clone());
     let diagnosis = watched(&progress, || diagnose(&data, usize::from(args.max_effects), &progress))?;
+    if args.profile {
+        say!("{}", stretches(&progress.profile()));
+    }
     if diagnosis.rows < data.len() {
         say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
     }
@@ -53,4 +57,19 @@ pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
         better = add_effect(&better, &name, &settings)?;
     }
     Ok(better)
+}
+
+/// A table of what the stretches of a computation took.
+fn stretches(all: &[Stretch]) -> String {
+    let line =
+        |s: &Stretch| format!("{:<34} {:>6} {:>12} {:>9.3}\n", s.name, s.times, s.evaluations, s.time.as_secs_f64());
+    let sum = Stretch {
+        name: "in all",
+        times: 1,
+        evaluations: all.iter().map(|s| s.evaluations).sum(),
+        time: all.iter().map(|s| s.time).sum(),
+    };
+    let head =
+        format!("{:<34} {:>6} {:>12} {:>9}\n", "stretch, without those within it", "times", "evaluations", "time, s");
+    head + &all.iter().chain([&sum]).map(line).collect::<String>()
 }

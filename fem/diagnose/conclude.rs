@@ -48,7 +48,7 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     let fit = fit::report(&best.objective, settled, repeats);
     let progress = &found.base.objective.data.progress;
     let confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
-        true => confounding::confoundings(&found),
+        true => progress.stretch("effects that look alike", || confounding::confoundings(&found)),
         false => Vec::new(),
     };
     let mut missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
@@ -90,7 +90,9 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
     let look_alikes = match is_explained && progress.permits("effects of the measurement that look alike") {
-        true => look_alike::look_alikes(&found, &best, &all_repeats(&best)),
+        true => {
+            progress.stretch("terms that look alike", || look_alike::look_alikes(&found, &best, &all_repeats(&best)))
+        }
         false => Vec::new(),
     };
     for own in &look_alikes {
@@ -106,7 +108,7 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         named.bend = Some(bend);
     }
     let next = match progress.permits("what to measure next") {
-        true => next::next(&found, &best, &confoundings, &look_alikes),
+        true => progress.stretch("what to measure next", || next::next(&found, &best, &confoundings, &look_alikes)),
         false => None,
     };
     let trials = (best.objective.trials.failures(), best.objective.trials.evaluations());

@@ -219,7 +219,9 @@ impl Exploration<'_> {
         }
         let mut objective = last.found.base.objective.clone();
         let extent = Extent { breadth: Breadth::WIDE, deepens: true, ..self.extent(&[]) };
-        let found = look_until_settled(&mut objective, &mut self.start.clone(), self.absent, &last.repeats, extent)?;
+        let start = &mut self.start.clone();
+        let look = || look_until_settled(&mut objective, start, self.absent, &last.repeats, extent);
+        let found = self.progress.stretch("wider searches", look)?;
         let wide = Hypothesis::new(found, last.repeats.clone());
         Ok(if wide.criterion < last.criterion { wide } else { last })
     }
@@ -227,6 +229,10 @@ impl Exploration<'_> {
     /// Searches under a noise; its sizes are settled with what is found. The search begins with what an earlier
     /// one has found.
     fn under<'a>(&self, earlier: &SearchResult<'a>, proposal: Proposal) -> Result<Hypothesis<'a>, Failure> {
+        self.progress.stretch("searches under further terms", || self.searched_under(earlier, proposal))
+    }
+
+    fn searched_under<'a>(&self, earlier: &SearchResult<'a>, proposal: Proposal) -> Result<Hypothesis<'a>, Failure> {
         let mut objective = earlier.base.objective.clone();
         let mut solution = self.start.clone();
         let mut within = proposal.repeats;

@@ -125,7 +125,8 @@ impl<'a> Hypothesis<'a> {
 }
 
 fn explains(best: &CandidateModel, repeats: &Repeats) -> bool {
-    is_explained(best, repeats) && will_be_adequate(best)
+    let judged = || is_explained(best, repeats) && will_be_adequate(best);
+    best.objective.data.progress.stretch("judging hypotheses", judged)
 }
 
 /// Whether one of these terms could swallow what a model lacks.

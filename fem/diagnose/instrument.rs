@@ -64,8 +64,10 @@ pub fn contradictions(trial: &CandidateModel, repeats: &Repeats) -> Option<Propo
 fn proposed(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Suspicion) -> Vec<Vec<Term>>) -> Vec<Proposal> {
     let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
     let (data, noise, residuals) = (trial.objective.data, &trial.objective.noise, trial.residuals());
-    let sets = seek(&Suspicion { data, noise, repeats, residuals: &residuals, mean: &mean });
-    let mut all = judged(trial, repeats, &mean, sets);
+    let mut all = data.progress.stretch("terms of the noise", || {
+        let sets = seek(&Suspicion { data, noise, repeats, residuals: &residuals, mean: &mean });
+        judged(trial, repeats, &mean, sets)
+    });
     all.retain(|p| is_rough(&p.noise, &residuals));
     all
 }

@@ -104,7 +104,8 @@ fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress
     }
     let first = Hypothesis::new(found, within);
     let exploration = Exploration { start: &solution, absent: &absent, repeats, most, progress };
-    let diagnosis = conclude::conclude(exploration.weigh(first)?, &conflicts);
+    let hypotheses = progress.stretch("under which noise to search", || exploration.weigh(first))?;
+    let diagnosis = progress.stretch("conclusion, intervals included", || conclude::conclude(hypotheses, &conflicts));
     progress.advance(1);
     diagnosis
 }

@@ -53,6 +53,9 @@ pub struct Extent<'e, 'a> {
     pub progress: &'e Progress,
 }
 
+/// Stretch of the null distributions.
+const CHANCE: &str = "what chance gives";
+
 /// Most rounds in which an effect of a set is exchanged.
 const EXCHANGES: usize = 4;
 
@@ -95,8 +98,11 @@ pub fn search<'a>(
     let Extent { most, breadth, known, progress, .. } = extent;
     let everyone: Vec<&CandidateEffect> = candidates.iter().collect();
     let projected = ProjectedResidual::new(&mut base.objective.clone(), &base.solution)?;
-    let screening = Screening::new(&projected, &everyone);
-    let first_null_distribution = MaxStatistic::simulate(&screening, projected.freedom, variance);
+    let (screening, first_null_distribution) = progress.stretch(CHANCE, || {
+        let screening = Screening::new(&projected, &everyone);
+        let first = MaxStatistic::simulate(&screening, projected.freedom, variance);
+        (screening, first)
+    });
     let mut null_distribution = first_null_distribution.clone();
     // The map keeps an order, so that the same data always give the same answer.
     let mut tried: BTreeMap<Vec<usize>, CandidateModel<'a>> = BTreeMap::new();
@@ -108,19 +114,23 @@ pub fn search<'a>(
         if size > 1 && !progress.permits(&format!("sets of {size} effects")) {
             break;
         }
-        let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
-        if size == 2 {
-            let pairs = pairs::pairs(&screening);
-            for lead in &mut leads {
-                lead.look_at(&pairs, &base, projected.residual.norm_squared(), &candidates);
+        let mut leads = progress.stretch("sets worth fitting", || {
+            let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
+            if size == 2 {
+                let pairs = pairs::pairs(&screening);
+                for lead in &mut leads {
+                    lead.look_at(&pairs, &base, projected.residual.norm_squared(), &candidates);
+                }
             }
-        }
+            leads
+        });
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
         let mut seen = BTreeSet::new();
         leads.retain(|lead| seen.insert(lead.key()));
         leads.truncate(if size == 1 { usize::MAX } else { breadth.refitted });
+        let fits = if size == 1 { "fits of one effect" } else { "fits of larger sets" };
         let fitted: Vec<CandidateModel<'a>> =
-            leads.par_iter().filter_map(|lead| refit(lead, &candidates, known)).collect();
+            progress.stretch(fits, || leads.par_iter().filter_map(|lead| refit(lead, &candidates, known)).collect());
         drop(leads);
         if size == 1 {
             let of = |i: usize| fitted.iter().find(|t| t.members == [i]).cloned();
@@ -132,7 +142,8 @@ pub fn search<'a>(
         let Some(mut best) = beam.first().cloned() else { break };
         if size > 1 {
             beam.truncate(breadth.beam);
-            best = exchange(&base, &candidates, best, &tried, extent);
+            let exchanged = || exchange(&base, &candidates, best, &tried, extent);
+            best = progress.stretch("exchanges of effects", exchanged);
             tried.insert(best.key(), best.clone());
             beam.insert(0, best.clone());
             beam.dedup_by_key(|t| t.key());
@@ -143,10 +154,14 @@ pub fn search<'a>(
         }
         steps.push(best.clone());
         progress.advance(1);
-        let Some(projected) = ProjectedResidual::new(&mut best.objective.clone(), &best.solution) else { break };
-        let others = candidates.iter().enumerate().filter(|(i, _)| !best.members.contains(i)).map(|(_, c)| c);
-        let others = Screening::new(&projected, &others.collect::<Vec<_>>());
-        null_distribution = MaxStatistic::simulate(&others, projected.freedom, variance);
+        let beside = progress.stretch(CHANCE, || {
+            let projected = ProjectedResidual::new(&mut best.objective.clone(), &best.solution)?;
+            let others = candidates.iter().enumerate().filter(|(i, _)| !best.members.contains(i)).map(|(_, c)| c);
+            let others = Screening::new(&projected, &others.collect::<Vec<_>>());
+            Some(MaxStatistic::simulate(&others, projected.freedom, variance))
+        });
+        let Some(beside) = beside else { break };
+        null_distribution = beside;
     }
     progress.advance((most.max(1) - steps.len()) as u64);
     prune(&base, &candidates, &mut steps, &null_distribution, variance);

@@ -10,6 +10,7 @@ use crate::fit::{self, Objective, Solution, StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::noise::NoiseSource;
 use crate::process::{Description, Failure};
+use crate::progress::Progress;
 
 /// Ratio between estimates of the noise up to which it counts as settled.
 pub const SETTLED: f64 = 1.1;
@@ -45,7 +46,11 @@ pub fn look_until_settled<'a>(
         }
     }
     let is_time = extent.progress.permits("deeper minima of the best set");
-    if extent.deepens && is_time && deepen(&mut found, repeats)? && objective.noise.source == NoiseSource::Estimated {
+    if extent.deepens
+        && is_time
+        && deepen(&mut found, repeats, extent.progress)?
+        && objective.noise.source == NoiseSource::Estimated
+    {
         found = look_again(objective, solution, absent, found, repeats, extent)?.0;
     }
     Ok(found)
@@ -71,10 +76,11 @@ fn look_again<'a>(
 
 /// Brings the best set, where it leaves structure, to the deepest minimum that the profiles of its parameters
 /// come upon; also whether it was deeper.
-fn deepen(found: &mut SearchResult, repeats: &Repeats) -> Result<bool, Failure> {
+fn deepen(found: &mut SearchResult, repeats: &Repeats, progress: &Progress) -> Result<bool, Failure> {
     let Some(best) = found.steps.last_mut().filter(|best| !is_explained(best, repeats)) else { return Ok(false) };
     let before = best.solution.chi2;
-    best.solution = fit::profile_intervals(&mut best.objective, best.solution.clone())?.solution;
+    let deeper = || fit::profile_intervals(&mut best.objective, best.solution.clone());
+    best.solution = progress.stretch("deeper minima along profiles", deeper)?.solution;
     Ok(best.solution.chi2 < before - SHALLOW)
 }
 
@@ -87,7 +93,8 @@ fn look<'a>(
     extent: Extent<'_, 'a>,
 ) -> Result<SearchResult<'a>, Failure> {
     *solution = minimise(objective, &solution.position, &[], StoppingCriterion::FULL).ok_or_else(unsolvable)?;
-    let candidates = sensitivity::candidates(objective, solution, absent);
+    let sought = || sensitivity::candidates(objective, solution, absent);
+    let candidates = extent.progress.stretch("what each effect would change", sought);
     let base = CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let variance = variance(&objective.noise, repeats);
     search::search(base, candidates, variance, extent).ok_or_else(unsolvable)

@@ -217,6 +217,7 @@ impl<'a> Objective<'a> {
             return None;
         }
         self.trials.evaluations.fetch_add(1, Ordering::Relaxed);
+        self.data.progress.evaluated();
         let values = self.values(position);
         let (own, mut rest) = values.split_at(self.data.model.parameters.len());
         let active = |description: &Description| {
