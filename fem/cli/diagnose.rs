@@ -1,5 +1,7 @@
 //! `fem diagnose`.
 
+use std::path::PathBuf;
+
 use super::args;
 use super::error::Error;
 use super::say::say;
@@ -7,14 +9,16 @@ use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::fit::fitted_text;
-use crate::input::Source;
+use crate::input::{InputError, Problem, Source};
+use crate::measure::Measurements;
 use crate::model::{Data, Model, add_effect};
 use crate::output::files::{self, Guard};
 use crate::output::{Folder, Format, Report, additions};
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
-    let model = Model::load(&args.model)?;
-    let reads = args.data.reads(&args.model);
+    let [path] = &args.models[..] else { return of_tests(args) };
+    let model = Model::load(path)?;
+    let reads = args.data.reads(path);
     let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
         guard.check(new)?;
@@ -37,6 +41,41 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         for open in own.filter(|e| !e.is_closed()) {
             say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
         }
+    }
+    notes(&data.notes_of_fit());
+    print(&page(&report, args.json)?)
+}
+
+/// Diagnoses several tests of one machine together.
+fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
+    let (models, files) = (args.models.len(), args.data.with.len());
+    if models != files {
+        let problem = Problem::new(format!("{models} models and {files} files of measurements"));
+        let help = "give one file for each test, in the order of the models: fem diagnose a.toml --with a.csv b.toml \
+                    --with b.csv";
+        return Err(problem.help(help).into());
+    }
+    if args.add_to.is_some() {
+        let problem = Problem::new("--add-to writes one model, and these are several");
+        return Err(problem.help("leave it out: the commands that complete each model are printed").into());
+    }
+    let loaded: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
+    let reading = args.data.reading.said()?;
+    let each = args.data.with.iter().zip(&loaded);
+    let measured = each.map(|(path, model)| Measurements::load_all(&[path], model.process, &reading, false));
+    let measured = measured.collect::<Result<Vec<_>, InputError>>()?;
+    let model = Model::of_tests(loaded)?;
+    let progress = args.limit.progress();
+    let data = Data::of_tests(&model, measured)?.watched(progress.clone());
+    let diagnosis = watched(&progress, || diagnose(&data, usize::from(args.max_effects), &progress))?;
+    if diagnosis.rows < data.len() {
+        say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
+    }
+    let report = Report::Diagnosis(&data, &diagnosis);
+    if let Some(directory) = &args.output {
+        let reads: Vec<PathBuf> = args.models.iter().chain(&args.data.with).cloned().collect();
+        let guard = Guard { reads: &reads, force: args.force };
+        Folder { directory, guard, progress: &progress }.write(&report)?;
     }
     notes(&data.notes_of_fit());
     print(&page(&report, args.json)?)
