@@ -108,7 +108,18 @@ impl Campaign {
 
     /// The test of an observable, by its number among all tests.
     pub fn test_of(&self, observable: usize) -> &Test {
-        &self.tests[self.layout.own_observable(observable).0]
+        &self.tests[self.number_of(observable)]
+    }
+
+    /// The number of that test.
+    pub fn number_of(&self, observable: usize) -> usize {
+        self.layout.own_observable(observable).0
+    }
+
+    /// What an observable, by its number among all tests, is called in its own.
+    pub fn name_in_test(&self, observable: usize) -> &'static str {
+        let (test, own) = self.layout.own_observable(observable);
+        self.tests[test].model.process.observables()[own].name
     }
 
     /// The tests with these parameters, SI, and effects.
