@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::formula::{Formula, FormulaError};
 use crate::input::{Bounds, Reader, did_you_mean};
-use crate::process::{Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect};
+use crate::process::{
+    Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect,
+};
 use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, unit_text};
 
 /// Keys that are no parameters.

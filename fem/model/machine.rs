@@ -38,7 +38,8 @@ pub fn read(model: &Reader, unit: Option<&str>) -> Option<Machine> {
     let machine = machine.ok()?;
     if let Some(unit) = unit.filter(|unit| machine.units.iter().all(|own| own != unit)) {
         let file = machine.path.display();
-        let help = format!("write [machine.{unit}] into {file}, or name one of its units: {}", machine.units.join(", "));
+        let help =
+            format!("write [machine.{unit}] into {file}, or name one of its units: {}", machine.units.join(", "));
         model.problem("machine", format!("{file} has no unit `{unit}`"), help);
     }
     Some(machine)
@@ -67,7 +68,8 @@ fn parse(file: &NamedFile) -> Result<Machine, Problem> {
             ("name", None, _) => return Err(wrong(&source, Some(item), "`name` is no text".into())),
             (_, _, Some(unit)) => {
                 if let Some((value, item)) = unit.iter().next() {
-                    let message = format!("`{key}.{value}`: a machine file holds the names of units, and no values yet");
+                    let message =
+                        format!("`{key}.{value}`: a machine file holds the names of units, and no values yet");
                     let problem = wrong(&source, Some(item), message);
                     return Err(problem.help("write the value into each model that knows it"));
                 }

@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::{
     Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Definition, Description, Failure,
-    FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning, Process, UnitRole, Rows, RunReport, Spot,
-    System,
+    FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning, Process, Rows, RunReport, Spot,
+    System, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Active, CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Failure, Misplaced, Observable, Places,
-    Positioning, UnitRole, Rows, RunReport, Spot,
+    Positioning, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;

@@ -3,7 +3,7 @@
 
 use super::{
     Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, Failure, Misplaced,
-    Observable, Places, Positioning, UnitRole, Rows, RunReport, Spot,
+    Observable, Places, Positioning, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;

@@ -1,6 +1,6 @@
 //! Measurements of several tests as those of one model.
 
-use super::{Campaign, among_all};
+use super::test::Campaign;
 use crate::input::{InputError, Problem, Source, name_and_unit};
 use crate::measure::{MeasuredFile, MeasuredObservable, Measurements};
 use crate::model::{Data, Model};
@@ -100,7 +100,7 @@ fn append(all: &mut Measurements, campaign: &Campaign, test: usize, own: Measure
 /// particular is said of each of the test's.
 fn placed(campaign: &Campaign, test: usize, term: &Term, own: &Data, first: usize) -> Vec<Term> {
     let rows: Vec<usize> = term.rows.iter().map(|row| row + first).collect();
-    let term = Term { rows, ..among_all(&campaign.layout, test, campaign.tests[test].name, term) };
+    let term = Term { rows, ..campaign.layout.term(test, campaign.tests[test].name, term) };
     if term.observable.is_some() || matches!(term.effect.acts, Acts::Weighs) {
         return vec![term];
     }

@@ -1,10 +1,12 @@
 //! The effects of several tests: those that tests share once, and each test's own.
 
+use std::cmp::Ordering;
+
 use super::layout::Layout;
 use crate::input::{Parameter, Problem};
 use crate::model::Model;
 use crate::process::{Active, Belongs, Description, UnitRole, formula_effect};
-use crate::units::{Knowledge, Quantity};
+use crate::units::{Kind, Knowledge, Quantity};
 
 /// An effect as it acts in the tests of one machine.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,14 +127,9 @@ impl Shared {
         let mut known = first.clone();
         for (model, others, _) in &said[1..] {
             for (i, other) in others.iter().enumerate() {
-                known[i] = agreed(known[i], *other).ok_or_else(|| {
-                    let (entry, before) = (&self.description.parameters[i], said[0].0);
-                    let name = format!("{}.{}", self.description.name, entry.name);
-                    let [one, two] = [known[i].value, other.value].map(|si| entry.kind.shown(si));
-                    let (one_file, two_file) = (&before.source.name, &model.source.name);
-                    let message = format!("`{name}` is {one} in {one_file} and {two} in {two_file}");
-                    Problem::new(message).help("one machine has one: write the same in both, or only in one of them")
-                })?;
+                let (entry, before) = (&self.description.parameters[i], said[0].0);
+                let name = format!("{}.{}", self.description.name, entry.name);
+                known[i] = agreed((&name, entry.kind), (before, known[i]), (model, *other))?;
             }
         }
         let formula = said.iter().find_map(|(_, _, active)| active.and_then(|a| a.formula.clone()));
@@ -168,8 +165,26 @@ fn said<'m>(model: &'m Model, acting: &Acting) -> Option<(&'m Model, Vec<Quantit
     }
 }
 
-/// What two statements of one quantity say together: the more exact of them, or either if they are the same.
-fn agreed(one: Quantity, other: Quantity) -> Option<Quantity> {
+/// What all tests of a unit say together of a quantity of their tables that no effect here is.
+///
+/// # Errors
+/// Two of them know it, and differently.
+pub fn agreed_of_unit(unit: &str, parameter: &Parameter, models: &[Model]) -> Result<Quantity, Problem> {
+    let said = models.iter().filter(|model| model.system.unit() == Some(unit));
+    let mut said = said.filter_map(|m| Some((m, m.quantities.iter().find(|q| q.path == parameter.path)?.quantity)));
+    let Some(mut known) = said.next() else { return Ok(parameter.quantity) };
+    for other in said {
+        known.1 = agreed((&parameter.path, parameter.kind), known, other)?;
+    }
+    Ok(known.1)
+}
+
+/// What two models say together of one quantity: the more exact of them, or either if they are the same.
+fn agreed(
+    (name, kind): (&str, Kind),
+    (one_model, one): (&Model, Quantity),
+    (other_model, other): (&Model, Quantity),
+) -> Result<Quantity, Problem> {
     /// Relative difference that is round-off of units.
     const ROUND_OFF: f64 = 1e-9;
     let rank = |q: &Quantity| match q.knowledge {
@@ -178,11 +193,21 @@ fn agreed(one: Quantity, other: Quantity) -> Option<Quantity> {
         Knowledge::Free => 0,
     };
     let is_same = |a: f64, b: f64| a == b || (a - b).abs() <= ROUND_OFF * a.abs().max(b.abs());
-    match (rank(&one).cmp(&rank(&other)), one.knowledge, other.knowledge) {
-        (std::cmp::Ordering::Greater, ..) => Some(one),
-        (std::cmp::Ordering::Less, ..) => Some(other),
-        (_, Knowledge::Free, _) => Some(if one.value.is_nan() { other } else { one }),
-        (_, Knowledge::Rough(a), Knowledge::Rough(b)) if !is_same(a, b) => None,
-        _ => is_same(one.value, other.value).then_some(one),
+    let std = |q: &Quantity| if let Knowledge::Rough(std) = q.knowledge { std } else { 0.0 };
+    match (rank(&one).cmp(&rank(&other)), one.knowledge) {
+        (Ordering::Greater, _) => Ok(one),
+        (Ordering::Less, _) => Ok(other),
+        (Ordering::Equal, Knowledge::Free) => Ok(if one.value.is_nan() { other } else { one }),
+        _ if is_same(one.value, other.value) && is_same(std(&one), std(&other)) => Ok(one),
+        _ => {
+            let shown = |q: &Quantity| match std(q) {
+                0.0 => kind.shown(q.value).to_string(),
+                std => format!("{} +- {}", kind.shown(q.value), kind.shown(std)),
+            };
+            let (one_file, other_file) = (&one_model.source.name, &other_model.source.name);
+            let (one, other) = (shown(&one), shown(&other));
+            let problem = Problem::new(format!("`{name}` is {one} in {one_file} and {other} in {other_file}"));
+            Err(problem.help("a machine has one: write the same in both, or `?` in one of them"))
+        }
     }
 }

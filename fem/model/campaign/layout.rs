@@ -1,5 +1,6 @@
 //! Where the rows of each test stand among those of all.
 
+use crate::noise::Term;
 use crate::process::{Absent, Coordinate, Observable, Process, Rows, formula_effect};
 
 /// The observables of all tests, each test's its own, and the union of their coordinates.
@@ -93,5 +94,15 @@ impl Layout {
             columns[*number].clone_from(column);
         }
         Rows { columns, observable: own.observable.iter().map(|o| self.observable(test, *o)).collect() }
+    }
+
+    /// A term of a test, by its name, among those of all, in records of its file.
+    pub fn term(&self, test: usize, name: &str, own: &Term) -> Term {
+        let mut term = own.clone();
+        term.table = format!("{name}.{}", term.table);
+        term.by.iter_mut().for_each(|by| *by = self.coordinate(test, *by));
+        term.along.iter_mut().for_each(|along| along.coordinate = self.coordinate(test, along.coordinate));
+        term.observable = term.observable.map(|own| self.observable(test, own));
+        term
     }
 }

@@ -2,14 +2,15 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::effects::Shared;
+use super::forward::Together;
 use super::layout::Layout;
-use super::{Campaign, Shared, Test};
+use super::test::{Campaign, Test};
 use crate::input::Reader;
 use crate::process::{
-    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, Failure, ForwardModel,
-    Misplaced, Observable, Places, Positioning, Process, UnitRole, Rows, RunReport, Spot, System,
+    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, ForwardModel, Misplaced,
+    Observable, Places, Positioning, Process, Rows, Spot, System, UnitRole,
 };
-use crate::progress::Progress;
 
 /// What several tests show, and what can act in them: a process in all but a file of its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -175,39 +176,5 @@ impl System for Whole {
         let of = |(number, test): (usize, &Test)| test.model.system.with_effects(&self.0.own_effects(number, effects));
         let parts = self.0.tests.iter().enumerate().map(of).collect();
         Box::new(Together { parts, layout: self.0.layout.clone() })
-    }
-}
-
-/// The forward models of all tests.
-pub struct Together {
-    /// Of each test.
-    pub parts: Vec<Box<dyn ForwardModel>>,
-    /// Where the rows of each test stand.
-    pub layout: Layout,
-}
-
-impl ForwardModel for Together {
-    fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
-        let all: Result<Vec<Vec<f64>>, Failure> = self.parts.iter().map(|part| part.predict(progress)).collect();
-        Ok(all?.concat())
-    }
-
-    fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
-        let mut values = vec![f64::NAN; rows.len()];
-        for (number, part) in self.parts.iter().enumerate() {
-            let (numbers, own) = self.layout.own(number, rows);
-            if numbers.is_empty() {
-                continue;
-            }
-            numbers.iter().zip(part.observe(&own)?).for_each(|(row, value)| values[*row] = value);
-        }
-        Ok(values)
-    }
-
-    fn report(&self, _prediction: Vec<f64>) -> Result<RunReport, Failure> {
-        Err(Failure {
-            message: "several tests have no report together".into(),
-            help: "ask for that of each test by itself".into(),
-        })
     }
 }

@@ -78,9 +78,8 @@ fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usiz
             seen.map(|seen| (campaign.number_of(seen.position), None)).into_iter().collect()
         }
         Cause::Measurement { records, .. } => {
-            let all = (0..campaign.tests.len()).filter(|test| {
-                records.is_empty() || records.iter().any(|record| file_of(data, *record).0 == *test)
-            });
+            let all = (0..campaign.tests.len())
+                .filter(|test| records.is_empty() || records.iter().any(|record| file_of(data, *record).0 == *test));
             all.map(|test| (test, None)).collect()
         }
     }
@@ -133,7 +132,8 @@ pub fn commands(text: &mut String, campaign: &Campaign, data: &Data, d: &Diagnos
         let _ = writeln!(text, "  in {}: {line}", quoted(&files[test]));
     }
     let each = files.iter().zip(&data.files);
-    let all: Vec<String> = each.map(|(model, file)| format!("{} --with {}", quoted(model), quoted(&file.name))).collect();
+    let all: Vec<String> =
+        each.map(|(model, file)| format!("{} --with {}", quoted(model), quoted(&file.name))).collect();
     let _ = writeln!(text, "  fem diagnose {}", all.join(" "));
 }
 

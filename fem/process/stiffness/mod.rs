@@ -19,8 +19,8 @@ pub use validation::cases;
 use std::sync::Arc;
 
 use super::{
-    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, UnitRole, Rows,
-    RunReport,
+    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Rows,
+    RunReport, UnitRole,
 };
 use crate::input::Reader;
 
