@@ -39,11 +39,11 @@ fn a_class_of_the_shafts_becomes_one_name_with_the_tailstock() {
         (named, texts(&missing[0]["indistinguishable_from"]), json)
     };
     let (_, class, alone) = names(&["diagnose", "shafts.toml", "--with", "shafts.csv"]);
-    assert!(!class.is_empty() && alone.get("tests").is_none(), "{class:?}");
+    assert!(class.len() > 3 && alone.get("tests").is_none(), "{class:?}");
     let (named, class, json) = names(&BOTH);
     assert_eq!((&*named, &class[..]), ("tailstock-contact", &[][..]));
     // What the generator gave the tailstock, from both tests together.
-    for (name, truth) in [("c", 0.55), ("n", 0.52)] {
+    for (name, truth) in [("c", 0.2), ("n", 0.6)] {
         let interval = &json["missing"][0]["parameters"][name]["interval95"];
         let (low, high) = (interval[0].as_f64().unwrap(), interval[1].as_f64().unwrap());
         assert!(low <= truth && truth <= high, "{name} {interval}");
@@ -54,7 +54,7 @@ fn a_class_of_the_shafts_becomes_one_name_with_the_tailstock() {
     // Each test by itself comes down to its own noise.
     for test in json["tests"].as_array().unwrap() {
         let [before, after, noise] = ["rms_before", "rms_after", "noise"].map(|key| test[key].as_f64().unwrap());
-        assert!(before > 10.0 * noise && after < 1.3 * noise, "{test}");
+        assert!(before > 3.0 * noise && after < 1.3 * noise, "{test}");
     }
 }
 

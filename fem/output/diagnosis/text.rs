@@ -113,7 +113,7 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
     let what = if missing.describes() { "described" } else { "cause" };
     let _ = writeln!(text, "\n{what} {number}: {}, {}", label(missing), effect.about);
     if let Some(campaign) = &data.model.campaign {
-        let _ = writeln!(text, "  in {}", campaign::places(campaign, data, missing).join(" and "));
+        let _ = writeln!(text, "  in {}", campaign::places(campaign, data, missing).join(", in "));
     }
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
     for e in &missing.estimates {
