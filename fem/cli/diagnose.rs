@@ -14,6 +14,7 @@ use crate::measure::Measurements;
 use crate::model::{Data, Model, add_effect};
 use crate::output::files::{self, Guard};
 use crate::output::{Folder, Format, Report, additions};
+use crate::process::Process;
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let [path] = &args.models[..] else { return of_tests(args) };
@@ -61,9 +62,9 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
     }
     let loaded: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     let reading = args.data.reading.said()?;
-    let each = args.data.with.iter().zip(&loaded);
-    let measured = each.map(|(path, model)| Measurements::load_all(&[path], model.process, &reading, false));
-    let measured = measured.collect::<Result<Vec<_>, InputError>>()?;
+    let each: Vec<(&PathBuf, &dyn Process)> =
+        args.data.with.iter().zip(&loaded).map(|(path, model)| (path, model.process)).collect();
+    let measured = Measurements::load_each(&each, &reading, false)?;
     let model = Model::of_tests(loaded)?;
     let progress = args.limit.progress();
     let data = Data::of_tests(&model, measured)?.watched(progress.clone());

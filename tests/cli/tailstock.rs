@@ -120,6 +120,25 @@ fn tests_that_do_not_belong_together_are_refused() {
 }
 
 #[test]
+fn data_that_do_not_belong_together_are_refused() {
+    let place = place();
+    let twice = ["diagnose", "shafts.toml", "--with", "shafts.csv", "tailstock.toml", "--with", "./shafts.csv"];
+    place.write("tailstock.toml", model("tailstock/shafts.toml"));
+    refused(&place, &twice, "named twice", "count twice");
+    place.write("tailstock.toml", model("tailstock/tailstock.toml"));
+    let without: String = model("tailstock/tailstock.csv")
+        .lines()
+        .map(|line| format!("{}\n", line.rsplit_once(',').unwrap().0))
+        .collect();
+    place.write("tailstock.csv", without);
+    refused(&place, &BOTH, "shafts.csv has a column u, and tailstock.csv has none", "--columns 'u=-'");
+    // Without uncertainties each test has the noise that its own rows tell.
+    let answer = place.fem(&[&BOTH[..], &["--columns", "u=-"]].concat());
+    assert!(answer.status == 0 && answer.out.contains("missing: tailstock-contact;"), "{} {}", answer.out, answer.err);
+    refused(&place, &[&BOTH[..], &["--columns", "v=-"]].concat(), "no file has a column `v`", "heading");
+}
+
+#[test]
 fn a_machine_file_that_says_something_else_is_refused() {
     let place = place();
     let lathe = model("tailstock/lathe.toml");

@@ -47,7 +47,7 @@ fn check(name: &str, measured: &[Measurements]) -> Result<(), InputError> {
     let (with, without): (Vec<_>, Vec<_>) = measured.iter().partition(|own| own.uncertainty.is_some());
     let (Some(with), Some(without)) = (with.first(), without.first()) else { return Ok(()) };
     let problem = Problem::new(format!("{} has a column u, and {} has none", with.name, without.name));
-    let help = "give every test its uncertainties, or take the column out";
+    let help = "give every test its uncertainties, or leave them out with --columns 'u=-'";
     Err(InputError::one(Source::new(name.to_string(), ""), problem.help(help)))
 }
 
