@@ -109,6 +109,15 @@ fn tests_that_do_not_belong_together_are_refused() {
     place.write("tailstock.toml", with("\"tailstock\"", "\"quill\""));
     refused(&place, &BOTH, "lathe.toml has no unit `quill`", "write [machine.quill]");
     place.write("tailstock.toml", with("? N/um", "60 N/um"));
+    place.write("again.toml", with("? N/um", "50 N/um"));
+    place.write("again.csv", model("tailstock/tailstock.csv"));
+    let twice = ["diagnose", "tailstock.toml", "--with", "tailstock.csv", "again.toml", "--with", "again.csv"];
+    refused(
+        &place,
+        &twice,
+        "`joint.stiffness` is 60 N/um in tailstock.toml and 50 N/um in again.toml",
+        "in one of them",
+    );
     let known = "\n[effects.tailstock-compliance]\nstiffness = \"50 N/um\"\n";
     place.write("shafts.toml", model("tailstock/shafts.toml") + known);
     refused(

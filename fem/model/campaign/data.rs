@@ -18,6 +18,11 @@ impl<'m> Data<'m> {
             let problem = Problem::new(format!("{} is a single test", model.source.name));
             return Err(InputError::one(model.source.clone(), problem.help("give it its own measurements")));
         };
+        if measured.len() != campaign.tests.len() {
+            let (tests, files) = (campaign.tests.len(), measured.len());
+            let problem = Problem::new(format!("{tests} tests and the measurements of {files}"));
+            return Err(InputError::one(model.source.clone(), problem.help("give each test its own")));
+        }
         let name = measured.iter().map(|own| &*own.name).collect::<Vec<_>>().join(" and ");
         check(&name, &measured)?;
         let mut all = nothing(campaign, name);
@@ -93,7 +98,8 @@ fn append(all: &mut Measurements, campaign: &Campaign, test: usize, own: Measure
     }
     let given: Vec<usize> = own.given.iter().map(|i| layout.coordinate(test, *i)).collect();
     all.given.extend(given.iter().copied().filter(|i| !all.given.contains(i)).collect::<Vec<_>>());
-    all.said.extend(own.said);
+    // One set of options reads them all.
+    all.said = own.said;
 }
 
 /// A term of a test on the rows of all, of which its own begin at `first`. What is said of no observable in

@@ -138,6 +138,15 @@ pub fn origins(
             }
         })
     };
+    let (model, unit) = (&models[test], models[test].system.unit());
+    // What the tables of several tests say of one unit, each for itself.
+    let tables = model.quantities.iter().filter(|q| model.process.of_unit().iter().any(|(path, _)| *path == q.path));
+    let mut of_unit: Vec<(&str, Quantity)> = Vec::new();
+    for quantity in tables.filter(|q| of_effect(&q.path).is_none()) {
+        if let Some(unit) = unit {
+            of_unit.push((&quantity.path, agreed_of_unit(unit, quantity, models)?));
+        }
+    }
     let mut own = |path: String, quantity: Quantity, parameter: &Parameter| {
         let known = parameters.iter().position(|other| other.path == path);
         Origin::Parameter(known.unwrap_or_else(|| {
@@ -145,16 +154,14 @@ pub fn origins(
             parameters.len() - 1
         }))
     };
-    let origin = |parameter: &Parameter| match (of_effect(&parameter.path), models[test].system.unit()) {
-        (Some(origin), _) => Ok(origin),
-        (None, Some(unit)) if models[test].process.of_unit().iter().any(|(path, _)| *path == parameter.path) => {
-            let quantity = agreed_of_unit(unit, parameter, models)?;
-            match quantity.knowledge {
-                Knowledge::Known => Ok(Origin::Known(quantity.value)),
-                _ => Ok(own(format!("{unit}.{}", parameter.path), quantity, parameter)),
-            }
+    let origin = |parameter: &Parameter| {
+        let shared = of_unit.iter().find(|(path, _)| *path == parameter.path);
+        match (of_effect(&parameter.path), shared, unit) {
+            (Some(origin), ..) => origin,
+            (None, Some((_, quantity)), _) if quantity.knowledge == Knowledge::Known => Origin::Known(quantity.value),
+            (None, Some((_, quantity)), Some(unit)) => own(format!("{unit}.{}", parameter.path), *quantity, parameter),
+            _ => own(format!("{name}.{}", parameter.path), parameter.quantity, parameter),
         }
-        _ => Ok(own(format!("{name}.{}", parameter.path), parameter.quantity, parameter)),
     };
-    models[test].parameters.iter().map(origin).collect()
+    Ok(model.parameters.iter().map(origin).collect())
 }

@@ -9,7 +9,8 @@ use serde_json::{Value as Json, json};
 use super::additions::{add, quoted, settings};
 use crate::compare::rms;
 use crate::diagnose::{Cause, Diagnosis, Missing, thinned};
-use crate::model::{Acting, Campaign, Data, Setting};
+use crate::model::{Acting, Campaign, Data, Setting, time_of};
+use crate::noise::effects;
 use crate::units::Kind;
 
 /// How well an observable of a test fits, in its kind.
@@ -77,9 +78,12 @@ fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usiz
             let seen = data.observables.iter().find(|seen| seen.name == *name);
             seen.map(|seen| (campaign.number_of(seen.position), None)).into_iter().collect()
         }
-        Cause::Measurement { records, .. } => {
-            let all = (0..campaign.tests.len())
-                .filter(|test| records.is_empty() || records.iter().any(|record| file_of(data, *record).0 == *test));
+        Cause::Measurement { effect, records, .. } => {
+            let has_time = |test: usize| time_of(campaign.tests[test].model.process).is_some();
+            let all = (0..campaign.tests.len()).filter(|test| match records[..] {
+                [] => **effect != effects::CLOCK || has_time(*test),
+                _ => records.iter().any(|record| file_of(data, *record).0 == *test),
+            });
             all.map(|test| (test, None)).collect()
         }
     }
@@ -134,7 +138,8 @@ pub fn commands(text: &mut String, campaign: &Campaign, data: &Data, d: &Diagnos
     let each = files.iter().zip(&data.files);
     let all: Vec<String> =
         each.map(|(model, file)| format!("{} --with {}", quoted(model), quoted(&file.name))).collect();
-    let _ = writeln!(text, "  fem diagnose {}", all.join(" "));
+    let said = data.said.iter().map(|word| format!(" {}", quoted(word))).collect::<String>();
+    let _ = writeln!(text, "  fem diagnose {}{said}", all.join(" "));
 }
 
 /// Settings of an effect of the measurement as the model of one test takes them.
