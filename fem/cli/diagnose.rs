@@ -51,7 +51,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
 fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
     let (models, files) = (args.models.len(), args.data.with.len());
     if models != files {
-        let problem = Problem::new(format!("{models} models and {files} files of measurements"));
+        let problem = Problem::new(format!("{models} models are named, and `--with` {files} times"));
         let help = "give one file for each test, in the order of the models: fem diagnose a.toml --with a.csv b.toml \
                     --with b.csv";
         return Err(problem.help(help).into());

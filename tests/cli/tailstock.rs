@@ -98,7 +98,7 @@ fn the_order_of_the_tests_does_not_matter() {
 #[test]
 fn tests_that_do_not_belong_together_are_refused() {
     let place = place();
-    refused(&place, &BOTH[..5], "2 models and 1 files of measurements", "one file for each test");
+    refused(&place, &BOTH[..5], "2 models are named, and `--with` 1 times", "one file for each test");
     refused(&place, &[&BOTH[..], &["--add-to", "new"]].concat(), "--add-to writes one model", "commands");
     let with = |from: &str, to: &str| model("tailstock/tailstock.toml").replace(from, to);
     place.write("tailstock.toml", with("machine = \"lathe.toml\"\n", ""));
