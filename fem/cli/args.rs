@@ -157,13 +157,16 @@ pub struct Fit {
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "What the model marks `+-` or `?` is re-fitted together with every effect on trial.
+Several tests that name one machine are diagnosed together: a model and its --with for each, in the same order.
 
 Examples:
   fem diagnose shaft.toml --with measured.csv
-  fem diagnose shaft.toml --with measured.csv --add-to better.toml")]
+  fem diagnose shaft.toml --with measured.csv --add-to better.toml
+  fem diagnose shafts.toml --with shafts.csv tailstock.toml --with tailstock.csv")]
 pub struct Diagnose {
-    /// The model file; it is not changed
-    pub model: PathBuf,
+    /// The model file, or one for each of several tests of a machine; none is changed
+    #[arg(value_name = "MODEL", required = true)]
+    pub models: Vec<PathBuf>,
     #[command(flatten)]
     pub data: Data,
     /// Where to write diagnosis.json; nothing is written if left out

@@ -1,5 +1,8 @@
 //! `fem diagnose`.
 
+use std::path::PathBuf;
+use std::sync::Arc;
+
 use super::args;
 use super::error::Error;
 use super::say::say;
@@ -7,28 +10,25 @@ use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::fit::fitted_text;
-use crate::input::Source;
+use crate::input::{InputError, Problem, Source};
+use crate::measure::Measurements;
 use crate::model::{Data, Model, add_effect};
 use crate::output::files::{self, Guard};
 use crate::output::{Folder, Format, Report, additions};
-use crate::progress::Stretch;
+use crate::process::Process;
+use crate::progress::{Progress, Stretch};
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
-    let model = Model::load(&args.model)?;
-    let reads = args.data.reads(&args.model);
+    let [path] = &args.models[..] else { return of_tests(args) };
+    let model = Model::load(path)?;
+    let reads = args.data.reads(path);
     let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
     let progress = args.limit.progress();
     let data = Data::of(&model, args.data.load(model.process)?)?.watched(progress.clone());
-    let diagnosis = watched(&progress, || diagnose(&data, usize::from(args.max_effects), &progress))?;
-    if args.profile {
-        say!("{}", stretches(&progress.profile()));
-    }
-    if diagnosis.rows < data.len() {
-        say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
-    }
+    let diagnosis = searched(args, &data, &progress)?;
     let report = Report::Diagnosis(&data, &diagnosis);
     if let Some(directory) = &args.output {
         Folder { directory, guard, progress: &progress }.write(&report)?;
@@ -44,6 +44,50 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     }
     notes(&data.notes_of_fit());
     print(&page(&report, args.json)?)
+}
+
+/// Diagnoses several tests of one machine together.
+fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
+    let (models, files) = (args.models.len(), args.data.with.len());
+    if models != files {
+        let problem = Problem::new(format!("{models} models are named, and `--with` {files} times"));
+        let help = "give one file for each test, in the order of the models: fem diagnose a.toml --with a.csv b.toml \
+                    --with b.csv";
+        return Err(problem.help(help).into());
+    }
+    if args.add_to.is_some() {
+        let problem = Problem::new("--add-to writes one model, and these are several");
+        return Err(problem.help("leave it out: the commands that complete each model are printed").into());
+    }
+    let loaded: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
+    let reading = args.data.reading.said()?;
+    let each: Vec<(&PathBuf, &dyn Process)> =
+        args.data.with.iter().zip(&loaded).map(|(path, model)| (path, model.process)).collect();
+    let measured = Measurements::load_each(&each, &reading, false)?;
+    let model = Model::of_tests(loaded)?;
+    let progress = args.limit.progress();
+    let data = Data::of_tests(&model, measured)?.watched(progress.clone());
+    let diagnosis = searched(args, &data, &progress)?;
+    let report = Report::Diagnosis(&data, &diagnosis);
+    if let Some(directory) = &args.output {
+        let reads: Vec<PathBuf> = args.models.iter().chain(&args.data.with).cloned().collect();
+        let guard = Guard { reads: &reads, force: args.force };
+        Folder { directory, guard, progress: &progress }.write(&report)?;
+    }
+    notes(&data.notes_of_fit());
+    print(&page(&report, args.json)?)
+}
+
+/// Searches, and tells what the search took and what it left out.
+fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>) -> Result<Diagnosis, Error> {
+    let diagnosis = watched(progress, || diagnose(data, usize::from(args.max_effects), progress))?;
+    if args.profile {
+        say!("{}", stretches(&progress.profile()));
+    }
+    if diagnosis.rows < data.len() {
+        say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
+    }
+    Ok(diagnosis)
 }
 
 /// The model with the missing effects and every fitted value.

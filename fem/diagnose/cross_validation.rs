@@ -44,11 +44,15 @@ impl Folds {
 
     fn by(data: &Data, coordinate: usize) -> Self {
         let column = &data.rows.columns[coordinate];
-        let mut levels = column.clone();
+        let mut levels: Vec<f64> = column.iter().copied().filter(|v| !v.is_nan()).collect();
         levels.sort_unstable_by(f64::total_cmp);
         levels.dedup();
         let count = levels.len().min(FOLDS);
-        let group = |v: &f64| levels.partition_point(|l| l < v) * count / levels.len();
+        // Rows that have no such coordinate are in no fold: they stay when others are held out.
+        let group = |v: &f64| match v.is_nan() {
+            true => count,
+            false => levels.partition_point(|l| l < v) * count / levels.len(),
+        };
         let group = column.iter().map(group).collect();
         Self { coordinate: data.model.process.coordinates()[coordinate].name, group, count }
     }
@@ -61,15 +65,16 @@ impl Folds {
         let jacobian = objective.jacobian(&trial.solution)?;
         let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
         let covariance = objective.covariance(&jacobian);
-        let mut square = 0.0;
+        let (mut square, mut count) = (0.0, 0);
         for fold in 0..self.count {
             let rows: Vec<usize> = (0..self.group.len()).filter(|r| self.group[*r] == fold).collect();
             let part = jacobian.select_rows(&rows);
             let own = DVector::from_iterator(rows.len(), rows.iter().map(|r| residuals[*r]));
             let out = cross_validation(&part, &covariance, own)?;
             square += out.norm_squared();
+            count += rows.len();
         }
-        Some((square / self.group.len() as f64).sqrt())
+        Some((square / count as f64).sqrt())
     }
 }
 

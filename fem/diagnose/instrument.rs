@@ -9,7 +9,7 @@ use crate::fit::{StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::model::{Data, time_of};
 use crate::noise::{Acts, MEASUREMENT, MeasurementEffect, Noise, Restricted, Size, Term, effects};
-use crate::process::{self, Description};
+use crate::process::{self, Belongs, Description};
 
 /// Stopping criterion that is enough to rank terms.
 const QUICK: StoppingCriterion = StoppingCriterion::rough(12, 1e-3);
@@ -154,6 +154,7 @@ pub fn description(term: &Term, data: &Data) -> Description {
         about: term.effect.about.into(),
         law: term.effect.law.into(),
         source: term.effect.source,
+        belongs: Belongs::Test,
         parameters: vec![parameter].into(),
         look_alikes: &[],
     }

@@ -42,17 +42,31 @@ impl Measurements {
         said: &Reading,
         is_design: bool,
     ) -> Result<Self, InputError> {
-        let said = &said.of_several(paths.len() > 1);
+        let files: Vec<(&P, &dyn Process)> = paths.iter().map(|path| (path, process)).collect();
+        let files = Self::load_each(&files, said, is_design)?;
+        let name = files.iter().map(|file| &*file.name).collect::<Vec<_>>().join(", ");
+        Self::joined(files).map_err(|problem| InputError::one(Source::new(name, ""), problem))
+    }
+
+    /// Reads files of measurements, or of planned rows, each of its own process, and each by itself.
+    ///
+    /// # Errors
+    /// A file is wrong, or named twice; none of them has a column of which something is said.
+    pub fn load_each<P: AsRef<Path>>(
+        files: &[(P, &dyn Process)],
+        said: &Reading,
+        is_design: bool,
+    ) -> Result<Vec<Self>, InputError> {
+        let said = &said.of_several(files.len() > 1);
         // A file has many names, by different ways.
-        let places: Vec<_> = paths.iter().map(|path| std::fs::canonicalize(path.as_ref())).collect();
-        let load = |path: &P| match is_design {
-            true => Self::load_design(path.as_ref(), process, said),
-            false => Self::load_as(path.as_ref(), process, said),
+        let places: Vec<_> = files.iter().map(|(path, _)| std::fs::canonicalize(path.as_ref())).collect();
+        let load = |(path, process): &(P, &dyn Process)| match is_design {
+            true => Self::load_design(path.as_ref(), *process, said),
+            false => Self::load_as(path.as_ref(), *process, said),
         };
-        let files: Vec<Self> = paths.iter().map(load).collect::<Result<_, _>>()?;
+        let files: Vec<Self> = files.iter().map(load).collect::<Result<_, _>>()?;
         let names: Vec<&str> = files.iter().map(|file| &*file.name).collect();
-        let name = names.join(", ");
-        let refuse = |problem| InputError::one(Source::new(name.clone(), ""), problem);
+        let refuse = |problem| InputError::one(Source::new(names.join(", "), ""), problem);
         let is_again =
             |i: &usize| places[..*i].iter().flatten().any(|other| places[*i].as_ref().is_ok_and(|p| p == other));
         if let Some(again) = (0..places.len()).find(is_again) {
@@ -63,7 +77,7 @@ impl Measurements {
             let problem = Problem::new(format!("--columns: no file has a column `{from}`"));
             return Err(refuse(problem.help("name a heading as the file writes it")));
         }
-        Self::joined(files).map_err(refuse)
+        Ok(files)
     }
 
     /// Joins files, in their order.

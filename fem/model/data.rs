@@ -108,7 +108,7 @@ impl<'m> Data<'m> {
     }
 
     /// Prepares rows that lie in the model.
-    fn within(model: &'m Model, mut measurements: Measurements) -> Self {
+    pub(super) fn within(model: &'m Model, mut measurements: Measurements) -> Self {
         let datum_directions = model.system.datum_directions(&measurements.rows);
         let as_read = (!datum_directions.is_empty()).then(|| measurements.observed.clone());
         datum_directions.iter().for_each(|direction| direction.take_out(&mut measurements.observed));

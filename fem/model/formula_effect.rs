@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::formula::{Formula, FormulaError};
 use crate::input::{Bounds, Reader, did_you_mean};
-use crate::process::{Active, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect};
+use crate::process::{
+    Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect,
+};
 use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, unit_text};
 
 /// Keys that are no parameters.
@@ -42,6 +44,7 @@ pub fn read(name: &'static str, table: &Reader, process: &dyn Process) -> Option
                 about: about.into(),
                 law: text.into(),
                 source: "written in the model file",
+                belongs: Belongs::Test,
                 parameters: parameters.into(),
                 look_alikes: &[],
             };

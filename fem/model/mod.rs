@@ -1,9 +1,11 @@
 //! A model file: a process, its tables, and the effects that are present.
 
 mod add;
+mod campaign;
 mod data;
 mod formula_effect;
 mod instrument;
+mod machine;
 mod measurement;
 mod named;
 mod require;
@@ -13,7 +15,9 @@ mod terms;
 mod trial;
 
 pub use add::{Setting, add_effect};
+pub use campaign::{Acting, Campaign, Shared, Test};
 pub use data::Data;
+pub use machine::Machine;
 pub use measurement::{
     Key, effect_named as measurement_effect, keys as measurement_keys, size_keys as measurement_size_keys, time_of,
 };
@@ -56,6 +60,10 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// All quantities that the file has.
     pub quantities: Arc<[Parameter]>,
+    /// Machine that it names.
+    pub machine: Option<Machine>,
+    /// The tests of which it is made, where it is made of several.
+    pub campaign: Option<Arc<Campaign>>,
     /// Values (SI) that were entered in place of those of the file, by the paths of their quantities.
     entered: HashMap<String, f64>,
     /// Files that it names.
@@ -85,7 +93,7 @@ impl Model {
         })?;
         let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
         let kept = Kept::default();
-        let ((title, system, effects, measurement), found) =
+        let ((title, machine, system, effects, measurement), found) =
             Reader::of_file(document.as_table(), source.folder(), &kept, Instead::default(), |model| {
                 read(model, process)
             });
@@ -101,6 +109,8 @@ impl Model {
                     measurement,
                     parameters,
                     quantities,
+                    machine,
+                    campaign: None,
                     entered,
                     files,
                     source,
@@ -210,13 +220,14 @@ fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Pro
 fn read(
     model: &Reader,
     process: &'static dyn Process,
-) -> (Option<String>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>) {
+) -> (Option<String>, Option<Machine>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
     model.part("measurement");
     let system: Option<Arc<dyn System>> = process.read(model).map(Arc::from);
+    let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
-    (title, system, effects, measurement::read(model, process))
+    (title, machine, system, effects, measurement::read(model, process))
 }
 
 fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&dyn System>) -> Vec<Active> {

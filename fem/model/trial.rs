@@ -65,11 +65,14 @@ impl Model {
     }
 
     /// Forward model with the parameters at these values, and of its effects what `choose` makes of them.
-    fn forward_of(
+    pub(super) fn forward_of(
         &self,
         values: &[f64],
         choose: impl FnOnce(Vec<Active>) -> Vec<Active>,
     ) -> Result<Box<dyn ForwardModel>, Failure> {
+        if let Some(campaign) = &self.campaign {
+            return campaign.forward(values, &choose(self.effects_of_tests_at(values)));
+        }
         if let Some((effects, terms)) = self.effects_at(values) {
             return Ok(self.assembled(&*self.system, choose(effects), terms));
         }
@@ -90,6 +93,9 @@ impl Model {
     /// # Errors
     /// The values make no model.
     pub fn system_at(&self, values: &[f64]) -> Result<Arc<dyn System>, Failure> {
+        if self.campaign.is_some() {
+            return Ok(self.system.clone());
+        }
         match self.effects_at(values) {
             Some(_) => Ok(self.system.clone()),
             None => self.read_at(values).map(|(system, ..)| system),
@@ -105,7 +111,7 @@ impl Model {
 
     #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
     fn read_instead(&self, instead: Instead) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
-        let ((_, system, effects, terms), found) =
+        let ((_, _, system, effects, terms), found) =
             Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, instead, |model| {
                 read(model, self.process)
             });
@@ -116,6 +122,17 @@ impl Model {
                 help: problem.and_then(|p| p.help.clone()).unwrap_or_default(),
             }),
         }
+    }
+
+    /// Effects of several tests with other values, whatever else is unknown.
+    fn effects_of_tests_at(&self, values: &[f64]) -> Vec<Active> {
+        let mut effects = self.effects.clone();
+        for (parameter, value) in self.parameters.iter().zip(values) {
+            if let Some((effect, place)) = self.place(&parameter.path) {
+                effects[effect].values[place] = *value;
+            }
+        }
+        effects
     }
 
     /// Effects, of the machine and of the measurement, with other values, if nothing else is unknown; the

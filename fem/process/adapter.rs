@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::{
     Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Definition, Description, Failure,
     FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning, Process, Rows, RunReport, Spot,
-    System,
+    System, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -33,6 +33,10 @@ impl<D: Definition> Process for D {
 
     fn effects(&self) -> Vec<Description> {
         D::EFFECTS.iter().map(|effect| effect.description()).collect()
+    }
+
+    fn of_unit(&self) -> &'static [(&'static str, UnitRole)] {
+        D::OF_UNIT
     }
 
     fn read(&self, model: &Reader) -> Option<Box<dyn System>> {
@@ -92,6 +96,10 @@ impl<D: Definition> System for Ready<D> {
         // What hangs on a value that is unknown can be said to nobody.
         all.retain(|experiment| experiment.values.iter().all(|value| value.is_finite()));
         all
+    }
+
+    fn unit(&self) -> Option<&'static str> {
+        D::unit(&self.setup)
     }
 
     fn positioning(&self) -> Option<&dyn Positioning> {

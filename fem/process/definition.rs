@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Active, CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Failure, Misplaced, Observable, Places,
-    Positioning, Rows, RunReport, Spot,
+    Positioning, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -31,6 +31,10 @@ pub trait Definition: Sync + Sized + 'static {
     const STARTING_MODEL: &'static str;
     /// Its effects, in the order in which people meet them.
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Self::Setup, Self::Machine>];
+
+    /// Quantities of the tables that are what an effect is to the unit that is tested, by their paths: each is the
+    /// only parameter of the effects of its role.
+    const OF_UNIT: &'static [(&'static str, UnitRole)] = &[];
 
     /// Reads every table of a model but `[effects]`; `None` where what was read makes no set-up, and the
     /// problems are noted.
@@ -78,6 +82,11 @@ pub trait Definition: Sync + Sized + 'static {
 
     /// Further experiments beside these rows.
     fn candidate_experiments(setup: &Self::Setup, rows: &Rows) -> Vec<CandidateExperiment>;
+
+    /// The unit of a machine that is tested, where the model names one.
+    fn unit(_setup: &Self::Setup) -> Option<&'static str> {
+        None
+    }
 
     /// What the rows are as a positioning test, if they are one.
     fn positioning(_setup: &Self::Setup) -> Option<&dyn Positioning> {

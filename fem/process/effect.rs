@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::{Failure, FormulaLaw};
+use super::{Belongs, Failure, FormulaLaw};
 use crate::input::{Bounds, Reader};
 use crate::units::Kind;
 
@@ -19,6 +19,8 @@ pub struct Effect<S, M, const N: usize> {
     pub law: &'static str,
     /// Where the law comes from.
     pub source: &'static str,
+    /// To what it belongs, where several tests look at one machine.
+    pub belongs: Belongs,
     /// In the order of the law.
     pub parameters: [Parameter; N],
     /// Effects whose signature can be the same, and what separates them.
@@ -62,6 +64,7 @@ impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
             about: Cow::Borrowed(self.about),
             law: Cow::Borrowed(self.law),
             source: self.source,
+            belongs: self.belongs,
             parameters: Cow::Borrowed(&self.parameters),
             look_alikes: self.look_alikes,
         }
@@ -99,6 +102,8 @@ pub struct Description {
     pub law: Cow<'static, str>,
     /// Where the law comes from.
     pub source: &'static str,
+    /// To what it belongs, where several tests look at one machine.
+    pub belongs: Belongs,
     /// In the order of the law.
     pub parameters: Cow<'static, [Parameter]>,
     /// Effects whose signature can be the same, and what separates them.

@@ -3,7 +3,7 @@
 
 use super::{
     Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, Failure, Misplaced,
-    Observable, Places, Positioning, Rows, RunReport, Spot,
+    Observable, Places, Positioning, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -28,6 +28,9 @@ pub trait Process: Sync {
 
     /// Its catalogue of effects, in the order in which people meet them.
     fn effects(&self) -> Vec<Description>;
+
+    /// Quantities of its tables, by their paths, that are what an effect is to the unit that a model tests.
+    fn of_unit(&self) -> &'static [(&'static str, UnitRole)];
 
     /// Reads its tables. Problems are noted in the reader; the system is of use only if there were none,
     /// and `None` where the tables make no system at all.
@@ -71,6 +74,9 @@ pub trait System: Send + Sync {
 
     /// Further experiments beside these rows, for causes that they cannot tell apart.
     fn candidate_experiments(&self, rows: &Rows) -> Vec<CandidateExperiment>;
+
+    /// The unit of a machine that is tested, where the model names one.
+    fn unit(&self) -> Option<&'static str>;
 
     /// What the rows are as a positioning test, where they are one: then errors can be compensated.
     fn positioning(&self) -> Option<&dyn Positioning>;

@@ -6,6 +6,7 @@
 
 mod adapter;
 pub mod axis;
+mod belongs;
 mod blank;
 pub mod cam;
 mod cases;
@@ -34,6 +35,7 @@ pub mod turning;
 mod winding;
 
 pub use adapter::Assembled;
+pub use belongs::{Belongs, UnitRole};
 use blank::{BlankProfile, BlankWords, Wave};
 #[cfg(test)]
 use cases::with_effect;

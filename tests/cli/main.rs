@@ -28,6 +28,7 @@ mod start;
 mod stiffness;
 mod story;
 mod study;
+mod tailstock;
 mod thermal;
 mod validate;
 mod writing;

@@ -8,6 +8,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod instrument;
+mod machine;
 mod score;
 mod table;
 mod trouble;

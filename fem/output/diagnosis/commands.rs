@@ -1,73 +1,12 @@
-//! Says how to go on: the tables in which missing effects are added, and the commands that add them.
+//! Says how to go on: the commands that add missing effects.
 
 use std::fmt::Write;
-use std::path::Path;
 
-use crate::diagnose::{Cause, Diagnosis, Missing};
-use crate::fit::{Estimate, Fit};
-use crate::model::{Data, Setting};
-use crate::noise::{Acts, effects};
-use crate::output::fit::Short;
+use super::additions::{add, additions, quoted};
+use super::campaign;
+use crate::diagnose::Diagnosis;
+use crate::model::Data;
 use crate::units::Knowledge;
-
-/// Name of a parameter of an effect.
-pub fn name(e: &Estimate) -> &str {
-    e.parameter.path.rsplit('.').next().unwrap_or_default()
-}
-
-/// Tables in which the missing effects are added, in their order, with the settings that `fem add` takes.
-pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Vec<Setting>)> {
-    let mut names: Vec<String> = Vec::new();
-    let mut addition = |missing: &Missing| {
-        let (name, settings) = match &missing.cause {
-            Cause::Physical => (missing.effect.name.to_string(), fitted_settings(missing, &diagnosis.fit)),
-            Cause::Measurement { effect, by, along, period, observable, records, from_line, .. } => {
-                let listed = records.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
-                let text = |key: &str, value: String| Setting { key: key.into(), value };
-                let by = (!by.is_empty()).then(|| text("by", by.join(", ")));
-                let observable = observable.map(|name| text("observable", name.into()));
-                let rows = if from_line.is_some() { "from" } else { "rows" };
-                let rows = (!records.is_empty()).then(|| text(rows, listed));
-                let along = along.map(|name| text("along", name.into()));
-                let is_askew = **effect == effects::ALIGNMENT;
-                let level = is_askew.then(|| text(effects::ALIGNMENT_OFFSET.size.key(), "0 um".into()));
-                let period =
-                    period.map(|(si, kind)| text("period", format!("{:.6} {}", Short(kind.from_si(si)), kind.unit)));
-                let texts = [by, along, period, observable, rows, level].into_iter().flatten();
-                let name = data.model.free_table(missing.effect.name, &names);
-                let sizes = match effect.acts {
-                    Acts::Reads => fitted_settings(missing, &diagnosis.fit),
-                    _ => missing.estimates.iter().map(size).collect(),
-                };
-                (name, texts.chain(sizes).collect())
-            }
-        };
-        names.push(name.clone());
-        (name, settings)
-    };
-    diagnosis.missing.iter().map(&mut addition).collect()
-}
-
-/// The size of an effect of the measurement. It is no parameter of a fit, and has no uncertainty in a file.
-fn size(e: &Estimate) -> Setting {
-    let k = e.parameter.kind;
-    let value = format!("{:.5} {}", Short(k.from_si(e.value)), k.unit);
-    Setting { key: name(e).into(), value: value.trim_end().into() }
-}
-
-/// Makes the settings with which an effect is added, as `fem add` takes them.
-fn fitted_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
-    let setting = |e: &Estimate| {
-        let k = e.parameter.kind;
-        let entry = missing.effect.parameters.iter().find(|p| p.name == name(e));
-        // A value that the data leave open is known no better than its plausible range.
-        let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
-        let value =
-            crate::fit::uncertain(k.from_si(e.value), (fit.birge_ratio() * e.std / k.canonical().factor).min(widest));
-        Setting { key: name(e).into(), value: format!("{value} {}", k.unit).trim_end().into() }
-    };
-    missing.estimates.iter().map(setting).collect()
-}
 
 /// Writes the commands that add what is missing.
 pub fn commands(text: &mut String, data: &Data, d: &Diagnosis) {
@@ -76,13 +15,12 @@ pub fn commands(text: &mut String, data: &Data, d: &Diagnosis) {
     }
     let model = data.model;
     let _ = writeln!(text, "\nto go on");
+    if let Some(campaign) = &model.campaign {
+        return campaign::commands(text, campaign, data, d);
+    }
     let mut from = model.source.name.to_string();
     for (name, settings) in additions(data, d) {
-        let values: Vec<String> = settings.iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
-        let stem = Path::new(&from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let to = format!("{stem}-{name}.toml");
-        let _ = writeln!(text, "  fem add {} {name} {} -o {}", quoted(&from), values.join(" "), quoted(&to));
-        from = to;
+        from = add(text, &from, &name, &settings);
     }
     let (file, data) = (quoted(&model.source.name), with(data));
     if model.parameters.is_empty() {
@@ -108,10 +46,4 @@ pub fn with(data: &Data) -> String {
     let files = data.files.iter().flat_map(|file| ["--with", &*file.name]);
     let words: Vec<String> = files.chain(data.said.iter().map(String::as_str)).map(quoted).collect();
     words.join(" ")
-}
-
-/// Quotes a word for a shell.
-pub fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./+,:@%".contains(c);
-    if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }

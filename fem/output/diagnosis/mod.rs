@@ -1,10 +1,13 @@
 //! A diagnosis, as text and JSON.
 
+mod additions;
+mod campaign;
 mod commands;
 mod text;
 
-pub use commands::additions;
-pub(super) use commands::{commands, name, quoted, with};
+pub use additions::additions;
+pub(super) use additions::{name, quoted};
+pub(super) use commands::{commands, with};
 pub use text::text;
 pub(super) use text::{bound, chance, label, note, separated, separated_pairs, unexplained, verdict};
 
@@ -37,7 +40,7 @@ pub(super) fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
 pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
     let kind = data.kind();
     let d = diagnosis;
-    json!({
+    let mut all = json!({
         "schema": "fem-diagnosis/1",
         "model": &*data.model.source.name,
         "data": data.name,
@@ -63,7 +66,11 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "failed_trials": d.trials.0,
         "evaluations": d.trials.1,
         "notes": data.notes_of_fit(),
-    })
+    });
+    if let Some(campaign) = &data.model.campaign {
+        campaign::extend(&mut all, campaign, data, d);
+    }
+    all
 }
 
 fn goodness(goodness: &GoodnessOfFit, kind: Kind) -> Json {

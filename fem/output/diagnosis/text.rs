@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use super::commands::{commands, name};
+use super::additions::name;
+use super::campaign;
+use super::commands::commands;
 use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Outlier, Outlook, Verdict};
 use crate::model::{Data, Model};
 use crate::output::comparison;
@@ -18,6 +20,10 @@ pub fn text(data: &Data, diagnosis: &Diagnosis, columns: usize) -> String {
     let mut text =
         format!("{} against {}: {} observations, noise {noise}\n", data.model.source.name, data.name, data.len());
     text.push_str(&measurement::at_work(&data.model.source.name, &data.terms, data.model.process, Some(data)));
+    if let Some(machine) = data.model.machine.as_ref().filter(|_| data.model.campaign.is_some()) {
+        let name = machine.name.as_ref().map_or(String::new(), |name| format!(", {name}"));
+        let _ = writeln!(text, "tests of one machine: {}{name}", machine.path.display());
+    }
     for caution in &d.cautions {
         let _ = writeln!(text, "\ncaution: {caution}");
     }
@@ -27,6 +33,9 @@ pub fn text(data: &Data, diagnosis: &Diagnosis, columns: usize) -> String {
         cause(&mut text, i + 1, missing, data, d);
     }
     errors(&mut text, data.model, d, kind);
+    if data.model.campaign.is_some() {
+        campaign::fits(&mut text, data, d);
+    }
     if structure_remains(d) {
         if !d.missing.is_empty() {
             let _ =
@@ -103,6 +112,9 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
     let effect = &missing.effect;
     let what = if missing.describes() { "described" } else { "cause" };
     let _ = writeln!(text, "\n{what} {number}: {}, {}", label(missing), effect.about);
+    if let Some(campaign) = &data.model.campaign {
+        let _ = writeln!(text, "  in {}", campaign::places(campaign, data, missing).join(", in "));
+    }
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
     for e in &missing.estimates {
         let k = e.parameter.kind;

@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 use super::{
     CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Rows,
-    RunReport,
+    RunReport, UnitRole,
 };
 use crate::input::Reader;
 
@@ -38,6 +38,8 @@ impl Definition for Stiffness {
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
 
+    const OF_UNIT: &'static [(&'static str, UnitRole)] = &[("joint.stiffness", UnitRole::Spring)];
+
     fn read(model: &Reader) -> Option<Setup> {
         Some(Setup::read(model))
     }
@@ -52,6 +54,10 @@ impl Definition for Stiffness {
 
     fn programme(setup: &Setup) -> Rows {
         rows::programme(setup)
+    }
+
+    fn unit(setup: &Setup) -> Option<&'static str> {
+        setup.unit
     }
 
     fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {

@@ -1,6 +1,7 @@
 //! The tables of a stiffness model.
 
 use crate::input::Reader;
+use crate::process::formula_effect;
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the force goes from its largest.
@@ -22,6 +23,8 @@ impl Loading {
 pub struct Setup {
     /// Stiffness k of the ideal joint, N/m.
     pub stiffness: f64,
+    /// The unit of a machine that the joint is, where it is one.
+    pub unit: Option<&'static str>,
     /// Force at which loading ends, N.
     pub max_force: f64,
     /// Steps from no force to the largest, and as many back.
@@ -33,16 +36,18 @@ pub struct Setup {
 impl Setup {
     /// Reads every table of a stiffness model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let stiffness = model.table("joint", "the joint, or the machine as a whole", |t| {
-            t.quantity("stiffness", STIFFNESS, "stiffness of the ideal joint").positive().required()
+        let (stiffness, unit) = model.table("joint", "the joint, or the machine as a whole", |t| {
+            let stiffness = t.quantity("stiffness", STIFFNESS, "stiffness of the ideal joint").positive().required();
+            (stiffness, t.text("unit", "the unit of the machine that is loaded, as its file names it: \"tailstock\""))
         });
+        let unit = unit.map(|unit| formula_effect::name(&unit));
         let (max_force, steps, loading) = model.table("test", "how it is loaded and unloaded", |t| {
             let max_force = t.quantity("max_force", FORCE, "force at which loading ends").positive().required();
             let steps = t.count("steps", "steps up to it, and down again").between(1, 1_000_000).or(20);
             let about = "whether the force is let go at zero, or runs on to the other sign and back";
             (max_force, steps, t.choice("loading", about, Loading::WORDS).or_first(Loading::FromZero))
         });
-        Self { stiffness, max_force, steps, loading }
+        Self { stiffness, unit, max_force, steps, loading }
     }
 
     /// Forces of the programme, rising, N.

@@ -14,6 +14,7 @@ pub mod fixture;
 pub mod foreign;
 pub mod job;
 pub mod law;
+pub mod machine;
 pub mod random;
 pub mod ring;
 pub mod stiffness;

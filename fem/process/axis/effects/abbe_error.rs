@@ -5,7 +5,7 @@
 //! belongs to `scale-error`.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `abbe-error`.
@@ -14,6 +14,7 @@ pub static ABBE_ERROR: Effect<1> = Effect {
     about: "the slide pitches on its guideway, away from the scale",
     law: "deviation += 4*height*s*(1 - s), s = position/travel",
     source: "Abbe's principle, with a pitch that changes quadratically",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("height", MICRO, "at the middle of the travel", (-100.0, 100.0))],
     look_alikes: &[("worn-screw", "approaches from both sides: play errs from one of them")],
     needs: nothing,

@@ -8,7 +8,7 @@
 //! (`uneven-backlash`, `worn-screw`).
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `backlash`.
@@ -17,6 +17,7 @@ pub static BACKLASH: Effect<1> = Effect {
     about: "play that each reversal takes up; below zero where the controller compensates more than there is",
     law: "deviation += gap, approaching in -",
     source: "seed 000, fig. 2a",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("gap", MICRO, "clearance in all, less what is compensated", (-100.0, 200.0))],
     look_alikes: &[
         ("elastic-lost-motion", "targets from end to end of the screw: elastic clearance grows away from the bearing"),

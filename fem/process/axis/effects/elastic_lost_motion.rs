@@ -9,7 +9,7 @@
 //! this one. Left out: friction that depends on the speed, and stick-slip.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, Winding, nothing};
+use crate::process::{Belongs, Parameter, Winding, nothing};
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the spring does not switch the effect: friction does.
@@ -21,6 +21,7 @@ pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
     about: "friction winds up screw, nut and bearing before the slide moves",
     law: "deviation += sign*friction*(1/stiffness + |position - fixed_at|/(E*A)), sign -1 in +, +1 in -; friction goes as axis.drag",
     source: "seed 000, fig. 2b",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::amplitude("friction", FORCE, "of the slide, its mean along the travel", (10.0, 10_000.0)),
         Parameter::shape(

@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `periodic-error`.
@@ -16,6 +16,7 @@ pub static PERIODIC_ERROR: Effect<2> = Effect {
     about: "an error that repeats with every turn of the screw",
     law: "deviation += amplitude*sin(2*pi*position/lead + phase)",
     source: "seed 000, periodic error within a pitch",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 30.0)),
         Parameter::phase("phase", ANGLE, "of the sine at the position 0", 360.0),

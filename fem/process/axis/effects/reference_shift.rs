@@ -4,7 +4,7 @@
 //! quantities do not see it.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `reference-shift`.
@@ -13,6 +13,7 @@ pub static REFERENCE_SHIFT: Effect<1> = Effect {
     about: "the reference point is off",
     law: "deviation += offset",
     source: "seed 001, readings from a reference point",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("offset", MICRO, "of the reference point", (-100.0, 100.0))],
     look_alikes: &[],
     needs: nothing,

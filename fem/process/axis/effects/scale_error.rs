@@ -3,7 +3,7 @@
 //! slope·x, slope in m/m. At the position 0 nothing is wrong, wherever the travel begins.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `scale-error`.
@@ -12,6 +12,7 @@ pub static SCALE_ERROR: Effect<1> = Effect {
     about: "lead or scale is off all along the travel",
     law: "deviation += slope*position",
     source: "seed 001, pitch errors",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("slope", SLOPE, "error per length", (-200.0, 200.0))],
     look_alikes: &[("thermal-growth", "cold and warm: growth follows the time, a scale does not")],
     needs: nothing,

@@ -7,7 +7,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::{SLOPE, TIME};
 
 /// `thermal-growth`.
@@ -16,6 +16,7 @@ pub static THERMAL_GROWTH: Effect<2> = Effect {
     about: "the screw warms and grows away from its fixed bearing",
     law: "deviation += slope*(1 - exp(-time/time_constant))*(position - fixed_at)",
     source: "seed 002 (35)-(39), first order in time",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::signed("slope", SLOPE, "growth per length of the warm screw", (-200.0, 200.0)),
         Parameter::shape("time_constant", TIME, "time constant of the warming", (5.0, 120.0)),

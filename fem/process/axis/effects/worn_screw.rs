@@ -7,7 +7,7 @@
 //! does to the way forwards.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `worn-screw`.
@@ -16,6 +16,7 @@ pub static WORN_SCREW: Effect<1> = Effect {
     about: "the screw is worn in the middle of the travel, and has more play there than at its ends",
     law: "deviation += depth*4*s*(1 - s), approaching in -, s = (position - from)/travel",
     source: "ISO 230-2, reversal B_i at every target; second order in the position",
+    belongs: Belongs::Test,
     parameters: [Parameter::amplitude("depth", MICRO, "play in the middle over that at the ends", (0.5, 100.0))],
     look_alikes: &[
         ("backlash", "targets from end to end of the travel, from both sides"),

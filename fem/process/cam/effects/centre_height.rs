@@ -6,7 +6,7 @@
 //! slide.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `centre-height`.
@@ -15,6 +15,7 @@ pub static CENTRE_HEIGHT: Effect<1> = Effect {
     about: "the wheel's centre runs above (+, counter-clockwise) or below the cam's axis",
     law: "wheel centre at (x, height): radius sqrt(x^2 + height^2), angle atan(height/x)",
     source: "geometry of the slide",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("height", MICRO, "of the wheel's centre above the cam's axis", (-500.0, 500.0))],
     look_alikes: &[
         ("servo-lag", "another cam speed: a lag grows with it, a height does not"),

@@ -5,7 +5,7 @@
 //! it stays where it was brought to. Left out: a grinding force that holds the slide against one side.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `infeed-backlash`.
@@ -14,6 +14,7 @@ pub static INFEED_BACKLASH: Effect<1> = Effect {
     about: "the slide is fed through play, and lags behind by half of it either way",
     law: "play operator of width gap on the slide: -gap/2 where the radius grows, +gap/2 where it falls",
     source: "seed 000 (play in a feed axis)",
+    belongs: Belongs::Machine,
     parameters: [Parameter::amplitude("gap", MICRO, "width of the play", (1.0, 100.0))],
     look_alikes: &[
         ("servo-lag", "another cam speed: a lag grows with it"),

@@ -10,7 +10,7 @@
 use super::super::course::Course;
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::SHORT_TIME;
 
 /// `servo-lag`.
@@ -19,6 +19,7 @@ pub static SERVO_LAG: Effect<1> = Effect {
     about: "the slide is late against the cam (or the cam early: only the difference shows)",
     law: "x(t) = x_commanded(t - time): the cam angle at which the slide acts is late by omega*time",
     source: "seed 003 (interpolation of cam and slide)",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("time", SHORT_TIME, "of the slide less that of the cam", (-20.0, 20.0))],
     look_alikes: &[
         ("centre-height", "another cam speed: a lag grows with it, a height does not"),

@@ -5,7 +5,7 @@
 //! bridges their waves less. Left out: wear within one cam.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `wheel-wear`.
@@ -14,6 +14,7 @@ pub static WHEEL_WEAR: Effect<1> = Effect {
     about: "the wheel is smaller than the one that the programme was made for",
     law: "wheel radius = wheel.radius - loss; deviation of an exact programme += loss",
     source: "geometry of the envelope (seed 003)",
+    belongs: Belongs::Test,
     parameters: [Parameter::amplitude("loss", MICRO, "of the radius", (1.0, 300.0))],
     look_alikes: &[(
         "grinding-deflection",

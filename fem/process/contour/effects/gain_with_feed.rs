@@ -9,7 +9,7 @@
 //! the change itself leaves behind is left out, and so are corners.
 
 use super::super::machine::{Effect, Machine};
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::NUMBER;
 
 /// `gain-with-feed-x`.
@@ -29,6 +29,7 @@ const fn gain_with_feed(name: &'static str, about: &'static str, act: fn([f64; 1
         about,
         law: "Kv(v) = Kv*(1 + change*|v|/path.feed), v the axis' own speed; position -= v*(1/Kv(v) - 1/Kv)",
         source: "seed 000 (gains that change with the feed), the line by hand",
+        belongs: Belongs::Test,
         parameters: [Parameter::signed(
             "change",
             NUMBER,

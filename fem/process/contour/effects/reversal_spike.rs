@@ -5,7 +5,7 @@
 //! its play. Of earlier reversals nothing is kept.
 
 use super::super::machine::{Effect, Machine, Spike};
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::{MICRO, SHORT_TIME};
 
 /// `reversal-spike-x`.
@@ -34,6 +34,7 @@ const fn reversal_spike(
         about,
         law,
         source: "stick and slip at reversal (ISO 230-4)",
+        belongs: Belongs::Test,
         parameters: [
             Parameter::amplitude("height", MICRO, "of the spike at the reversal", (0.5, 100.0)),
             Parameter::shape("time_constant", SHORT_TIME, "in which it fades", (10.0, 1000.0)),

@@ -4,7 +4,7 @@
 //! common is left out.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `scale-mismatch`.
@@ -13,6 +13,7 @@ pub static SCALE_MISMATCH: Effect<1> = Effect {
     about: "one axis travels farther than the other for the same command, and a circle becomes an ellipse along the axes",
     law: "x*(1 + mismatch/2), y*(1 - mismatch/2): (mismatch*R/2)*cos(2*alpha)",
     source: "geometry of two axes",
+    belongs: Belongs::Machine,
     parameters: [Parameter::signed("mismatch", SLOPE, "travel of x over that of y", (-200.0, 200.0))],
     look_alikes: &[],
     needs: nothing,

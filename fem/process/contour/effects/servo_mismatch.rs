@@ -8,7 +8,7 @@
 //! effects of their own.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::NUMBER;
 
 /// `servo-mismatch`.
@@ -17,6 +17,7 @@ pub static SERVO_MISMATCH: Effect<1> = Effect {
     about: "the servos of x and y follow with unequal gains, and a circle becomes an ellipse at 45 deg",
     law: "Kvx = Kv*(1 + mismatch/2), Kvy = Kv*(1 - mismatch/2): (v/2)*sin(2*alpha)*(1/Kvx - 1/Kvy) ccw, the opposite cw",
     source: "seed 000, fig. 1 (printed there with the sign of a straight side)",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("mismatch", NUMBER, "difference of the gains over their mean", (-0.3, 0.3))],
     look_alikes: &[
         ("squareness", "the other way round, or another feed: a mismatch changes its sign and grows with the feed"),

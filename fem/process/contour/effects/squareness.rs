@@ -4,7 +4,7 @@
 //! on a circle, the same both ways round.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `squareness`.
@@ -13,6 +13,7 @@ pub static SQUARENESS: Effect<1> = Effect {
     about: "the axes are not square to each other, and a circle becomes an ellipse at 45 deg",
     law: "x += angle*y: (angle*R/2)*sin(2*alpha), the same ccw and cw",
     source: "geometry of two axes",
+    belongs: Belongs::Machine,
     parameters: [Parameter::signed("angle", SLOPE, "what y leans towards x", (-200.0, 200.0))],
     look_alikes: &[("servo-mismatch", "the other way round, or another feed: squareness stays as it is")],
     needs: nothing,

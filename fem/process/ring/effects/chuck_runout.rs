@@ -9,7 +9,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Reference;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::{ANGLE, MICRO};
 
 /// `chuck-runout`.
@@ -18,6 +18,7 @@ pub static CHUCK_RUNOUT: Effect<2> = Effect {
     about: "chuck or spindle taper runs out once a turn, and the bore is off the ring's axis",
     law: "deviation -= runout/2*cos(theta - phase), absolute reference only",
     source: "geometry of two axes; cf. seed 002, errors of machines, 4",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::amplitude("runout", MICRO, "reading of an indicator over a turn", (1.0, 100.0)),
         Parameter::phase("phase", ANGLE, "where its crest stands from jaw 1", 360.0),

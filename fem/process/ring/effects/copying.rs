@@ -7,7 +7,7 @@
 //! copy a copy.
 
 use super::super::machine::Effect;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::STIFFNESS;
 
 /// `copying`.
@@ -16,6 +16,7 @@ pub static COPYING: Effect<1> = Effect {
     about: "the tool yields to the uneven depth of cut, and the bore copies the blank",
     law: "deviation += C/(C + stiffness)*blank(theta), C = cut.force_per_depth",
     source: "seed 002 (27)",
+    belongs: Belongs::Test,
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of tool and spindle", (2.0, 500.0))],
     look_alikes: &[("residual-stress", "another blank: a copy follows it"), ("spindle-error", "another blank")],
     needs: |setup| match setup.force_per_depth {

@@ -6,7 +6,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Reference;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::TEMPERATURE_RISE;
 
 /// `cutting-heat`.
@@ -15,6 +15,7 @@ pub static CUTTING_HEAT: Effect<1> = Effect {
     about: "bored warm, the ring shrinks as it cools",
     law: "deviation -= expansion*Ri*temperature_rise, absolute reference only",
     source: "seed 002 (36)",
+    belongs: Belongs::Test,
     parameters: [Parameter::amplitude(
         "temperature_rise",
         TEMPERATURE_RISE,

@@ -6,7 +6,7 @@
 //! motion that does not repeat.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `spindle-error`.
@@ -15,6 +15,7 @@ pub static SPINDLE_ERROR: Effect<2> = Effect {
     about: "the spindle's axis moves twice a turn, and bores an oval",
     law: "deviation += amplitude*cos(2*(theta - phase)), bored",
     source: "radial error motion of two waves a turn, ISO 230-7",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley of the oval", (0.2, 20.0)),
         Parameter::phase("phase", ANGLE, "where its crest stands from jaw 1", 180.0),

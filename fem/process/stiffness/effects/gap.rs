@@ -5,7 +5,7 @@
 //! is none left [fig. 5 b]. A force that is reversed runs through it once on either way. gap in m.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, UnitRole, nothing};
 use crate::units::MICRO;
 
 /// `gap`.
@@ -14,6 +14,7 @@ pub static GAP: Effect<1> = Effect {
     about: "clearance is taken up as soon as a force acts",
     law: "y += gap for F > 0, where no preload has taken it up",
     source: "seed 000, fig. 5",
+    belongs: Belongs::Tested(UnitRole::Gap),
     parameters: [Parameter::amplitude("gap", MICRO, "clearance of the joint", (0.5, 100.0))],
     look_alikes: &[
         ("contact-joint", "small forces: a contact closes little by little"),

@@ -8,7 +8,7 @@
 //! out: joints that differ, and friction that the preload itself brings.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, UnitRole, nothing};
 use crate::units::FORCE;
 
 /// `preload`.
@@ -18,6 +18,7 @@ pub static PRELOAD: Effect<1> = Effect {
     law: "Q1 - Q2 = S, u(Q1) + u(Q2) = 2*u(P), y = u(Q1) - u(P) with u(Q) = Q/k + c*Q^n; y = u(S) - u(P) once Q2 = 0; \
           no gap",
     source: "seed 000, fig. 5; equations by statics",
+    belongs: Belongs::Tested(UnitRole::Preload),
     parameters: [Parameter::amplitude("force", FORCE, "preload P", (10.0, 2000.0))],
     look_alikes: &[(
         "contact-joint",

@@ -9,7 +9,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Loading;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::MICRO;
 
 /// `settling`.
@@ -18,6 +18,7 @@ pub static SETTLING: Effect<1> = Effect {
     about: "surfaces bed in under the first load, and what has settled does not come back",
     law: "load: y += depth*S/F_max; unload: y += depth*S_1/F_max, S the force that friction leaves, S_1 its largest",
     source: "VDI 2230-1, embedding f_Z; first order in the force",
+    belongs: Belongs::Test,
     parameters: [Parameter::amplitude("depth", MICRO, "that settles under the largest force", (0.2, 100.0))],
     look_alikes: &[
         ("dry-friction", "the loop near both ends: friction opens it at once, what settles opens it towards no force"),

@@ -8,7 +8,7 @@
 
 use super::super::machine::{Contact, Effect};
 use super::super::setup::Setup;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::{CONVECTION, LENGTH};
 
 /// `contact-resistance`.
@@ -17,6 +17,7 @@ pub static CONTACT_RESISTANCE: Effect<2> = Effect {
     about: "a joint across the section resists the flow of heat",
     law: "k*A*dT/dx = conductance*A*[T] across the section at x = at",
     source: "thermal contact conductance",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::place("at", LENGTH, "from the base", "x", (1.0, 1000.0)),
         Parameter::conductance("conductance", CONVECTION, "of the joint", (100.0, 50_000.0)),

@@ -6,7 +6,7 @@
 //! coefficient everywhere and always; radiation is in it as far as it is linear.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units;
 
 /// `convection`.
@@ -15,6 +15,7 @@ pub static CONVECTION: Effect<1> = Effect {
     about: "free surfaces lose heat to the surroundings",
     law: "-h*p*(T - T_a) per length, h = coefficient, p = pi*D",
     source: "Newton's law of cooling; seed 002 (35)-(39)",
+    belongs: Belongs::Test,
     parameters: [Parameter::amplitude(
         "coefficient",
         units::CONVECTION,

@@ -5,7 +5,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::solve::rod::{PointSource, Power};
 use crate::units::{LENGTH, POWER};
 
@@ -15,6 +15,7 @@ pub static EXTRA_SOURCE: Effect<2> = Effect {
     about: "a further source of heat, such as a bearing's friction, on from the start",
     law: "rho*c*A*dT/dt += power*delta(x - at)",
     source: "seed 002, sources of heat in machine tools",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::place("at", LENGTH, "from the base", "x", (1.0, 1000.0)),
         Parameter::amplitude("power", POWER, "heat that it gives", (0.1, 100.0)),

@@ -5,7 +5,7 @@
 //! All sensors have the same. The elongation is not concerned.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::SECONDS;
 
 /// `sensor-lag`.
@@ -14,6 +14,7 @@ pub static SENSOR_LAG: Effect<1> = Effect {
     about: "temperature sensors show what was some time ago",
     law: "time_constant*dy/dt = T - y, y = T_0 at the start",
     source: "first-order instrument",
+    belongs: Belongs::Test,
     parameters: [Parameter::amplitude("time_constant", SECONDS, "of every temperature sensor", (5.0, 900.0))],
     look_alikes: &[("contact-resistance", "the elongation, which no sensor delays")],
     needs: nothing,

@@ -4,7 +4,7 @@
 //! 002 (6)]. slope in m/m, of either sign.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `guideway-taper`.
@@ -13,6 +13,7 @@ pub static GUIDEWAY_TAPER: Effect<1> = Effect {
     about: "the guideway leaves the spindle axis in the horizontal plane",
     law: "dD += 2*slope*x",
     source: "seed 002 (6)",
+    belongs: Belongs::Machine,
     parameters: [Parameter::signed("slope", SLOPE, "slope of the guideway", (-200.0, 200.0))],
     look_alikes: &[
         ("tailstock-offset", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),

@@ -5,7 +5,7 @@
 //! and width in m along the shaft.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::{LENGTH, MICRO};
 
 /// `guideway-wear`.
@@ -14,6 +14,7 @@ pub static GUIDEWAY_WEAR: Effect<3> = Effect {
     about: "the guideway is worn at one place, and the tool nose leaves the axis there",
     law: "dD += 2*depth*exp(-((x - centre)/width)^2/2)",
     source: "seed 002, wear of the guideways",
+    belongs: Belongs::Machine,
     parameters: [
         Parameter::amplitude("depth", MICRO, "displacement of the tool nose at the worst place", (1.0, 100.0)),
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),

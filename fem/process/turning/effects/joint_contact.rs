@@ -8,11 +8,12 @@ use super::super::machine::{Effect, Machine};
 use super::super::setup::Setup;
 use super::support_compliance::a_tailstock;
 use crate::input::Bounds;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, UnitRole, nothing};
 use crate::units::{CONTACT_COEFFICIENT, NUMBER};
 
 /// `headstock-contact`.
 pub static HEADSTOCK: Effect<2> = contact(
+    "headstock",
     ["headstock-contact", "the joint at the headstock closes under its reaction, much at first and little later"],
     "y = c*Q^n at x = 0, n < 1",
     &[("headstock-compliance", "a third force level: a spring yields in proportion")],
@@ -22,6 +23,7 @@ pub static HEADSTOCK: Effect<2> = contact(
 
 /// `tailstock-contact`.
 pub static TAILSTOCK: Effect<2> = contact(
+    "tailstock",
     ["tailstock-contact", "the joint at the tailstock closes under its reaction, much at first and little later"],
     "y = c*Q^n at x = L, n < 1",
     &[("tailstock-compliance", "a third force level: a spring yields in proportion")],
@@ -31,6 +33,7 @@ pub static TAILSTOCK: Effect<2> = contact(
 
 /// `carriage-contact`: tool, slide and carriage bear the whole force P, y += c·Pⁿ.
 pub static CARRIAGE: Effect<2> = contact(
+    "carriage",
     [
         "carriage-contact",
         "the joints of tool, slide and carriage close under the force, much at first and little later",
@@ -45,6 +48,7 @@ pub static CARRIAGE: Effect<2> = contact(
 );
 
 const fn contact(
+    unit: &'static str,
     [name, about]: [&'static str; 2],
     law: &'static str,
     look_alikes: &'static [(&'static str, &'static str)],
@@ -56,6 +60,7 @@ const fn contact(
         about,
         law,
         source: "seed 002 (29)",
+        belongs: Belongs::Unit(unit, UnitRole::Contact),
         parameters: [
             Parameter::amplitude("c", CONTACT_COEFFICIENT, "coefficient of the contact", (0.01, 5.0)),
             Parameter::shape("n", NUMBER, "exponent of the force", (0.3, 0.8)).within(Bounds::Within(0.0, 1.0)),

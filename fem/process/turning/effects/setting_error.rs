@@ -4,7 +4,7 @@
 //! away from the axis.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `setting-error`.
@@ -13,6 +13,7 @@ pub static SETTING_ERROR: Effect<1> = Effect {
     about: "the tool is set off its size",
     law: "dD += 2*offset",
     source: "seed 002 (33), (34)",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0))],
     look_alikes: &[("carriage-compliance", "a second force: a setting error does not change with it")],
     needs: nothing,

@@ -5,7 +5,7 @@
 //! system]. It runs through pauses: the spindle keeps turning. drift in m, of either sign; τ in s.
 
 use super::super::machine::Effect;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::{MICRO, TIME};
 
 /// `spindle-thermal-drift`.
@@ -14,6 +14,7 @@ pub static SPINDLE_THERMAL_DRIFT: Effect<2> = Effect {
     about: "the warming headstock moves the spindle away from the tool, or toward it",
     law: "dD += 2*drift*(1 - exp(-t/time_constant))*(1 - x/L); no (1 - x/L) in a chuck",
     source: "seed 002, thermal deformation of the system",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::signed("drift", MICRO, "final drift of the spindle", (-50.0, 50.0)),
         Parameter::shape("time_constant", TIME, "time constant of the headstock", (5.0, 240.0)),

@@ -7,7 +7,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, UnitRole, nothing};
 use crate::units::STIFFNESS;
 
 /// `headstock-compliance`.
@@ -16,6 +16,7 @@ pub static HEADSTOCK: Effect<1> = Effect {
     about: "the headstock gives way under its reaction like a spring",
     law: "y = Q/k at x = 0",
     source: "seed 002 (8)-(11)",
+    belongs: Belongs::Unit("headstock", UnitRole::Spring),
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of the headstock", (5.0, 1000.0))],
     look_alikes: &[
         (
@@ -35,6 +36,7 @@ pub static TAILSTOCK: Effect<1> = Effect {
     about: "the tailstock gives way under its reaction like a spring",
     law: "y = Q/k at x = L",
     source: "seed 002 (8)-(11)",
+    belongs: Belongs::Unit("tailstock", UnitRole::Spring),
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of the tailstock", (5.0, 1000.0))],
     look_alikes: &[
         ("tailstock-contact", "a third force level: the contact yields less than in proportion"),

@@ -6,7 +6,7 @@
 
 use super::super::machine::Effect;
 use super::support_compliance::a_tailstock;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::MICRO;
 
 /// `tailstock-offset`.
@@ -15,6 +15,7 @@ pub static TAILSTOCK_OFFSET: Effect<1> = Effect {
     about: "the tailstock stands off the spindle axis, and the work turns about a tilted line",
     law: "dD += 2*offset*x/L",
     source: "statics; cf. seed 002 (6)",
+    belongs: Belongs::Test,
     parameters: [Parameter::signed("offset", MICRO, "offset of the tailstock away from the tool", (-100.0, 100.0))],
     look_alikes: &[
         ("guideway-taper", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),

@@ -8,7 +8,7 @@
 
 use super::super::machine::Effect;
 use crate::input::Bounds;
-use crate::process::{Parameter, nothing};
+use crate::process::{Belongs, Parameter, nothing};
 use crate::units::{MICRO, NUMBER, PATH};
 
 /// Path in which the third period brings the wear that is its parameter, m.
@@ -20,6 +20,7 @@ pub static TOOL_BREAKDOWN: Effect<3> = Effect {
     about: "from some cutting path on the edge breaks down, and wears faster and faster",
     law: "dD += 2*wear*(max(l - onset, 0)/1 km)^exponent",
     source: "seed 002, third period of wear; the power law is ours",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::amplitude("wear", MICRO, "wear in the first kilometre of the period", (2.0, 500.0)),
         Parameter::place("onset", PATH, "cutting path at which the period begins", "path", (50.0, 5000.0)),

@@ -6,7 +6,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::Parameter;
+use crate::process::{Belongs, Parameter};
 use crate::units::FACTOR;
 
 /// `wear-land`.
@@ -15,6 +15,7 @@ pub static WEAR_LAND: Effect<1> = Effect {
     about: "the edge draws back by the wear land on its flank, whose width over the path is known",
     law: "dD += 2*share*h(l)*tan(clearance_angle)",
     source: "seed 002 (31)",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::amplitude("share", FACTOR, "part of the land's draw-back that the nose shows", (0.5, 2.0)).or(1.0)
     ],

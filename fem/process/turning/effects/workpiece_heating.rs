@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use super::super::heating::{Rod, rise_per_watt};
 use super::super::machine::{Effect, Machine};
 use crate::input::Bounds;
-use crate::process::{Failure, Parameter, Segment, nothing};
+use crate::process::{Belongs, Failure, Parameter, Segment, nothing};
 use crate::solve::heat::{Pass, RodPiece};
 use crate::units::{CONVECTION, POWER};
 
@@ -21,6 +21,7 @@ pub static WORKPIECE_HEATING: Effect<2> = Effect {
     about: "the cut heats the work, which is turned to size while it is expanded and thinner when cold",
     law: "dD -= expansion*D*theta(tool), rho*c*A*theta_t = (k*A*theta_x)_x - h*pi*D*theta + power*delta(x - x_tool)",
     source: "seed 002 (35)-(39)",
+    belongs: Belongs::Test,
     parameters: [
         Parameter::amplitude("power", POWER, "heat that enters the work", (5.0, 500.0)),
         Parameter::shape("convection", CONVECTION, "heat transfer to the air", (5.0, 100.0))

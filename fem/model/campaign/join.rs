@@ -1,0 +1,103 @@
+//! Joins the models of tests to one.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use toml_edit::Document;
+
+use super::effects;
+use super::layout::Layout;
+use super::system::{self, Whole};
+use super::test::{Campaign, Test, origins};
+use crate::input::{Kept, Parameter, Problem, Source};
+use crate::model::Model;
+use crate::process::{Active, formula_effect};
+
+impl Model {
+    /// Tests of one machine, each with a model, as one model.
+    ///
+    /// # Errors
+    /// A model names no machine, or another one than the first; two of them know the same thing of the machine, and
+    /// differently.
+    pub fn of_tests(models: Vec<Self>) -> Result<Self, Problem> {
+        check_machine(&models)?;
+        // Nothing is written of them together.
+        let document = Arc::new(Document::parse(String::new()).map_err(|e| Problem::new(e.message()))?);
+        let names = names(&models);
+        let layout = Layout::new(&names.iter().copied().zip(models.iter().map(|m| m.process)).collect::<Vec<_>>());
+        let shared = effects::gather(&names, &models, &layout);
+        let (mut active, mut parameters): (Vec<Active>, Vec<Parameter>) = (Vec::new(), Vec::new());
+        for effect in &shared {
+            if let Some((own, uncertain)) = effect.stated(&models)? {
+                active.push(own);
+                parameters.extend(uncertain);
+            }
+        }
+        let measurement = names.iter().zip(&models).enumerate().flat_map(|(test, (name, model))| {
+            model.measurement.iter().map(|term| layout.term(test, name, term)).collect::<Vec<_>>()
+        });
+        let measurement = measurement.collect();
+        let each = names.iter().enumerate();
+        let origins = each.map(|(test, name)| origins((test, name), &models, &shared, &mut parameters));
+        let origins = origins.collect::<Result<Vec<_>, Problem>>()?;
+        let tests = names.iter().zip(models).zip(origins).map(|((name, model), origins)| Test { name, model, origins });
+        let tests: Vec<Test> = tests.collect();
+        let files: Vec<String> = tests.iter().map(|test| test.model.source.name.to_string()).collect();
+        let process = system::process(&layout, &shared);
+        let campaign = Arc::new(Campaign { tests, effects: shared, layout });
+        Ok(Self {
+            source: Source::new(files.join(" and "), ""),
+            title: None,
+            process,
+            system: Arc::new(Whole(campaign.clone())),
+            effects: active,
+            measurement,
+            parameters,
+            quantities: Arc::default(),
+            machine: campaign.tests[0].model.machine.clone(),
+            campaign: Some(campaign),
+            entered: HashMap::new(),
+            files: Vec::new(),
+            kept: Kept::default(),
+            document,
+        })
+    }
+}
+
+/// Names of tests: those of their files, made apart.
+fn names(models: &[Model]) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = Vec::new();
+    for model in models {
+        let stem = model.stem().to_string_lossy().replace(|c: char| !c.is_alphanumeric() && c != '_', "-");
+        let further = (2..).map(|number| format!("{stem}-{number}"));
+        let mut all = std::iter::once(stem.clone()).chain(further).map(|name| formula_effect::name(&name));
+        names.extend(all.find(|name| !names.contains(name)));
+    }
+    names
+}
+
+/// Refuses models that do not name one machine.
+fn check_machine(models: &[Model]) -> Result<(), Problem> {
+    let nameless = models.iter().find(|model| model.machine.is_none());
+    let machines = || models.iter().filter_map(|m| Some((m, m.machine.as_ref()?)));
+    let mut others = machines().skip(1);
+    match (nameless, machines().next()) {
+        (Some(model), first) => {
+            let file = first.map_or("lathe.toml".into(), |(_, machine)| machine.path.display().to_string());
+            let problem = Problem::new(format!("{} names no machine", model.source.name));
+            let form = "a file with [machine], a name, and a table for each unit: [machine.tailstock]";
+            Err(problem
+                .help(format!("several tests are of one machine: write machine = \"{file}\" at its top; {form}")))
+        }
+        (None, Some((one, first))) => match others.find(|(_, machine)| !machine.is(first)) {
+            Some((other, machine)) => {
+                let [first, second] = [first, machine].map(|m| m.path.display().to_string());
+                let (one, other) = (&one.source.name, &other.source.name);
+                let problem = Problem::new(format!("{one} is of {first}, and {other} of {second}"));
+                Err(problem.help("tests of different machines share nothing: diagnose each by itself"))
+            }
+            None => Ok(()),
+        },
+        (None, None) => Err(Problem::new("there is no model").help("name one")),
+    }
+}

@@ -1,0 +1,180 @@
+//! Several tests as one process and one system.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::effects::Shared;
+use super::forward::Together;
+use super::layout::Layout;
+use super::test::{Campaign, Test};
+use crate::input::Reader;
+use crate::process::{
+    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, ForwardModel, Misplaced,
+    Observable, Places, Positioning, Process, Rows, Spot, System, UnitRole,
+};
+
+/// What several tests show, and what can act in them: a process in all but a file of its own.
+#[derive(Clone, Debug, PartialEq)]
+struct Signature {
+    observables: &'static [Observable],
+    coordinates: &'static [Coordinate],
+    effects: Vec<Description>,
+}
+
+/// Signatures that were asked for. Processes are constants, and so these live as long as the program, each once
+/// however often its tests are read.
+static KNOWN: Mutex<Vec<&'static Signature>> = Mutex::new(Vec::new());
+
+/// The process that tests make together.
+pub fn process(layout: &Layout, effects: &[Shared]) -> &'static dyn Process {
+    let effects: Vec<Description> = effects.iter().map(|e| e.description.clone()).collect();
+    // A panic while the list was held leaves it whole: entries are added in one step each.
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let is_same = |other: &&&Signature| {
+        (other.observables, other.coordinates) == (&layout.observables[..], &layout.coordinates[..])
+            && other.effects == effects
+    };
+    if let Some(same) = known.iter().find(is_same) {
+        return *same;
+    }
+    let observables = layout.observables.clone().leak();
+    let kept: &'static Signature =
+        Box::leak(Box::new(Signature { observables, coordinates: layout.coordinates.clone().leak(), effects }));
+    known.push(kept);
+    kept
+}
+
+impl Process for Signature {
+    fn name(&self) -> &'static str {
+        "tests of one machine"
+    }
+
+    fn about(&self) -> &'static str {
+        "several tests of one machine"
+    }
+
+    fn observables(&self) -> &'static [Observable] {
+        self.observables
+    }
+
+    fn coordinates(&self) -> &'static [Coordinate] {
+        self.coordinates
+    }
+
+    fn starting_model(&self) -> &'static str {
+        ""
+    }
+
+    fn effects(&self) -> Vec<Description> {
+        self.effects.clone()
+    }
+
+    fn of_unit(&self) -> &'static [(&'static str, UnitRole)] {
+        &[]
+    }
+
+    fn read(&self, _model: &Reader) -> Option<Box<dyn System>> {
+        None
+    }
+}
+
+/// The systems of all tests.
+pub struct Whole(pub Arc<Campaign>);
+
+impl Whole {
+    /// Each test with its number, and its rows with their numbers among all.
+    fn parts<'s>(&'s self, rows: &'s Rows) -> impl Iterator<Item = (usize, &'s Test, Vec<usize>, Rows)> + 's {
+        self.0.tests.iter().enumerate().map(|(number, test)| {
+            let (numbers, own) = self.0.layout.own(number, rows);
+            (number, test, numbers, own)
+        })
+    }
+}
+
+impl System for Whole {
+    fn admits(&self, effect: &str) -> Result<(), String> {
+        self.0.effect(effect).map(|_| ()).ok_or_else(|| format!("`{effect}` acts in none of the tests"))
+    }
+
+    fn contradiction(&self, _effect: &Active) -> Option<Contradiction> {
+        None
+    }
+
+    fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
+        let of = |(number, test, numbers, own): (usize, &Test, Vec<usize>, Rows)| {
+            let all = test.model.system.misplaced(&own).into_iter();
+            all.map(move |m| Misplaced {
+                row: numbers[m.row],
+                coordinate: self.0.layout.coordinate(number, m.coordinate),
+                ..m
+            })
+        };
+        self.parts(rows).flat_map(of).collect()
+    }
+
+    fn programme(&self) -> Rows {
+        let own = self.0.tests.iter().enumerate();
+        let all = own.map(|(number, test)| self.0.layout.among_all(number, &test.model.system.programme()));
+        all.reduce(|all, own| all.and(&own)).unwrap_or_default()
+    }
+
+    fn resolved(&self, rows: &Rows) -> Rows {
+        let mut all = rows.clone();
+        for (number, test, numbers, own) in self.parts(rows) {
+            let own = self.0.layout.among_all(number, &test.model.system.resolved(&own));
+            for (column, own) in all.columns.iter_mut().zip(&own.columns) {
+                numbers.iter().zip(own).for_each(|(row, value)| column[*row] = *value);
+            }
+        }
+        all
+    }
+
+    fn places(&self, _rows: &Rows) -> Option<Places> {
+        None
+    }
+
+    fn contour(&self) -> Option<Vec<Vec<Spot>>> {
+        None
+    }
+
+    fn datum_directions(&self, rows: &Rows) -> Vec<DatumDirection> {
+        let of = |(_, test, numbers, own): (usize, &Test, Vec<usize>, Rows)| {
+            let all = test.model.system.datum_directions(&own).into_iter();
+            all.map(move |d| DatumDirection { rows: d.rows.iter().map(|row| numbers[*row]).collect(), ..d })
+        };
+        self.parts(rows).flat_map(of).collect()
+    }
+
+    fn reach(&self, coordinate: &str) -> Option<(f64, f64)> {
+        self.0.tests.iter().find_map(|test| test.model.system.reach(coordinate))
+    }
+
+    fn candidate_experiments(&self, rows: &Rows) -> Vec<CandidateExperiment> {
+        let mut all = Vec::new();
+        for (number, test, _, own) in self.parts(rows) {
+            let layout = &self.0.layout;
+            all.extend(test.model.system.candidate_experiments(&own).into_iter().map(|experiment| {
+                CandidateExperiment {
+                    words: format!("{}: {}", test.file(), experiment.words),
+                    coordinate: layout.named(number, experiment.coordinate).unwrap_or(experiment.coordinate),
+                    rows: layout.among_all(number, &experiment.rows),
+                    ..experiment
+                }
+            }));
+        }
+        all
+    }
+
+    fn unit(&self) -> Option<&'static str> {
+        None
+    }
+
+    fn positioning(&self) -> Option<&dyn Positioning> {
+        None
+    }
+
+    fn with_effects(&self, effects: &[Active]) -> Box<dyn ForwardModel> {
+        let of = |(number, test): (usize, &Test)| test.model.system.with_effects(&self.0.own_effects(number, effects));
+        let parts = self.0.tests.iter().enumerate().map(of).collect();
+        Box::new(Together { parts, layout: self.0.layout.clone() })
+    }
+}
