@@ -27,7 +27,7 @@ pub use in_order::in_order;
 pub use indices::{Index, Indices};
 pub use layout::{Layout, Nature, ResultColumn, Shard};
 pub use plan::{Offered, Plan, Task, Wanted};
-pub use read::{load, schema};
+pub use read::{load, parse, schema};
 pub use summary::{Cell, Extreme, Found, Numbers, Row, Summary, Summing};
 pub use validation::cases as validation;
 

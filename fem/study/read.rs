@@ -45,7 +45,11 @@ pub fn schema() -> serde_json::Value {
     shape
 }
 
-fn parse(file: Source) -> Result<Plan, InputError> {
+/// Reads a plan from its text; the paths that it names are relative to the folder of its name.
+///
+/// # Errors
+/// As those of [`load`].
+pub fn parse(file: Source) -> Result<Plan, InputError> {
     let remedy = "a plan takes a middle and a field: value = \"60 N/um\", half_field = \"15 N/um\"";
     let plan = read_tables(&file, "a plan", remedy, |reader, broken| read(reader, &file, broken))?;
     plan.ok_or_else(|| InputError::new(file, Vec::new()))

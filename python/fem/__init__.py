@@ -20,6 +20,7 @@ from fem._results import (
     Result,
     Run,
 )
+from fem._study import Study, study
 from fem._table import Table
 
 __version__: str = _fem.__version__
@@ -44,6 +45,7 @@ __all__ = [
     "Report",
     "Result",
     "Run",
+    "Study",
     "Table",
     "compare",
     "demo",
@@ -52,6 +54,7 @@ __all__ = [
     "model",
     "new",
     "report",
+    "study",
 ]
 
 

@@ -1,11 +1,13 @@
 """The extension module: models, questions and answers as they pass between Rust and Python."""
 
-from typing import Optional, final
+from pathlib import Path
+from typing import Callable, Optional, final
 
 from fem._answer import Answer, Asked
 
 __all__ = [
     "Model",
+    "Study",
     "__version__",
     "catalogue",
     "command",
@@ -15,6 +17,7 @@ __all__ = [
     "rehearse",
     "report",
     "starting_model",
+    "study_jobs",
     "with_value",
     "without",
     "written",
@@ -48,6 +51,19 @@ class Model:
     def plan(self, design: Optional[Asked], noise: list[str], seconds: Optional[float]) -> Answer: ...
     def compensate(self, data: Asked) -> Answer: ...
 
+@final
+class Study:
+    @staticmethod
+    def open(name: str, text: Optional[str], output: str, restart: bool) -> Study: ...
+    def done(self) -> tuple[int, int]: ...
+    def facts(self) -> list[tuple[str, str]]: ...
+    def compute(self, seconds: Optional[float], watch: Optional[Callable[[int, int], object]]) -> None: ...
+    def append(self, lines: list[str]) -> None: ...
+    def finish(self) -> tuple[str, str, Path]: ...
+
+def study_jobs(
+    name: str, text: Optional[str], facts: list[tuple[str, str]], first: int, last: int
+) -> list[str]: ...
 def command(arguments: list[str]) -> int: ...
 def starting_model(process: str) -> str: ...
 def demo() -> tuple[str, str]: ...

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 from fem import _fem
 from fem._data import Columns, Data, asked
 from fem._results import Comparison, Compensation, Diagnosis, Fit, Plan, Report, Run
+from fem._study import Study, Watch, of_model
 
 if TYPE_CHECKING:
     from fem._table import Array
@@ -259,6 +260,45 @@ class Model:
         return report(
             [self], data, path, max_effects=max_effects, columns=columns, decimal=decimal, time_limit=time_limit
         )
+
+    def study(
+        self,
+        inputs: Optional[Mapping[str, Mapping[str, Any]]] = None,
+        results: Sequence[Union[str, Mapping[str, Any]]] = (),
+        *,
+        design: Union[str, Mapping[str, Any], None] = None,
+        samples: Optional[int] = None,
+        seed: Optional[int] = None,
+        indices: Optional[bool] = None,
+        data: Optional[_Path] = None,
+        task: Optional[str] = None,
+        title: Optional[str] = None,
+        output: Optional[_Path] = None,
+        restart: bool = False,
+        time_limit: Optional[float] = None,
+        progress: Optional[Watch] = None,
+        client: Any = None,
+        chunk: int = 256,
+    ) -> Study:
+        """Many jobs with it: `model.study({"cut.depth": {"half_field": "0.1 mm"}}, ["largest.value"])`.
+
+        The names are those of a plan: keys of an input by its quantity, a figure or all keys of a result, the type of
+        the design or all of its keys. Files are relative to the folder of the model. The rest is as in `fem.study`.
+        """
+        chosen: dict[str, Any] = {"type": design} if isinstance(design, str) else dict(design or {})
+        given = {"samples": samples, "seed": seed, "indices": indices}
+        chosen.update({key: value for key, value in given.items() if value is not None})
+        folder = Path(self._name).absolute().parent
+        if "file" in chosen:
+            chosen["file"] = os.fspath(folder / chosen["file"])
+        keys: dict[str, Any] = {"title": title, "task": task, "design": chosen or None}
+        if data is not None:
+            keys["data"] = os.fspath(folder / data)
+        keys = {key: value for key, value in keys.items() if value is not None}
+        keys["input"] = [{"quantity": quantity, **one} for quantity, one in (inputs or {}).items()]
+        keys["result"] = [{"figure": one} if isinstance(one, str) else dict(one) for one in results]
+        keys = {key: value for key, value in keys.items() if value != []}
+        return of_model(self.save, keys, output, restart, time_limit, progress, client, chunk)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Model, (self._text, self._name)

@@ -34,6 +34,19 @@ pub fn compute<T: Send + 'static>(
     progress: &Arc<Progress>,
     work: impl FnOnce(&Arc<Progress>) -> Result<T, Error> + Send + 'static,
 ) -> PyResult<T> {
+    compute_watched(py, progress, |_| Ok(()), work)
+}
+
+/// As [`compute`]; `watch` is called now and then meanwhile, and what it raises stops the computation.
+///
+/// # Errors
+/// Those of [`compute`], and that of `watch`.
+pub fn compute_watched<T: Send + 'static>(
+    py: Python,
+    progress: &Arc<Progress>,
+    watch: impl Fn(Python) -> PyResult<()>,
+    work: impl FnOnce(&Arc<Progress>) -> Result<T, Error> + Send + 'static,
+) -> PyResult<T> {
     let (threads, own) = (threads().map_err(|error| error.raised(py))?, progress.clone());
     let (done, result) = channel();
     let run = move || {
@@ -56,7 +69,8 @@ pub fn compute<T: Send + 'static>(
                 return Err(interrupt.clone_ref(py));
             }
             (Err(RecvTimeoutError::Timeout), _) => {
-                if let Err(interrupt) = py.check_signals() {
+                let looked = py.check_signals().and_then(|()| if interrupted.is_none() { watch(py) } else { Ok(()) });
+                if let (Err(interrupt), None) = (looked, &interrupted) {
                     progress.stop();
                     interrupted = Some((interrupt, Instant::now()));
                 }

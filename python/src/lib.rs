@@ -7,6 +7,7 @@ mod document;
 mod error;
 mod model;
 mod question;
+mod study;
 
 use std::ffi::OsString;
 use std::sync::Arc;
@@ -65,6 +66,7 @@ fn rehearse(py: Python, fault: bool) -> PyResult<()> {
 fn _fem(module: &Bound<PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<Model>()?;
+    module.add_class::<study::Study>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     module.add_function(wrap_pyfunction!(starting_model, module)?)?;
     module.add_function(wrap_pyfunction!(demo, module)?)?;
@@ -74,6 +76,7 @@ fn _fem(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(document::written, module)?)?;
     module.add_function(wrap_pyfunction!(document::with_value, module)?)?;
     module.add_function(wrap_pyfunction!(document::without, module)?)?;
+    module.add_function(wrap_pyfunction!(study::study_jobs, module)?)?;
     module.add_function(wrap_pyfunction!(question::compare, module)?)?;
     module.add_function(wrap_pyfunction!(question::report, module)?)
 }

@@ -1,0 +1,139 @@
+//! Studies: a plan with the folder of its rows, and the rows of a range of jobs for whoever shares them out.
+
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use fem::input::{Problem, Source};
+use fem::output::study::{StudyFolder, line};
+use fem::output::{Format, Json, Report, Text};
+use fem::process::Failure;
+use fem::study::{Layout, Plan, Shard, in_order, load, parse};
+use pyo3::prelude::*;
+
+use crate::compute::{compute, compute_watched};
+use crate::error::Error;
+use crate::question::within;
+
+/// Reads a plan: a file, or a text whose paths are relative to the folder of `name`.
+fn read(name: String, text: Option<String>) -> Result<Plan, Error> {
+    Ok(match text {
+        Some(text) => parse(Source::new(name, text))?,
+        None => load(&PathBuf::from(name))?,
+    })
+}
+
+/// A plan, and the folder in which its rows grow.
+#[pyclass(frozen, module = "fem._fem")]
+pub struct Study {
+    plan: Arc<Plan>,
+    layout: Layout,
+    folder: Arc<Mutex<Option<StudyFolder>>>,
+}
+
+#[pymethods]
+impl Study {
+    /// Opens or makes the folder of a plan, and finds how far an earlier program came.
+    #[staticmethod]
+    fn open(py: Python, name: String, text: Option<String>, output: PathBuf, restart: bool) -> PyResult<Self> {
+        compute(py, &Arc::default(), move |_| {
+            let plan = read(name, text)?;
+            let layout = plan.layout();
+            let folder = StudyFolder::open(&output, &layout, Shard::ALL, restart, &plan.paths())?;
+            Ok(Self { plan: Arc::new(plan), layout, folder: Arc::new(Mutex::new(Some(folder))) })
+        })
+    }
+
+    /// Number of jobs that are done, and of all.
+    fn done(&self) -> (u64, u64) {
+        let folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
+        (folder.as_ref().map_or(self.layout.jobs, StudyFolder::next), self.layout.jobs)
+    }
+
+    /// Everything on which rows depend.
+    fn facts(&self) -> Vec<(String, String)> {
+        self.layout.facts.clone()
+    }
+
+    /// Does the jobs that are left, within so many seconds if a limit is given; `watch` is told how many of them are
+    /// done.
+    fn compute(&self, py: Python, seconds: Option<f64>, watch: Option<Py<PyAny>>) -> PyResult<()> {
+        let progress = within(seconds);
+        let (before, all) = self.done();
+        let look = |py: Python| match &watch {
+            Some(watch) => watch.call1(py, (before + progress.read().0, all)).map(drop),
+            None => Ok(()),
+        };
+        let (plan, shared) = (self.plan.clone(), self.folder.clone());
+        compute_watched(py, &progress, look, move |progress| {
+            let mut own = shared.lock().unwrap_or_else(PoisonError::into_inner);
+            let Some(mut folder) = own.take() else { return Err(ended()) };
+            let left = folder.next()..folder.jobs().end;
+            let work = |number| line(&plan.job(number));
+            in_order(left, progress, work, |line| folder.append(line.as_bytes()))?;
+            // What was stopped is let go, so that whoever comes next finds the folder free.
+            if !progress.is_stopped() {
+                *own = Some(folder);
+            }
+            Ok(())
+        })
+    }
+
+    /// Appends the lines of the next jobs.
+    fn append(&self, py: Python, lines: Vec<String>) -> PyResult<()> {
+        let shared = self.folder.clone();
+        compute(py, &Arc::default(), move |_| {
+            let mut own = shared.lock().unwrap_or_else(PoisonError::into_inner);
+            let folder = own.as_mut().ok_or_else(ended)?;
+            for line in lines {
+                folder.append(line.as_bytes())?;
+            }
+            Ok(())
+        })
+    }
+
+    /// Ends the work, and says what the rows say so far: the JSON document, the page for people, and their file.
+    fn finish(&self, py: Python) -> PyResult<(String, String, PathBuf)> {
+        let (layout, shared) = (self.layout.clone(), self.folder.clone());
+        compute(py, &Arc::default(), move |_| {
+            let folder = shared.lock().unwrap_or_else(PoisonError::into_inner).take();
+            let (rows, summary) = folder.ok_or_else(ended)?.finish()?;
+            let report = Report::Study(&layout, &summary);
+            Ok((Json.write(&report)?, Text::default().write(&report)?, rows))
+        })
+    }
+}
+
+/// The lines of jobs `first` to before `last`, counted from 0, of a plan on whose facts rows depend.
+#[pyfunction]
+pub fn study_jobs(
+    py: Python,
+    name: String,
+    text: Option<String>,
+    facts: Vec<(String, String)>,
+    first: u64,
+    last: u64,
+) -> PyResult<Vec<String>> {
+    compute(py, &Arc::default(), move |progress| {
+        let plan = read(name, text)?;
+        let mut own = plan.layout();
+        let here = own.clone();
+        own.facts = facts;
+        let differences = own.differences(&here);
+        if !differences.is_empty() {
+            let message = format!("this machine reads another plan: {}", differences.join("; "));
+            let problem = Problem::new(message).help("let all machines see the same files and the same version of fem");
+            return Err(problem.into());
+        }
+        let mut lines = Vec::new();
+        let work = |number| line(&plan.job(number));
+        in_order(first..last, progress, work, |line| {
+            lines.push(line);
+            Ok::<(), Error>(())
+        })?;
+        Ok(lines)
+    })
+}
+
+fn ended() -> Error {
+    Error::from(Failure { message: "the study was ended".into(), help: "open it again: it goes on".into() })
+}
