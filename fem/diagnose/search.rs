@@ -142,7 +142,7 @@ pub fn search<'a>(
         let Some(mut best) = beam.first().cloned() else { break };
         if size > 1 {
             beam.truncate(breadth.beam);
-            let exchanged = || exchange(&base, &candidates, best, &tried, extent);
+            let exchanged = || exchange(&base, &candidates, best, &mut tried, extent);
             best = progress.stretch("exchanges of effects", exchanged);
             tried.insert(best.key(), best.clone());
             beam.insert(0, best.clone());
@@ -227,7 +227,7 @@ fn exchange<'a>(
     base: &CandidateModel<'a>,
     candidates: &[CandidateEffect],
     mut best: CandidateModel<'a>,
-    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
+    tried: &mut BTreeMap<Vec<usize>, CandidateModel<'a>>,
     Extent { breadth, known, .. }: Extent<'_, 'a>,
 ) -> CandidateModel<'a> {
     /// Fall of χ², to first order, for which a set that was tried is fitted again.
@@ -248,9 +248,15 @@ fn exchange<'a>(
         if best.members.len() > 2 {
             fitted.extend(reseated(base, candidates, &best, tried));
         }
-        let Some(better) = fitted.into_iter().min_by(|a, b| a.penalised_bic().total_cmp(&b.penalised_bic())) else {
-            break;
-        };
+        fitted.sort_by(|a, b| a.penalised_bic().total_cmp(&b.penalised_bic()));
+        // The next search under such a noise need not fit them again.
+        for set in fitted.iter().rev() {
+            let chi2 = tried.get(&set.key()).map_or(f64::INFINITY, |t| t.solution.chi2);
+            if set.solution.chi2 < chi2 {
+                tried.insert(set.key(), set.clone());
+            }
+        }
+        let Some(better) = fitted.into_iter().next() else { break };
         if better.penalised_bic() >= best.penalised_bic() {
             break;
         }

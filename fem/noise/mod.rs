@@ -190,6 +190,25 @@ impl Noise {
         Self { own, ..self.clone() }.with(terms, measurements)
     }
 
+    /// Whether it is the other noise, all of it larger or smaller by one factor: then both have the same minimum.
+    pub fn is_a_multiple_of(&self, other: &Self) -> bool {
+        /// Largest relative difference between factors that is round-off.
+        const ROUND_OFF: f64 = 1e-9;
+        let Some((first, others)) = self.sigma.first().zip(other.sigma.first()) else { return false };
+        let factor = first / others;
+        let is_scaled = |own: f64, other: f64| own == factor * other || (own - factor * other).abs() <= ROUND_OFF * own;
+        let is_alike = |(own, other): (&Term, &Term)| match own.effect.acts {
+            Acts::Shared(_) => own.is_like(other) && is_scaled(own.size, other.size),
+            Acts::Neighbours => own.is_like(other) && own.size == other.size,
+            Acts::Given => false,
+            // What these change stands in sigma.
+            Acts::Scales | Acts::Weighs | Acts::Rounds | Acts::Reads => own.is_like(other),
+        };
+        self.terms.len() == other.terms.len()
+            && self.sigma.iter().zip(&other.sigma).all(|(own, other)| is_scaled(*own, *other))
+            && self.terms.iter().zip(&other.terms).all(is_alike)
+    }
+
     /// The same noise, what every row has to itself larger by a factor; what rows share stays.
     #[must_use]
     fn levelled(&self, factor: f64, measurements: &Measurements) -> Self {
