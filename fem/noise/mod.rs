@@ -355,4 +355,31 @@ pub(crate) mod tests {
         assert!((square - exact).abs() < 1e-10 * exact, "{square} {exact}");
         assert!((noise.log_determinant() - dense.determinant().ln()).abs() < 1e-10);
     }
+
+    #[test]
+    fn a_multiple_whitens_to_a_multiple_and_nothing_else_counts_as_one() {
+        let measurements = measured(&[1.0, 2.0, 1.0, 2.0, 3.0]);
+        let group = |size| Term { by: vec![0], size, ..Term::new(&effects::ZERO_SHIFT) };
+        let neighbours = |size| Term { size, ..Term::new(&effects::CORRELATED_NOISE) };
+        let of = |level: f64, terms: Vec<Term>| {
+            let sigma = (0..5).map(|i| level * (1.0 + 0.1 * f64::from(i))).collect();
+            Noise::independent(sigma, NoiseSource::Estimated).with(terms, &measurements)
+        };
+        let noise = of(1.0, vec![group(1.7), neighbours(1.5)]);
+        let values = [0.3, -1.0, 0.7, 0.2, -0.4];
+        for multiple in [noise.times(2.5, &measurements), of(2.5, vec![group(4.25), neighbours(1.5)])] {
+            assert!(multiple.is_a_multiple_of(&noise) && noise.is_a_multiple_of(&multiple));
+            for (own, other) in multiple.whiten(values).iter().zip(noise.whiten(values)) {
+                assert!((2.5 * own - other).abs() < 1e-12, "{own} {other}");
+            }
+        }
+        let others = [
+            of(2.5, vec![group(1.7), neighbours(1.5)]),
+            of(2.5, vec![group(4.25), neighbours(3.0)]),
+            of(2.5, vec![group(4.25)]),
+            of(2.5, vec![neighbours(1.5), group(4.25)]),
+            Noise::independent(vec![1.0; 5], NoiseSource::Estimated).with(noise.terms.clone(), &measurements),
+        ];
+        assert!(others.iter().all(|other| !other.is_a_multiple_of(&noise)));
+    }
 }
