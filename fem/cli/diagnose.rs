@@ -28,11 +28,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     }
     let progress = args.limit.progress();
     let data = Data::of(&model, args.data.load(model.process)?)?.watched(progress.clone());
-    let diagnosis = searched(args, &data, &progress)?;
-    let report = Report::Diagnosis(&data, &diagnosis);
-    if let Some(directory) = &args.output {
-        Folder { directory, guard, progress: &progress }.write(&report)?;
-    }
+    let diagnosis = searched(args, &data, &progress, guard)?;
     if let Some(new) = &args.add_to {
         let better = completed(&data, &diagnosis)?;
         files::write(new, better.text_at(new).as_bytes(), guard)?;
@@ -42,8 +38,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
             say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
         }
     }
-    notes(&data.notes_of_fit());
-    print(&page(&report, args.json)?)
+    told(args, &data, &diagnosis)
 }
 
 /// Diagnoses several tests of one machine together.
@@ -67,19 +62,13 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
     let model = Model::of_tests(loaded)?;
     let progress = args.limit.progress();
     let data = Data::of_tests(&model, measured)?.watched(progress.clone());
-    let diagnosis = searched(args, &data, &progress)?;
-    let report = Report::Diagnosis(&data, &diagnosis);
-    if let Some(directory) = &args.output {
-        let reads: Vec<PathBuf> = args.models.iter().chain(&args.data.with).cloned().collect();
-        let guard = Guard { reads: &reads, force: args.force };
-        Folder { directory, guard, progress: &progress }.write(&report)?;
-    }
-    notes(&data.notes_of_fit());
-    print(&page(&report, args.json)?)
+    let reads: Vec<PathBuf> = args.models.iter().chain(&args.data.with).cloned().collect();
+    let diagnosis = searched(args, &data, &progress, Guard { reads: &reads, force: args.force })?;
+    told(args, &data, &diagnosis)
 }
 
-/// Searches, and tells what the search took and what it left out.
-fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>) -> Result<Diagnosis, Error> {
+/// Searches, tells what the search took and what it left out, and writes the diagnosis where a folder is named.
+fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard: Guard) -> Result<Diagnosis, Error> {
     let diagnosis = watched(progress, || diagnose(data, usize::from(args.max_effects), progress))?;
     if args.profile {
         say!("{}", stretches(&progress.profile()));
@@ -87,7 +76,16 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>) -> Res
     if diagnosis.rows < data.len() {
         say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
     }
+    if let Some(directory) = &args.output {
+        Folder { directory, guard, progress }.write(&Report::Diagnosis(data, &diagnosis))?;
+    }
     Ok(diagnosis)
+}
+
+/// Prints a diagnosis.
+fn told(args: &args::Diagnose, data: &Data, diagnosis: &Diagnosis) -> Result<(), Error> {
+    notes(&data.notes_of_fit());
+    print(&page(&Report::Diagnosis(data, diagnosis), args.json)?)
 }
 
 /// The model with the missing effects and every fitted value.

@@ -131,19 +131,19 @@ pub fn refit<'a>(
     }
     let mut objective = lead.parent.objective.with(&candidate.effect);
     let (members, key) = (lead.members(), lead.key());
-    let earlier = known.iter().find(|k| k.key() == key);
-    if let Some(earlier) = earlier.filter(|k| has_the_minimum_of(k, &objective)) {
+    if let Some(earlier) = known.iter().find(|k| k.key() == key) {
         let position = earlier.position_of(&members, candidates);
-        let predicted = earlier.solution.predicted.clone();
-        let chi2 = objective.residuals(&position, &predicted).norm_squared();
-        let solution = Solution { position, predicted, chi2 };
-        return Some(CandidateModel { members, objective, solution });
-    }
-    if let Some(position) = earlier.map(|k| k.position_of(&members, candidates))
-        && let Some(predicted) = objective.predict(&position)
-        && objective.residuals(&position, &predicted).norm_squared() <= lead.promised
-    {
-        return fit_from(lead.parent, &[lead.added], objective, [Start::own(&position)]);
+        if has_the_minimum_of(earlier, &objective) {
+            let predicted = earlier.solution.predicted.clone();
+            let chi2 = objective.residuals(&position, &predicted).norm_squared();
+            let solution = Solution { position, predicted, chi2 };
+            return Some(CandidateModel { members, objective, solution });
+        }
+        if let Some(predicted) = objective.predict(&position)
+            && objective.residuals(&position, &predicted).norm_squared() <= lead.promised
+        {
+            return fit_from(lead.parent, &[lead.added], objective, [Start::own(&position)]);
+        }
     }
     let starts = one_by_one(lead.parent, candidate, &lead.starts, &objective.variables);
     fit_from(lead.parent, &[lead.added], objective, starts.into_iter().chain(lead.together.clone()))

@@ -250,7 +250,7 @@ fn exchange<'a>(
         }
         fitted.sort_by(|a, b| a.penalised_bic().total_cmp(&b.penalised_bic()));
         // The next search under such a noise need not fit them again.
-        for set in fitted.iter().rev() {
+        for set in &fitted {
             let chi2 = tried.get(&set.key()).map_or(f64::INFINITY, |t| t.solution.chi2);
             if set.solution.chi2 < chi2 {
                 tried.insert(set.key(), set.clone());

@@ -25,7 +25,7 @@ impl<'m> Data<'m> {
         }
         let name = measured.iter().map(|own| &*own.name).collect::<Vec<_>>().join(" and ");
         check(&name, &measured)?;
-        let mut all = nothing(campaign, name);
+        let mut all = nothing(model, &name);
         let (mut terms, mut cautions) = (Vec::new(), Vec::new());
         for (test, measured) in measured.into_iter().enumerate() {
             let own = Data::of(&campaign.tests[test].model, measured)?;
@@ -56,24 +56,11 @@ fn check(name: &str, measured: &[Measurements]) -> Result<(), InputError> {
     Err(InputError::one(Source::new(name.to_string(), ""), problem.help(help)))
 }
 
-/// No rows yet.
-fn nothing(campaign: &Campaign, name: String) -> Measurements {
-    Measurements {
-        name,
-        files: Vec::new(),
-        rows: Rows { columns: vec![Vec::new(); campaign.layout.coordinates.len()], observable: Vec::new() },
-        observed: Vec::new(),
-        uncertainty: None,
-        records_of: Vec::new(),
-        lines: Vec::new(),
-        observables: Vec::new(),
-        given: Vec::new(),
-        header: Vec::new(),
-        headings: Vec::new(),
-        said: Vec::new(),
-        records: Vec::new(),
-        notes: Vec::new(),
-    }
+/// No rows yet, of no file.
+fn nothing(model: &Model, name: &str) -> Measurements {
+    let columns = vec![Vec::new(); model.process.coordinates().len()];
+    let planned = Measurements::planned(model.process, name, Rows { columns, observable: Vec::new() });
+    Measurements { files: Vec::new(), given: Vec::new(), ..planned }
 }
 
 /// Adds the rows of a test.
