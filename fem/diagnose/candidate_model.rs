@@ -1,5 +1,7 @@
 //! Candidate model: the model with a set of effects more, fitted.
 
+use std::sync::Arc;
+
 use nalgebra::DVector;
 
 use super::sensitivity::CandidateEffect;
@@ -27,6 +29,8 @@ pub struct CandidateModel<'a> {
     pub objective: Objective<'a>,
     /// Minimum of the objective.
     pub solution: Solution,
+    /// Part of the fall of χ² that was promised to first order, and kept by the fit; 1 where nothing was.
+    pub kept: f64,
 }
 
 impl CandidateModel<'_> {
@@ -132,18 +136,24 @@ impl CandidateModel<'_> {
         })
     }
 
-    /// Position of the same set with its members in another order.
-    pub fn position_of(&self, members: &[usize], candidates: &[CandidateEffect]) -> DVector<f64> {
+    /// Where the same set stands with its members in another order; χ² is that of its own noise.
+    pub fn solution_of(&self, members: &[usize], candidates: &[CandidateEffect]) -> Solution {
         let mut first = self.objective.data.model.parameters.len();
-        let own = &self.solution.position.as_slice()[..first];
-        let mut values = std::collections::BTreeMap::new();
+        let mut order: Vec<usize> = (0..first).collect();
+        let mut of_member = std::collections::BTreeMap::new();
         for member in &self.members {
             let end = first + candidates[*member].parameters;
-            values.insert(*member, &self.solution.position.as_slice()[first..end]);
+            of_member.insert(*member, first..end);
             first = end;
         }
-        let added = members.iter().filter_map(|m| values.get(m).copied()).flatten();
-        DVector::from_vec(own.iter().chain(added).copied().collect())
+        order.extend(members.iter().filter_map(|m| of_member.get(m).cloned()).flatten());
+        let Solution { position, predicted, chi2, slopes } = &self.solution;
+        Solution {
+            position: DVector::from_iterator(order.len(), order.iter().map(|i| position[*i])),
+            predicted: predicted.clone(),
+            chi2: *chi2,
+            slopes: slopes.as_ref().map(|slopes| Arc::new(slopes.select_columns(&order))),
+        }
     }
 
     /// Members in rising order, by which equal sets are recognised.

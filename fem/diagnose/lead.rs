@@ -9,7 +9,7 @@ use super::gain::Gain;
 use super::pairs::Pair;
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
-use crate::fit::{Objective, SearchVariable, Solution, StoppingCriterion, minimise};
+use crate::fit::{Objective, SearchVariable, Solution, StoppingCriterion, minimise, resume};
 
 /// Starts of a re-fit: the best variants of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
@@ -17,6 +17,8 @@ const STARTS: usize = 2;
 const HALVINGS: usize = 5;
 /// χ² of the priors above which a re-fit also starts from the prior values.
 const BENT: f64 = 9.0;
+/// Stopping criterion of a few steps, after which only the best of several starts goes on.
+const AHEAD: StoppingCriterion = StoppingCriterion::rough(6, 1e-4);
 /// Stopping criterion that is enough to rank sets; the last set is fitted to full convergence.
 const SEARCHING: StoppingCriterion = StoppingCriterion::rough(40, 1e-4);
 
@@ -67,6 +69,18 @@ impl<'a> Lead<'_, 'a> {
     /// Members of the set, the added effect last.
     fn members(&self) -> Vec<usize> {
         [&self.parent.members[..], &[self.added]].concat()
+    }
+
+    /// Smallest χ² that is believed of a set that has kept this part of an earlier promise.
+    pub fn believed(&self, kept: f64) -> f64 {
+        let from = self.parent.solution.chi2;
+        from - kept * (from - self.promised)
+    }
+
+    /// Part of the promised fall that is kept at this χ².
+    fn kept(&self, chi2: f64) -> f64 {
+        let from = self.parent.solution.chi2;
+        if from > self.promised { ((from - chi2) / (from - self.promised)).clamp(0.0, 1.0) } else { 1.0 }
     }
 
     /// Starts the two effects of a pair together: the first, while alone, may have taken up what belongs to
@@ -131,22 +145,32 @@ pub fn refit<'a>(
     }
     let mut objective = lead.parent.objective.with(&candidate.effect);
     let (members, key) = (lead.members(), lead.key());
+    let mut found = None;
     if let Some(earlier) = known.iter().find(|k| k.key() == key) {
-        let position = earlier.position_of(&members, candidates);
+        let mut here = earlier.solution_of(&members, candidates);
+        here.chi2 = objective.residuals(&here.position, &here.predicted).norm_squared();
+        let kept = earlier.kept;
         if has_the_minimum_of(earlier, &objective) {
-            let predicted = earlier.solution.predicted.clone();
-            let chi2 = objective.residuals(&position, &predicted).norm_squared();
-            let solution = Solution { position, predicted, chi2 };
-            return Some(CandidateModel { members, objective, solution });
+            return Some(CandidateModel { members, objective, solution: here, kept });
         }
-        if let Some(predicted) = objective.predict(&position)
-            && objective.residuals(&position, &predicted).norm_squared() <= lead.promised
-        {
-            return fit_from(lead.parent, &[lead.added], objective, [Start::own(&position)]);
+        let solution = resume(&mut objective, here, SEARCHING);
+        // What it did not keep before is not believed again.
+        if solution.chi2 <= lead.believed(kept) + worth_a_fit(&objective, solution.chi2) {
+            return within_belief(CandidateModel { members, objective, solution, kept });
         }
+        found = Some(solution);
     }
     let starts = one_by_one(lead.parent, candidate, &lead.starts, &objective.variables);
-    fit_from(lead.parent, &[lead.added], objective, starts.into_iter().chain(lead.together.clone()))
+    let mut set =
+        fit_from(lead.parent, &[lead.added], objective, starts.into_iter().chain(lead.together.clone()), found)?;
+    set.kept = lead.kept(set.solution.chi2);
+    Some(set)
+}
+
+/// Fall of χ² from which a set is worth another fit: one, where the noise explains what is left, and as much more as
+/// what is left is larger.
+pub fn worth_a_fit(objective: &Objective, chi2: f64) -> f64 {
+    (chi2 / objective.freedom().max(1.0)).max(1.0)
 }
 
 /// Whether a set that was fitted under another noise stands at the minimum under this one too: nothing but the level of
@@ -164,7 +188,7 @@ pub fn fit_with<'a>(
 ) -> Option<CandidateModel<'a>> {
     let objective = parent.objective.with(&candidate.effect);
     let starts = one_by_one(parent, candidate, starts, &objective.variables);
-    fit_from(parent, &[added], objective, starts)
+    fit_from(parent, &[added], objective, starts, None)
 }
 
 /// Starts where the set stands, with the new effect in each of its variants.
@@ -190,32 +214,36 @@ pub fn together(rest: &CandidateModel, pair: &Pair, two: [usize; 2], candidates:
     start
 }
 
-/// Fits a set from its starts, and keeps the deepest minimum.
+/// Fits a set from its starts, and keeps the deepest minimum, among which may be one that is known.
 pub fn fit_from<'a>(
     parent: &CandidateModel<'a>,
     added: &[usize],
     mut objective: Objective<'a>,
     starts: impl IntoIterator<Item = Start>,
+    mut best: Option<Solution>,
 ) -> Option<CandidateModel<'a>> {
     if objective.freedom() < 1.0 {
         // A model with as many parameters as rows fits anything.
         return None;
     }
-    let mut best: Option<Solution> = None;
     for start in starts {
         // A model that lacks an effect is biased away from its priors; from there the way back may be
         // barred.
         let bent = objective.prior_chi2(&start.position) > BENT;
         let written = bent.then(|| Start { position: objective.as_written(&start.position), ..start.clone() });
         for start in std::iter::once(start).chain(written) {
-            let found =
-                nearer(&mut objective, start).and_then(|start| minimise(&mut objective, &start, &[], SEARCHING));
-            best = best.into_iter().chain(found).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
+            let ahead = nearer(&mut objective, start).and_then(|start| minimise(&mut objective, &start, &[], AHEAD));
+            best = best.into_iter().chain(ahead).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
         }
     }
-    let solution = best?;
-    let model = CandidateModel { members: [&parent.members, added].concat(), objective, solution };
-    (!model.reads_beyond_belief()).then_some(model)
+    let solution = resume(&mut objective, best?, SEARCHING);
+    within_belief(CandidateModel { members: [&parent.members, added].concat(), objective, solution, kept: 1.0 })
+}
+
+fn within_belief(model: CandidateModel) -> Option<CandidateModel> {
+    // One effect that takes up all there is stands for all that would; several would be no more than interpolation.
+    let is_tested = model.members.len() == 1 || model.objective.is_tested(&model.solution.predicted);
+    (is_tested && !model.reads_beyond_belief()).then_some(model)
 }
 
 /// Halves the amplitudes of a start until the model can be computed there.
@@ -253,7 +281,7 @@ pub fn bare<'a>(
     let position = DVector::from_vec(kept);
     let predicted = trial.objective.predict(&position)?;
     let chi2 = trial.objective.residuals(&position, &predicted).norm_squared();
-    trial.solution = Solution { position, predicted, chi2 };
+    trial.solution = Solution { position, predicted, chi2, slopes: None };
     Some(trial)
 }
 

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
-use super::lead::{Lead, fit_from, leads, refit, together, without};
+use super::lead::{Lead, fit_from, leads, refit, together, without, worth_a_fit};
 use super::null_distribution::{MaxStatistic, Variance};
 use super::pairs;
 use super::residual_projection::ProjectedResidual;
@@ -230,8 +230,6 @@ fn exchange<'a>(
     tried: &mut BTreeMap<Vec<usize>, CandidateModel<'a>>,
     Extent { breadth, known, .. }: Extent<'_, 'a>,
 ) -> CandidateModel<'a> {
-    /// Fall of χ², to first order, for which a set that was tried is fitted again.
-    const AGAIN: f64 = 1.0;
     for _ in 0..EXCHANGES {
         if !base.objective.data.progress.permits("exchanges of one effect for another") {
             break;
@@ -240,7 +238,10 @@ fn exchange<'a>(
             best.members.iter().filter_map(|m| smaller(base, candidates, &best, *m, tried)).collect();
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
         let before = |lead: &Lead| tried.get(&lead.key());
-        leads.retain(|lead| before(lead).is_none_or(|t| lead.promised < t.solution.chi2 - AGAIN));
+        let is_open = |lead: &Lead, known: &CandidateModel| {
+            lead.believed(known.kept) < known.solution.chi2 - worth_a_fit(&known.objective, known.solution.chi2)
+        };
+        leads.retain(|lead| before(lead).is_none_or(|known| is_open(lead, known)));
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
         leads.truncate(breadth.refitted);
         let mut fitted: Vec<CandidateModel> =
@@ -281,9 +282,14 @@ fn reseated<'a>(
         let rest = smaller(base, candidates, &rest, two[1], tried)?;
         let projected = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution)?;
         let pairs = pairs::pairs(&Screening::new(&projected, &two.map(|i| &candidates[i])));
-        let start = together(&rest, pairs.get(&(0, 1))?, *two, candidates);
+        let pair = pairs.get(&(0, 1))?;
+        let believed = rest.solution.chi2 - set.kept * pair.delta_chi2();
+        if believed >= set.solution.chi2 - worth_a_fit(&set.objective, set.solution.chi2) {
+            return None;
+        }
+        let start = together(&rest, pair, *two, candidates);
         let objective = rest.objective.with(&candidates[two[0]].effect).with(&candidates[two[1]].effect);
-        fit_from(&rest, two, objective, [start])
+        fit_from(&rest, two, objective, [start], None)
     };
     twos.par_iter().filter_map(reseat).collect()
 }

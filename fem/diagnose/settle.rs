@@ -95,7 +95,8 @@ fn look<'a>(
     *solution = minimise(objective, &solution.position, &[], StoppingCriterion::FULL).ok_or_else(unsolvable)?;
     let sought = || sensitivity::candidates(objective, solution, absent);
     let candidates = extent.progress.stretch("what each effect would change", sought);
-    let base = CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
+    let base =
+        CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone(), kept: 1.0 };
     let variance = variance(&objective.noise, repeats);
     search::search(base, candidates, variance, extent).ok_or_else(unsolvable)
 }

@@ -1,6 +1,8 @@
 //! Levenberg–Marquardt within bounds. Damping is scaled by the size of each column, a variable that pushes
 //! against its bound stands still, and a step to where the model cannot be computed counts as too long.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::objective::{Differences, Objective, Solution};
@@ -39,23 +41,53 @@ pub fn solve(objective: &mut Objective, start: &DVector<f64>) -> Result<Solution
 }
 
 /// Minimises χ² from `start` with the variables `held` fixed; `None` where χ² cannot be computed at the
-/// start. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden 1965);
-/// no search ends but on differences.
+/// start.
 pub fn minimise(
     objective: &mut Objective,
     start: &DVector<f64>,
     held: &[usize],
     stop: StoppingCriterion,
 ) -> Option<Solution> {
-    let mut here = evaluate(objective, start.clone())?;
-    let (mut damping, mut mended) = (1e-3, None);
+    let start = evaluate(objective, start.clone())?;
+    Some(descend(objective, start, held, stop))
+}
+
+/// Minimises χ² from where another search, of another noise, has left it: as long as its slopes serve, a step costs one
+/// evaluation.
+pub fn resume(objective: &mut Objective, from: Solution, stop: StoppingCriterion) -> Solution {
+    descend(objective, from, &[], stop)
+}
+
+/// Where the Jacobian of a step is from.
+#[derive(Clone, Copy, PartialEq)]
+enum Origin {
+    /// Differences, at this point.
+    Differences,
+    /// Slopes that an earlier search has made close by.
+    Earlier,
+    /// The last one, mended by what the step has seen.
+    Mended,
+}
+
+/// Descends to a minimum. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden
+/// 1965); no search ends but on differences, its own or those by which an earlier one has ended close by.
+fn descend(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
+    let mut here = from;
+    let earlier = here.slopes.take().filter(|_| held.is_empty());
+    let mut known = earlier.as_ref().map(|slopes| (objective.jacobian_of(slopes, &here.position), Origin::Earlier));
+    let (mut damping, mut slopes, mut at_rest) = (1e-3, earlier, false);
     for _ in 0..stop.steps {
         if !objective.data.progress.permits("searches for a minimum to their end") {
             break;
         }
-        let is_fresh = mended.is_none();
-        let Some(jacobian) = mended.take().or_else(|| objective.jacobian_about(&here, held, stop.differences)) else {
-            break;
+        let (jacobian, origin) = match known.take() {
+            Some(known) => known,
+            None => {
+                let Some(own) = objective.slopes_about(&here, held, stop.differences) else { break };
+                let jacobian = objective.jacobian_of(&own, &here.position);
+                slopes = Some(Arc::new(own));
+                (jacobian, Origin::Differences)
+            }
         };
         let residuals = objective.residuals(&here.position, &here.predicted);
         let gradient = jacobian.transpose() * &residuals;
@@ -66,38 +98,60 @@ pub fn minimise(
         let moving: Vec<usize> = (0..objective.variables.len()).filter(|i| !still(*i)).collect();
         let slope = Slope { jacobian: &jacobian, gradient: &gradient, moving: &moving };
         let before = damping;
-        let Some(step) = slope.descend(objective, &here, &mut damping, if is_fresh { TRIALS } else { MENDED_TRIALS })
-        else {
-            if is_fresh {
+        let trials = if origin == Origin::Differences { TRIALS } else { MENDED_TRIALS };
+        let step = match slope.descend(objective, &here, &mut damping, trials, stop.tolerance * (1.0 + here.chi2)) {
+            Descent::Lower(step) => step,
+            Descent::Settled if origin != Origin::Mended => {
+                at_rest = true;
                 break;
             }
-            damping = before;
-            continue;
+            Descent::Barred if origin == Origin::Differences => {
+                at_rest = true;
+                break;
+            }
+            Descent::Settled | Descent::Barred => {
+                damping = before;
+                continue;
+            }
         };
         let fall = here.chi2 - step.to.chi2;
         let settled = fall <= stop.tolerance * (1.0 + here.chi2);
         if !settled && fall >= AS_PROMISED * step.promised {
-            mended = Some(slope.mended(objective, &residuals, &here.position, &step.to));
+            known = Some((slope.mended(objective, &residuals, &here.position, &step.to), Origin::Mended));
         }
         here = step.to;
-        if settled && is_fresh {
+        at_rest = settled && origin != Origin::Mended;
+        if at_rest {
             break;
         }
     }
-    Some(here)
+    // Those of a search that was cut short are of another place, and those with variables held are not all there.
+    Solution { slopes: slopes.filter(|_| at_rest && held.is_empty()), ..here }
 }
 
 fn evaluate(objective: &mut Objective, position: DVector<f64>) -> Option<Solution> {
     let predicted = objective.predict(&position)?;
     let chi2 = objective.residuals(&position, &predicted).norm_squared();
-    Some(Solution { position, predicted, chi2 })
+    Some(Solution { position, predicted, chi2, slopes: None })
 }
 
 /// Trials of the damping, with a Jacobian by differences and with a mended one.
 const TRIALS: usize = 25;
 const MENDED_TRIALS: usize = 2;
+/// Damping up to which a step is about as long as without.
+const LITTLE: f64 = 1e-2;
 /// Part of the promised fall of χ² from which a Jacobian is mended and kept.
 const AS_PROMISED: f64 = 0.5;
+
+/// What a linear model leads to.
+enum Descent {
+    /// A step that lowers χ².
+    Lower(Step),
+    /// None does, and none promised a fall that is worth a step.
+    Settled,
+    /// No step that was tried lowers χ² as it promised.
+    Barred,
+}
 
 /// A step that lowers χ².
 struct Step {
@@ -114,11 +168,18 @@ struct Slope<'a> {
 }
 
 impl Slope<'_> {
-    /// Finds the first damped step that lowers χ².
-    fn descend(&self, objective: &mut Objective, here: &Solution, damping: &mut f64, trials: usize) -> Option<Step> {
+    /// Finds the first damped step that lowers χ², as long as steps promise more than `least`.
+    fn descend(
+        &self,
+        objective: &mut Objective,
+        here: &Solution,
+        damping: &mut f64,
+        trials: usize,
+        least: f64,
+    ) -> Descent {
         let (n, moving) = (self.moving.len(), self.moving);
         if n == 0 {
-            return None;
+            return Descent::Settled;
         }
         let columns = DMatrix::from_fn(self.jacobian.nrows(), n, |r, c| self.jacobian[(r, moving[c])]);
         let normal = columns.transpose() * &columns;
@@ -135,15 +196,18 @@ impl Slope<'_> {
                     position[moved] = (position[moved] + step[i]).clamp(variable.low, variable.high);
                     step[i] = position[moved] - here.position[moved];
                 }
+                let promised = 2.0 * downhill.dot(&step) - step.dot(&(&normal * &step));
                 if let Some(to) = evaluate(objective, position).filter(|next| next.chi2 < here.chi2) {
                     *damping = (*damping * 0.2).max(1e-12);
-                    let promised = 2.0 * downhill.dot(&step) - step.dot(&(&normal * &step));
-                    return Some(Step { to, promised });
+                    return Descent::Lower(Step { to, promised });
+                }
+                if *damping <= LITTLE && promised.abs() <= least {
+                    return Descent::Settled;
                 }
             }
             *damping *= 4.0;
         }
-        None
+        Descent::Barred
     }
 
     /// The Jacobian that gives what a step has changed, and is otherwise the nearest to this one, lengths

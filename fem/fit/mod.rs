@@ -13,7 +13,7 @@ mod write;
 
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
-pub use least_squares::{StoppingCriterion, minimise};
+pub use least_squares::{StoppingCriterion, minimise, resume};
 pub use objective::{Objective, Solution, Trials};
 pub use search_variable::SearchVariable;
 pub use sizes::{EstimatedSize, size_estimate};
@@ -138,7 +138,8 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
 }
 
 /// Reduced χ² and its p-value for a known noise; lack of fit over pure error, by the F distribution, with
-/// repeats; no p-value where the noise is only estimated.
+/// repeats, which is no number where as many parameters as conditions leave none; no p-value where the noise is only
+/// estimated.
 pub fn reduced_chi2(objective: &Objective, solution: &Solution, repeats: &Repeats) -> (f64, Option<f64>) {
     let freedom = objective.freedom();
     match objective.noise.source {
@@ -148,6 +149,9 @@ pub fn reduced_chi2(objective: &Objective, solution: &Solution, repeats: &Repeat
             // be another beside effects of the measurement.
             let (own, pure) = (repeats.freedom() as f64, pure_error(objective, repeats));
             let freedom = freedom - own;
+            if freedom < 1.0 {
+                return (f64::NAN, None);
+            }
             let f = (solution.chi2 - pure).max(0.0) / freedom * own / pure;
             (f, beyond_f(freedom, repeats.effective_freedom(), f))
         }

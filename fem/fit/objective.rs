@@ -1,5 +1,6 @@
 //! Objective function: χ² of the rows and of the priors, as a function of the search variables.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -7,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::search_variable::SearchVariable;
 use crate::input::Parameter;
-use crate::measure::Measurements;
+use crate::measure::{Measurements, repeats};
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource};
 use crate::process::{self, Active, Description, Failure, Holds, Rows};
@@ -27,6 +28,8 @@ pub struct Objective<'a> {
     pub variables: Vec<SearchVariable>,
     /// Noise by which the rows are weighted.
     pub noise: Noise,
+    /// Condition of each row: those that repeat each other have the same.
+    conditions: Arc<[usize]>,
     /// Evaluations of the model so far, of this objective and of all that were made of it.
     pub trials: Arc<Trials>,
 }
@@ -68,6 +71,8 @@ pub struct Solution {
     pub predicted: Vec<f64>,
     /// χ² of rows and priors.
     pub chi2: f64,
+    /// Slopes of the prediction there or close by, SI per unit of the search variables, if a search has made them.
+    pub slopes: Option<Arc<DMatrix<f64>>>,
 }
 
 impl<'a> Objective<'a> {
@@ -113,6 +118,7 @@ impl<'a> Objective<'a> {
             parameters: model.parameters.clone(),
             variables,
             noise,
+            conditions: repeats(data, model.process.coordinates()).group.into(),
             trials: Arc::default(),
         })
     }
@@ -172,6 +178,17 @@ impl<'a> Objective<'a> {
     /// Degrees of freedom: rows and priors less parameters and datum directions.
     pub fn freedom(&self) -> f64 {
         self.data.freedom() - self.noise.free_directions() as f64 - (self.variables.len() - self.priors()) as f64
+    }
+
+    /// Whether a prediction could fail: rows of different conditions, or that are predicted apart, are more than what is
+    /// free. Rows that repeat each other leave degrees of freedom, but test nothing.
+    pub fn is_tested(&self, predicted: &[f64]) -> bool {
+        let free = self.data.len() as f64 - self.freedom();
+        let is_enough = |count: usize| count as f64 >= free + 1.0;
+        let conditions = self.conditions.iter().max().map_or(0, |last| last + 1);
+        let apart =
+            || self.conditions.iter().zip(predicted).map(|(c, p)| (*c, p.to_bits())).collect::<HashSet<_>>().len();
+        is_enough(conditions) || is_enough(apart())
     }
 
     /// χ² of the priors alone.
@@ -247,40 +264,52 @@ impl<'a> Objective<'a> {
         DVector::from_vec(self.noise.whiten(difference).into_iter().chain(priors).collect())
     }
 
-    /// Jacobian of the residuals about a point by these differences; columns of variables that are `held` are
-    /// zero.
-    pub fn jacobian_about(
-        &mut self,
-        here: &Solution,
-        held: &[usize],
-        differences: Differences,
-    ) -> Option<DMatrix<f64>> {
-        let residuals = self.residuals(&here.position, &here.predicted);
-        let mut jacobian = DMatrix::zeros(residuals.len(), self.variables.len());
+    /// Slopes of the prediction about a point by these differences: SI per unit of the search variables, which no
+    /// noise changes; columns of variables that are `held` are zero.
+    pub fn slopes_about(&mut self, here: &Solution, held: &[usize], differences: Differences) -> Option<DMatrix<f64>> {
+        let mut slopes = DMatrix::zeros(here.predicted.len(), self.variables.len());
         for i in (0..self.variables.len()).filter(|i| !held.contains(i)) {
             let ends: [f64; 2] = self.around(&here.position, i).into();
             let mut at = |s: f64| {
                 let mut moved = here.position.clone();
                 moved[i] = s;
-                self.predict(&moved).map(|p| self.residuals(&moved, &p))
+                self.predict(&moved)
             };
-            let column = match differences {
-                Differences::Central => (at(ends[1])? - at(ends[0])?) / (ends[1] - ends[0]),
+            let (near, far, step) = match differences {
+                Differences::Central => (at(ends[0])?, at(ends[1])?, ends[1] - ends[0]),
                 Differences::Forward => {
                     // Inwards at a bound.
                     let far = |s: &f64| (s - here.position[i]).abs();
                     let s = if far(&ends[1]) >= far(&ends[0]) { ends[1] } else { ends[0] };
-                    (at(s)? - &residuals) / (s - here.position[i])
+                    (here.predicted.clone(), at(s)?, s - here.position[i])
                 }
             };
-            jacobian.set_column(i, &column);
+            let column = far.iter().zip(&near).map(|(far, near)| (far - near) / step);
+            slopes.set_column(i, &DVector::from_iterator(near.len(), column));
         }
-        Some(jacobian)
+        Some(slopes)
+    }
+
+    /// Jacobian of the residuals, those of the priors included, by the slopes of the prediction at a position.
+    pub fn jacobian_of(&self, slopes: &DMatrix<f64>, position: &DVector<f64>) -> DMatrix<f64> {
+        let mut jacobian = DMatrix::zeros(slopes.nrows() + self.priors(), slopes.ncols());
+        let mut prior = slopes.nrows();
+        for (i, variable) in self.variables.iter().enumerate() {
+            let column = self.noise.whiten(slopes.column(i).iter().map(|slope| -slope));
+            jacobian.column_mut(i).rows_mut(0, column.len()).copy_from_slice(&column);
+            if let Some((_, std)) = variable.prior {
+                let (low, high) = self.around(position, i);
+                jacobian[(prior, i)] = (variable.value(low) - variable.value(high)) / ((high - low) * std);
+                prior += 1;
+            }
+        }
+        jacobian
     }
 
     /// Jacobian of the residuals by central differences, one-sided at a bound.
     pub fn jacobian(&mut self, here: &Solution) -> Option<DMatrix<f64>> {
-        self.jacobian_about(here, &[], Differences::Central)
+        let slopes = self.slopes_about(here, &[], Differences::Central)?;
+        Some(self.jacobian_of(&slopes, &here.position))
     }
 
     /// Sensitivities: derivatives of the prediction of any rows, SI per unit of the search variables.

@@ -4,7 +4,7 @@ use serde_json::json;
 use toml_edit::{Item, Value};
 
 use super::{Bounds, Problem, Reader, did_you_mean};
-use crate::units::{Kind, LARGEST, Quantity};
+use crate::units::{Kind, Knowledge, LARGEST, Quantity};
 
 impl<'a> Reader<'a> {
     /// A key with a quantity of `kind`.
@@ -36,11 +36,18 @@ pub struct Field<'r, 'a> {
     pub(super) kind: Kind,
     pub(super) about: &'static str,
     bounds: Bounds,
+    is_chosen: bool,
 }
 
 impl<'r, 'a> Field<'r, 'a> {
     pub(super) fn new(reader: &'r Reader<'a>, key: &'static str, kind: Kind, about: &'static str) -> Self {
-        Self { reader, key, kind, about, bounds: Bounds::Any }
+        Self { reader, key, kind, about, bounds: Bounds::Any, is_chosen: false }
+    }
+
+    /// Is chosen by whoever computes, as a step or a size of elements: no measurement tells it, and it is never unknown.
+    pub fn chosen(mut self) -> Self {
+        self.is_chosen = true;
+        self
     }
 
     /// Must lie within `bounds`.
@@ -101,7 +108,9 @@ impl<'r, 'a> Field<'r, 'a> {
             "" => json!({ "type": ["number", "string"], "description": self.about }),
             unit => {
                 let about = format!("{} (e.g. \"{}\")", self.about, self.kind.example());
-                json!({ "type": "string", "description": about, "examples": [self.kind.example(), format!("? {unit}")] })
+                let unknown = (!self.is_chosen).then(|| format!("? {unit}"));
+                let examples: Vec<String> = [self.kind.example().to_string()].into_iter().chain(unknown).collect();
+                json!({ "type": "string", "description": about, "examples": examples })
             }
         }
     }
@@ -146,6 +155,10 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     pub(super) fn check(&self, quantity: Quantity) -> Result<Quantity, Problem> {
+        if self.is_chosen && quantity.knowledge != Knowledge::Known {
+            let message = format!("`{}` is chosen, and nothing that is measured tells it", self.key);
+            return Err(Problem::new(message).help(format!("write {}", self.example())));
+        }
         // An unknown value has no bounds to keep, but the place where a search for it begins has.
         if quantity.value.is_nan() {
             return Ok(quantity);

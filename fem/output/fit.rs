@@ -91,17 +91,14 @@ pub fn text(data: &Data, fit: &Fit) -> String {
         let _ = writeln!(text, "\n  {a} and {b} can hardly be told apart (correlation {c:+.3})");
     }
     let verdict = match adequate(fit) {
+        _ if !fit.reduced_chi2.is_finite() => "as many parameters as conditions leave nothing to judge the model by",
         Some(true) => "the noise explains what is left",
         Some(false) => "more is left than the noise explains: something is missing, or what is written is wrong",
         None => "whether that is noise cannot be told without repeats or a column u",
     };
-    let _ = writeln!(
-        text,
-        "\n  rms {:.3} {}, chi2/dof {:.3}: {verdict}",
-        kind.from_si(fit.rms),
-        kind.unit,
-        fit.reduced_chi2
-    );
+    let chi2 = Some(fit.reduced_chi2).filter(|chi2| chi2.is_finite());
+    let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {chi2:.3}"));
+    let _ = writeln!(text, "\n  rms {:.3} {}{chi2}: {verdict}", kind.from_si(fit.rms), kind.unit);
     if fit.failures > 0 {
         let _ =
             writeln!(text, "  the model could not be computed at {} of {} trial values", fit.failures, fit.evaluations);

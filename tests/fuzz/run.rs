@@ -106,7 +106,13 @@ impl Case {
             }
             std::thread::sleep(Duration::from_millis(if start.elapsed().as_millis() < 50 { 2 } else { 10 }));
         };
-        let [out, err] = [out, err].map(|path| String::from_utf8_lossy(&std::fs::read(path).unwrap()).into_owned());
+        let [mut out, err] = [out, err].map(|path| String::from_utf8_lossy(&std::fs::read(path).unwrap()).into_owned());
+        for (_, content) in &self.files {
+            // What the user has called so is no number of the program's.
+            for name in String::from_utf8_lossy(content).split('"').skip(1).step_by(2).filter(|n| has_no_number(n)) {
+                out = out.replace(name, "");
+            }
+        }
         judge(status.code(), &out, &err).map_or(Ok(status.code().unwrap_or_default()), Err)
     }
 }
@@ -139,7 +145,12 @@ pub fn judge(status: Option<i32>, out: &str, err: &str) -> Option<Fault> {
     if err.len() > MOST_TOLD {
         return Some(Fault::Told(err.len()));
     }
-    let is_none = |word: &&str| ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str());
-    let line = out.lines().find(|line| line.split(|c: char| !c.is_alphanumeric() && c != '_').any(|w| is_none(&w)));
+    let line = out.lines().find(|line| has_no_number(line));
     line.filter(|_| status == Some(0)).map(|line| Fault::NoNumber(line.trim().to_string()))
+}
+
+/// Whether a word of the text stands for a number that is none.
+fn has_no_number(text: &str) -> bool {
+    let is_none = |word: &str| ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str());
+    text.split(|c: char| !c.is_alphanumeric() && c != '_').any(is_none)
 }

@@ -211,12 +211,9 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
     for (label, goodness) in lines {
         let out =
             goodness.cross_validation.filter(|h| h.is_finite()).map_or("-".into(), |h| format!("{:.3}", h * sigma));
-        let _ = writeln!(
-            text,
-            "  {label:<width$} {:>11.3} {:>11.3}   {out:>11}",
-            kind.from_si(goodness.rms),
-            goodness.reduced_chi2
-        );
+        // As many parameters as conditions leave no lack of fit to judge.
+        let chi2 = Some(goodness.reduced_chi2).filter(|c| c.is_finite()).map_or("-".into(), |c| format!("{c:.3}"));
+        let _ = writeln!(text, "  {label:<width$} {:>11.3} {chi2:>11}   {out:>11}", kind.from_si(goodness.rms));
     }
     let _ = writeln!(text, "  {:<width$} {sigma:>11.3}", "noise");
     let _ = writeln!(text, "  in {}", kind.unit);

@@ -81,13 +81,13 @@ impl Speed {
 impl Division {
     /// Reads how blocks are chosen from the table of the programme.
     pub fn read(t: &Reader, pace: Option<Pace>) -> Option<Self> {
-        let step = t.quantity("step", LENGTH, "blocks of equal length of profile").positive().optional();
+        let step = t.quantity("step", LENGTH, "blocks of equal length of profile").chosen().positive().optional();
         let angle = t.quantity("angle", ANGLE, "blocks of equal turn of the cam").positive().optional();
         let about = "blocks of equal time: of equal turn at one cam_speed, of equal length at one feed";
         let time = t.quantity("time", TIME, about).positive().optional();
         let blocks = t.count("blocks", "so many blocks of equal turn in all").between(1, MOST_BLOCKS).optional();
         let about = "the fewest blocks that keep the profile within this on either side";
-        let tolerance = t.quantity("tolerance", MICRO, about).positive().optional();
+        let tolerance = t.quantity("tolerance", MICRO, about).chosen().positive().optional();
         let about = "whether a block ends at every joint of the profile's segments or may pass over them";
         let at_joints = t.choice("joints", about, BREAKS).or_first(true);
         let about =

@@ -56,7 +56,7 @@ impl Setup {
             table.flatten()
         });
         let wheel_radius = model.table("wheel", "the grinding wheel", |t| {
-            t.quantity("radius", LENGTH, "its radius, for which the programme is made").positive().required()
+            t.quantity("radius", LENGTH, "its radius, for which the programme is made").within(0.0, 100.0).required()
         });
         let cut = model.optional_table("cut", "what is ground", |t| {
             let stock =

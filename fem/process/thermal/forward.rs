@@ -4,11 +4,11 @@ use super::body::Body;
 use super::follow::{Followed, Look, Watch};
 use super::machine::Machine;
 use super::rows::{ELONGATION, TIME_OF_ROW, X, Y};
-use super::setup::Time;
+use super::setup::{MOST_STEPS, Time};
 use super::{plate, rod};
 use crate::process::{Failure, Rows};
 use crate::solve::conduction::Run;
-use crate::units::TEMPERATURE_RISE;
+use crate::units::{TEMPERATURE_RISE, TIME};
 
 /// The elongation (m) or the temperature (K) of every row.
 ///
@@ -30,12 +30,25 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let of_row: Vec<usize> = (0..rows.len()).map(position).collect();
     let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
     let run = Run { end, ..run(machine)? };
+    refuse_too_many_steps(&run)?;
     let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
     let mut values = read(machine, &looks, &readings, &run)?;
     for (value, observable) in values.iter_mut().zip(&rows.observable) {
         *value += if *observable == ELONGATION { 0.0 } else { machine.setup.start };
     }
     Ok(values)
+}
+
+/// Refuses rows that are read so late, or followed in steps so short, that nobody could wait for them.
+fn refuse_too_many_steps(run: &Run) -> Result<(), Failure> {
+    if run.end / run.step <= MOST_STEPS {
+        return Ok(());
+    }
+    let (end, step) = (TIME.told(run.end), TIME.told(run.step));
+    Err(Failure {
+        message: format!("the rows reach to {end}, which is more than {MOST_STEPS} steps of {step}"),
+        help: "check the unit of their column `time`, or take longer steps in [time]".into(),
+    })
 }
 
 /// What is seen, each reading by the position of its look and its time (s).

@@ -13,7 +13,7 @@ use crate::solve::rod::{History, Known, PointSource};
 use crate::units::{LENGTH, TEMPERATURE, TEMPERATURE_RISE, TIME};
 
 /// Most steps of a run.
-const MOST_STEPS: f64 = 200_000.0;
+pub const MOST_STEPS: f64 = 200_000.0;
 /// Times at which the model's own programme looks, as a rule and at most.
 const USUAL_TIMES: f64 = 100.0;
 const MOST_TIMES: f64 = 20_000.0;
@@ -95,7 +95,8 @@ impl Setup {
         let [usual, most] = body.elements();
         let usual_size = length / usual;
         let element_size = model.optional_table("mesh", "the body in finite elements", |t| {
-            let size = t.quantity("element_size", LENGTH, "longest element along the body").positive().or(usual_size);
+            let size =
+                t.quantity("element_size", LENGTH, "longest element along the body").chosen().positive().or(usual_size);
             if length / size > most {
                 t.problem(
                     "element_size",
@@ -182,13 +183,18 @@ impl Time {
     }
 
     fn read(t: &Reader) -> Self {
-        let end = t.quantity("end", TIME, "when the run ends").positive().required();
-        let step = t.quantity("step", TIME, "longest time step; chosen by tolerance if left out").positive().optional();
+        let end = t.quantity("end", TIME, "when the run ends").chosen().positive().required();
+        let step = t
+            .quantity("step", TIME, "longest time step; chosen by tolerance if left out")
+            .chosen()
+            .positive()
+            .optional();
         if step.is_some_and(|step| end / step > MOST_STEPS) {
             let message = format!("these are more than {MOST_STEPS} steps");
             t.problem("step", message, "take longer steps, or leave `step` out");
         }
-        let tolerance = t.quantity("tolerance", TEMPERATURE_RISE, "error of a temperature that chosen steps may leave");
+        let tolerance =
+            t.quantity("tolerance", TEMPERATURE_RISE, "error of a temperature that chosen steps may leave").chosen();
         Self {
             end,
             step,
@@ -211,7 +217,7 @@ fn read_measurement(t: &Reader, length: f64, time: &Time) -> (Vec<f64>, Vec<f64>
         );
     }
     let interval =
-        t.quantity("interval", TIME, "from one prediction to the next").positive().or(time.end / USUAL_TIMES);
+        t.quantity("interval", TIME, "from one prediction to the next").chosen().positive().or(time.end / USUAL_TIMES);
     if time.end / interval > MOST_TIMES {
         t.problem("interval", format!("these are more than {MOST_TIMES} times"), "take a longer interval");
         return (places, Vec::new());

@@ -287,7 +287,7 @@ fn read_mesh(model: &Reader, length: f64) -> (f64, BeamTheory) {
     const BEAMS: &[(&str, BeamTheory)] =
         &[("timoshenko", BeamTheory::Timoshenko), ("euler-bernoulli", BeamTheory::EulerBernoulli)];
     let mesh = model.optional_table("mesh", "the shaft as beam elements", |t| {
-        let size = t.quantity("element_size", LENGTH, "longest beam element").positive().or(5e-3);
+        let size = t.quantity("element_size", LENGTH, "longest beam element").chosen().positive().or(5e-3);
         if length / size > MOST_ELEMENTS {
             let message = format!("the shaft would have {:.1e} elements", length / size);
             t.problem("element_size", message, "beams are exact at any length: a few millimetres are enough");
