@@ -144,12 +144,11 @@ impl Binned {
     ) -> (Option<Trend>, Vec<(f64, f64)>) {
         let ([bins], [i]) = (&self.bins[..], &self.along.0[..]) else { return (None, Vec::new()) };
         let canonical = |v: f64| coordinates[*i].holds.kind().map_or(v, |k| k.from_si(v));
-        let values = measurements.rows.columns[*i].iter().map(|v| canonical(*v));
-        let (places, counts) = gather(bins, self.counts[0], values);
-        let (sums, _) = gather(bins, self.counts[0], residuals.iter().map(|r| kind.from_si(*r)));
+        let (places, counts) = gather(bins, self.counts[0], measurements.rows.columns[*i].iter().copied());
+        let (sums, _) = gather(bins, self.counts[0], residuals.iter().copied());
         let points: Vec<(f64, f64, f64)> = (0..self.counts[0])
             .filter(|b| counts[*b] > 0.0)
-            .map(|b| (places[b] / counts[b], sums[b] / counts[b], counts[b]))
+            .map(|b| (canonical(places[b] / counts[b]), kind.from_si(sums[b] / counts[b]), counts[b]))
             .collect();
         let variance = kind.from_si(sigma).powi(2);
         (Some(Trend::of(&points, variance)), points.iter().map(|p| (p.0, p.1)).collect())

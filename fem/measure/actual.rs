@@ -1,7 +1,5 @@
 //! Actual values beside commanded ones: what is observed is their difference.
 
-use csv::StringRecord;
-
 use super::heading::Heading;
 use super::sheet::Row;
 use super::vocabulary::Vocabulary;
@@ -43,8 +41,7 @@ pub fn less_commanded(
                 _ => None,
             };
             let Some(difference) = difference else { continue };
-            let cells = row.cells.iter().enumerate();
-            row.cells = cells.map(|(i, cell)| if i == actual { &*difference } else { cell }).collect::<StringRecord>();
+            row.cells = row.cells.with(actual, &difference);
         }
         told.push(format!("{observable} = {} - {}", headings[actual].name, coordinate.name));
         headings[actual].name = observable.to_string();

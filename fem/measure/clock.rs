@@ -1,7 +1,5 @@
 //! Dates and times of day in a column of times: counted in seconds from the first row's.
 
-use csv::StringRecord;
-
 use super::heading::Heading;
 use super::moment::Moment;
 use super::sheet::{MOST_PROBLEMS, Row};
@@ -32,7 +30,7 @@ pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut
         let problem = match Moment::parse(&text).and_then(|moment| moment.after(zero)) {
             Some(seconds) if zero.has_date || seconds >= before => {
                 before = seconds;
-                row.cells = with(&row.cells, column, &seconds.to_string());
+                row.cells = row.cells.with(column, &seconds.to_string());
                 continue;
             }
             Some(_) => Problem::new(format!("`{name}` falls to {text}: is it past midnight?"))
@@ -51,9 +49,4 @@ pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut
         ),
     });
     problems
-}
-
-/// A record with another cell in a column.
-fn with(cells: &StringRecord, column: usize, cell: &str) -> StringRecord {
-    cells.iter().enumerate().map(|(i, own)| if i == column { cell } else { own }).collect()
 }

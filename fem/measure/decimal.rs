@@ -1,6 +1,6 @@
 //! Decimal marks: which of comma and point is one, and numbers written with a point.
 
-use csv::StringRecord;
+use std::borrow::Cow;
 
 use super::sheet::{MOST_PROBLEMS, Row};
 use crate::input::Problem;
@@ -63,18 +63,18 @@ pub fn settle(
     }
     let mut problems = Vec::new();
     for row in rows {
-        let mut cells = StringRecord::new();
+        let mut cells: Vec<Cow<str>> = Vec::new();
         for (cell, numeric) in row.cells.iter().zip(numeric) {
-            match plain(cell, decimal).filter(|_| *numeric) {
-                Some(Ok(number)) => cells.push_field(&number),
+            cells.push(match plain(cell, decimal).filter(|_| *numeric) {
+                Some(Ok(number)) => number.into(),
                 Some(Err(problem)) if problems.len() < MOST_PROBLEMS => {
                     problems.push(problem.at(Some(row.place.clone())));
-                    cells.push_field(cell);
+                    cell.into()
                 }
-                _ => cells.push_field(cell),
-            }
+                _ => cell.into(),
+            });
         }
-        row.cells = cells;
+        row.cells = cells.into_iter().collect();
     }
     Ok(problems)
 }

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use csv::StringRecord;
-
+use super::cells::Cells;
 use super::reading::{Reading, is_meant};
 use super::{MeasuredObservable, Measurements};
 use crate::input::{InputError, Problem, Source, name_and_unit};
@@ -123,7 +122,7 @@ impl Measurements {
     }
 
     /// Adds records under the columns that are there already, in their units, and under new ones.
-    fn align(&mut self, header: &[String], records: &[StringRecord]) {
+    fn align(&mut self, header: &[String], records: &[Cells]) {
         let mut columns = Vec::new();
         for cell in header {
             let same = self.header.iter().position(|own| conversion(cell, own).is_some());
@@ -132,9 +131,8 @@ impl Measurements {
                 self.header.len() - 1
             }));
         }
-        let empty =
-            |record: &StringRecord| record.iter().chain(std::iter::repeat("")).take(self.header.len()).collect();
-        let mut all: Vec<StringRecord> = self.records.iter().map(empty).collect();
+        let empty = |record: &Cells| record.iter().chain(std::iter::repeat("")).take(self.header.len()).collect();
+        let mut all: Vec<Cells> = self.records.iter().map(empty).collect();
         for record in records {
             let mut cells = vec![String::new(); self.header.len()];
             for ((cell, own), column) in record.iter().zip(header).zip(&columns) {
@@ -148,7 +146,7 @@ impl Measurements {
                     _ => cell.to_string(),
                 };
             }
-            all.push(StringRecord::from(cells));
+            all.push(cells.into_iter().collect());
         }
         self.records = all;
     }

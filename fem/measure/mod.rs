@@ -1,6 +1,7 @@
 //! Measurement files: one observation per row, with its coordinates, its value and perhaps its uncertainty.
 
 mod actual;
+mod cells;
 mod clock;
 mod decimal;
 mod header;
@@ -19,6 +20,7 @@ mod vocabulary;
 mod wide;
 mod words;
 
+pub use cells::Cells;
 pub use decimal::Decimal;
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
@@ -61,9 +63,23 @@ pub struct Measurements {
     /// Options by which the user has said how the file is to be read.
     pub said: Vec<String>,
     /// Records, in the program's form.
-    pub records: Vec<csv::StringRecord>,
+    pub records: Vec<Cells>,
     /// Notes for the user: columns that were not used.
     pub notes: Vec<String>,
+}
+
+/// Parts levels by a further key; they are numbered from 0 as they first appear.
+fn parted(mut levels: Vec<usize>, key: impl Fn(usize) -> u64) -> Vec<usize> {
+    // Most keys are the same in every row.
+    if (1..levels.len()).all(|row| key(row) == key(0)) {
+        return levels;
+    }
+    let mut numbers: HashMap<(usize, u64), usize> = HashMap::new();
+    for (row, level) in levels.iter_mut().enumerate() {
+        let next = numbers.len();
+        *level = *numbers.entry((*level, key(row))).or_insert(next);
+    }
+    levels
 }
 
 impl Measurements {
@@ -156,28 +172,21 @@ impl Measurements {
 
     /// Level of each row by some coordinates, or the [`FILE`], together, numbered from 0 as they first appear.
     pub fn levels(&self, by: &[usize]) -> Vec<usize> {
-        self.numbered(|row| by.iter().map(|i| self.level(*i, row)).collect())
+        by.iter().fold(vec![0; self.len()], |levels, i| parted(levels, |row| self.level(*i, row)))
     }
 
     /// The same, each observable of each file by itself.
     fn levels_of_observables(&self, by: &[usize]) -> Vec<usize> {
-        let own = |row: usize| [self.rows.observable[row] as u64, self.file_number(row) as u64];
-        self.numbered(|row| by.iter().map(|i| self.level(*i, row)).chain(own(row)).collect())
+        let of_files = match self.files.len() {
+            0 | 1 => self.levels(by),
+            _ => parted(self.levels(by), |row| self.file_number(row) as u64),
+        };
+        parted(of_files, |row| self.rows.observable[row] as u64)
     }
 
     /// Value of a coordinate, or number of the file, as a key.
     fn level(&self, by: usize, row: usize) -> u64 {
         self.rows.columns.get(by).map_or(self.file_number(row) as u64, |column| column[row].to_bits())
-    }
-
-    /// Numbers rows of equal keys from 0 as they first appear.
-    fn numbered(&self, key: impl Fn(usize) -> Vec<u64>) -> Vec<usize> {
-        let mut numbers: HashMap<Vec<u64>, usize> = HashMap::new();
-        let mut number = |row: usize| {
-            let next = numbers.len();
-            *numbers.entry(key(row)).or_insert(next)
-        };
-        (0..self.len()).map(&mut number).collect()
     }
 
     /// Row numbers of each observable.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use super::cells::Cells;
 use super::header::{self, Column, Header};
 use super::instrument::text_of_rtx;
 use super::reading::Reading;
@@ -200,7 +201,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Reads the observed values of a record; empty cells observe nothing. A design asks for none.
-    fn observed(&self, record: &csv::StringRecord) -> Result<Vec<Observed>, Problem> {
+    fn observed(&self, record: &Cells) -> Result<Vec<Observed>, Problem> {
         let cells = || record.iter().zip(&self.header.columns).zip(&self.measurements.header);
         let mut all = Vec::new();
         for ((cell, column), name) in cells() {
@@ -226,7 +227,7 @@ impl<'a> Builder<'a> {
 
     /// Infers the observable of a row of a design that does not name it: the one that needs the coordinates
     /// that are given, else the first.
-    fn planned(&self, record: &csv::StringRecord) -> usize {
+    fn planned(&self, record: &Cells) -> usize {
         let needs = |(cell, column): (&str, &Column)| match column {
             Column::Coordinate(i, _) if !cell.is_empty() => self.vocabulary.coordinates[*i].absent.only_of(),
             _ => None,
@@ -236,7 +237,7 @@ impl<'a> Builder<'a> {
 
     /// Reads the coordinates of a record. A coordinate of an observable that the record does not observe may
     /// be empty.
-    fn coordinates(&self, record: &csv::StringRecord, observed: &[Observed]) -> Result<Vec<f64>, Problem> {
+    fn coordinates(&self, record: &Cells, observed: &[Observed]) -> Result<Vec<f64>, Problem> {
         let mut coordinates: Vec<f64> = self.vocabulary.coordinates.iter().map(left_out).collect();
         for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
             let Column::Coordinate(i, unit) = column else { continue };

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use csv::StringRecord;
 
+use super::cells::Cells;
 use crate::input::{Problem, Source, line_at, no_csv};
 
 /// Number of problems after which reading stops.
@@ -21,7 +22,7 @@ const SEPARATORS: [char; 3] = [';', '\t', ','];
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Cells without the blanks around them.
-    pub cells: StringRecord,
+    pub cells: Cells,
     /// Bytes of its line in the source.
     pub place: Range<usize>,
     /// Line of the file, from 1.
@@ -75,13 +76,15 @@ pub fn read(source: &Source) -> Result<Sheet, Problem> {
         told: told(separator),
     };
     let (mut counted, mut line) = (0, 1);
-    for record in reader.records() {
-        match record {
-            Ok(cells) => {
-                let place = place(&cells);
+    let mut record = StringRecord::new();
+    loop {
+        match reader.read_record(&mut record) {
+            Ok(false) => break,
+            Ok(true) => {
+                let place = place(&record);
                 line += whole[counted..place.start].matches('\n').count() as u64;
                 counted = place.start;
-                sheet.rows.push(Row { cells, place, line });
+                sheet.rows.push(Row { cells: record.iter().collect(), place, line });
             }
             Err(error) => sheet.problems.push(ragged(&error, skipped, separator)),
         }

@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use csv::StringRecord;
-
 use super::heading::{self, Heading};
 use super::reading::{self, Reading};
 use super::sheet::{self, MOST_PROBLEMS, Row, Sheet};
@@ -117,7 +115,7 @@ fn headings(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) -> Result
     }
     if kept.len() < sheet.header.len() {
         for row in &mut sheet.rows {
-            row.cells = kept.iter().map(|column| row.cells.get(*column).unwrap_or_default()).collect::<StringRecord>();
+            row.cells = kept.iter().map(|column| row.cells.get(*column).unwrap_or_default()).collect();
         }
     }
     Ok(headings)
@@ -173,8 +171,7 @@ fn settle_words(rows: &mut [Row], column: usize, heading: &Heading, vocabulary: 
         let cell = row.cells.get(column).unwrap_or_default();
         let Some(word) = words::meant(cell, all).filter(|word| *word != cell) else { continue };
         told.entry(cell.to_string()).or_insert(word);
-        let cells = row.cells.iter().enumerate();
-        row.cells = cells.map(|(i, own)| if i == column { word } else { own }).collect::<StringRecord>();
+        row.cells = row.cells.with(column, word);
     }
     told.into_iter().map(|(cell, word)| format!("{} `{cell}` as {word}", heading.name)).collect()
 }

@@ -1,7 +1,6 @@
 //! Wide files, which have a column for every sensor: each column becomes rows of its own.
 
-use csv::StringRecord;
-
+use super::cells::Cells;
 use super::heading::{Condition, Heading};
 use super::sheet::Row;
 use super::vocabulary::Vocabulary;
@@ -54,7 +53,7 @@ pub fn lengthened(
             let column = headings.iter().position(|h| h.name == *name && h.at == place && !place.is_empty());
             column.and_then(|i| row.cells.get(i)).unwrap_or_default().to_string()
         });
-        let cells: StringRecord = own.chain(coordinates).chain(observed).collect();
+        let cells: Cells = own.chain(coordinates).chain(observed).collect();
         Row { cells, place: row.place.clone(), line: row.line }
     };
     let all = has_own.then_some(&[] as &[Condition]).into_iter().chain(places.iter().copied());
