@@ -1,6 +1,7 @@
 //! Watches a command: tells how far it is when it takes long, and ends it cleanly on Ctrl-C.
 
 use std::io::IsTerminal;
+use std::num::NonZero;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -26,10 +27,22 @@ pub fn prepare() {
         std::process::exit(130);
     });
     let pool = rayon::ThreadPoolBuilder::new();
-    if pool.build_global().is_err() {
-        // What cannot be had here either is told by whatever needs it.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
+    let pool = if are_to_be_had() { pool } else { pool.num_threads(1).use_current_thread() };
+    // What cannot be had now either is told by whatever needs it.
+    let _ = pool.build_global();
+}
+
+/// Whether the system gives a thread for every core. It is tried beforehand, for a pool that failed is not built again.
+fn are_to_be_had() -> bool {
+    let cores = thread::available_parallelism().map_or(1, NonZero::get);
+    let threads: Vec<_> = (0..cores).map_while(|_| thread::Builder::new().spawn(thread::park).ok()).collect();
+    let all = threads.len() == cores;
+    for thread in threads {
+        thread.thread().unpark();
+        // It does nothing that could fail.
+        let _ = thread.join();
     }
+    all
 }
 
 /// Computes while another thread tells how far it is: by a bar in a terminal, else by a line every few seconds.

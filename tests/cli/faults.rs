@@ -189,3 +189,41 @@ fn what_a_time_limit_leaves_undone_is_told() {
         assert_eq!(answer.status, 2, "{wrong}");
     }
 }
+
+/// Ordinary users alone are held to a number of threads.
+#[cfg(target_os = "linux")]
+#[test]
+fn where_no_thread_is_to_be_had_one_is_enough() {
+    use std::os::unix::fs::PermissionsExt;
+    use std::process::Command;
+
+    let place = Place::new();
+    place.write("shaft.toml", model("lathe.toml"));
+    place.write("study.toml", model("study-lathe.toml").replace("\"lathe.toml\"", "\"shaft.toml\""));
+    place.write("m.csv", "part,x [mm],diameter_error [um]\n1,100,90\n1,300,105\n2,100,95\n2,300,110\n3,100,99\n");
+    let program = place.path("fem");
+    std::fs::copy(env!("CARGO_BIN_EXE_fem"), &program).unwrap();
+    for open in [&program, program.parent().unwrap()] {
+        std::fs::set_permissions(open, PermissionsExt::from_mode(0o777)).unwrap();
+    }
+    let user = String::from_utf8(Command::new("id").arg("-u").output().unwrap().stdout).unwrap();
+    let as_nobody: &[&str] = &["setpriv", "--reuid", "65534", "--clear-groups"];
+    let limited = [if user.trim() == "0" { as_nobody } else { &[] }, &["prlimit", "--nproc=1"]].concat();
+    for args in [
+        "run shaft.toml -o out",
+        "compare shaft.toml --with m.csv",
+        "fit shaft.toml --with m.csv",
+        "diagnose shaft.toml --with m.csv --time-limit 200ms",
+        "plan shaft.toml --time-limit 200ms",
+        "study study.toml -o points",
+    ] {
+        let answer = Command::new(limited[0])
+            .args(&limited[1..])
+            .arg(&program)
+            .args(args.split(' '))
+            .current_dir(program.parent().unwrap())
+            .output()
+            .unwrap();
+        assert_eq!(answer.status.code(), Some(0), "{args}: {}", String::from_utf8_lossy(&answer.stderr));
+    }
+}

@@ -15,6 +15,8 @@ struct Pair {
 pub struct Corpus {
     pairs: Vec<Pair>,
     budgets: Vec<String>,
+    /// Plans of studies, each with its model and a table of measurements.
+    studies: Vec<[String; 3]>,
     rings: Vec<String>,
     meshes: Vec<String>,
 }
@@ -80,7 +82,17 @@ impl Corpus {
         let plate = "process = \"thermal\"\nbody = { file = \"mesh.msh\", width = \"20 mm\", material = \"steel\" }\n\
                      boundary = [{ edge = \"bore\", flux = \"5 kW/m^2\" }]\nenvironment.temperature = \"20 degC\"\n\
                      time = { end = \"10 min\", step = \"1 min\" }\n";
+        let lathe = pairs.iter().find(|pair| pair.model.contains("Stepped shaft between centres")).unwrap();
+        let study = |plan: String| [plan, lathe.model.clone(), lathe.measured.clone()];
+        let drawn = read(&root().join("models/study-lathe.toml"))
+            .replace("lathe.toml\"", "model.toml\"")
+            .replace("samples = 256", "samples = 8");
+        let fitted = "model = \"model.toml\"\ntask = \"fit\"\ndata = \"m.csv\"\n\n[design]\ntype = \"grid\"\n\n\
+                      [[input]]\nquantity = \"cut.depth\"\nvalues = [\"0.4 mm\", \"0.5 mm\"]\n\n\
+                      [[input]]\nquantity = \"cut.feed\"\nfrom = \"0.1 mm/rev\"\nto = \"0.3 mm/rev\"\nsteps = 3\n";
+        let studies = vec![study(drawn), study(fitted.into())];
         Self {
+            studies,
             pairs,
             budgets: vec![
                 read(&root().join("models/budget.toml")),
@@ -114,6 +126,19 @@ impl Corpus {
             let model = if rng.one_in(3) { mutate::model(model, &mut rng) } else { model.clone() };
             let files = vec![("model.toml".into(), model.into_bytes()), ("mesh.msh".into(), mangled(mesh, &mut rng))];
             return Case { files, command: words("run model.toml -o out") };
+        }
+        if rng.one_in(20) {
+            let [plan, model, measured] = &self.studies[rng.below(self.studies.len())];
+            let plan = mutate::model(plan, &mut rng);
+            let model = if rng.one_in(3) { mutate::model(model, &mut rng) } else { model.clone() };
+            let mut command = words("study plan.toml -o out");
+            if let Some(limit) = limit {
+                command.extend(["--time-limit".to_string(), limit.to_string()]);
+            }
+            let files = [("plan.toml", mangled(plan, &mut rng)), ("model.toml", model.into_bytes())];
+            let measured = ("m.csv", measured.clone().into_bytes());
+            let files = files.into_iter().chain([measured]).map(|(name, text)| (name.to_string(), text)).collect();
+            return Case { files, command };
         }
         let pair = &self.pairs[rng.below(self.pairs.len())];
         let (mut model, mut measured) = (pair.model.clone(), pair.measured.clone());
