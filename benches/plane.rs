@@ -1,8 +1,8 @@
 //! Large plane jobs, timed stretch by stretch, with the peak of memory: a ring pressed by three jaws, the
 //! orders of elimination, and a heated section.
 //!
-//! `cargo bench --bench plane -- ring|orders [AROUND ACROSS]` `-- chuck`, `-- rod` or `-- heat [COLUMNS
-//! ROWS]`. Sizes default to a ring of 500 000 unknowns and a section of 100 000.
+//! `cargo bench --bench plane -- ring|orders [AROUND ACROSS]` `-- chuck`, `-- rod`, or `-- heat` and
+//! `-- triangles [COLUMNS ROWS]`. Sizes default to a ring of 500 000 unknowns and a section of 100 000.
 
 #![allow(missing_docs)]
 
@@ -10,6 +10,8 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 use std::time::Instant;
+
+use rayon::prelude::*;
 
 use fem::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Quad4, Quad8};
 use fem::input::Source;
@@ -28,6 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("chuck") => chuck(),
         Some("rod") => rod(),
         Some("heat") => heat([size(1, 450)?, size(2, 225)?]),
+        Some("triangles") => triangles([size(1, 450)?, size(2, 225)?]),
         _ => whole_ring([size(1, 1440)?, size(2, 57)?]),
     }
 }
@@ -198,5 +201,58 @@ fn heat(cells: [usize; 2]) -> Result<(), Box<dyn Error>> {
             peak()
         );
     }
+    Ok(())
+}
+
+/// What a solve with the triangles of a heated section reads, against what memory gives: the sum of products of as many
+/// numbers, read once by as many threads.
+fn triangles(cells: [usize; 2]) -> Result<(), Box<dyn Error>> {
+    const TIMES: usize = 30;
+    let mesh = RectangleMesh::uniform([0.10, 0.05], cells, &Quad4).build()?;
+    let graph = Graph::new(&mesh);
+    let order = Order::default().find(&graph, mesh.nodes())?;
+    let freedoms = Freedoms::new(1, &order, &[]);
+    let pattern = Arc::new(Pattern::new(&graph, &freedoms));
+    let law = Conduction { conductivity: 45.0, heat_capacity: 7850.0 * 470.0, thickness: 1.0 };
+    let matrix = Matrix::assemble::<1>(&mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
+        law.capacity(Capacity::Consistent, sampled, coordinates, square);
+    })?;
+    let solver = Solver::new(&Analysis::of(&matrix)?, &matrix, &freedoms, mesh.nodes())?;
+    let best = |work: &mut dyn FnMut()| {
+        let timed = |_| {
+            let start = Instant::now();
+            work();
+            start.elapsed().as_secs_f64()
+        };
+        (0..TIMES).map(timed).fold(f64::INFINITY, f64::min)
+    };
+    let count = solver.factor().bytes() / 8;
+    let mut x = vec![1.0; freedoms.len()];
+    let solve = best(&mut || solver.solve_unchecked(&mut x));
+    let values = vec![1.0f64; count];
+    let part = count.div_ceil(rayon::current_num_threads());
+    let mut sum = 0.0;
+    let read = best(&mut || {
+        let of = |part: &[f64]| {
+            let mut sums = [0.0; 16];
+            for chunk in part.chunks_exact(16) {
+                sums.iter_mut().zip(chunk).for_each(|(sum, value)| *sum += value * value);
+            }
+            sums.iter().sum::<f64>()
+        };
+        sum += values.par_chunks(part).map(of).sum::<f64>();
+    });
+    // Forwards and backwards, each reads the factor once.
+    let rate = |passes: f64, time: f64| 8e-9 * passes * count as f64 / time;
+    let (solved, streamed) = (rate(2.0, solve), rate(1.0, read));
+    println!(
+        "{} unknowns, factor {:.1} MB, {} threads: a solve {:.2} ms, {solved:.1} GB/s; memory gives {streamed:.1} GB/s; {:.0} %",
+        freedoms.len(),
+        8e-6 * count as f64,
+        rayon::current_num_threads(),
+        1e3 * solve,
+        100.0 * solved / streamed
+    );
+    assert!(sum > 0.0 && x.iter().all(|x| x.is_finite()));
     Ok(())
 }
