@@ -64,47 +64,73 @@ pub fn watched<T>(progress: &Arc<Progress>, compute: impl FnOnce() -> T) -> T {
 fn watch(progress: &Progress, done: &AtomicBool) {
     let start = Instant::now();
     let is_seen = std::io::stderr().is_terminal();
-    let mut next = if is_seen { BAR_AFTER } else { LINE_EVERY };
+    let (mut next, mut outlook) = (if is_seen { BAR_AFTER } else { LINE_EVERY }, Outlook::default());
     while !done.load(Ordering::Relaxed) {
         thread::park_timeout(Duration::from_millis(100));
+        outlook.look(progress, start.elapsed());
         if start.elapsed() < next || done.load(Ordering::Relaxed) {
             continue;
         }
         if is_seen {
-            return draw(progress, done);
+            return draw(progress, done, start, outlook);
         }
-        say!("{}", line(progress, start.elapsed()));
+        say!("{}", outlook.line(progress, start.elapsed()));
         next += LINE_EVERY;
     }
 }
 
-/// How far a computation is: `computing for 10 s, 40 % done, about 15 s left`.
-fn line(progress: &Progress, so_far: Duration) -> String {
-    let (finished, total) = progress.read();
-    let so_far = so_far.as_secs_f64();
-    let left = so_far * (total as f64 / finished as f64 - 1.0);
-    let told = match (finished, total) {
-        // Nothing is known of what comes: neither before the first part of it, nor behind the last.
-        (finished, total) if finished == 0 || finished >= total => String::new(),
-        _ => format!(
-            ", {:.0} % of what is known to come is done, about {left:.0} s left",
-            100.0 * (so_far / (so_far + left))
-        ),
-    };
-    format!("computing for {so_far:.0} s{told}")
+/// What is known of how much is to come: a search that finds something looks further, and until it has ended nobody
+/// knows how far.
+#[derive(Default)]
+struct Outlook {
+    /// Announced units, and when they were last more than before.
+    total: u64,
+    grown: Duration,
 }
 
-fn draw(progress: &Progress, done: &AtomicBool) {
+impl Outlook {
+    /// Time for which what is announced must have stayed the same.
+    const SETTLED: Duration = Duration::from_secs(3);
+
+    fn look(&mut self, progress: &Progress, so_far: Duration) {
+        let total = progress.read().1;
+        if total > self.total {
+            (self.total, self.grown) = (total, so_far);
+        }
+    }
+
+    /// Part that is done, and time that is left, s, where they can be told.
+    fn left(&self, progress: &Progress, so_far: Duration) -> Option<(f64, f64)> {
+        let (finished, total) = progress.read();
+        // Nothing is known of what comes: neither before the first part of it, nor behind the last.
+        let is_known = finished > 0 && finished < total && so_far >= self.grown + Self::SETTLED;
+        let part = finished as f64 / total as f64;
+        is_known.then(|| (part, so_far.as_secs_f64() * (1.0 / part - 1.0)))
+    }
+
+    /// How far a computation is: `computing for 10 s, 40 % done, about 15 s left`.
+    fn line(&self, progress: &Progress, so_far: Duration) -> String {
+        let told = match self.left(progress, so_far) {
+            Some((part, left)) => format!(", {:.0} % done, about {left:.0} s left", 100.0 * part),
+            None => "; how much is left shows as it goes".into(),
+        };
+        format!("computing for {:.0} s{told}", so_far.as_secs_f64())
+    }
+}
+
+fn draw(progress: &Progress, done: &AtomicBool, start: Instant, mut outlook: Outlook) {
     // A dumb terminal cannot go back to draw a bar anew.
     let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
     let bar = if is_dumb { ProgressBar::hidden() } else { ProgressBar::new(1) };
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} so far, {eta} left") {
+    if let Ok(style) = ProgressStyle::with_template("{bar:40}  {msg}") {
         bar.set_style(if look::is_ascii() { style.progress_chars("#>-") } else { style });
     }
     while !done.load(Ordering::Relaxed) {
         let (finished, total) = progress.read();
+        outlook.look(progress, start.elapsed());
         bar.set_length(total);
         bar.set_position(finished);
+        bar.set_message(outlook.line(progress, start.elapsed()));
         thread::park_timeout(Duration::from_millis(100));
     }
     bar.finish_and_clear();
@@ -116,11 +142,18 @@ mod tests {
 
     #[test]
     fn a_line_tells_what_is_known() {
-        let progress = Progress::default();
-        assert_eq!(line(&progress, Duration::from_secs(5)), "computing for 5 s");
+        let (progress, mut outlook) = (Progress::default(), Outlook::default());
+        let second = Duration::from_secs;
+        let unknown = "computing for 5 s; how much is left shows as it goes";
+        assert_eq!(outlook.line(&progress, second(5)), unknown);
         progress.expect(4);
         progress.advance(1);
-        let told = "computing for 5 s, 25 % of what is known to come is done, about 15 s left";
-        assert_eq!(line(&progress, Duration::from_secs(5)), told);
+        outlook.look(&progress, second(1));
+        assert_eq!(outlook.line(&progress, second(5)), "computing for 5 s, 25 % done, about 15 s left");
+        // A search that looks further does not know how far.
+        progress.expect(1);
+        outlook.look(&progress, second(5));
+        assert_eq!(outlook.line(&progress, second(5)), unknown);
+        assert_eq!(outlook.line(&progress, second(8)), "computing for 8 s, 20 % done, about 32 s left");
     }
 }
