@@ -135,7 +135,7 @@ const CASES: &[Mistake] = &[
     ("step = \"0.5 mm\"", "", "does not say how blocks are chosen", "tolerance"),
     ("step = \"0.5 mm\"", "step = \"0.5 mm\"\nblocks = 20", "in more than one way how blocks are chosen", "keep one"),
     ("step = \"0.5 mm\"", "blocks = 3", "3 blocks are too few: 4 are needed", "joints = \"pass\""),
-    ("step = \"0.5 mm\"", "step = \"0.05 um\"", "more than 1000000 blocks", "take longer ones"),
+    ("step = \"0.5 mm\"", "step = \"0.05 um\"", "more than 20000 blocks", "take longer ones"),
     ("cam_speed = \"20 rpm\"", "", "does not say how fast it runs", "add cam_speed"),
     (
         "cam_speed = \"20 rpm\"",

@@ -6,8 +6,9 @@ use super::profile::Profile;
 use crate::input::Reader;
 use crate::units::{ACCELERATION, ANGLE, ANGULAR_ACCELERATION, FEED_RATE, LENGTH, MICRO, SPINDLE_SPEED, TIME};
 
-/// Most blocks of a programme: some a second of arc.
-const MOST_BLOCKS: usize = 1_000_000;
+/// Most blocks of a programme, a minute of arc each. The shorter they are, the more of them a wheel cuts in at once, so
+/// that what a run holds grows with their square: to 0.9 GB here.
+const MOST_BLOCKS: usize = 20_000;
 
 const ENDS: &[(&str, Ends)] = &[("on-profile", Ends::OnProfile), ("half-error", Ends::HalfError)];
 const BREAKS: &[(&str, bool)] = &[("break", true), ("pass", false)];
@@ -146,6 +147,8 @@ impl Division {
                 return is_enough;
             }
         };
+        let asked: usize = own.iter().flatten().sum();
+        let count = count.max(asked as f64);
         if count > most {
             t.problem(key, format!("these are more than {most} blocks"), "take longer ones");
         }

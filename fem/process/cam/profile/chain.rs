@@ -60,7 +60,7 @@ pub fn read_chain(t: &Reader) -> Option<Drawn> {
                 t.quantity("sweep", ANGLE, "how far it turns about its centre, counter-clockwise positive").required(),
             )
         });
-        let blocks = t.count("blocks", "into how many blocks, whatever [program] says").between(1, 100_000);
+        let blocks = t.count("blocks", "into how many blocks, whatever [program] says").between(1, 20_000);
         let blocks = blocks.optional();
         let name = match (line, arc) {
             (Some(to), None) => pen.borrow_mut().line(t, i, to),
