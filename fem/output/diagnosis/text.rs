@@ -209,10 +209,9 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
     let _ = writeln!(text, "\n  {:<width$} {:>11} {:>11}   {held}", "model", "rms", "chi2/dof");
     let sigma = kind.from_si(d.noise.together());
     for (label, goodness) in lines {
-        let out =
-            goodness.cross_validation.filter(|h| h.is_finite()).map_or("-".into(), |h| format!("{:.3}", h * sigma));
+        let out = number::or_dash(goodness.cross_validation.map_or(f64::NAN, |held| held * sigma), 3);
         // As many parameters as conditions leave no lack of fit to judge.
-        let chi2 = Some(goodness.reduced_chi2).filter(|c| c.is_finite()).map_or("-".into(), |c| format!("{c:.3}"));
+        let chi2 = number::or_dash(goodness.reduced_chi2, 3);
         let _ = writeln!(text, "  {label:<width$} {:>11.3} {chi2:>11}   {out:>11}", kind.from_si(goodness.rms));
     }
     let _ = writeln!(text, "  {:<width$} {sigma:>11.3}", "noise");

@@ -28,7 +28,12 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
                 "root mean square error",
                 fall(format!("{before:.3}"), format!("{after:.3}")) + " " + kind.unit,
             ));
-            let [b, a] = [&d.before, &d.after].map(|g| format!("{:.4}", crate::output::fit::Short(g.reduced_chi2)));
+            // As many parameters as conditions leave no lack of fit to judge.
+            let shown = |chi2: f64| match chi2.is_finite() {
+                true => format!("{:.4}", crate::output::fit::Short(chi2)),
+                false => "\u{2013}".into(),
+            };
+            let [b, a] = [&d.before, &d.after].map(|g| shown(g.reduced_chi2));
             facts.push(fact("reduced \u{3c7}\u{b2}", fall(b, a)));
             facts.push(fact("noise", format!("{:.3} {}", kind.from_si(d.noise.together()), kind.unit)));
             facts.push(fact("missing effects", d.missing.len().to_string()));
@@ -119,9 +124,12 @@ fn refitted(found: &Evidence, steps: &[Step], noise: f64) -> String {
     let unit = found.data.kind().unit;
     let held = found.diagnosis.and_then(|d| d.cross_validation_by).map(|by| format!("held out by {by}"));
     let held = held.unwrap_or_else(|| "held out".into());
-    let number = |v: f64| Cell::Number(format!("{v:.3}"), v);
+    let number = |v: f64| match v.is_finite() {
+        true => Cell::Number(format!("{v:.3}"), v),
+        false => Cell::Text("\u{2013}".into()),
+    };
     let row = |s: &Step| {
-        let out = s.held_out.map_or(Cell::Text("\u{2013}".into()), number);
+        let out = number(s.held_out.unwrap_or(f64::NAN));
         vec![Cell::Text(s.label.clone()), number(s.rms), number(s.reduced_chi2), out]
     };
     let caption = format!("Every step is fitted anew to all rows; errors in {unit}, noise {noise:.3} {unit}");

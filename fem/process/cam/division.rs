@@ -2,13 +2,9 @@
 
 use super::course::Accelerations;
 use super::guide::Guide;
-use super::profile::Profile;
+use super::profile::{MOST_BLOCKS, Profile};
 use crate::input::Reader;
 use crate::units::{ACCELERATION, ANGLE, ANGULAR_ACCELERATION, FEED_RATE, LENGTH, MICRO, SPINDLE_SPEED, TIME};
-
-/// Most blocks of a programme, a minute of arc each. The shorter they are, the more of them a wheel cuts in at once, so
-/// that what a run holds grows with their square: to 0.9 GB here.
-const MOST_BLOCKS: usize = 20_000;
 
 const ENDS: &[(&str, Ends)] = &[("on-profile", Ends::OnProfile), ("half-error", Ends::HalfError)];
 const BREAKS: &[(&str, bool)] = &[("break", true), ("pass", false)];
@@ -83,9 +79,9 @@ impl Division {
     /// Reads how blocks are chosen from the table of the programme.
     pub fn read(t: &Reader, pace: Option<Pace>) -> Option<Self> {
         let step = t.quantity("step", LENGTH, "blocks of equal length of profile").chosen().positive().optional();
-        let angle = t.quantity("angle", ANGLE, "blocks of equal turn of the cam").positive().optional();
+        let angle = t.quantity("angle", ANGLE, "blocks of equal turn of the cam").chosen().positive().optional();
         let about = "blocks of equal time: of equal turn at one cam_speed, of equal length at one feed";
-        let time = t.quantity("time", TIME, about).positive().optional();
+        let time = t.quantity("time", TIME, about).chosen().positive().optional();
         let blocks = t.count("blocks", "so many blocks of equal turn in all").between(1, MOST_BLOCKS).optional();
         let about = "the fewest blocks that keep the profile within this on either side";
         let tolerance = t.quantity("tolerance", MICRO, about).chosen().positive().optional();

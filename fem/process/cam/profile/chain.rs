@@ -9,6 +9,9 @@ use super::plane::{Vector, left, turn};
 use crate::input::Reader;
 use crate::units::{ANGLE, LENGTH};
 
+/// Most blocks of a programme, a minute of arc each. The shorter they are, the more of them a wheel cuts in at once, so
+/// that what a run holds grows with their square.
+pub const MOST_BLOCKS: usize = 20_000;
 /// A chain that ends beside its start by more than this, m, is open. Less cannot be seen in a deviation.
 const OPEN: f64 = 1e-7;
 /// Segments that meet at more than this angle, rad, are not tangent. At less, a wheel of 1 m leaves or takes
@@ -60,7 +63,7 @@ pub fn read_chain(t: &Reader) -> Option<Drawn> {
                 t.quantity("sweep", ANGLE, "how far it turns about its centre, counter-clockwise positive").required(),
             )
         });
-        let blocks = t.count("blocks", "into how many blocks, whatever [program] says").between(1, 20_000);
+        let blocks = t.count("blocks", "into how many blocks, whatever [program] says").between(1, MOST_BLOCKS);
         let blocks = blocks.optional();
         let name = match (line, arc) {
             (Some(to), None) => pen.borrow_mut().line(t, i, to),

@@ -11,7 +11,7 @@ mod lift;
 mod plane;
 mod table;
 
-pub use chain::{Drawn, Segment, read_chain};
+pub use chain::{Drawn, MOST_BLOCKS, Segment, read_chain};
 pub use closed::Profile;
 pub use plane::{Place, Vector, direction, left, turn};
 pub use table::read_table;
