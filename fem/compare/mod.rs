@@ -22,7 +22,7 @@ pub use trend::Trend;
 
 use nalgebra::DMatrix;
 
-use crate::measure::{MeasuredObservable, Measurements, Repeats, repeats};
+use crate::measure::{MeasuredObservable, Measurements, Repeats};
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource, Term, beyond_chi2, beyond_f};
 use crate::process::Failure;
@@ -115,10 +115,9 @@ pub fn compare(data: &Data) -> Result<Comparison, Failure> {
 pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
     let (model, measurements): (&Model, &Measurements) = (data.model, data);
     let residuals = measurements.residuals(&predicted);
-    let all_repeats = repeats(measurements, model.process.coordinates());
     let nothing = DMatrix::zeros(measurements.len(), 0);
-    let (noise, repeats) = Noise::stated(terms, measurements, &all_repeats, &residuals, &nothing);
-    let suspicion = Suspicion { data, noise: &noise, repeats: &all_repeats, residuals: &residuals, mean: &nothing };
+    let (noise, repeats) = Noise::stated(terms, measurements, data.repeats(), &residuals, &nothing);
+    let suspicion = Suspicion { data, noise: &noise, repeats: data.repeats(), residuals: &residuals, mean: &nothing };
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
     let (reduced_chi2, p_value) = reduced_chi2(&residuals, &noise, &repeats, data.datum_directions.len());

@@ -16,7 +16,7 @@ use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{look_alike, next, sensitivity, told};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
-use crate::measure::{Repeats, repeats};
+use crate::measure::Repeats;
 use crate::process::Failure;
 
 /// Makes the diagnosis of the result of a search.
@@ -90,9 +90,8 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
     let look_alikes = match is_explained && progress.permits("effects of the measurement that look alike") {
-        true => {
-            progress.stretch("terms that look alike", || look_alike::look_alikes(&found, &best, &all_repeats(&best)))
-        }
+        true => progress
+            .stretch("terms that look alike", || look_alike::look_alikes(&found, &best, best.objective.data.repeats())),
         false => Vec::new(),
     };
     for own in &look_alikes {
@@ -136,12 +135,6 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         cross_validation_by: folds.map(|f| f.coordinate),
         trials,
     })
-}
-
-/// Repeats of the rows, whatever the terms.
-fn all_repeats(best: &CandidateModel) -> Repeats {
-    let data = best.objective.data;
-    repeats(data, data.model.process.coordinates())
 }
 
 /// Cautions about the limits of these data.

@@ -155,7 +155,7 @@ pub fn refit<'a>(
         }
         let solution = resume(&mut objective, here, SEARCHING);
         // What it did not keep before is not believed again.
-        if solution.chi2 <= lead.believed(kept) + worth_a_fit(&objective, solution.chi2) {
+        if !is_worth_a_fit(&objective, solution.chi2, lead.believed(kept)) {
             return within_belief(CandidateModel { members, objective, solution, kept });
         }
         found = Some(solution);
@@ -167,10 +167,10 @@ pub fn refit<'a>(
     Some(set)
 }
 
-/// Fall of χ² from which a set is worth another fit: one, where the noise explains what is left, and as much more as
-/// what is left is larger.
-pub fn worth_a_fit(objective: &Objective, chi2: f64) -> f64 {
-    (chi2 / objective.freedom().max(1.0)).max(1.0)
+/// Whether a set that stands at `chi2` is worth another fit, of which so small a χ² is believed: the fall must be more
+/// than one, where the noise explains what is left, and as much more as what is left is larger.
+pub fn is_worth_a_fit(objective: &Objective, chi2: f64, believed: f64) -> bool {
+    believed < chi2 - (chi2 / objective.freedom().max(1.0)).max(1.0)
 }
 
 /// Whether a set that was fitted under another noise stands at the minimum under this one too: nothing but the level of
@@ -232,8 +232,7 @@ pub fn fit_from<'a>(
         let bent = objective.prior_chi2(&start.position) > BENT;
         let written = bent.then(|| Start { position: objective.as_written(&start.position), ..start.clone() });
         for start in std::iter::once(start).chain(written) {
-            let ahead = nearer(&mut objective, start).and_then(|start| minimise(&mut objective, &start, &[], AHEAD));
-            best = best.into_iter().chain(ahead).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
+            best = best.into_iter().chain(ahead(&mut objective, start)).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
         }
     }
     let solution = resume(&mut objective, best?, SEARCHING);
@@ -246,11 +245,11 @@ fn within_belief(model: CandidateModel) -> Option<CandidateModel> {
     (is_tested && !model.reads_beyond_belief()).then_some(model)
 }
 
-/// Halves the amplitudes of a start until the model can be computed there.
-fn nearer(objective: &mut Objective, mut start: Start) -> Option<DVector<f64>> {
+/// Goes a few steps from a start, whose amplitudes are halved until the model can be computed there.
+fn ahead(objective: &mut Objective, mut start: Start) -> Option<Solution> {
     for _ in 0..HALVINGS {
-        if objective.predict(&start.position).is_some() {
-            return Some(start.position);
+        if let Some(found) = minimise(objective, &start.position, &[], AHEAD) {
+            return Some(found);
         }
         for (variable, neutral) in &start.linear {
             let place = &mut start.position[*variable];

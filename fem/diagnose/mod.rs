@@ -41,7 +41,6 @@ pub use search::SIGNIFICANCE;
 pub use verdict::{GoodnessOfFit, Verdict};
 
 use crate::fit::{self, Objective};
-use crate::measure::{Repeats, repeats};
 use crate::model::{Data, Model};
 use crate::noise::Noise;
 use crate::process::{Description, Failure};
@@ -64,24 +63,22 @@ const MOST_ROWS: usize = 2000;
 /// # Errors
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    let coordinates = data.model.process.coordinates();
-    match thinned(data) {
-        Some(some) => diagnose_all(&some, &repeats(&some, coordinates), most, progress),
-        None => diagnose_all(data, &repeats(data, coordinates), most, progress),
-    }
+    let some = thinned(data);
+    diagnose_all(some.as_ref().unwrap_or(data), most, progress)
 }
 
 /// The rows that a diagnosis uses, where there are too many of them to use all.
 pub fn thinned<'m>(data: &Data<'m>) -> Option<Data<'m>> {
     let every = data.len().div_ceil(MOST_ROWS);
     (every > 1).then(|| {
-        let keep = data.one_in(every, &repeats(data, data.model.process.coordinates()));
+        let keep = data.one_in(every, data.repeats());
         data.some(|row| keep[row])
     })
 }
 
-fn diagnose_all(data: &Data, repeats: &Repeats, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
+fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     progress.expect(1);
+    let repeats = data.repeats();
     let extent = Extent { most, breadth: Breadth::USUAL, deepens: true, known: &[], progress };
     let absent = [absent(data.model), instrument::absent_readings(data)].concat();
     let mut objective = Objective::new(data)?;

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
-use super::lead::{Lead, fit_from, leads, refit, together, without, worth_a_fit};
+use super::lead::{Lead, fit_from, is_worth_a_fit, leads, refit, together, without};
 use super::null_distribution::{MaxStatistic, Variance};
 use super::pairs;
 use super::residual_projection::ProjectedResidual;
@@ -239,7 +239,7 @@ fn exchange<'a>(
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
         let before = |lead: &Lead| tried.get(&lead.key());
         let is_open = |lead: &Lead, known: &CandidateModel| {
-            lead.believed(known.kept) < known.solution.chi2 - worth_a_fit(&known.objective, known.solution.chi2)
+            is_worth_a_fit(&known.objective, known.solution.chi2, lead.believed(known.kept))
         };
         leads.retain(|lead| before(lead).is_none_or(|known| is_open(lead, known)));
         leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
@@ -284,7 +284,7 @@ fn reseated<'a>(
         let pairs = pairs::pairs(&Screening::new(&projected, &two.map(|i| &candidates[i])));
         let pair = pairs.get(&(0, 1))?;
         let believed = rest.solution.chi2 - set.kept * pair.delta_chi2();
-        if believed >= set.solution.chi2 - worth_a_fit(&set.objective, set.solution.chi2) {
+        if !is_worth_a_fit(&set.objective, set.solution.chi2, believed) {
             return None;
         }
         let start = together(&rest, pair, *two, candidates);

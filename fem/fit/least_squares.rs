@@ -99,23 +99,21 @@ fn descend(objective: &mut Objective, from: Solution, held: &[usize], stop: Stop
         let slope = Slope { jacobian: &jacobian, gradient: &gradient, moving: &moving };
         let before = damping;
         let trials = if origin == Origin::Differences { TRIALS } else { MENDED_TRIALS };
-        let step = match slope.descend(objective, &here, &mut damping, trials, stop.tolerance * (1.0 + here.chi2)) {
-            Descent::Lower(step) => step,
-            Descent::Settled if origin != Origin::Mended => {
-                at_rest = true;
+        let least = stop.tolerance * (1.0 + here.chi2);
+        let descent = slope.descend(objective, &here, &mut damping, trials, least);
+        let Descent::Lower(step) = descent else {
+            at_rest = match descent {
+                Descent::Settled => origin != Origin::Mended,
+                _ => origin == Origin::Differences,
+            };
+            if at_rest {
                 break;
             }
-            Descent::Barred if origin == Origin::Differences => {
-                at_rest = true;
-                break;
-            }
-            Descent::Settled | Descent::Barred => {
-                damping = before;
-                continue;
-            }
+            damping = before;
+            continue;
         };
         let fall = here.chi2 - step.to.chi2;
-        let settled = fall <= stop.tolerance * (1.0 + here.chi2);
+        let settled = fall <= least;
         if !settled && fall >= AS_PROMISED * step.promised {
             known = Some((slope.mended(objective, &residuals, &here.position, &step.to), Origin::Mended));
         }

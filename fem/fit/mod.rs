@@ -24,7 +24,7 @@ pub use write::{fitted_text, uncertain};
 use nalgebra::DMatrix;
 
 use crate::compare::{SIGNIFICANCE, rms};
-use crate::measure::{Repeats, repeats};
+use crate::measure::Repeats;
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource, Restricted, beyond_chi2, beyond_f};
 use crate::process::Failure;
@@ -86,7 +86,7 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
             help: "mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"".into(),
         });
     }
-    let repeats = repeats(data, data.model.process.coordinates());
+    let repeats = data.repeats();
     let mut objective = Objective::new(data)?;
     let mut solution = starts::best(&mut objective)?;
     let known = data.uncertainty.is_some() && data.terms.is_empty();
@@ -97,7 +97,7 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
         for _ in 0..2 {
             let left = data.residuals(&solution.predicted);
             let mean = objective.mean(&solution).unwrap_or_else(|| DMatrix::zeros(data.len(), 0));
-            (objective.noise, within) = Noise::stated(&data.terms, data, &repeats, &left, &mean);
+            (objective.noise, within) = Noise::stated(&data.terms, data, repeats, &left, &mean);
             if objective.noise.source == NoiseSource::Estimated {
                 objective.noise = objective.residual_noise(&solution);
             }

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::search_variable::SearchVariable;
 use crate::input::Parameter;
-use crate::measure::{Measurements, repeats};
+use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource};
 use crate::process::{self, Active, Description, Failure, Holds, Rows};
@@ -28,8 +28,6 @@ pub struct Objective<'a> {
     pub variables: Vec<SearchVariable>,
     /// Noise by which the rows are weighted.
     pub noise: Noise,
-    /// Condition of each row: those that repeat each other have the same.
-    conditions: Arc<[usize]>,
     /// Evaluations of the model so far, of this objective and of all that were made of it.
     pub trials: Arc<Trials>,
 }
@@ -118,7 +116,6 @@ impl<'a> Objective<'a> {
             parameters: model.parameters.clone(),
             variables,
             noise,
-            conditions: repeats(data, model.process.coordinates()).group.into(),
             trials: Arc::default(),
         })
     }
@@ -185,10 +182,10 @@ impl<'a> Objective<'a> {
     pub fn is_tested(&self, predicted: &[f64]) -> bool {
         let free = self.data.len() as f64 - self.freedom();
         let is_enough = |count: usize| count as f64 >= free + 1.0;
-        let conditions = self.conditions.iter().max().map_or(0, |last| last + 1);
+        let repeats = self.data.repeats();
         let apart =
-            || self.conditions.iter().zip(predicted).map(|(c, p)| (*c, p.to_bits())).collect::<HashSet<_>>().len();
-        is_enough(conditions) || is_enough(apart())
+            || repeats.group.iter().zip(predicted).map(|(g, p)| (*g, p.to_bits())).collect::<HashSet<_>>().len();
+        is_enough(repeats.groups) || is_enough(apart())
     }
 
     /// χ² of the priors alone.

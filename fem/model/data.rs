@@ -1,11 +1,11 @@
 //! The one door by which measurements reach what compares, fits, diagnoses, plans and compensates.
 
 use std::ops::Deref;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::{Model, instrument, measurement, terms};
 use crate::input::{InputError, Problem, Source};
-use crate::measure::Measurements;
+use crate::measure::{Measurements, Repeats, repeats};
 use crate::noise::{Acts, Term};
 use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows};
 use crate::progress::Progress;
@@ -33,6 +33,8 @@ pub struct Data<'m> {
     as_read: Option<Vec<f64>>,
     /// Standard uncertainties as they were read, where a known covariance takes their place.
     u_as_read: Option<Option<Vec<f64>>>,
+    /// Which rows repeat each other, once somebody has asked.
+    repeats: OnceLock<Repeats>,
 }
 
 impl<'m> Data<'m> {
@@ -114,7 +116,17 @@ impl<'m> Data<'m> {
         datum_directions.iter().for_each(|direction| direction.take_out(&mut measurements.observed));
         let (terms, cautions) = (Vec::new(), Vec::new());
         let progress = Arc::default();
-        Self { model, datum_directions, terms, cautions, progress, measurements, as_read, u_as_read: None }
+        Self {
+            model,
+            datum_directions,
+            terms,
+            cautions,
+            progress,
+            measurements,
+            as_read,
+            u_as_read: None,
+            repeats: OnceLock::new(),
+        }
     }
 
     /// Selects the rows whose numbers `keep` accepts. Their datum directions are others, and are taken out
@@ -164,6 +176,11 @@ impl<'m> Data<'m> {
             measurements.observed = observed;
         }
         measurements
+    }
+
+    /// Which rows repeat each other, and their scatter.
+    pub fn repeats(&self) -> &Repeats {
+        self.repeats.get_or_init(|| repeats(&self.measurements, self.model.process.coordinates()))
     }
 
     /// Degrees of freedom: observations less datum directions.
