@@ -56,7 +56,7 @@ fn cam(c: &mut Criterion) {
 /// Rows evenly around, as the model runs.
 fn measured(count: usize) -> Rows {
     let angles = (0..count).map(|i| std::f64::consts::TAU * i as f64 / count as f64).collect();
-    Rows { columns: vec![angles, vec![f64::NAN; count], vec![0.0; count]], observable: vec![0; count] }
+    Rows::new([angles, vec![f64::NAN; count], vec![0.0; count]], vec![0; count])
 }
 
 criterion_group! { name = benches; config = Criterion::default().sample_size(20); targets = cam }

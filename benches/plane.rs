@@ -17,6 +17,7 @@ use fem::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Quad4, Q
 use fem::input::Source;
 use fem::mesh::{Grading, Mesh, RectangleMesh, RingMesh};
 use fem::model::Model;
+use fem::process::Values;
 use fem::solve::conduction::{Condition, History, Power, Run, Scheme, ThermalSystem};
 use fem::solve::elastic::{ElasticSystem, Loads};
 use fem::solve::ring::{Bore, ContactArc, add_jaws};
@@ -93,9 +94,9 @@ fn chuck() -> Result<(), Box<dyn Error>> {
     for (column, name) in rows.columns.iter_mut().zip(names) {
         let first = column[0];
         *column = match name {
-            "angle" => angles.clone(),
+            "angle" => angles.clone().into(),
             "run" => (0..108).map(|i| f64::from(1 + i / 36)).collect(),
-            _ => vec![first; angles.len()],
+            _ => Values::shared(first, angles.len()),
         };
     }
     rows.observable.truncate(angles.len());
@@ -117,12 +118,8 @@ fn chuck() -> Result<(), Box<dyn Error>> {
 fn rod() -> Result<(), Box<dyn Error>> {
     let process = fem::process::ALL.iter().find(|p| p.name() == "thermal").ok_or("no such process")?;
     let model = Model::parse(Source::new("thermal.toml", process.starting_model()))?;
-    let mut rows = model.system.programme();
-    for column in &mut rows.columns {
-        column.truncate(160);
-    }
-    rows.observable.truncate(160);
-    rows.columns[0].iter_mut().enumerate().for_each(|(i, t)| *t = 270.0 * (1 + i / 4) as f64);
+    let mut rows = model.system.programme().some(&(0..160).collect::<Vec<_>>());
+    rows.columns[0] = (0..160).map(|row| 270.0 * f64::from(1 + row / 4)).collect();
     let effects: Vec<_> = process
         .effects()
         .iter()

@@ -4,7 +4,7 @@ use super::Trend;
 use super::waves::{Largest, Waves};
 use crate::measure::Measurements;
 use crate::noise::beyond_chi2;
-use crate::process::Coordinate;
+use crate::process::{Coordinate, Values};
 use crate::units::Kind;
 
 /// Bins along a single coordinate, and along each of a pair.
@@ -25,7 +25,7 @@ pub struct Binned {
     /// The coordinates.
     pub along: Along,
     /// Bin of each row along each coordinate.
-    bins: Vec<Vec<usize>>,
+    bins: Vec<Vec<u16>>,
     counts: Vec<usize>,
     /// Waves along the coordinate or along both; `None` where there is no coordinate.
     waves: Option<Waves>,
@@ -64,16 +64,16 @@ pub fn binnings(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<
 }
 
 /// Bin of each value, and number of bins: one per distinct value, or `most` with about equally many rows.
-fn bins(values: &[f64], most: usize) -> (Vec<usize>, usize) {
+fn bins(values: &Values, most: usize) -> (Vec<u16>, usize) {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
     sorted.sort_unstable_by(f64::total_cmp);
-    let mut starts = sorted.clone();
+    let levels = sorted.chunk_by(|a, b| a == b).take(most + 1).count();
+    let mut starts = match levels > most {
+        true => (0..most).map(|k| sorted[k * sorted.len() / most]).collect(),
+        false => sorted,
+    };
     starts.dedup();
-    if starts.len() > most {
-        starts = (0..most).map(|k| sorted[k * sorted.len() / most]).collect();
-        starts.dedup();
-    }
-    let bin = |v: &f64| if v.is_nan() { 0 } else { starts.partition_point(|s| s <= v).saturating_sub(1) };
+    let bin = |v: &f64| if v.is_nan() { 0 } else { starts.partition_point(|s| s <= v).saturating_sub(1) as u16 };
     (values.iter().map(bin).collect(), starts.len().max(1))
 }
 
@@ -155,17 +155,17 @@ impl Binned {
     }
 }
 
-fn gather(bins: &[usize], count: usize, values: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
+fn gather(bins: &[u16], count: usize, values: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
     let (mut sums, mut counts) = (vec![0.0; count], vec![0.0; count]);
     for (&bin, value) in bins.iter().zip(values) {
-        sums[bin] += value;
-        counts[bin] += 1.0;
+        sums[usize::from(bin)] += value;
+        counts[usize::from(bin)] += 1.0;
     }
     (sums, counts)
 }
 
 /// Interaction of two coordinates: the statistic of their cells beyond the sum of the two main effects.
-fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &[f64], mean: f64) -> Statistic {
+fn interaction(first: &[u16], second: &[u16], wide: usize, high: usize, z: &[f64], mean: f64) -> Statistic {
     /// Largest mean, in standard uncertainties, that need not be taken out any more.
     const SETTLED: f64 = 1e-3;
     let mut left: Vec<f64> = z.iter().map(|z| z - mean).collect();
@@ -178,13 +178,13 @@ fn interaction(first: &[usize], second: &[usize], wide: usize, high: usize, z: &
                 *mean /= count;
                 largest = largest.max(mean.abs());
             }
-            left.iter_mut().zip(bins).for_each(|(l, b)| *l -= means[*b]);
+            left.iter_mut().zip(bins).for_each(|(l, b)| *l -= means[usize::from(*b)]);
         }
         if largest < SETTLED {
             break;
         }
     }
-    let cells: Vec<usize> = first.iter().zip(second).map(|(a, b)| a * wide + b).collect();
+    let cells: Vec<u16> = first.iter().zip(second).map(|(a, b)| a * wide as u16 + b).collect();
     let (sums, counts) = gather(&cells, wide * high, left.into_iter());
     Statistic::between(&sums, &counts, wide + high - 1)
 }

@@ -6,7 +6,7 @@
 /// two such.
 pub struct Waves {
     /// Cell of each row: a level, or a pair of levels.
-    cell: Vec<usize>,
+    cell: Vec<u16>,
     cells: usize,
     waves: Vec<Wave>,
     /// Cosine and sine of each whole wave, orthonormal.
@@ -41,13 +41,13 @@ const DEPENDENT: f64 = 1e-3;
 
 impl Waves {
     /// Makes the waves from the level of each row and the number of levels, along one coordinate or two.
-    pub fn new(along: &[(Vec<usize>, usize)]) -> Self {
+    pub fn new(along: &[(Vec<u16>, usize)]) -> Self {
         let rows = along.first().map_or(0, |a| a.0.len());
-        let cell: Vec<usize> =
-            (0..rows).map(|row| along.iter().fold(0, |c, (of, count)| c * count + of[row])).collect();
+        let of_row = |row: usize| along.iter().fold(0, |c, (of, count)| c * *count as u16 + of[row]);
+        let cell: Vec<u16> = (0..rows).map(of_row).collect();
         let cells = along.iter().map(|a| a.1).product();
         let mut counts = vec![0.0; cells];
-        cell.iter().for_each(|c| counts[*c] += 1.0);
+        cell.iter().for_each(|c| counts[usize::from(*c)] += 1.0);
         let mut halves: Vec<Vec<usize>> = vec![Vec::new()];
         for (_, count) in along {
             let more = |h: &Vec<usize>| (1..*count).map(|k| [&h[..], &[k]].concat()).collect::<Vec<_>>();
@@ -80,7 +80,7 @@ impl Waves {
     /// Finds the largest half wave and the largest whole wave.
     pub fn largest(&self, z: &[f64], mean: f64) -> impl Iterator<Item = Largest> {
         let mut sums = vec![0.0; self.cells];
-        self.cell.iter().zip(z).for_each(|(c, z)| sums[*c] += z - mean);
+        self.cell.iter().zip(z).for_each(|(c, z)| sums[usize::from(*c)] += z - mean);
         let square = |wave: &Wave| wave.values.iter().zip(&sums).map(|(v, s)| v * s).sum::<f64>().powi(2);
         let halves = self.waves.iter().map(|w| (square(w), w)).max_by(|a, b| a.0.total_cmp(&b.0));
         let whole = self.whole.iter().map(|[c, s]| (square(c) + square(s), c)).max_by(|a, b| a.0.total_cmp(&b.0));
@@ -94,7 +94,7 @@ impl Waves {
 
 /// Makes the whole waves along every coordinate, and at each level of the other coordinate where that has
 /// few.
-fn whole(along: &[(Vec<usize>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
+fn whole(along: &[(Vec<u16>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
     let levels: Vec<usize> = along.iter().map(|a| a.1).collect();
     let level = |cell: usize, i: usize| cell / levels[i + 1..].iter().product::<usize>() % levels[i];
     let mut found = Vec::new();
@@ -153,8 +153,8 @@ mod tests {
     fn what_alternates_is_seen_whole() {
         // Eight levels along one coordinate, nine along the other, ±1 in turn along the first: few waves
         // hold all of it, and none along the second.
-        let first: Vec<usize> = (0..72).map(|r| r / 9).collect();
-        let second: Vec<usize> = (0..72).map(|r| r % 9).collect();
+        let first: Vec<u16> = (0..72).map(|r| r / 9).collect();
+        let second: Vec<u16> = (0..72).map(|r| r % 9).collect();
         let z: Vec<f64> = first.iter().map(|i| if i % 2 == 0 { 1.0 } else { -1.0 }).collect();
         let along = Waves::new(&[(first.clone(), 8)]).largest(&z, 0.0).next().unwrap();
         assert_eq!(along.halves, [7]);
@@ -164,7 +164,7 @@ mod tests {
         let both: Vec<f64> = z
             .iter()
             .zip(&second)
-            .map(|(z, j)| z * (std::f64::consts::PI * 3.0 * (*j as f64 + 0.5) / 9.0).cos())
+            .map(|(z, j)| z * (std::f64::consts::PI * 3.0 * (f64::from(*j) + 0.5) / 9.0).cos())
             .collect();
         assert!(Waves::new(&[(first.clone(), 8)]).largest(&both, 0.0).next().unwrap().square < 1e-20);
         let found = Waves::new(&[(first, 8), (second, 9)]).largest(&both, 0.0).next().unwrap();
@@ -174,10 +174,10 @@ mod tests {
     #[test]
     fn a_whole_wave_is_seen_at_any_phase_and_at_one_level() {
         // Five waves around 24 places, at any phase, on all of three runs or on one of them.
-        let (run, place): (Vec<usize>, Vec<usize>) = (0..72).map(|r| (r / 24, r % 24)).unzip();
+        let (run, place): (Vec<u16>, Vec<u16>) = (0..72).map(|r| (r / 24, r % 24)).unzip();
         for phase in [0.0, 0.7, 1.5] {
             let wave: Vec<f64> =
-                place.iter().map(|i| (std::f64::consts::TAU * 5.0 * *i as f64 / 24.0 - phase).cos()).collect();
+                place.iter().map(|i| (std::f64::consts::TAU * 5.0 * f64::from(*i) / 24.0 - phase).cos()).collect();
             let seen = Waves::new(&[(place.clone(), 24)]).largest(&wave, 0.0).nth(1).unwrap();
             assert_eq!(seen.halves, [10]);
             assert!((seen.square - 36.0).abs() < 1e-9);

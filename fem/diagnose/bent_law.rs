@@ -126,7 +126,7 @@ fn shapes(set: &CandidateModel, signature: &[f64]) -> Vec<(Option<&'static str>,
     let data = set.objective.data;
     let coordinates = data.model.process.coordinates();
     let along = data.given.iter().flat_map(|i| {
-        let (coordinate, column) = (&coordinates[*i], &data.rows.columns[*i]);
+        let (coordinate, column) = (&coordinates[*i], &data.rows.columns[*i].to_vec());
         let waves = (coordinate.holds.kind() == Some(ANGLE)).then(|| waves(column));
         curve(column).into_iter().chain(waves).map(|shape| (Some(coordinate.name), shape))
     });

@@ -12,7 +12,7 @@ use super::table;
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
 use super::{MeasuredFile, Measurements};
 use crate::input::{InputError, Problem, Source, number};
-use crate::process::{Absent, Holds, Process, Rows};
+use crate::process::{Absent, Holds, Process, Rows, Values};
 use crate::units::Unit;
 
 /// Largest measurement file, bytes: some ten million rows.
@@ -153,7 +153,7 @@ impl<'a> Builder<'a> {
         let measurements = Measurements {
             name: String::new(),
             files: Vec::new(),
-            rows: Rows { columns: vec![Vec::new(); vocabulary.coordinates.len()], observable: Vec::new() },
+            rows: Rows { columns: vec![Values::default(); vocabulary.coordinates.len()], observable: Vec::new() },
             observed: Vec::new(),
             uncertainty: has_u.then(Vec::new),
             records_of: Vec::new(),

@@ -1,5 +1,7 @@
 //! Replicates: rows that repeat each other tell the noise (pure error).
 
+use std::sync::Arc;
+
 use super::Measurements;
 use super::neighbours::of_neighbours_alike;
 use crate::process::{Coordinate, Holds};
@@ -12,7 +14,7 @@ pub const LEAST_FREEDOM: usize = 5;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeats {
     /// Group of each row, from 0; rows of a group differ in nothing that is compared.
-    pub group: Vec<usize>,
+    pub group: Arc<Vec<usize>>,
     /// Number of groups.
     pub groups: usize,
     /// Scatter of each of the file's observables, in their order.
@@ -21,7 +23,7 @@ pub struct Repeats {
     /// and the scatter is that of neighbours about the means of their groups.
     pub drifting: bool,
     /// Pass of each row: by its run, direction and other labels, and its observable.
-    pass: Vec<usize>,
+    pass: Arc<Vec<usize>>,
 }
 
 /// Scatter of the replicates of one observable (pure error).
@@ -57,9 +59,9 @@ impl Repeats {
         let bare = Self {
             groups: group.iter().max().map_or(0, |most| most + 1),
             scatter: vec![Scatter::default(); measurements.observables.len()],
-            pass: measurements.levels_of_observables(&labels),
+            pass: measurements.levels_of_observables(&labels).into(),
             drifting,
-            group,
+            group: group.into(),
         };
         bare.within(measurements, &[], &|_| false)
     }
@@ -73,7 +75,7 @@ impl Repeats {
         let rows: Vec<usize> = (0..measurements.len()).filter(|row| !is_out(*row)).collect();
         let mut left: Vec<f64> = rows.iter().map(|row| measurements.observed[*row]).collect();
         let own = |of_rows: &[usize]| rows.iter().map(|row| of_rows[*row]).collect::<Vec<usize>>();
-        let parts: Vec<Vec<usize>> = std::iter::once(&self.group).chain(levels).map(|l| own(l)).collect();
+        let parts: Vec<Vec<usize>> = std::iter::once(&*self.group).chain(levels).map(|l| own(l)).collect();
         for _ in 0..if levels.is_empty() { 1 } else { ROUNDS } {
             parts.iter().for_each(|part| take_means_out(part, &mut left));
         }
@@ -159,7 +161,7 @@ mod tests {
             let noise = 2e-6 * [1.2, -0.7, -1.1, 0.4, 1.3, -0.2, -1.4, 0.9, -0.5][(row * 5 + run) % 9];
             observed.push(1e-5 * (target as f64).sin() + 30e-6 * (1.0 - (-(row as f64) / 60.0).exp()) + noise);
         }
-        let planned = Measurements::planned(process, "test", Rows { columns, observable: vec![0; 198] });
+        let planned = Measurements::planned(process, "test", Rows::new(columns, vec![0; 198]));
         (process, Measurements { observed, ..planned })
     }
 

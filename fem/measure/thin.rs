@@ -63,7 +63,7 @@ mod tests {
             }
         }
         let observable = process.observables().iter().position(|o| o.name == "temperature").unwrap();
-        (process, Measurements::planned(process, "sensors", Rows { columns, observable: vec![observable; 18_000] }))
+        (process, Measurements::planned(process, "sensors", Rows::new(columns, vec![observable; 18_000])))
     }
 
     #[test]
@@ -75,11 +75,11 @@ mod tests {
         let (x, time) = (&some.rows.columns[column("x")], &some.rows.columns[column("time")]);
         for sensor in 0..6 {
             let own: Vec<f64> =
-                x.iter().zip(time).filter(|(x, _)| **x == 0.1 * f64::from(sensor)).map(|p| *p.1).collect();
+                x.iter().zip(time.iter()).filter(|(x, _)| **x == 0.1 * f64::from(sensor)).map(|p| *p.1).collect();
             assert!(own.len().abs_diff(3000 / 18) <= 1, "sensor {sensor}: {} readings", own.len());
             assert!(own[0] < 18.0 && own[own.len() - 1] >= 3000.0 - 18.0, "sensor {sensor}");
         }
-        let mut times = time.clone();
+        let mut times = time.to_vec();
         times.dedup();
         assert_eq!(times.len(), some.len(), "readings at times of their own");
     }

@@ -101,11 +101,7 @@ impl<'m> Data<'m> {
         let step = all.len().div_ceil(MOST).max(1);
         // A step that has no common factor with the length of a pass visits every place.
         let step = (step..).find(|s| !all.len().is_multiple_of(*s) || *s == 1).unwrap_or(step);
-        let take = |column: &Vec<f64>| column.iter().copied().step_by(step).collect();
-        let rows = Rows {
-            columns: all.columns.iter().map(take).collect(),
-            observable: all.observable.iter().copied().step_by(step).collect(),
-        };
+        let rows = all.some(&(0..all.len()).step_by(step).collect::<Vec<_>>());
         Ok(Self::proposed(model, "the model's own programme", rows))
     }
 

@@ -48,7 +48,7 @@ pub fn at_true_times(rows: &Rows, terms: &[Term], time: Option<usize>) -> Rows {
         let is_own = |row: &usize| clock.observable.is_none_or(|own| own == rows.observable[*row]);
         for row in (0..times.len()).filter(is_own) {
             if times[row].is_finite() {
-                times[row] = (times[row] - clock.size).max(times[row].min(0.0));
+                times.set(row, (times[row] - clock.size).max(times[row].min(0.0)));
             }
         }
     }

@@ -26,6 +26,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use crate::measure::{LEAST_FREEDOM, Measurements, Repeats, Scatter, of_neighbours};
+use crate::process::Values;
 use covariance::Covariance;
 
 /// Standard uncertainty of each row, and its source. SI units.
@@ -296,16 +297,16 @@ fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
         return rows;
     }
     let columns = &measurements.rows.columns;
-    let levels = |column: &Vec<f64>| {
+    let levels = |column: &Values| {
         let mut values: Vec<f64> = rows.iter().map(|r| column[*r]).filter(|v| !v.is_nan()).collect();
         values.sort_unstable_by(f64::total_cmp);
         values.dedup();
         values.len()
     };
-    let mut order: Vec<(usize, &Vec<f64>)> = columns.iter().map(|c| (levels(c), c)).collect();
+    let mut order: Vec<(usize, &Values)> = columns.iter().map(|c| (levels(c), c)).collect();
     order.sort_by_key(|(levels, _)| *levels);
     rows.sort_by(|a, b| {
-        let differ = |(_, c): &(usize, &Vec<f64>)| Some(c[*a].total_cmp(&c[*b])).filter(|o| o.is_ne());
+        let differ = |(_, c): &(usize, &Values)| Some(c[*a].total_cmp(&c[*b])).filter(|o| o.is_ne());
         order.iter().find_map(differ).unwrap_or(std::cmp::Ordering::Equal)
     });
     rows
@@ -319,8 +320,8 @@ pub(crate) mod tests {
     /// Rows of the process `turning` whose first coordinate has these values.
     pub fn measured(values: &[f64]) -> Measurements {
         let process = crate::process::ALL[0];
-        let mut columns = vec![vec![f64::NAN; values.len()]; process.coordinates().len()];
-        columns[0] = values.to_vec();
+        let mut columns = vec![Values::shared(f64::NAN, values.len()); process.coordinates().len()];
+        columns[0] = values.to_vec().into();
         Measurements::planned(process, "rows", Rows { columns, observable: vec![0; values.len()] })
     }
 

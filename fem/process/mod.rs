@@ -32,6 +32,7 @@ mod sketch;
 pub mod stiffness;
 pub mod thermal;
 pub mod turning;
+mod values;
 mod winding;
 
 pub use adapter::Assembled;
@@ -59,4 +60,5 @@ pub use report::{Animation, Column, Plot, RunReport, Table};
 pub use scene::{Arrow, Body, Ends, Frame, Role, Skin, SkinPoint, View};
 pub use segment::Segment;
 pub use sketch::{Part, Sketch};
+pub use values::Values;
 pub use winding::Winding;

@@ -1,5 +1,6 @@
 //! What can be observed of a process, and under which coordinates and conditions.
 
+use super::Values;
 use crate::units::{Kind, LENGTH, MICRO, TEMPERATURE, TEMPERATURE_RISE};
 
 /// A quantity that is predicted and can be measured.
@@ -102,12 +103,17 @@ impl Absent {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rows {
     /// One column per coordinate, in the order of the process's list; SI.
-    pub columns: Vec<Vec<f64>>,
+    pub columns: Vec<Values>,
     /// Which observable each row observes, by its position in the process's list.
     pub observable: Vec<usize>,
 }
 
 impl Rows {
+    /// Rows of these columns.
+    pub fn new<V: Into<Values>>(columns: impl IntoIterator<Item = V>, observable: Vec<usize>) -> Self {
+        Self { columns: columns.into_iter().map(V::into).collect(), observable }
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.observable.len()
@@ -121,16 +127,25 @@ impl Rows {
     /// These rows and more.
     #[must_use]
     pub fn and(&self, more: &Self) -> Self {
-        let columns = self.columns.iter().zip(&more.columns).map(|(a, b)| a.iter().chain(b).copied().collect());
+        let columns = self.columns.iter().zip(&more.columns).map(|(a, b)| a.iter().chain(b.iter()).copied().collect());
         Self {
             columns: columns.collect(),
             observable: self.observable.iter().chain(&more.observable).copied().collect(),
         }
     }
 
+    /// Those of these rows, in this order.
+    #[must_use]
+    pub fn some(&self, rows: &[usize]) -> Self {
+        Self {
+            columns: self.columns.iter().map(|column| column.some(rows)).collect(),
+            observable: rows.iter().map(|row| self.observable[*row]).collect(),
+        }
+    }
+
     /// Coordinate number `column` of row `row`, if the row has one.
     pub fn get(&self, column: usize, row: usize) -> Option<f64> {
-        self.columns.get(column).and_then(|c| c.get(row)).copied().filter(|v| !v.is_nan())
+        self.columns.get(column).filter(|c| row < c.len()).map(|c| c[row]).filter(|v| !v.is_nan())
     }
 }
 

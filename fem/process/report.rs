@@ -54,7 +54,7 @@ impl Table {
         observed: &[f64],
     ) -> Self {
         let mut columns: Vec<Column> =
-            shown.iter().map(|i| Column::coordinate(&coordinates[*i], &rows.columns[*i])).collect();
+            shown.iter().map(|i| Column::coordinate(&coordinates[*i], &rows.columns[*i].to_vec())).collect();
         columns.push(Column::quantities(observable.name, observable.kind, observed));
         Self { columns }
     }

@@ -2,7 +2,7 @@
 
 use fem::input::Source;
 use fem::measure::{Decimal, Measurements, Reading};
-use fem::process::{self, Process};
+use fem::process::{self, Process, Values};
 
 /// A file as somebody writes it.
 struct Case {
@@ -248,8 +248,8 @@ fn read(case: &Case, text: &str) -> Measurements {
 
 /// What is read, bit for bit.
 fn content(m: &Measurements) -> Vec<Vec<u64>> {
-    let uncertainty = m.uncertainty.clone().unwrap_or_default();
-    let columns = m.rows.columns.iter().chain([&m.observed, &uncertainty]);
+    let values = [m.observed.clone(), m.uncertainty.clone().unwrap_or_default()];
+    let columns = m.rows.columns.iter().map(Values::to_vec).chain(values);
     columns.map(|column| column.iter().map(|v| v.to_bits()).collect()).collect()
 }
 
@@ -292,7 +292,7 @@ fn dates_follow_the_calendar() {
     ] {
         let text = format!("time,x [m],temperature [degC]\n{from}T00:00,0,1\n{to}T00:00,0,1\n");
         let found = Measurements::parse(Source::new("data.csv", text), process("thermal")).unwrap();
-        assert_eq!(found.rows.columns[0], [0.0, 86_400.0 * f64::from(days)], "{from} to {to}");
+        assert_eq!(found.rows.columns[0].to_vec(), [0.0, 86_400.0 * f64::from(days)], "{from} to {to}");
     }
 }
 

@@ -80,7 +80,8 @@ fn same(found: &Measurements, own: &Measurements) -> bool {
     let near = |a: &[f64], b: &[f64]| {
         a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12 || (a.is_nan() && b.is_nan()))
     };
-    near(&found.observed, &own.observed) && found.rows.columns.iter().zip(&own.rows.columns).all(|(a, b)| near(a, b))
+    let mut columns = found.rows.columns.iter().zip(&own.rows.columns);
+    near(&found.observed, &own.observed) && columns.all(|(a, b)| near(&a.to_vec(), &b.to_vec()))
 }
 
 #[test]

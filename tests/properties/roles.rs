@@ -62,9 +62,9 @@ fn a_tailstock_gives_way_alike_to_the_cut_and_to_a_test() {
     columns[at("x")] = vec![end];
     columns[at("radial_force")] = vec![FORCE];
     columns[at("part")] = vec![1.0];
-    let row = Rows { columns, observable: vec![0] };
+    let row = Rows::new(columns, vec![0]);
     let turned = |effects: &[Active]| lathe.system.with_effects(effects).observe(&row).unwrap()[0];
-    let pushed = Rows { columns: vec![vec![FORCE], vec![0.0]], observable: vec![0] };
+    let pushed = Rows::new([vec![FORCE], vec![0.0]], vec![0]);
     let loaded = |model: &Model, effects: &[Active]| model.system.with_effects(effects).observe(&pushed).unwrap()[0];
     let effect = |model: &Model, name: &str, values: Vec<f64>| {
         model.process.effects().into_iter().find(|e| e.name == name).unwrap().with(values)

@@ -6,7 +6,7 @@ use super::{Figure, ModelPart, Models, inputs};
 use crate::budget::{Kind as Way, Law};
 use crate::input::{InputError, Reader, did_you_mean};
 use crate::model::Model;
-use crate::process::{Absent, Coordinate, Holds, Rows};
+use crate::process::{Absent, Coordinate, Holds, Rows, Values};
 use crate::units::{FACTOR, Kind, MICRO};
 
 /// Reads the models of a budget and their inputs. The problems of a wrong model file go to `broken`.
@@ -104,7 +104,7 @@ fn left_to_the_model(model: &Model, mut rows: Rows) -> Rows {
         if coordinate.absent != Absent::Model {
             continue;
         }
-        let written = std::mem::replace(&mut rows.columns[column], vec![f64::NAN; rows.observable.len()]);
+        let written = std::mem::replace(&mut rows.columns[column], Values::shared(f64::NAN, rows.observable.len()));
         if model.system.resolved(&rows).columns[column] != written {
             rows.columns[column] = written;
         }

@@ -5,7 +5,7 @@ use crate::input::{InputError, Problem, Source, name_and_unit};
 use crate::measure::{MeasuredFile, MeasuredObservable, Measurements};
 use crate::model::{Data, Model};
 use crate::noise::{Acts, Term};
-use crate::process::Rows;
+use crate::process::{Rows, Values};
 
 impl<'m> Data<'m> {
     /// Measurements of each of the tests that a model is made of, in their order.
@@ -58,7 +58,7 @@ fn check(name: &str, measured: &[Measurements]) -> Result<(), InputError> {
 
 /// No rows yet, of no file.
 fn nothing(model: &Model, name: &str) -> Measurements {
-    let columns = vec![Vec::new(); model.process.coordinates().len()];
+    let columns = vec![Values::default(); model.process.coordinates().len()];
     let planned = Measurements::planned(model.process, name, Rows { columns, observable: Vec::new() });
     Measurements { files: Vec::new(), given: Vec::new(), ..planned }
 }

@@ -1,7 +1,7 @@
 //! Where the rows of each test stand among those of all.
 
 use crate::noise::Term;
-use crate::process::{Absent, Coordinate, Observable, Process, Rows, formula_effect};
+use crate::process::{Absent, Coordinate, Observable, Process, Rows, Values, formula_effect};
 
 /// The observables of all tests, each test's its own, and the union of their coordinates.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,7 +89,7 @@ impl Layout {
 
     /// The rows of a test as rows among those of all; of coordinates that the test has not they have nothing.
     pub fn among_all(&self, test: usize, own: &Rows) -> Rows {
-        let mut columns = vec![vec![f64::NAN; own.len()]; self.coordinates.len()];
+        let mut columns = vec![Values::shared(f64::NAN, own.len()); self.coordinates.len()];
         for (number, column) in self.columns[test].iter().zip(&own.columns) {
             columns[*number].clone_from(column);
         }

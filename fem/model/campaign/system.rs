@@ -122,7 +122,7 @@ impl System for Whole {
         for (number, test, numbers, own) in self.parts(rows) {
             let own = self.0.layout.among_all(number, &test.model.system.resolved(&own));
             for (column, own) in all.columns.iter_mut().zip(&own.columns) {
-                numbers.iter().zip(own).for_each(|(row, value)| column[*row] = *value);
+                numbers.iter().zip(own.iter()).for_each(|(row, value)| column.set(*row, *value));
             }
         }
         all

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use crate::output::chart::{Axis, Form, Point, Series, number};
-use crate::process::{Absent, Coordinate, Holds, Process, Rows};
+use crate::process::{Absent, Coordinate, Holds, Process, Rows, Values};
 use crate::units::{ANGLE, FORCE, Kind, LENGTH};
 
 /// Most levels of a coordinate that tells curves apart.
@@ -205,7 +205,7 @@ fn is_word(coordinate: &Coordinate) -> bool {
 }
 
 impl Variable {
-    fn of(coordinate: &Coordinate, column: &[f64], rows: &[usize]) -> Option<Self> {
+    fn of(coordinate: &Coordinate, column: &Values, rows: &[usize]) -> Option<Self> {
         let kind = coordinate.holds.kind();
         let told = |si: f64| kind.map_or(si, |kind| kind.from_si(si));
         let values: Vec<f64> = rows.iter().map(|row| told(column[*row])).collect();

@@ -3,7 +3,7 @@
 use super::setup::Setup;
 use crate::positioning::{Approach, Direction, Steps, Table, Tolerance};
 use crate::process::{
-    Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows,
+    Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values,
 };
 use crate::units::{LENGTH, MICRO, TIME};
 
@@ -76,7 +76,7 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
 
 /// Rows of approaches (position, direction, run, time).
 pub fn rows(approaches: impl IntoIterator<Item = (f64, Direction, f64, f64)>) -> Rows {
-    let mut columns = vec![Vec::new(); COORDINATES.len()];
+    let mut columns = vec![Values::default(); COORDINATES.len()];
     for (position, direction, run, time) in approaches {
         columns[POSITION].push(position);
         columns[DIRECTION].push(if direction == Direction::Backward { BACKWARD } else { 0.0 });
@@ -112,7 +112,7 @@ pub fn places(rows: &Rows) -> Places {
     Places {
         points: all().map(|row| [rows.columns[POSITION][row], 0.0, 0.0]).collect(),
         directions: vec![[1.0, 0.0, 0.0]; rows.len()],
-        along: rows.columns[POSITION].clone(),
+        along: rows.columns[POSITION].to_vec(),
         references: vec![0.0; rows.len()],
         // Half a step from the way forwards to the way back.
         frames: all().map(|row| rows.columns[RUN][row] + 0.5 * rows.columns[DIRECTION][row]).collect(),
@@ -121,7 +121,7 @@ pub fn places(rows: &Rows) -> Places {
 
 /// The targets that are measured, rising.
 fn targets(rows: &Rows) -> Vec<f64> {
-    let mut all = rows.columns[POSITION].clone();
+    let mut all = rows.columns[POSITION].to_vec();
     all.sort_unstable_by(f64::total_cmp);
     all.dedup();
     all

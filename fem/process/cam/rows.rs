@@ -2,7 +2,7 @@
 
 use super::program::Pass;
 use super::setup::Setup;
-use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows};
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
 use crate::units::{ANGLE, MICRO, SPINDLE_SPEED};
 
 /// The deviation along the normal of the profile, positive outwards.
@@ -49,7 +49,10 @@ pub fn place(setup: &Setup, rows: &Rows, row: usize) -> f64 {
 pub fn around(angles: Vec<f64>, pass: Pass) -> Rows {
     let count = angles.len();
     let direction = if pass.is_reversed { REVERSE } else { FORWARD };
-    Rows { columns: vec![angles, vec![pass.speed; count], vec![direction; count]], observable: vec![0; count] }
+    Rows {
+        columns: vec![angles.into(), Values::shared(pass.speed, count), Values::shared(direction, count)],
+        observable: vec![0; count],
+    }
 }
 
 /// Rows at places of the profile (m), ground as the programme runs.
@@ -72,7 +75,7 @@ pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
 /// Rows with the speed of the model where they have none of their own.
 pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     let mut resolved = rows.clone();
-    resolved.columns[SPEED].iter_mut().filter(|v| v.is_nan()).for_each(|v| *v = setup.program.mean_speed);
+    resolved.columns[SPEED].fill_absent(setup.program.mean_speed);
     resolved
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::path::{Direction, Path};
 use super::setup::Setup;
-use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows};
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 
 /// The deviation of the tool from its path, positive outwards.
@@ -101,7 +101,8 @@ pub fn programme(setup: &Setup) -> Rows {
 /// Rows at some angles (rad) in a direction, at the feed of the model.
 pub fn lap(setup: &Setup, direction: Direction, angles: Vec<f64>) -> Rows {
     let count = angles.len();
-    let columns = vec![angles, vec![f64::from(direction as u8); count], vec![setup.feed; count]];
+    let columns =
+        vec![angles.into(), Values::shared(f64::from(direction as u8), count), Values::shared(setup.feed, count)];
     Rows { columns, observable: vec![0; count] }
 }
 
@@ -110,8 +111,8 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     let mut resolved = rows.clone();
     for row in 0..rows.len() {
         let (direction, feed) = way(setup, rows, row);
-        resolved.columns[DIRECTION][row] = f64::from(direction as u8);
-        resolved.columns[FEED][row] = feed;
+        resolved.columns[DIRECTION].set(row, f64::from(direction as u8));
+        resolved.columns[FEED].set(row, feed);
     }
     resolved
 }
@@ -130,8 +131,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
                       (direction, feed): (Direction, f64),
                       angles: Vec<f64>| {
         let values = value.map_or_else(|| angles.clone(), |v| vec![v]);
-        let columns = vec![angles.clone(), vec![f64::from(direction as u8); angles.len()], vec![feed; angles.len()]];
-        let rows = Rows { columns, observable: vec![0; angles.len()] };
+        let rows = lap(&Setup { feed, ..setup.clone() }, direction, angles);
         CandidateExperiment { words, coordinate: COORDINATES[coordinate].name, values, rows }
     };
     let around = |direction, feed| {
@@ -168,7 +168,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
 /// Whether an angle lies off the corners.
 fn steady(setup: &Setup, angle: f64, direction: Direction, feed: f64) -> bool {
     let columns = vec![vec![angle], vec![f64::from(direction as u8)], vec![feed]];
-    misplaced(setup, &Rows { columns, observable: vec![0] }).is_empty()
+    misplaced(setup, &Rows::new(columns, vec![0])).is_empty()
 }
 
 /// On the path, lap by lap; a deviation is outwards.

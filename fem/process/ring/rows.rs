@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::circle::{self, evenly};
 use super::setup::{Reference, Setup};
 use crate::process::{
-    Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
+    Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows, Values,
 };
 use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
 
@@ -60,12 +60,12 @@ pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
 
 /// The released bore at some angles (rad) in a set-up of the model's own conditions, from a true blank.
 fn set_up(setup: &Setup, run: f64, angles: Vec<f64>) -> Rows {
-    let mut columns = vec![vec![0.0; angles.len()]; COORDINATES.len()];
+    let mut columns = vec![Values::shared(0.0, angles.len()); COORDINATES.len()];
     for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (RUN, run)] {
         columns[column].fill(value);
     }
     let observable = vec![0; angles.len()];
-    columns[ANGLE_OF_ROW] = angles;
+    columns[ANGLE_OF_ROW] = angles.into();
     Rows { columns, observable }
 }
 
@@ -86,7 +86,7 @@ pub fn programme(setup: &Setup) -> Rows {
 pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     let mut resolved = rows.clone();
     for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed())] {
-        resolved.columns[column].iter_mut().filter(|v| v.is_nan()).for_each(|v| *v = value);
+        resolved.columns[column].fill_absent(value);
     }
     resolved
 }
@@ -127,7 +127,7 @@ fn set_ups(rows: &Rows) -> Vec<Vec<usize>> {
 pub fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
     match setup.reference {
         Reference::LeastSquaresCircle => {
-            set_ups(rows).iter().flat_map(|own| circle::directions(own, &rows.columns[ANGLE_OF_ROW])).collect()
+            set_ups(rows).iter().flat_map(|own| circle::directions(own, &rows.columns[ANGLE_OF_ROW].to_vec())).collect()
         }
         Reference::Absolute => Vec::new(),
     }
@@ -140,7 +140,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let experiment = |words: &str, column: usize, value: &dyn Fn(f64) -> f64| {
         let mut rows = set_up(setup, next, angles.clone());
         rows.columns[column] = angles.iter().map(|angle| value(*angle)).collect();
-        let mut values = rows.columns[column].clone();
+        let mut values = rows.columns[column].to_vec();
         values.sort_unstable_by(f64::total_cmp);
         values.dedup();
         CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name, values, rows }

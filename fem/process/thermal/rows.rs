@@ -1,7 +1,7 @@
 //! Measurements of a heated body: how far its end has moved, and temperatures at places, over time.
 
 use super::setup::Setup;
-use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Limit, Misplaced, Observable, Rows};
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Limit, Misplaced, Observable, Rows, Values};
 use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
 
 /// Growth first, for it is what a workpiece feels.
@@ -93,7 +93,7 @@ fn rows(setup: &Setup, times: &[f64], places: &[Option<f64>]) -> Rows {
         columns: vec![
             all().map(|(t, _)| t).collect(),
             all().map(|(_, x)| x.unwrap_or(f64::NAN)).collect(),
-            vec![f64::NAN; times.len() * places.len()],
+            Values::shared(f64::NAN, times.len() * places.len()),
         ],
         observable: all().map(|(_, x)| if x.is_some() { TEMPERATURE_OF_ROW } else { ELONGATION }).collect(),
     };
@@ -102,15 +102,15 @@ fn rows(setup: &Setup, times: &[f64], places: &[Option<f64>]) -> Rows {
 
 /// Elongations at some times (s).
 pub fn elongations(times: &[f64]) -> Rows {
-    let nowhere = vec![f64::NAN; times.len()];
-    Rows { columns: vec![times.to_vec(), nowhere.clone(), nowhere], observable: vec![ELONGATION; times.len()] }
+    let nowhere = Values::shared(f64::NAN, times.len());
+    Rows { columns: vec![times.to_vec().into(), nowhere.clone(), nowhere], observable: vec![ELONGATION; times.len()] }
 }
 
 /// Temperatures at some places (x and y in m; a rod has no y) at a time (s).
 pub fn temperatures(places: &[[f64; 2]], time: f64) -> Rows {
     let along = |axis: usize| places.iter().map(|place| place[axis]).collect();
     Rows {
-        columns: vec![vec![time; places.len()], along(0), along(1)],
+        columns: vec![Values::shared(time, places.len()), along(0), along(1)],
         observable: vec![TEMPERATURE_OF_ROW; places.len()],
     }
 }
@@ -120,9 +120,9 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     let mut resolved = rows.clone();
     if let Some(plane) = setup.body.plane() {
         let middle = plane.middle();
-        for (y, observable) in resolved.columns[Y].iter_mut().zip(&rows.observable) {
-            if y.is_nan() && *observable == TEMPERATURE_OF_ROW {
-                *y = middle;
+        for row in (0..rows.len()).filter(|row| rows.observable[*row] == TEMPERATURE_OF_ROW) {
+            if rows.columns[Y][row].is_nan() {
+                resolved.columns[Y].set(row, middle);
             }
         }
     }

@@ -2,6 +2,7 @@
 //! work.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use rayon::prelude::*;
 
@@ -70,15 +71,26 @@ pub fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Resu
     Ok(errors)
 }
 
+/// Rows whose positions are condensed together: a position takes a hundred bytes, and files have a million.
+const BLOCK: usize = 1 << 16;
+
 /// What every row would show, m.
 ///
 /// # Errors
 /// As [`condense`] and [`deflections`].
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+    let mut values = Vec::with_capacity(rows.len());
+    for first in (0..rows.len()).step_by(BLOCK) {
+        values.extend(observe_some(machine, rows, first..rows.len().min(first + BLOCK))?);
+    }
+    Ok(values)
+}
+
+fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Vec<f64>, Failure> {
     let setup = &*machine.setup;
     let length = setup.length();
     let at = |row: usize| rows.get(X, row).unwrap_or(0.0).clamp(0.0, length);
-    let mut positions: Vec<f64> = (0..rows.len()).map(at).collect();
+    let mut positions: Vec<f64> = some.clone().map(at).collect();
     positions.sort_unstable_by(f64::total_cmp);
     positions.dedup();
     let shaft = condense(machine, &positions)?;
@@ -106,7 +118,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         };
         Ok(set + error)
     };
-    (0..rows.len()).into_par_iter().with_min_len(256).map(one).collect()
+    some.into_par_iter().with_min_len(256).map(one).collect()
 }
 
 /// Force of each steady rest at every tool position, N. By reciprocity the deflection at a rest while the

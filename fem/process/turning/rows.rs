@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::cut::Conditions;
 use super::setup::Setup;
-use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows};
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
 use crate::units::{FEED, FORCE, LENGTH, MICRO, PATH, SPINDLE_SPEED, TIME};
 
 /// Places of a candidate experiment on one part, at most.
@@ -96,19 +96,19 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
 /// The model's own programme: part by part, x rising.
 pub fn programme(setup: &Setup) -> Rows {
     let (sweep, parts) = (setup.sweep(), setup.schedule.parts);
-    let mut columns = vec![vec![f64::NAN; sweep.len()]; COORDINATES.len()];
-    columns[X].clone_from(&sweep);
+    let mut columns = vec![Values::shared(f64::NAN, sweep.len()); COORDINATES.len()];
+    columns[X] = sweep.clone().into();
     columns[ANGLE].fill(0.0);
     let first = resolved(setup, &Rows { columns, observable: vec![0; sweep.len()] });
     // Parts differ in their number, and in time and path.
     let each = |of: &dyn Fn(usize, f64) -> f64| {
-        (1..=parts).flat_map(|part| sweep.iter().map(move |x| of(part, *x))).collect::<Vec<f64>>()
+        (1..=parts).flat_map(|part| sweep.iter().map(move |x| of(part, *x))).collect::<Values>()
     };
-    let column = |(column, values): (usize, &Vec<f64>)| match column {
+    let column = |(column, values): (usize, &Values)| match column {
         PART => each(&|part, _| part as f64),
         TIME_OF_ROW => each(&|part, x| setup.schedule.time(part, x)),
         PATH_OF_ROW => each(&|part, x| setup.schedule.path(part, x)),
-        _ => values.repeat(parts),
+        _ => (0..parts).flat_map(|_| values.iter().copied()).collect(),
     };
     let columns = first.columns.iter().enumerate().map(column).collect();
     Rows { columns, observable: vec![0; parts * sweep.len()] }
@@ -133,7 +133,7 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
             (TIME_OF_ROW, time),
             (PATH_OF_ROW, path),
         ];
-        filled.iter().for_each(|(column, value)| all.columns[*column][row] = *value);
+        filled.iter().for_each(|(column, value)| all.columns[*column].set(row, *value));
     }
     all
 }
@@ -230,12 +230,12 @@ fn measured_places(rows: &Rows) -> Vec<f64> {
 
 /// Rows of one part at places, with some coordinates set.
 fn at(like: &Rows, places: &[f64], part: f64, changes: &[(usize, f64)]) -> Rows {
-    let mut columns = vec![vec![f64::NAN; places.len()]; like.columns.len()];
-    columns[X] = places.to_vec();
-    columns[PART] = vec![part; places.len()];
-    columns[ANGLE] = vec![0.0; places.len()];
+    let mut columns = vec![Values::shared(f64::NAN, places.len()); like.columns.len()];
+    columns[X] = places.to_vec().into();
+    columns[PART].fill(part);
+    columns[ANGLE].fill(0.0);
     for &(column, value) in changes {
-        columns[column] = vec![value; places.len()];
+        columns[column].fill(value);
     }
     let observable = like.observable.first().copied().unwrap_or(0);
     Rows { columns, observable: vec![observable; places.len()] }

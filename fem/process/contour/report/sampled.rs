@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::super::path::Direction;
 use super::super::rows::{self, ANGLE_OF_ROW, DIRECTION};
 use super::super::setup::Setup;
-use crate::process::{Failure, Forward, Rows};
+use crate::process::{Failure, Forward, Rows, Values};
 
 /// What a point beside those of the programme shows more, as a part of the span of all deviations, where it is worth
 /// its row.
@@ -35,7 +35,7 @@ impl Sampled {
         let programme = Self { rows: forward.programme.clone(), deviations: forward.prediction.to_vec() };
         let all = || programme.deviations.iter().chain(&fine.deviations).copied();
         let span = all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min);
-        let columns = vec![Vec::new(); programme.rows.columns.len()];
+        let columns = vec![Values::default(); programme.rows.columns.len()];
         let mut sampled = Self { rows: Rows { columns, observable: Vec::new() }, deviations: Vec::new() };
         for direction in &setup.directions {
             let (own, dense) = (programme.lap(*direction), fine.lap(*direction));

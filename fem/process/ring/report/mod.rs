@@ -28,7 +28,7 @@ const STIFFENED: f64 = 0.01;
 /// The ring cannot be computed.
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
     let (setup, rows, deviations) = (&machine.setup, forward.programme, forward.prediction);
-    let angles = &rows.columns[ANGLE_OF_ROW];
+    let angles = &rows.columns[ANGLE_OF_ROW].to_vec();
     let scene = shapes::Scene::new(machine, forward)?;
     let form = circle::form(angles, deviations);
     let mut figures = extremes("deviation", &OBSERVABLES[0], (COORDINATES, &[ANGLE_OF_ROW]), rows, deviations);
@@ -163,7 +163,7 @@ fn clamping(machine: &Machine, forward: &Forward) -> Result<Figure, Failure> {
     let mut rows = forward.programme.clone();
     rows.columns[STATE].fill(CLAMPED);
     let deviations = forward::absolute(machine, forward, &rows)?;
-    let (peak, valley) = peak_and_valley(&circle::form(&rows.columns[ANGLE_OF_ROW], &deviations));
+    let (peak, valley) = peak_and_valley(&circle::form(&rows.columns[ANGLE_OF_ROW].to_vec(), &deviations));
     let (form, mean) = (peak + valley, mean(&deviations));
     let (form_shown, mean_shown) = (MICRO.shown(form), MICRO.shown(mean));
     Ok(Figure::new("clamped", "clamped, not yet bored")

@@ -2,7 +2,7 @@
 
 use super::super::Ring;
 use super::super::rows::{ANGLE_OF_ROW, COORDINATES, JAW_FORCE, RUN, SPEED, STATE};
-use crate::process::{Assembled, ForwardModel, Rows, Tolerance, assembled};
+use crate::process::{Assembled, ForwardModel, Rows, Tolerance, Values, assembled};
 pub(super) use crate::process::{figure_of, row};
 
 /// A ring in its chuck with effects.
@@ -34,8 +34,8 @@ pub fn chuck(text: &str, effects: &str) -> Option<Chuck> {
 /// Deviations at angles (rad) of one set-up in the model's own conditions but for some columns, m; NaN where
 /// they cannot be computed.
 pub fn deviations(chuck: &Option<Chuck>, angles: &[f64], changes: &[(usize, f64)]) -> Vec<f64> {
-    let mut columns = vec![vec![0.0; angles.len()]; COORDINATES.len()];
-    columns[ANGLE_OF_ROW] = angles.to_vec();
+    let mut columns = vec![Values::shared(0.0, angles.len()); COORDINATES.len()];
+    columns[ANGLE_OF_ROW] = angles.to_vec().into();
     for column in [JAW_FORCE, SPEED] {
         columns[column].fill(f64::NAN);
     }

@@ -5,7 +5,7 @@ use super::super::cut::Conditions;
 use super::super::elastic::Elastic;
 use super::super::forward::condense;
 use super::super::rows::{COORDINATES, X};
-use crate::process::{Assembled, Case, ForwardModel, Rows, Tolerance, assembled};
+use crate::process::{Assembled, Case, ForwardModel, Rows, Tolerance, Values, assembled};
 pub(super) use crate::process::{bisect, row};
 use crate::progress::Progress;
 
@@ -51,9 +51,9 @@ pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) 
 
 /// What is measured at x (m) under the given coordinates, m.
 pub fn observed(lathe: &Lathe, x: f64, given: &[(usize, f64)]) -> f64 {
-    let mut columns = vec![vec![f64::NAN]; COORDINATES.len()];
-    columns[X] = vec![x];
-    given.iter().for_each(|(column, value)| columns[*column] = vec![*value]);
+    let mut columns = vec![Values::shared(f64::NAN, 1); COORDINATES.len()];
+    columns[X].fill(x);
+    given.iter().for_each(|(column, value)| columns[*column].fill(*value));
     let rows = Rows { columns, observable: vec![0] };
     lathe.observe(&rows).map_or(f64::NAN, |values| values[0])
 }
