@@ -1,0 +1,124 @@
+//! A part on supports: forces in balance whatever the supports yield by, linear where they are springs.
+
+use fem::process::Datum;
+use fem::progress::Progress;
+use proptest::prelude::*;
+
+use super::{ROUND_OFF, alike, model, observed, sum};
+
+#[derive(Clone, Debug)]
+struct Fixture {
+    /// Length, mm.
+    length: f64,
+    /// Places of the supports as parts of the length, each with a clamp above it.
+    places: Vec<f64>,
+    /// Force of each clamp, N.
+    forces: Vec<f64>,
+}
+
+fn fixture() -> impl Strategy<Value = Fixture> {
+    (200.0..600.0, 2usize..5, prop::collection::vec((-0.4..0.4, 800.0..6000.0), 4)).prop_map(
+        |(length, count, drawn)| {
+            let place = |i: usize| 0.08 + 0.84 * (i as f64 + 0.5 + drawn[i].0) / count as f64;
+            let places = (0..count).map(place).collect();
+            Fixture { length, places, forces: drawn[..count].iter().map(|d| d.1).collect() }
+        },
+    )
+}
+
+impl Fixture {
+    fn text(&self, effect: &str) -> String {
+        let mut text = format!(
+            "process = \"fixture\"\n\
+             workpiece = {{ material = \"cast-iron\", length = \"{} mm\", width = \"60 mm\", height = \"50 mm\" }}\n\
+             sweep = {{ positions = 11 }}\ncutter = {{ force = \"0 N\" }}\n",
+            self.length
+        );
+        for (part, force) in self.places.iter().zip(&self.forces) {
+            let at = part * self.length;
+            text += &format!("[[support]]\nat = \"{at} mm\"\n[[clamp]]\nat = \"{at} mm\"\nforce = \"{force} N\"\n");
+        }
+        text + effect
+    }
+
+    fn mirrored(&self) -> Self {
+        let places = self.places.iter().rev().map(|part| 1.0 - part).collect();
+        Self { places, forces: self.forces.iter().rev().copied().collect(), length: self.length }
+    }
+
+    /// Height errors (m) at parts of the length, all clamps by one force and the cutter by another (N), standing at
+    /// parts of the length.
+    fn heights(&self, effect: &str, at: &[f64], cutter_at: &[f64], clamps: f64, cutter: f64) -> Vec<f64> {
+        let metres = |parts: &[f64]| parts.iter().map(|part| 1e-3 * part * self.length).collect::<Vec<f64>>();
+        let all = |value: f64| vec![value; at.len()];
+        let given: [(&str, &[f64]); 4] = [
+            ("x", &metres(at)),
+            ("cutter_x", &metres(cutter_at)),
+            ("clamp_force", &all(clamps)),
+            ("cutter_force", &all(cutter)),
+        ];
+        observed(&model(&self.text(effect)), "height_error", &given)
+    }
+}
+
+const SPRINGS: &str = "[effects.support-compliance]\nstiffness = \"80 N/um\"\n";
+const CONTACTS: &str = "[effects.contact-joint]\nc = \"0.2 um/N^n\"\nn = 0.5\n";
+const PLACES: [f64; 5] = [0.1, 0.3, 0.45, 0.7, 0.88];
+
+/// Forces (N) and places (m) in a list of a figure.
+fn carried(model: &fem::model::Model, key: &str, list: &str) -> Vec<(f64, f64)> {
+    let report = model.run(&Progress::default()).unwrap().report;
+    let figure = report.figures.into_iter().find(|figure| figure.key == key).unwrap();
+    let Some((_, Datum::List(all))) = figure.entries.into_iter().find(|(name, _)| name == list) else {
+        panic!("{key}")
+    };
+    let of = |entry: Datum| {
+        let Datum::Record(entries) = entry else { panic!("{entry:?}") };
+        let told = |name: &str| match entries.iter().find(|(key, _)| key == name) {
+            Some((_, Datum::Quantity(_, si))) => *si,
+            other => panic!("{other:?}"),
+        };
+        (told("force"), told("at"))
+    };
+    all.into_iter().map(of).collect()
+}
+
+proptest! {
+    #![proptest_config(super::random(100))]
+
+    /// Newton's search ends at 1e-10 of the forces.
+    #[test]
+    fn supports_carry_the_clamps(fixture in fixture(), effect in prop::sample::select(vec!["", SPRINGS, CONTACTS])) {
+        let model = model(&fixture.text(effect));
+        let (up, down) = (carried(&model, "supports", "list"), carried(&model, "clamping", "clamps"));
+        let force = |all: &[(f64, f64)]| all.iter().map(|(force, _)| force).sum::<f64>();
+        let moment = |all: &[(f64, f64)]| all.iter().map(|(force, at)| force * at).sum::<f64>();
+        alike(&[force(&up)], &[force(&down)], 1e-8)?;
+        alike(&[moment(&up)], &[moment(&down)], 1e-8)?;
+    }
+
+    #[test]
+    fn forces_on_springs_superpose(fixture in fixture(), clamps in 1000.0..4000.0, cutter in 10.0..200.0) {
+        let heights = |clamps: f64, cutter: f64| fixture.heights(SPRINGS, &PLACES, &PLACES, clamps, cutter);
+        // Clamps twice and the cutter once are each twice and once.
+        let rest = heights(clamps, 0.0);
+        alike(&sum(&heights(clamps, cutter), &rest), &heights(2.0 * clamps, cutter), ROUND_OFF)?;
+    }
+
+    /// Maxwell: pressed at A, the part moves at B as it moves at A when pressed at B.
+    #[test]
+    fn what_a_push_moves_elsewhere_is_mutual(fixture in fixture(), a in 0.1..0.5, b in 0.5..0.9) {
+        let (at, cutter_at) = ([b, a], [a, b]);
+        let pushed = |force: f64| fixture.heights(SPRINGS, &at, &cutter_at, 3000.0, force);
+        let moved: Vec<f64> = pushed(100.0).iter().zip(pushed(0.0)).map(|(with, without)| with - without).collect();
+        // A difference of heights some hundred times as large.
+        prop_assert!((moved[0] - moved[1]).abs() <= 1e-9 * pushed(0.0)[0].abs(), "{moved:?}");
+    }
+
+    #[test]
+    fn a_mirrored_fixture_makes_the_mirrored_top(fixture in fixture(), effect in prop::sample::select(vec![SPRINGS, CONTACTS])) {
+        let mirrored: Vec<f64> = PLACES.iter().map(|part| 1.0 - part).collect();
+        let own = fixture.heights(effect, &PLACES, &PLACES, 3000.0, 100.0);
+        alike(&own, &fixture.mirrored().heights(effect, &mirrored, &mirrored, 3000.0, 100.0), 1e-8)?;
+    }
+}

@@ -1,0 +1,70 @@
+//! The order in which rows stand in a file changes neither a comparison nor a fit. (A diagnosis may look at it: it is the
+//! order in which they were measured, in which noise is correlated and a gauge jumps.)
+
+use fem::compare::compare;
+use fem::fit::fit;
+use fem::measure::Measurements;
+use fem::model::{Data, Model};
+use fem::process::{ALL, Rows};
+use proptest::prelude::*;
+
+/// A process, a quantity of its starting model as it stands there, the same unknown, and what it truly is.
+const CASES: [[&str; 4]; 8] = [
+    ["turning", "stiffness = \"60 N/um\"", "stiffness = \"? N/um\"", "stiffness = \"25 N/um\""],
+    ["ring", "arc = \"10 deg\"", "arc = \"? deg\"", "arc = \"30 deg\""],
+    ["fixture", "c = \"0.2 um/N^n\"\n", "c = \"? um/N^n\"\n", "c = \"0.3 um/N^n\"\n"],
+    ["thermal", "coefficient = \"15 W/m^2/K\"", "coefficient = \"? W/m^2/K\"", "coefficient = \"28 W/m^2/K\""],
+    ["axis", "gap = \"8 um\"", "gap = \"? um\"", "gap = \"14 um\""],
+    ["contour", "gap = \"6 um\"", "gap = \"? um\"", "gap = \"11 um\""],
+    ["cam", "loss = \"5 um\"", "loss = \"? um\"", "loss = \"400 um\""],
+    ["stiffness", "gap = \"3 um\"", "gap = \"? um\"", "gap = \"5 um\""],
+];
+
+/// Rows that are measured.
+const ROWS: usize = 60;
+
+/// What was measured of a model, with noise of a hundredth of its spread, in an order.
+fn measured<'m>(model: &'m Model, truth: &Model, noise: &[f64], order: &[usize]) -> Data<'m> {
+    let all = model.system.programme();
+    let step = all.len().div_ceil(ROWS) | 1;
+    let rows: Rows = all.some(&(0..all.len()).step_by(step).collect::<Vec<_>>());
+    let observable = rows.observable[0];
+    let rows = rows.some(&(0..rows.len()).filter(|row| rows.observable[*row] == observable).collect::<Vec<_>>());
+    let exact = truth.forward().observe(&rows).unwrap();
+    let ends = exact.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)));
+    let sigma = 0.01 * (ends.1 - ends.0);
+    let own: Vec<usize> = order.iter().copied().filter(|row| *row < rows.len()).collect();
+    let observed = own.iter().map(|row| exact[*row] + sigma * noise[*row]).collect();
+    let planned = Measurements::planned(model.process, "rows", rows.some(&own));
+    Data::of(model, Measurements { observed, uncertainty: Some(vec![sigma; own.len()]), ..planned }).unwrap()
+}
+
+fn parsed([name, written, ..]: &[&str; 4], other: &str) -> Model {
+    let start = ALL.iter().find(|p| p.name() == *name).unwrap().starting_model();
+    assert!(start.contains(written), "{name}");
+    super::model(&start.replacen(written, other, 1))
+}
+
+proptest! {
+    #![proptest_config(super::random(16))]
+
+    #[test]
+    fn comparisons_and_fits_know_no_order(
+        noise in prop::collection::vec(-1.7f64..1.7, ROWS),
+        order in Just((0..ROWS).collect::<Vec<usize>>()).prop_shuffle(),
+    ) {
+        let sorted: Vec<usize> = (0..ROWS).collect();
+        for case in &CASES {
+            let [asked, truth] = [2, 3].map(|which| parsed(case, case[which]));
+            let told = parsed(case, case[1]);
+            let [one, other] = [&sorted, &order].map(|order| compare(&measured(&told, &truth, &noise, order)).unwrap());
+            prop_assert!((one.rms / other.rms - 1.0).abs() < 1e-9, "{}", case[0]);
+            prop_assert!((one.reduced_chi2 / other.reduced_chi2 - 1.0).abs() < 1e-8, "{}", case[0]);
+            prop_assert_eq!(one.adequacy(), other.adequacy());
+            let [one, other] = [&sorted, &order].map(|order| fit(&measured(&asked, &truth, &noise, order)).unwrap());
+            let (a, b) = (&one.estimates[0], &other.estimates[0]);
+            // A search ends at a hundredth of a standard uncertainty.
+            prop_assert!((a.value - b.value).abs() <= 0.01 * a.std, "{}: {} and {} +- {}", case[0], a.value, b.value, a.std);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! A joint under load: it gives no work, and knows no side.
+
+use proptest::prelude::*;
+
+use super::{ROUND_OFF, alike, model, observed};
+
+/// A spring (N/um) with some of what bends its curve.
+fn joint() -> impl Strategy<Value = (f64, Vec<String>)> {
+    let number = |from: f64, to: f64| from..to;
+    let drawn = (number(0.5, 8.0), number(0.05, 0.5), number(0.35, 0.9), number(5.0, 200.0), number(0.2, 5.0));
+    (20.0..300.0, drawn, prop::collection::vec(prop::bool::ANY, 4)).prop_map(|(stiffness, drawn, some)| {
+        let (gap, c, n, friction, settled) = drawn;
+        let all = [
+            format!("[effects.gap]\ngap = \"{gap} um\"\n"),
+            format!("[effects.contact-joint]\nc = \"{c} um/N^n\"\nn = {n}\n"),
+            format!("[effects.dry-friction]\nforce = \"{friction} N\"\n"),
+            format!("[effects.settling]\ndepth = \"{settled} um\"\n"),
+        ];
+        (stiffness, all.into_iter().zip(&some).filter(|(_, own)| **own).map(|(effect, _)| effect).collect())
+    })
+}
+
+fn displacements((stiffness, effects): &(f64, Vec<String>), loading: &str, force: &[f64], unloading: bool) -> Vec<f64> {
+    let text = format!(
+        "process = \"stiffness\"\njoint = {{ stiffness = \"{stiffness} N/um\" }}\n\
+         test = {{ max_force = \"1000 N\", steps = 20, loading = \"{loading}\" }}\n{}",
+        effects.concat()
+    );
+    let branch = vec![f64::from(u8::from(unloading)); force.len()];
+    observed(&model(&text), "displacement", &[("force", force), ("branch", &branch)])
+}
+
+proptest! {
+    #![proptest_config(super::random(160))]
+
+    /// The work of the load along a loop is what the joint keeps or wastes.
+    #[test]
+    fn a_joint_gives_no_work(joint in joint()) {
+        let up: Vec<f64> = (0..=400).map(|i| 2.5 * f64::from(i)).collect();
+        let down: Vec<f64> = up.iter().rev().copied().collect();
+        let moved = [displacements(&joint, "from-zero", &up, false), displacements(&joint, "from-zero", &down, true)];
+        let force = [up, down].concat();
+        let moved = moved.concat();
+        let step = |i: usize| 0.5 * (force[i] + force[i + 1]) * (moved[i + 1] - moved[i]);
+        let work: f64 = (0..force.len() - 1).map(step).sum();
+        let size: f64 = (0..force.len() - 1).map(|i| step(i).abs()).sum();
+        prop_assert!(work >= -1e-9 * size, "the joint gave {:e} J of {size:e}", -work);
+    }
+
+    /// Pushed instead of pulled the joint moves the other way, but for where the gauge is zero: clearance is counted from
+    /// its one side. Under no force it may stand anywhere in it.
+    #[test]
+    fn a_reversed_loop_has_no_side(joint in joint()) {
+        // What has settled under the first load is no loop.
+        let (stiffness, effects) = joint;
+        let joint = (stiffness, effects.into_iter().filter(|e| !e.contains("settling")).collect::<Vec<_>>());
+        let force: Vec<f64> = (-19..=19).filter(|i| *i != 0).map(|i| 50.0 * f64::from(i)).collect();
+        let turned: Vec<f64> = force.iter().map(|force| -force).collect();
+        let down: Vec<f64> = displacements(&joint, "reversed", &turned, true).iter().map(|moved| -moved).collect();
+        let about_first = |moved: &[f64]| moved.iter().map(|value| value - moved[0]).collect::<Vec<f64>>();
+        let up = displacements(&joint, "reversed", &force, false);
+        alike(&about_first(&up), &about_first(&down), ROUND_OFF)?;
+    }
+}

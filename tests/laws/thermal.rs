@@ -1,0 +1,116 @@
+//! A heated rod: linear in its sources, and no heat comes or goes unseen.
+
+use proptest::prelude::*;
+
+use super::{alike, model, observed, times};
+
+/// Of the rods; kg/m³, J/kg/K, 1/K.
+const DENSITY: f64 = 7850.0;
+const SPECIFIC_HEAT: f64 = 460.0;
+const EXPANSION: f64 = 11.7e-6;
+
+#[derive(Clone, Debug)]
+struct Rod {
+    /// Length and diameter of each segment from the base, mm.
+    segments: Vec<(f64, f64)>,
+    /// Places of two sources as parts of the length.
+    sources: [f64; 2],
+    /// Coefficient of convection, W/m²/K.
+    convection: f64,
+}
+
+fn rod() -> impl Strategy<Value = Rod> {
+    let segments = prop::collection::vec((30.0..120.0, 15.0..40.0), 1..4);
+    (segments, 0.05..0.45, 0.55..0.95, 5.0..60.0).prop_map(|(segments, a, b, convection)| Rod {
+        segments,
+        sources: [a, b],
+        convection,
+    })
+}
+
+impl Rod {
+    fn length(&self) -> f64 {
+        self.segments.iter().map(|s| s.0).sum()
+    }
+
+    /// The rod with the power of each source, W; its surroundings begin with it at 0 degC.
+    fn text(&self, powers: [f64; 2], loses: bool) -> String {
+        let segment =
+            |(length, diameter): &(f64, f64)| format!("{{ length = \"{length} mm\", diameter = \"{diameter} mm\" }}");
+        let segments: Vec<String> = self.segments.iter().map(segment).collect();
+        let source =
+            |(at, power): (&f64, &f64)| format!("{{ at = \"{} mm\", power = \"{power} W\" }}", at * self.length());
+        let sources: Vec<String> = self.sources.iter().zip(&powers).map(source).collect();
+        let mut text = format!(
+            "process = \"thermal\"\n\
+             body = {{ material = {{ base = \"steel\", density = \"{DENSITY} kg/m^3\", specific_heat = \"{SPECIFIC_HEAT} J/kg/K\", \
+             expansion = \"{} um/m/K\" }}, segments = [{}] }}\n\
+             source = [{}]\nenvironment = {{ temperature = \"0 degC\" }}\ntime = {{ end = \"40 min\", step = \"60 s\" }}\n",
+            1e6 * EXPANSION,
+            segments.join(", "),
+            sources.join(", "),
+        );
+        if loses {
+            text += &format!("[effects.convection]\ncoefficient = \"{} W/m^2/K\"\n", self.convection);
+            text += "[effects.base-conductance]\nconductance = \"0.8 W/K\"\n";
+        }
+        text
+    }
+
+    /// Temperatures (degC, and so the rises) at parts of the length over some times.
+    fn rises(&self, powers: [f64; 2], loses: bool, places: &[f64]) -> Vec<f64> {
+        let at = |part: &f64| TIMES.map(|time| (time, 1e-3 * part * self.length()));
+        let (time, x): (Vec<f64>, Vec<f64>) = places.iter().flat_map(at).unzip();
+        let zero = 273.15;
+        let kelvins = observed(&model(&self.text(powers, loses)), "temperature", &[("time", &time), ("x", &x)]);
+        kelvins.iter().map(|value| value - zero).collect()
+    }
+}
+
+/// Seconds.
+const TIMES: [f64; 4] = [60.0, 300.0, 1140.0, 2400.0];
+
+/// Round-off of temperatures about 273 K, of rises of some kelvins.
+const OF_KELVINS: f64 = 1e-8;
+
+proptest! {
+    #![proptest_config(super::random(100))]
+
+    #[test]
+    fn sources_superpose(rod in rod(), first in 2.0..20.0, second in 2.0..20.0) {
+        let places = [0.0, 0.2, 0.5, 1.0];
+        let of = |powers: [f64; 2]| rod.rises(powers, true, &places);
+        let (one, other) = (of([first, 0.0]), of([0.0, second]));
+        alike(&super::sum(&one, &other), &of([first, second]), OF_KELVINS)?;
+        alike(&times(2.0, &one), &of([2.0 * first, 0.0]), OF_KELVINS)?;
+    }
+
+    /// Heat at A warms B as heat at B warms A: conduction is its own adjoint.
+    #[test]
+    fn what_a_source_warms_elsewhere_is_mutual(rod in rod()) {
+        let [a, b] = rod.sources;
+        alike(&rod.rises([10.0, 0.0], true, &[b]), &rod.rises([0.0, 10.0], true, &[a]), OF_KELVINS)?;
+    }
+
+    #[test]
+    fn a_mirrored_rod_warms_as_its_image(rod in rod(), first in 2.0..20.0, second in 2.0..20.0) {
+        let image = Rod {
+            segments: rod.segments.iter().rev().copied().collect(),
+            sources: [1.0 - rod.sources[1], 1.0 - rod.sources[0]],
+            ..rod.clone()
+        };
+        let places = [0.1, 0.4, 0.9];
+        let mirrored: Vec<f64> = places.iter().map(|part| 1.0 - part).collect();
+        alike(&rod.rises([first, second], false, &places), &image.rises([second, first], false, &mirrored), OF_KELVINS)?;
+    }
+
+    /// Nothing is lost: a rod of one section grows by α·Q/(ρ·c·A), wherever its heat Q came in.
+    #[test]
+    fn all_heat_stays_in_a_rod_that_loses_none(rod in rod(), first in 2.0..20.0, second in 2.0..20.0) {
+        let diameter = 1e-3 * rod.segments[0].1;
+        let even = Rod { segments: vec![rod.segments[0]], ..rod };
+        let grown = observed(&model(&even.text([first, second], false)), "elongation", &[("time", &TIMES)]);
+        let per_joule = EXPANSION / (DENSITY * SPECIFIC_HEAT * std::f64::consts::PI * diameter * diameter / 4.0);
+        alike(&grown, &TIMES.map(|time| per_joule * (first + second) * time), OF_KELVINS)?;
+    }
+}
