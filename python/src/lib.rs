@@ -49,6 +49,18 @@ fn catalogue(py: Python, name: Option<String>) -> PyResult<(String, String)> {
     })
 }
 
+/// The budget of a file as JSON and as text, and what should not be overlooked.
+#[pyfunction]
+fn budget(py: Python, path: PathBuf) -> PyResult<(String, String, Vec<String>)> {
+    compute(py, &Arc::default(), move |progress: &Arc<Progress>| {
+        let file = fem::budget::load(&path)?;
+        let estimate = fem::budget::estimate(&file, progress)?;
+        let report = Report::Budget(&file, estimate.as_ref());
+        let warnings = budget_warnings(&file, estimate.as_ref());
+        Ok((Json.write(&report)?, Text::default().write(&report)?, warnings))
+    })
+}
+
 /// A computation that goes wrong inside, or one that never ends unless it is stopped: whoever builds on the module can
 /// see what becomes of them.
 #[pyfunction]
@@ -71,6 +83,7 @@ fn _fem(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(starting_model, module)?)?;
     module.add_function(wrap_pyfunction!(demo, module)?)?;
     module.add_function(wrap_pyfunction!(catalogue, module)?)?;
+    module.add_function(wrap_pyfunction!(budget, module)?)?;
     module.add_function(wrap_pyfunction!(rehearse, module)?)?;
     module.add_function(wrap_pyfunction!(document::keys, module)?)?;
     module.add_function(wrap_pyfunction!(document::written, module)?)?;

@@ -178,11 +178,11 @@ fn fits(directory: &Path, before: &(Layout, Shard), now: (&Layout, Shard)) -> Re
     let differences = before.0.differences(now.0);
     if !differences.is_empty() {
         let message = format!("the rows in {place} are of another plan: {}", differences.join("; "));
-        return refused(message, "name another folder with -o, or drop those rows with --restart");
+        return refused(message, "name another folder (-o, output=), or drop those rows (--restart, restart=True)");
     }
     if before.1 != now.1 {
         let message = format!("the rows in {place} are those of shard {}, not of {}", before.1, now.1);
-        return refused(message, "name another folder with -o");
+        return refused(message, "name another folder (-o, output=)");
     }
     Ok(())
 }
@@ -193,7 +193,7 @@ fn lock(directory: &Path) -> Result<Option<File>, StudyError> {
     match folder.try_lock() {
         Err(TryLockError::WouldBlock) => {
             let problem = Problem::new(format!("another program works on {}", directory.display()));
-            Err(StudyError::Refused(problem.help("wait for it, or name another folder with -o")))
+            Err(StudyError::Refused(problem.help("wait for it, or name another folder (-o, output=)")))
         }
         _ => Ok(Some(folder)),
     }
