@@ -3,13 +3,15 @@ and names the physical effect that is missing."""
 
 from __future__ import annotations
 
-from typing import Optional
+import os
+from typing import Optional, Union
 
 from fem import _fem
 from fem._errors import ComputationError, DataError, Error, Fault, ModelError, Problem
 from fem._model import Demo, Model, Parameter, compare, demo, load, model, new, report
 from fem._record import Record
 from fem._results import (
+    Budget,
     Catalogue,
     Comparison,
     Compensation,
@@ -26,6 +28,7 @@ from fem._table import Table
 __version__: str = _fem.__version__
 
 __all__ = [
+    "Budget",
     "Catalogue",
     "Comparison",
     "Compensation",
@@ -47,6 +50,7 @@ __all__ = [
     "Run",
     "Study",
     "Table",
+    "budget",
     "compare",
     "demo",
     "effects",
@@ -61,3 +65,8 @@ __all__ = [
 def effects(name: Optional[str] = None) -> Catalogue:
     """The catalogue of effects, whole or of a process or an effect: law, parameters, units, source, look-alikes."""
     return Catalogue(*_fem.catalogue(name))
+
+
+def budget(path: Union[str, "os.PathLike[str]"]) -> Budget:
+    """The errors of a budget file added up."""
+    return Budget(*_fem.budget(os.fspath(path)))

@@ -266,6 +266,14 @@ class Compensation(_Parameters):
         return _plot.columns(self._records(), "position", "B", ("position, mm", "reversal value B, um"), ax)
 
 
+class Budget(Result):
+    """Errors of a part added up: by the rules of the handbook and by Monte Carlo, each with its share."""
+
+    def __init__(self, document: str, text: str, notes: list[str]) -> None:
+        super().__init__({"json": document, "text": text, "figures": [], "tables": [], "coordinates": [],
+                          "notes": notes, "model": None, "steps": []})  # fmt: skip
+
+
 class Report:
     """A self-contained page for a browser."""
 

@@ -147,7 +147,7 @@ def _done(
         else:
             _shared(core, os.path.abspath(name), text, client, chunk, progress)
         done, jobs = core.done()
-        document, page, rows = core.finish()
+        document, page, rows = core.finish(None if output is None else os.fspath(output))
         return Study(document, page, Path(rows), jobs - done, output is not None)
 
 

@@ -10,10 +10,12 @@ mod question;
 mod study;
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
 use fem::cli;
+use fem::output::{Format, Json, Report, Text, budget_warnings};
 use fem::progress::Progress;
 use pyo3::prelude::*;
 

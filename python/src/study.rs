@@ -5,7 +5,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use fem::input::{Problem, Source};
 use fem::output::study::{StudyFolder, line};
-use fem::output::{Format, Json, Report, Text};
+use fem::output::files::Guard;
+use fem::output::{Folder, Format, Json, Report, Text};
 use fem::process::Failure;
 use fem::study::{Layout, Plan, Shard, in_order, load, parse};
 use pyo3::prelude::*;
@@ -91,13 +92,19 @@ impl Study {
         })
     }
 
-    /// Ends the work, and says what the rows say so far: the JSON document, the page for people, and their file.
-    fn finish(&self, py: Python) -> PyResult<(String, String, PathBuf)> {
-        let (layout, shared) = (self.layout.clone(), self.folder.clone());
-        compute(py, &Arc::default(), move |_| {
+    /// Ends the work, and says what the rows say so far: the JSON document, the page for people, and their file. Where
+    /// all jobs are done, what the command writes beside the rows appears in the folder `kept`.
+    fn finish(&self, py: Python, kept: Option<PathBuf>) -> PyResult<(String, String, PathBuf)> {
+        let (layout, plan, shared) = (self.layout.clone(), self.plan.clone(), self.folder.clone());
+        let (done, jobs) = self.done();
+        compute(py, &Arc::default(), move |progress| {
             let folder = shared.lock().unwrap_or_else(PoisonError::into_inner).take();
             let (rows, summary) = folder.ok_or_else(ended)?.finish()?;
             let report = Report::Study(&layout, &summary);
+            if let Some(directory) = kept.as_deref().filter(|_| done == jobs) {
+                let guard = Guard { reads: &plan.paths(), force: false };
+                Folder { directory, guard, progress }.write(&report)?;
+            }
             Ok((Json.write(&report)?, Text::default().write(&report)?, rows))
         })
     }

@@ -171,3 +171,13 @@ def test_a_time_limit_is_told(rigid: fem.Model, measured: dict[str, Any]) -> Non
     assert rigid.diagnose(measured, time_limit=0.0).left_undone
     with pytest.raises(ValueError, match="1 to 8"):
         rigid.diagnose(measured, max_effects=0)
+
+
+def test_a_budget_is_that_of_the_command(root: Path, command: Any) -> None:
+    path = root / "models" / "budget-lathe.toml"
+    found = fem.budget(path)
+    assert found.to_dict() == json.loads(command("budget", str(path), "--json").stdout)
+    assert found.monte_carlo.samples == 20000
+    assert "total by the handbook" in str(found)
+    with pytest.raises(fem.ModelError):
+        fem.budget(root / "models" / "lathe.toml")

@@ -24,6 +24,8 @@ def test_rows_are_those_of_the_command(root: Path, tmp_path: Path) -> None:
     found = fem.study(plan, output=own, progress=lambda done, of: seen.append((done, of)))
     subprocess.run([sys.executable, "-m", "fem", "study", str(plan), "-o", str(told)], check=True, capture_output=True)
     assert (own / "rows.csv").read_bytes() == (told / "rows.csv").read_bytes()
+    assert (own / "study.json").read_bytes() == (told / "study.json").read_bytes()
+    assert sorted(path.name for path in own.iterdir()) == sorted(path.name for path in told.iterdir())
     assert found.path == own / "rows.csv" and found.table.rows == found.jobs
     assert all(done <= of == found.jobs for done, of in seen)
     first = found.summary[0]
