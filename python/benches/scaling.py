@@ -1,5 +1,5 @@
 """How a study grows with workers of Dask on one machine: the same jobs on more of them (strong), and as many jobs for
-each (weak); and what a task costs beside its jobs.
+each (weak); what a task costs beside its jobs, and what a row costs the calling process, through which all go.
 
     python python/benches/scaling.py [JOBS]
 
@@ -9,11 +9,14 @@ Nothing else should run beside it. Needs `fem[dask]`.
 from __future__ import annotations
 
 import os
+import pickle
 import sys
+import tempfile
 import time
 from pathlib import Path
 
 import fem
+from fem import _fem
 from distributed import Client, LocalCluster
 
 INPUTS = {"cut.depth": {"distribution": "uniform", "half_field": "0.1 mm"}}
@@ -32,6 +35,26 @@ def seconds(samples: int, workers: int, chunk: int) -> float:
             return time.perf_counter() - start
 
 
+def of_a_row(samples: int) -> float:
+    """Time that the calling process takes for a row that a worker has sent, s."""
+    with tempfile.TemporaryDirectory() as folder:
+        plan, model = Path(folder, "plan.toml"), fem.load(MODEL)
+        model.save(Path(folder, "model.toml"))
+        plan.write_text(
+            f'model = "model.toml"\ndesign = {{ type = "random", samples = {samples} }}\n'
+            '[[input]]\nquantity = "cut.depth"\ndistribution = "uniform"\nhalf_field = "0.1 mm"\n'
+            '[[result]]\nfigure = "largest.value"\n'
+        )
+        fem.study(plan, output=Path(folder, "own"))
+        lines = Path(folder, "own", "rows.csv").read_text().splitlines()[1:]
+        sent = [pickle.dumps(lines[first : first + 2000]) for first in range(0, samples, 2000)]
+        core = _fem.Study.open(str(plan), None, str(Path(folder, "again")), False)
+        start = time.perf_counter()
+        for chunk in sent:
+            core.append(pickle.loads(chunk))
+        return (time.perf_counter() - start) / samples
+
+
 def main() -> None:
     # Each worker has one core: it computes on one thread.
     os.environ["RAYON_NUM_THREADS"] = "1"
@@ -43,6 +66,7 @@ def main() -> None:
     print(f"two, strong  {both:7.2f} s, {100 * alone / (2 * both):.0f} % of twice as fast")
     print(f"two, weak    {weak:7.2f} s, {100 * alone / weak:.0f} % of as fast")
     few, many = seconds(jobs, 1, jobs // 10), seconds(jobs, 1, jobs // 200)
+    print(f"a row        {1e6 * of_a_row(20 * jobs):7.2f} us of the calling process")
     print(f"a task       {1e3 * (many - few) / 190:7.2f} ms beside its jobs, with reading plan and model")
 
 
