@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use fem::input::{Problem, Source};
-use fem::output::study::{StudyFolder, line};
 use fem::output::files::Guard;
+use fem::output::study::{StudyFolder, line};
 use fem::output::{Folder, Format, Json, Report, Text};
 use fem::process::Failure;
 use fem::study::{Layout, Plan, Shard, in_order, load, parse};

@@ -25,20 +25,23 @@ use trouble::Tally;
 /// Sizes of the hidden effects, in standard uncertainties.
 const SIZES: &[f64] = &[5.0, 8.0, 15.0, 40.0, 100.0];
 
-/// Two cases at a time.
+/// Cases that run side by side: two, or as many as `FEM_TOGETHER` says.
+fn together() -> usize {
+    std::env::var("FEM_TOGETHER").ok().and_then(|n| n.parse().ok()).unwrap_or(2)
+}
+
 fn run(table: &mut Table, group: &str, cases: impl Iterator<Item = (String, Case)>) {
-    const TOGETHER: usize = 2;
     if std::env::var("FEM_GROUP").is_ok_and(|word| !group.contains(&word)) {
         return;
     }
     let cases: Vec<(String, Case)> = cases.collect();
     let scored = |from: usize| {
-        let own = cases.iter().enumerate().skip(from).step_by(TOGETHER);
+        let own = cases.iter().enumerate().skip(from).step_by(together());
         own.map(|(i, (_, case))| (i, score(case))).collect::<Vec<(usize, Score)>>()
     };
     let scored = &scored;
     let mut scores: Vec<(usize, Score)> = std::thread::scope(|scope| {
-        let running: Vec<_> = (0..TOGETHER).map(|from| scope.spawn(move || scored(from))).collect();
+        let running: Vec<_> = (0..together()).map(|from| scope.spawn(move || scored(from))).collect();
         running.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
     });
     scores.sort_by_key(|s| s.0);
