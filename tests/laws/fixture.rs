@@ -4,12 +4,14 @@ use fem::process::Datum;
 use fem::progress::Progress;
 use proptest::prelude::*;
 
-use super::{ROUND_OFF, alike, model, observed, sum};
+use super::{ROUND_OFF, alike, model, observed, sum, times};
 
 #[derive(Clone, Debug)]
 struct Fixture {
-    /// Length, mm.
+    /// Length, width and height, mm.
     length: f64,
+    width: f64,
+    height: f64,
     /// Places of the supports as parts of the length, each with a clamp above it.
     places: Vec<f64>,
     /// Force of each clamp, N.
@@ -17,22 +19,21 @@ struct Fixture {
 }
 
 fn fixture() -> impl Strategy<Value = Fixture> {
-    (200.0..600.0, 2usize..5, prop::collection::vec((-0.4..0.4, 800.0..6000.0), 4)).prop_map(
-        |(length, count, drawn)| {
-            let place = |i: usize| 0.08 + 0.84 * (i as f64 + 0.5 + drawn[i].0) / count as f64;
-            let places = (0..count).map(place).collect();
-            Fixture { length, places, forces: drawn[..count].iter().map(|d| d.1).collect() }
-        },
-    )
+    let drawn = prop::collection::vec((-0.4..0.4, 800.0..6000.0), 4);
+    (200.0..600.0, 40.0..80.0, 30.0..60.0, 2usize..5, drawn).prop_map(|(length, width, height, count, drawn)| {
+        let place = |i: usize| 0.08 + 0.84 * (i as f64 + 0.5 + drawn[i].0) / count as f64;
+        let places = (0..count).map(place).collect();
+        Fixture { length, width, height, places, forces: drawn[..count].iter().map(|d| d.1).collect() }
+    })
 }
 
 impl Fixture {
     fn text(&self, effect: &str) -> String {
         let mut text = format!(
             "process = \"fixture\"\n\
-             workpiece = {{ material = \"cast-iron\", length = \"{} mm\", width = \"60 mm\", height = \"50 mm\" }}\n\
+             workpiece = {{ material = \"cast-iron\", length = \"{} mm\", width = \"{} mm\", height = \"{} mm\" }}\n\
              sweep = {{ positions = 11 }}\ncutter = {{ force = \"0 N\" }}\n",
-            self.length
+            self.length, self.width, self.height
         );
         for (part, force) in self.places.iter().zip(&self.forces) {
             let at = part * self.length;
@@ -43,7 +44,7 @@ impl Fixture {
 
     fn mirrored(&self) -> Self {
         let places = self.places.iter().rev().map(|part| 1.0 - part).collect();
-        Self { places, forces: self.forces.iter().rev().copied().collect(), length: self.length }
+        Self { places, forces: self.forces.iter().rev().copied().collect(), ..*self }
     }
 
     /// Height errors (m) at parts of the length, all clamps by one force and the cutter by another (N), standing at
@@ -120,5 +121,16 @@ proptest! {
         let mirrored: Vec<f64> = PLACES.iter().map(|part| 1.0 - part).collect();
         let own = fixture.heights(effect, &PLACES, &PLACES, 3000.0, 100.0);
         alike(&own, &fixture.mirrored().heights(effect, &mirrored, &mirrored, 3000.0, 100.0), 1e-8)?;
+    }
+
+    /// Parts of one shape under one stress are of one shape: lengths by s, forces by s², stiffnesses by s, heights by s.
+    #[test]
+    fn larger_fixtures_deviate_in_proportion(fixture in fixture(), s in 0.5..2.0) {
+        let Fixture { length, width, height, .. } = fixture;
+        let larger = Fixture { length: s * length, width: s * width, height: s * height, ..fixture.clone() };
+        let springs = |factor: f64| format!("[effects.support-compliance]\nstiffness = \"{} N/um\"\n", 80.0 * factor);
+        let own = fixture.heights(&springs(1.0), &PLACES, &PLACES, 3000.0, 100.0);
+        let scaled = larger.heights(&springs(s), &PLACES, &PLACES, s * s * 3000.0, s * s * 100.0);
+        alike(&times(s, &own), &scaled, ROUND_OFF)?;
     }
 }

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::{ROUND_OFF, alike, model, observed};
+use super::{ROUND_OFF, alike, model, observed, times};
 
 /// A spring (N/um) with some of what bends its curve.
 fn joint() -> impl Strategy<Value = (f64, Vec<String>)> {
@@ -60,5 +60,25 @@ proptest! {
         let about_first = |moved: &[f64]| moved.iter().map(|value| value - moved[0]).collect::<Vec<f64>>();
         let up = displacements(&joint, "reversed", &force, false);
         alike(&about_first(&up), &about_first(&down), ROUND_OFF)?;
+    }
+
+    /// All lengths by s and all forces by p: displacements by s. A contact c·F^n keeps its shape with c by s/pⁿ.
+    #[test]
+    fn larger_joints_yield_in_proportion(
+        (stiffness, gap, n, friction) in (20.0..300.0, 0.5..8.0, 0.35..0.9, 5.0..200.0), s in 0.3..3.0, p in 0.3..3.0,
+    ) {
+        let yielded = |s: f64, p: f64| {
+            let text = format!(
+                "process = \"stiffness\"\njoint = {{ stiffness = \"{} N/um\" }}\n\
+                 test = {{ max_force = \"{} N\", steps = 20, loading = \"from-zero\" }}\n\
+                 [effects.gap]\ngap = \"{} um\"\n[effects.dry-friction]\nforce = \"{} N\"\n\
+                 [effects.contact-joint]\nc = \"{} um/N^n\"\nn = {n}\n",
+                stiffness * p / s, 1000.0 * p, gap * s, friction * p, 0.2 * s / f64::powf(p, n),
+            );
+            let force: Vec<f64> = (1..=20).map(|i| 50.0 * p * f64::from(i)).collect();
+            let branch = |word: f64| vec![word; force.len()];
+            [0.0, 1.0].map(|word| observed(&model(&text), "displacement", &[("force", &force), ("branch", &branch(word))])).concat()
+        };
+        alike(&times(s, &yielded(1.0, 1.0)), &yielded(s, p), ROUND_OFF)?;
     }
 }

@@ -10,9 +10,9 @@ use proptest::prelude::*;
 use super::alike;
 
 /// Units that may stand for each other; each text is rewritten where it is of one dimension with them.
-const UNITS: [&str; 24] = [
+const UNITS: [&str; 27] = [
     "m", "mm", "um", "N", "kN", "s", "min", "ms", "m/s", "mm/min", "N/m", "N/um", "rad", "deg", "rad/s", "rpm", "W",
-    "kW", "W/K", "W/m^2/K", "N/mm", "um/m", "mm/m", "m/rad",
+    "kW", "W/K", "W/m^2/K", "N/mm", "um/m", "mm/m", "m/rad", "in", "lbf", "lbf/in",
 ];
 
 /// The starting model of a process with all effects that it admits, with usual values.
