@@ -105,7 +105,7 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
         let rows = measurements.len();
         measurements
             .notes
-            .push(format!("{rows} rows take more than a gigabyte of memory; every tenth would tell as much"));
+            .push(format!("{rows} rows may take more than a gigabyte of memory; every tenth would tell as much"));
     }
     if measurements.observables.is_empty() {
         measurements.observables = MeasuredObservable::of(&measurements.rows, vocabulary.observables);
@@ -113,8 +113,8 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     Ok(measurements)
 }
 
-/// Rows above which a note tells what they take.
-const MANY: usize = 1_000_000;
+/// Rows above which a note tells what they may take: each some 240 bytes with two coordinates, 520 with eight.
+const MANY: usize = 2_000_000;
 
 /// Most lines that a note lists.
 const MOST_LINES: usize = 10;
