@@ -8,7 +8,7 @@ use super::{alike, model, observed, times};
 
 /// A circle of a radius beside the axis, in blocks; the wheel, by how much it is worn, and the lag of its slide.
 #[derive(Clone, Debug)]
-struct Cam {
+pub(super) struct Cam {
     /// mm.
     radius: f64,
     beside: f64,
@@ -18,9 +18,13 @@ struct Cam {
     /// ms.
     lag: f64,
     blocks: usize,
+    /// Where the profile and its programme begin, deg.
+    turned: f64,
+    /// rpm.
+    speed: f64,
 }
 
-fn cam() -> impl Strategy<Value = Cam> {
+pub(super) fn cam() -> impl Strategy<Value = Cam> {
     (10.0..40.0, 0.02..0.4, 60.0..250.0, 0.0..40.0, -3.0..3.0, 12usize..90).prop_map(
         |(radius, beside, wheel, worn, lag, half)| Cam {
             beside: beside * radius,
@@ -29,19 +33,24 @@ fn cam() -> impl Strategy<Value = Cam> {
             wheel,
             worn,
             lag,
+            turned: 0.0,
+            speed: 20.0,
         },
     )
 }
 
 impl Cam {
-    fn text(&self) -> String {
-        let Self { radius, beside, wheel, worn, lag, blocks } = self;
+    pub(super) fn text(&self) -> String {
+        let Self { radius, beside, wheel, worn, lag, blocks, turned, speed } = self;
+        let (sin, cos) = turned.to_radians().sin_cos();
+        let at = |radius: f64| format!("[\"{} mm\", \"{} mm\"]", radius * cos, radius * sin);
         format!(
             "process = \"cam\"\n\
-             profile = {{ start = [\"{} mm\", \"0 mm\"], segments = [{{ arc = {{ centre = [\"{beside} mm\", \"0 mm\"], sweep = \"360 deg\" }} }}] }}\n\
-             wheel = {{ radius = \"{wheel} mm\" }}\nprogram = {{ blocks = {blocks}, cam_speed = \"20 rpm\" }}\n\
+             profile = {{ start = {}, segments = [{{ arc = {{ centre = {}, sweep = \"360 deg\" }} }}] }}\n\
+             wheel = {{ radius = \"{wheel} mm\" }}\nprogram = {{ blocks = {blocks}, cam_speed = \"{speed} rpm\" }}\n\
              [effects.wheel-wear]\nloss = \"{worn} um\"\n[effects.servo-lag]\ntime = \"{lag} ms\"\n",
-            radius + beside,
+            at(radius + beside),
+            at(*beside),
         )
     }
 
@@ -67,6 +76,21 @@ proptest! {
     fn a_programme_run_backwards_grinds_the_image(cam in cam()) {
         let mirrored: Vec<f64> = angles().iter().map(|angle| TAU - angle).collect();
         alike(&cam.deviations(&angles(), false), &cam.deviations(&mirrored, true), OF_RADII)?;
+    }
+
+    /// No place around the cam is before another.
+    #[test]
+    fn a_turned_cam_deviates_alike(cam in cam(), turned in 5.0..355.0) {
+        let turned = Cam { turned, ..cam.clone() };
+        let there: Vec<f64> = angles().iter().map(|angle| (angle + turned.turned.to_radians()).rem_euclid(TAU)).collect();
+        alike(&cam.deviations(&angles(), false), &turned.deviations(&there, false), OF_RADII)?;
+    }
+
+    /// A lag is felt by the angle that the cam turns meanwhile.
+    #[test]
+    fn half_the_lag_at_twice_the_speed_is_the_same(cam in cam(), s in 0.3..3.0) {
+        let faster = Cam { speed: s * cam.speed, lag: cam.lag / s, ..cam.clone() };
+        alike(&cam.deviations(&angles(), false), &faster.deviations(&angles(), false), OF_RADII)?;
     }
 
     #[test]

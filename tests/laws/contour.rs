@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::{ROUND_OFF, alike, model, observed, times};
 
 #[derive(Clone, Debug)]
-struct Circle {
+pub(super) struct Circle {
     /// Radius, mm; feed, mm/min; velocity gain, 1/s.
     radius: f64,
     feed: f64,
@@ -20,7 +20,7 @@ struct Circle {
     squareness: f64,
 }
 
-fn circle() -> impl Strategy<Value = Circle> {
+pub(super) fn circle() -> impl Strategy<Value = Circle> {
     let pair = |most: f64| [-most..most, -most..most];
     (40.0..300.0, 200.0..4000.0, 20.0..120.0, pair(10.0), pair(3.0), pair(5.0), -50.0..50.0).prop_map(
         |(radius, feed, gain, play, cyclic, centre, squareness)| Circle {
@@ -36,7 +36,7 @@ fn circle() -> impl Strategy<Value = Circle> {
 }
 
 impl Circle {
-    fn text(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let Self { radius, feed, gain, play, cyclic, centre, squareness } = self;
         format!(
             "process = \"contour\"\npath = {{ shape = \"circle\", radius = \"{radius} mm\", feed = \"{feed} mm/min\" }}\n\
@@ -97,6 +97,38 @@ proptest! {
         };
         let mirrored: Vec<f64> = angles().iter().map(|angle| (PI - angle).rem_euclid(TAU)).collect();
         alike(&circle.deviations(&angles(), clockwise), &image.deviations(&mirrored, !clockwise), ROUND_OFF)?;
+    }
+
+    /// Of the servos only the lag feed/gain is felt.
+    #[test]
+    fn faster_drives_follow_faster_feeds_alike(circle in circle(), s in 0.3..3.0) {
+        let faster = Circle { feed: s * circle.feed, gain: s * circle.gain, ..circle.clone() };
+        alike(&circle.deviations(&angles(), false), &faster.deviations(&angles(), false), ROUND_OFF)?;
+    }
+
+    /// In the mirror x = y a rectangle at an angle is one at 90 deg less that angle, its height along its
+    /// width, and the axes are each other, whether it is travelled one way round or the other.
+    #[test]
+    fn a_mirrored_rectangle_is_travelled_alike(
+        circle in circle(), sides in (60.0..200.0, 60.0..200.0), angle in 5.0..40.0, clockwise in prop::bool::ANY,
+    ) {
+        let swapped = |[x, y]: [f64; 2]| [y, x];
+        let own = Circle { squareness: 0.0, feed: circle.feed.min(600.0), cyclic: [0.0; 2], ..circle };
+        let image = Circle { play: swapped(own.play), centre: swapped(own.centre), ..own.clone() };
+        let (width, height) = sides;
+        let at = |circle: &Circle, width: f64, height: f64, degrees: f64, angles: &[f64], clockwise: bool| {
+            let path = format!("shape = \"rectangle\", width = \"{width} mm\", height = \"{height} mm\", angle = \"{degrees} deg\"");
+            let circled = format!("shape = \"circle\", radius = \"{} mm\"", circle.radius);
+            let text = circle.text().replacen(&circled, &path, 1);
+            let direction = vec![f64::from(u8::from(clockwise)); angles.len()];
+            observed(&model(&text), "deviation", &[("angle", angles), ("direction", &direction)])
+        };
+        // The middle of every side, and a place beside it that no corner reaches.
+        let turn = f64::to_radians(angle);
+        let middles: Vec<f64> = (0..8).map(|i| turn + f64::from(i / 2) * FRAC_PI_2 + f64::from(i % 2) * 0.05).collect();
+        let mirrored: Vec<f64> = middles.iter().map(|angle| (FRAC_PI_2 - angle).rem_euclid(TAU)).collect();
+        let own = at(&own, width, height, angle, &middles, clockwise);
+        alike(&own, &at(&image, width, height, 90.0 - angle, &mirrored, !clockwise), ROUND_OFF)?;
     }
 
     /// All lengths and the feed by s: every time is the same, and deviations are s times as large.

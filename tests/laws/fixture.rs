@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::{ROUND_OFF, alike, model, observed, sum, times};
 
 #[derive(Clone, Debug)]
-struct Fixture {
+pub(super) struct Fixture {
     /// Length, width and height, mm.
     length: f64,
     width: f64,
@@ -16,24 +16,27 @@ struct Fixture {
     places: Vec<f64>,
     /// Force of each clamp, N.
     forces: Vec<f64>,
+    /// Young's modulus, GPa.
+    modulus: f64,
 }
 
-fn fixture() -> impl Strategy<Value = Fixture> {
+pub(super) fn fixture() -> impl Strategy<Value = Fixture> {
     let drawn = prop::collection::vec((-0.4..0.4, 800.0..6000.0), 4);
     (200.0..600.0, 40.0..80.0, 30.0..60.0, 2usize..5, drawn).prop_map(|(length, width, height, count, drawn)| {
         let place = |i: usize| 0.08 + 0.84 * (i as f64 + 0.5 + drawn[i].0) / count as f64;
         let places = (0..count).map(place).collect();
-        Fixture { length, width, height, places, forces: drawn[..count].iter().map(|d| d.1).collect() }
+        let forces = drawn[..count].iter().map(|d| d.1).collect();
+        Fixture { length, width, height, places, forces, modulus: 110.0 }
     })
 }
 
 impl Fixture {
-    fn text(&self, effect: &str) -> String {
+    pub(super) fn text(&self, effect: &str) -> String {
         let mut text = format!(
             "process = \"fixture\"\n\
-             workpiece = {{ material = \"cast-iron\", length = \"{} mm\", width = \"{} mm\", height = \"{} mm\" }}\n\
+             workpiece = {{ material = {{ base = \"cast-iron\", youngs_modulus = \"{} GPa\" }}, length = \"{} mm\", width = \"{} mm\", height = \"{} mm\" }}\n\
              sweep = {{ positions = 11 }}\ncutter = {{ force = \"0 N\" }}\n",
-            self.length, self.width, self.height
+            self.modulus, self.length, self.width, self.height
         );
         for (part, force) in self.places.iter().zip(&self.forces) {
             let at = part * self.length;
@@ -62,8 +65,8 @@ impl Fixture {
     }
 }
 
-const SPRINGS: &str = "[effects.support-compliance]\nstiffness = \"80 N/um\"\n";
-const CONTACTS: &str = "[effects.contact-joint]\nc = \"0.2 um/N^n\"\nn = 0.5\n";
+pub(super) const SPRINGS: &str = "[effects.support-compliance]\nstiffness = \"80 N/um\"\n";
+pub(super) const CONTACTS: &str = "[effects.contact-joint]\nc = \"0.2 um/N^n\"\nn = 0.5\n";
 const PLACES: [f64; 5] = [0.1, 0.3, 0.45, 0.7, 0.88];
 
 /// Forces (N) and places (m) in a list of a figure.
@@ -123,14 +126,21 @@ proptest! {
         alike(&own, &fixture.mirrored().heights(effect, &mirrored, &mirrored, 3000.0, 100.0), 1e-8)?;
     }
 
-    /// Parts of one shape under one stress are of one shape: lengths by s, forces by s², stiffnesses by s, heights by s.
+    /// Parts of one shape under one strain are of one shape: lengths by s, the modulus by e, forces by s²·e,
+    /// stiffnesses by s·e, heights by s.
     #[test]
-    fn larger_fixtures_deviate_in_proportion(fixture in fixture(), s in 0.5..2.0) {
-        let Fixture { length, width, height, .. } = fixture;
-        let larger = Fixture { length: s * length, width: s * width, height: s * height, ..fixture.clone() };
+    fn larger_and_stiffer_fixtures_deviate_in_proportion(fixture in fixture(), s in 0.5..2.0, e in 0.4..2.0) {
+        let Fixture { length, width, height, modulus, .. } = fixture;
+        let larger = Fixture {
+            length: s * length,
+            width: s * width,
+            height: s * height,
+            modulus: e * modulus,
+            ..fixture.clone()
+        };
         let springs = |factor: f64| format!("[effects.support-compliance]\nstiffness = \"{} N/um\"\n", 80.0 * factor);
         let own = fixture.heights(&springs(1.0), &PLACES, &PLACES, 3000.0, 100.0);
-        let scaled = larger.heights(&springs(s), &PLACES, &PLACES, s * s * 3000.0, s * s * 100.0);
+        let scaled = larger.heights(&springs(s * e), &PLACES, &PLACES, s * s * e * 3000.0, s * s * e * 100.0);
         alike(&times(s, &own), &scaled, ROUND_OFF)?;
     }
 }

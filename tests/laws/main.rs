@@ -14,6 +14,7 @@ mod contour;
 mod fixture;
 mod order;
 mod plane;
+mod plate;
 mod ring;
 mod stiffness;
 mod thermal;
@@ -22,7 +23,8 @@ mod units;
 
 use fem::input::Source;
 use fem::model::Model;
-use fem::process::{Absent, Rows, Values};
+use fem::process::{Absent, Datum, Rows, Values};
+use fem::progress::Progress;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -54,6 +56,16 @@ fn observed(model: &Model, observable: &str, given: &[(&str, &[f64])]) -> Vec<f6
     let rows =
         Rows { columns: model.process.coordinates().iter().map(column).collect(), observable: vec![number; count] };
     model.forward().observe(&rows).unwrap()
+}
+
+/// A quantity (SI) of a figure that a run reports.
+fn reported(model: &Model, key: &str, name: &str) -> f64 {
+    let report = model.run(&Progress::default()).unwrap().report;
+    let figure = report.figures.iter().find(|figure| figure.key == key).unwrap_or_else(|| panic!("no figure {key}"));
+    match figure.entries.iter().find(|(entry, _)| entry == name) {
+        Some((_, Datum::Quantity(_, si))) => *si,
+        other => panic!("{key}.{name}: {other:?}"),
+    }
 }
 
 /// Whether values agree to a part of the largest of them.

@@ -2,10 +2,12 @@
 //! order in which they were measured, in which noise is correlated and a gauge jumps.)
 
 use fem::compare::compare;
+use fem::diagnose::{Diagnosis, Missing, diagnose};
 use fem::fit::fit;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
 use fem::process::{ALL, Rows};
+use fem::progress::Progress;
 use proptest::prelude::*;
 
 /// A process, a quantity of its starting model as it stands there, the same unknown, and what it truly is.
@@ -65,6 +67,54 @@ proptest! {
             let (a, b) = (&one.estimates[0], &other.estimates[0]);
             // A search ends at a hundredth of a standard uncertainty.
             prop_assert!((a.value - b.value).abs() <= 0.01 * a.std, "{}: {} and {} +- {}", case[0], a.value, b.value, a.std);
+        }
+    }
+}
+
+/// What a diagnosis names, each with what is as likely in its place.
+fn classes(diagnosis: &Diagnosis) -> Vec<Vec<&'static str>> {
+    let class = |missing: &Missing| {
+        let mut all: Vec<_> = missing.indistinguishable_from.iter().map(|effect| effect.name).collect();
+        all.push(missing.effect.name);
+        all.sort_unstable();
+        all
+    };
+    diagnosis.missing.iter().map(class).collect()
+}
+
+/// A process, and an effect that its starting model lacks. Nothing that is the same in every row, for that
+/// is known by when it was measured.
+const MISSING: [[&str; 2]; 3] = [
+    ["turning", "[effects.tool-wear]\nrate = \"8 um/km\"\n"],
+    ["ring", "[effects.spindle-error]\namplitude = \"20 um\"\nphase = \"40 deg\"\n"],
+    ["axis", "[effects.worn-screw]\ndepth = \"20 um\"\n"],
+];
+
+proptest! {
+    #![proptest_config(super::random(4))]
+
+    /// Where one effect of the machine is missing by far and the noise is white, a diagnosis comes to the
+    /// same end in any order of rows.
+    #[test]
+    fn what_is_plainly_missing_is_named_in_any_order(
+        noise in prop::collection::vec(-1.7f64..1.7, ROWS),
+        order in Just((0..ROWS).collect::<Vec<usize>>()).prop_shuffle(),
+    ) {
+        let sorted: Vec<usize> = (0..ROWS).collect();
+        for [name, effect] in &MISSING {
+            let start = ALL.iter().find(|p| p.name() == *name).unwrap().starting_model();
+            let (told, truth) = (super::model(start), super::model(&format!("{start}\n{effect}")));
+            let [one, other] = [&sorted, &order].map(|order| {
+                diagnose(&measured(&told, &truth, &noise, order), 2, &Progress::default()).unwrap()
+            });
+            prop_assert_eq!(one.verdict, other.verdict, "{}", name);
+            let (classes, others) = (classes(&one), classes(&other));
+            prop_assert_eq!(&classes, &others, "{}", name);
+            let is_named = classes.iter().flatten().any(|named| effect.contains(&format!("[effects.{named}]")));
+            prop_assert!(is_named, "{classes:?} for {effect}");
+            // A hundredth of a standard uncertainty raises the sum of squares by 1e-4, and that is of some
+            // tens.
+            prop_assert!((one.after.reduced_chi2 / other.after.reduced_chi2 - 1.0).abs() < 1e-4, "{}", name);
         }
     }
 }

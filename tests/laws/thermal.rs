@@ -10,21 +10,27 @@ const SPECIFIC_HEAT: f64 = 460.0;
 const EXPANSION: f64 = 11.7e-6;
 
 #[derive(Clone, Debug)]
-struct Rod {
+pub(super) struct Rod {
     /// Length and diameter of each segment from the base, mm.
     segments: Vec<(f64, f64)>,
     /// Places of two sources as parts of the length.
     sources: [f64; 2],
     /// Coefficient of convection, W/m²/K.
     convection: f64,
+    /// Conductance from the base, W/K.
+    base: f64,
+    /// Time step, of which the run has forty, s.
+    step: f64,
 }
 
-fn rod() -> impl Strategy<Value = Rod> {
+pub(super) fn rod() -> impl Strategy<Value = Rod> {
     let segments = prop::collection::vec((30.0..120.0, 15.0..40.0), 1..4);
     (segments, 0.05..0.45, 0.55..0.95, 5.0..60.0).prop_map(|(segments, a, b, convection)| Rod {
         segments,
         sources: [a, b],
         convection,
+        base: 0.8,
+        step: 60.0,
     })
 }
 
@@ -34,7 +40,7 @@ impl Rod {
     }
 
     /// The rod with the power of each source, W; its surroundings begin with it at 0 degC.
-    fn text(&self, powers: [f64; 2], loses: bool) -> String {
+    pub(super) fn text(&self, powers: [f64; 2], loses: bool) -> String {
         let segment =
             |(length, diameter): &(f64, f64)| format!("{{ length = \"{length} mm\", diameter = \"{diameter} mm\" }}");
         let segments: Vec<String> = self.segments.iter().map(segment).collect();
@@ -45,21 +51,23 @@ impl Rod {
             "process = \"thermal\"\n\
              body = {{ material = {{ base = \"steel\", density = \"{DENSITY} kg/m^3\", specific_heat = \"{SPECIFIC_HEAT} J/kg/K\", \
              expansion = \"{} um/m/K\" }}, segments = [{}] }}\n\
-             source = [{}]\nenvironment = {{ temperature = \"0 degC\" }}\ntime = {{ end = \"40 min\", step = \"60 s\" }}\n",
+             source = [{}]\nenvironment = {{ temperature = \"0 degC\" }}\ntime = {{ end = \"{} s\", step = \"{} s\" }}\n",
             1e6 * EXPANSION,
             segments.join(", "),
             sources.join(", "),
+            40.0 * self.step,
+            self.step,
         );
         if loses {
             text += &format!("[effects.convection]\ncoefficient = \"{} W/m^2/K\"\n", self.convection);
-            text += "[effects.base-conductance]\nconductance = \"0.8 W/K\"\n";
+            text += &format!("[effects.base-conductance]\nconductance = \"{} W/K\"\n", self.base);
         }
         text
     }
 
     /// Temperatures (degC, and so the rises) at parts of the length over some times.
     fn rises(&self, powers: [f64; 2], loses: bool, places: &[f64]) -> Vec<f64> {
-        let at = |part: &f64| TIMES.map(|time| (time, 1e-3 * part * self.length()));
+        let at = |part: &f64| TIMES.map(|time| (time * self.step / 60.0, 1e-3 * part * self.length()));
         let (time, x): (Vec<f64>, Vec<f64>) = places.iter().flat_map(at).unzip();
         let zero = 273.15;
         let kelvins = observed(&model(&self.text(powers, loses)), "temperature", &[("time", &time), ("x", &x)]);
@@ -67,7 +75,7 @@ impl Rod {
     }
 }
 
-/// Seconds.
+/// Seconds, where a step has sixty.
 const TIMES: [f64; 4] = [60.0, 300.0, 1140.0, 2400.0];
 
 /// Round-off of temperatures about 273 K, of rises of some kelvins.
@@ -102,6 +110,23 @@ proptest! {
         let places = [0.1, 0.4, 0.9];
         let mirrored: Vec<f64> = places.iter().map(|part| 1.0 - part).collect();
         alike(&rod.rises([first, second], false, &places), &image.rises([second, first], false, &mirrored), OF_KELVINS)?;
+    }
+
+    /// Rods of one Fourier and one Biot number warm alike: lengths by s, times by s², powers and the
+    /// conductance of the base by s, convection by 1/s.
+    #[test]
+    fn larger_rods_warm_alike_in_their_own_time(
+        rod in rod(), first in 2.0..20.0, second in 2.0..20.0, s in 0.5..2.0,
+    ) {
+        let larger = Rod {
+            segments: rod.segments.iter().map(|(length, diameter)| (s * length, s * diameter)).collect(),
+            convection: rod.convection / s,
+            base: s * rod.base,
+            step: s * s * rod.step,
+            ..rod.clone()
+        };
+        let places = [0.0, 0.2, 0.5, 1.0];
+        alike(&rod.rises([first, second], true, &places), &larger.rises([s * first, s * second], true, &places), OF_KELVINS)?;
     }
 
     /// Nothing is lost: a rod of one section grows by α·Q/(ρ·c·A), wherever its heat Q came in.

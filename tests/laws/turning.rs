@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::{ROUND_OFF, alike, model, observed, sum, times};
 
 #[derive(Clone, Debug)]
-struct Lathe {
+pub(super) struct Lathe {
     /// Length and diameter of each segment from the headstock, mm.
     segments: Vec<(f64, f64)>,
     /// Stiffness of headstock and tailstock, N/um.
@@ -13,35 +13,39 @@ struct Lathe {
     tail: f64,
     /// Steady rests: place (mm) and stiffness (N/um).
     rests: Vec<(f64, f64)>,
+    /// Young's modulus, GPa.
+    modulus: f64,
 }
 
-fn lathe() -> impl Strategy<Value = Lathe> {
+pub(super) fn lathe() -> impl Strategy<Value = Lathe> {
     let segments = prop::collection::vec((40.0..150.0, 25.0..70.0), 1..5);
     (segments, 10.0..200.0, 10.0..200.0).prop_map(|(segments, head, tail)| Lathe {
         segments,
         head,
         tail,
         rests: vec![],
+        modulus: 210.0,
     })
 }
 
 impl Lathe {
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.segments.iter().map(|s| s.0).sum()
     }
 
     /// The model, on its springs or on rigid centres.
-    fn text(&self, yields: bool) -> String {
+    pub(super) fn text(&self, yields: bool) -> String {
         let segment =
             |(length, diameter): &(f64, f64)| format!("{{ length = \"{length} mm\", diameter = \"{diameter} mm\" }}");
         let segments: Vec<String> = self.segments.iter().map(segment).collect();
         let rest = |(at, stiffness): &(f64, f64)| format!("{{ at = \"{at} mm\", stiffness = \"{stiffness} N/um\" }}");
         let rests: Vec<String> = self.rests.iter().map(rest).collect();
         let mut text = format!(
-            "process = \"turning\"\nworkpiece = {{ material = \"steel\", segments = [{}] }}\n\
+            "process = \"turning\"\nworkpiece = {{ material = {{ base = \"steel\", youngs_modulus = \"{} GPa\" }}, segments = [{}] }}\n\
              workholding = {{ type = \"centres\", steady_rests = [{}] }}\n\
              cut = {{ depth = \"0.5 mm\", feed = \"0.2 mm/rev\", spindle_speed = \"600 rpm\", radial_force = \"400 N\" }}\n\
              mesh = {{ element_size = \"15 mm\" }}\n",
+            self.modulus,
             segments.join(", "),
             rests.join(", "),
         );
@@ -54,7 +58,8 @@ impl Lathe {
 
     fn mirrored(&self) -> Self {
         let rests = self.rests.iter().map(|(at, stiffness)| (self.length() - at, *stiffness)).collect();
-        Self { segments: self.segments.iter().rev().copied().collect(), head: self.tail, tail: self.head, rests }
+        let segments = self.segments.iter().rev().copied().collect();
+        Self { segments, head: self.tail, tail: self.head, rests, ..*self }
     }
 
     /// Diameter errors (m) at places that are parts of the length, under a force (N).
@@ -81,6 +86,23 @@ proptest! {
         let own = Lathe { rests: vec![(rest.0 * lathe.length(), rest.1)], ..lathe };
         let mirrored: Vec<f64> = PLACES.iter().map(|part| 1.0 - part).collect();
         alike(&own.errors(true, &PLACES, 400.0), &own.mirrored().errors(true, &mirrored, 400.0), ROUND_OFF)?;
+    }
+
+    /// Lathes of one shape under one strain are of one shape: lengths by s, the modulus by e, stiffnesses by
+    /// s·e, forces by s²·e, errors by s.
+    #[test]
+    fn larger_and_stiffer_lathes_err_in_proportion(
+        lathe in lathe(), rest in (0.2..0.8, 10.0..100.0), s in 0.5..2.0, e in 0.4..2.0,
+    ) {
+        let own = Lathe { rests: vec![(rest.0 * lathe.length(), rest.1)], ..lathe };
+        let larger = Lathe {
+            segments: own.segments.iter().map(|(length, diameter)| (s * length, s * diameter)).collect(),
+            head: s * e * own.head,
+            tail: s * e * own.tail,
+            rests: own.rests.iter().map(|(at, stiffness)| (s * at, s * e * stiffness)).collect(),
+            modulus: e * own.modulus,
+        };
+        alike(&times(s, &own.errors(true, &PLACES, 400.0)), &larger.errors(true, &PLACES, s * s * e * 400.0), ROUND_OFF)?;
     }
 
     /// The shaft is statically determinate: its reactions follow from the balance of forces and of moments alone, and
