@@ -5,6 +5,17 @@
 //! Every law holds exactly in the equations that are solved, so that only round-off stands between both sides: of a
 //! solve with a few hundred unknowns some 1e-10 of the largest value. Where a sum of two nonlinear solves or a search
 //! stands between, its own tolerance is named there.
+//!
+//! Some laws say nothing of some processes:
+//!
+//! | law | of |
+//! |---|---|
+//! | equilibrium, reciprocity | an axis, a contour and a cam are geometry and time: no force acts but a given one |
+//! | equilibrium | a ring reports no force but that of its jaws, which is given; `plane` holds the elements under it |
+//! | reciprocity | a joint has one place; a ring is pressed outside and measured inside, and `plane` holds its elements |
+//! | superposition | contours, cams and joints are not linear: play, the reach of a wheel, contacts |
+//! | symmetry | the rigid chuck of a lathe has no image |
+//! | balance of energy | only bodies that are heated and joints that are unloaded keep an account of it |
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 

@@ -1,5 +1,6 @@
-//! The order in which rows stand in a file changes neither a comparison nor a fit. (A diagnosis may look at it: it is the
-//! order in which they were measured, in which noise is correlated and a gauge jumps.)
+//! The order in which rows stand in a file changes neither a comparison nor a fit, nor what a diagnosis plainly sees.
+//! (Beyond that a diagnosis may look at it: it is the order in which they were measured, in which noise is correlated
+//! and a gauge jumps.)
 
 use fem::compare::compare;
 use fem::diagnose::{Diagnosis, Missing, diagnose};
