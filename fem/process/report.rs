@@ -1,6 +1,6 @@
 //! What a run reports, before anyone has decided how to write it.
 
-use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, View};
+use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, Values, View};
 use crate::units::Kind;
 
 /// The results of a run, in terms that every output format understands.
@@ -54,7 +54,7 @@ impl Table {
         observed: &[f64],
     ) -> Self {
         let mut columns: Vec<Column> =
-            shown.iter().map(|i| Column::coordinate(&coordinates[*i], &rows.columns[*i].to_vec())).collect();
+            shown.iter().map(|i| Column::coordinate(&coordinates[*i], &rows.columns[*i])).collect();
         columns.push(Column::quantities(observable.name, observable.kind, observed));
         Self { columns }
     }
@@ -70,15 +70,16 @@ impl Column {
 
     /// The values of a coordinate, SI, without the digits that conversion leaves: 1000 mm/min is written as
     /// 1000.
-    pub fn coordinate(coordinate: &Coordinate, si: &[f64]) -> Self {
+    pub fn coordinate(coordinate: &Coordinate, si: &Values) -> Self {
+        let si = si.to_vec();
         match coordinate.holds {
             Holds::Quantity(kind) => {
-                let mut column = Self::quantities(coordinate.name, kind, si);
+                let mut column = Self::quantities(coordinate.name, kind, &si);
                 column.values.iter_mut().for_each(|v| *v = clean(*v));
                 column
             }
-            Holds::Number(_) => Self::numbers(coordinate.name, None, si.to_vec()),
-            Holds::Word(words) => Self::words(coordinate.name, si.to_vec(), words),
+            Holds::Number(_) => Self::numbers(coordinate.name, None, si),
+            Holds::Word(words) => Self::words(coordinate.name, si, words),
         }
     }
 

@@ -25,6 +25,13 @@ class Answer(TypedDict):
     steps: list[tuple[str, str]]
 
 
+def bare(json: str, text: str, notes: list[str]) -> Answer:
+    """An answer without figures, tables and models."""
+    return Answer(
+        json=json, text=text, figures=[], tables=[], coordinates=[], notes=notes, model=None, steps=[]
+    )
+
+
 class Asked(TypedDict):
     """Measurements: files, and tables as CSV, each with its name; how they are to be read."""
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union, overload
 
+from fem._answer import bare
 from fem._record import Record, read
 from fem._table import Table
 
@@ -270,8 +271,7 @@ class Budget(Result):
     """Errors of a part added up: by the rules of the handbook and by Monte Carlo, each with its share."""
 
     def __init__(self, document: str, text: str, notes: list[str]) -> None:
-        super().__init__({"json": document, "text": text, "figures": [], "tables": [], "coordinates": [],
-                          "notes": notes, "model": None, "steps": []})  # fmt: skip
+        super().__init__(bare(document, text, notes))
 
 
 class Report:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
 from fem import _fem
+from fem._answer import bare
 from fem._results import Result
 from fem._table import Table
 
@@ -34,8 +35,7 @@ class Study(Result):
 
     def __init__(self, document: str, text: str, rows: Path, left: int, is_kept: bool) -> None:
         notes = [f"the time was over; {left} jobs are left. The same call goes on with them"] if left else []
-        super().__init__({"json": document, "text": text, "figures": [], "tables": [], "coordinates": [],
-                          "notes": notes, "model": None, "steps": []})  # fmt: skip
+        super().__init__(bare(document, text, notes))
         self.table: Table = _table(rows, self.document.to_dict())
         """All rows: `job`, the inputs, `data`, the results, `error`."""
         self.path: Optional[Path] = rows if is_kept else None

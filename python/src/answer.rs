@@ -90,8 +90,7 @@ pub fn tables_of_run(model: &Model, run: &mut Run) -> Tables {
     for of_observable in run.contributions.chunk_by(|a, b| a.observable == b.observable) {
         let Some(position) = of_observable.first().map(|c| c.observable) else { continue };
         let own = observed_rows(&programme, position);
-        let columns =
-            shown.iter().map(|i| Column::coordinate(&coordinates[*i], &programme.columns[*i].some(&own).to_vec()));
+        let columns = shown.iter().map(|i| Column::coordinate(&coordinates[*i], &programme.columns[*i].some(&own)));
         let observables = model.process.observables();
         let contributions = of_observable.iter().map(|c| Column::quantities(c.name, c.kind(observables), &c.changes));
         let columns = columns.chain(contributions).collect();
@@ -123,10 +122,8 @@ fn table_of_rows(
     let observable: &Observable = &process.observables()[seen.position];
     let own = observed_rows(&data.rows, seen.position);
     let of = |column: &[f64]| picked(column, &own);
-    let coordinates = data
-        .given
-        .iter()
-        .map(|i| Column::coordinate(&process.coordinates()[*i], &rows.columns[*i].some(&own).to_vec()));
+    let coordinates =
+        data.given.iter().map(|i| Column::coordinate(&process.coordinates()[*i], &rows.columns[*i].some(&own)));
     let (kind, of_errors) = (observable.kind, observable.error_kind());
     let values = [
         Column::quantities(observable.name, kind, &of(&data.observed)),

@@ -125,8 +125,7 @@ fn effects([a, b]: [f64; 2]) -> Vec<String> {
 
 /// Deviations in both directions.
 fn deviations(effects: &[String]) -> Vec<f64> {
-    let start = fem::process::ALL.iter().find(|p| p.name() == "axis").unwrap().starting_model();
-    let own = start.split("[effects.").next().unwrap();
+    let own = super::starting("axis").split("[effects.").next().unwrap();
     let position = [POSITIONS, POSITIONS].concat();
     let direction: Vec<f64> = (0..position.len()).map(|row| f64::from(u8::from(row >= POSITIONS.len()))).collect();
     observed(

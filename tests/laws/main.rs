@@ -34,7 +34,7 @@ mod units;
 
 use fem::input::Source;
 use fem::model::Model;
-use fem::process::{Absent, Datum, Rows, Values};
+use fem::process::{ALL, Absent, Datum, Rows, Values};
 use fem::progress::Progress;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -52,6 +52,11 @@ fn model(text: &str) -> Model {
     Model::parse(Source::new("model.toml", text)).unwrap_or_else(|error| panic!("{:?}\n{text}", error.problems))
 }
 
+/// The model to start from of a process.
+fn starting(name: &str) -> &'static str {
+    ALL.iter().find(|process| process.name() == name).unwrap().starting_model()
+}
+
 /// What rows at these coordinates (SI) would show: a column of each that varies, the others as they are if left out.
 fn observed(model: &Model, observable: &str, given: &[(&str, &[f64])]) -> Vec<f64> {
     let number = model.process.observables().iter().position(|o| o.name == observable).unwrap();
@@ -64,8 +69,7 @@ fn observed(model: &Model, observable: &str, given: &[(&str, &[f64])]) -> Vec<f6
             (None, _) => Values::shared(f64::NAN, count),
         }
     };
-    let rows =
-        Rows { columns: model.process.coordinates().iter().map(column).collect(), observable: vec![number; count] };
+    let rows = Rows::new(model.process.coordinates().iter().map(column), vec![number; count]);
     model.forward().observe(&rows).unwrap()
 }
 

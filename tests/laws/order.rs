@@ -7,7 +7,7 @@ use fem::diagnose::{Diagnosis, Missing, diagnose};
 use fem::fit::fit;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
-use fem::process::{ALL, Rows};
+use fem::process::Rows;
 use fem::progress::Progress;
 use proptest::prelude::*;
 
@@ -26,6 +26,17 @@ const CASES: [[&str; 4]; 8] = [
 /// Rows that are measured.
 const ROWS: usize = 60;
 
+/// Noise of every row, in standard uncertainties.
+fn noise() -> impl Strategy<Value = Vec<f64>> {
+    prop::collection::vec(-1.7f64..1.7, ROWS)
+}
+
+/// Rows in their order, and in another.
+fn orders() -> impl Strategy<Value = (Vec<usize>, Vec<usize>)> {
+    let sorted: Vec<usize> = (0..ROWS).collect();
+    (Just(sorted.clone()), Just(sorted).prop_shuffle())
+}
+
 /// What was measured of a model, with noise of a hundredth of its spread, in an order.
 fn measured<'m>(model: &'m Model, truth: &Model, noise: &[f64], order: &[usize]) -> Data<'m> {
     let all = model.system.programme();
@@ -43,7 +54,7 @@ fn measured<'m>(model: &'m Model, truth: &Model, noise: &[f64], order: &[usize])
 }
 
 fn parsed([name, written, ..]: &[&str; 4], other: &str) -> Model {
-    let start = ALL.iter().find(|p| p.name() == *name).unwrap().starting_model();
+    let start = super::starting(name);
     assert!(start.contains(written), "{name}");
     super::model(&start.replacen(written, other, 1))
 }
@@ -52,11 +63,7 @@ proptest! {
     #![proptest_config(super::random(16))]
 
     #[test]
-    fn comparisons_and_fits_know_no_order(
-        noise in prop::collection::vec(-1.7f64..1.7, ROWS),
-        order in Just((0..ROWS).collect::<Vec<usize>>()).prop_shuffle(),
-    ) {
-        let sorted: Vec<usize> = (0..ROWS).collect();
+    fn comparisons_and_fits_know_no_order(noise in noise(), (sorted, order) in orders()) {
         for case in &CASES {
             let [asked, truth] = [2, 3].map(|which| parsed(case, case[which]));
             let told = parsed(case, case[1]);
@@ -97,13 +104,9 @@ proptest! {
     /// Where one effect of the machine is missing by far and the noise is white, a diagnosis comes to the
     /// same end in any order of rows.
     #[test]
-    fn what_is_plainly_missing_is_named_in_any_order(
-        noise in prop::collection::vec(-1.7f64..1.7, ROWS),
-        order in Just((0..ROWS).collect::<Vec<usize>>()).prop_shuffle(),
-    ) {
-        let sorted: Vec<usize> = (0..ROWS).collect();
+    fn what_is_plainly_missing_is_named_in_any_order(noise in noise(), (sorted, order) in orders()) {
         for [name, effect] in &MISSING {
-            let start = ALL.iter().find(|p| p.name() == *name).unwrap().starting_model();
+            let start = super::starting(name);
             let (told, truth) = (super::model(start), super::model(&format!("{start}\n{effect}")));
             let [one, other] = [&sorted, &order].map(|order| {
                 diagnose(&measured(&told, &truth, &noise, order), 2, &Progress::default()).unwrap()

@@ -100,9 +100,12 @@ pub fn programme(setup: &Setup) -> Rows {
 
 /// Rows at some angles (rad) in a direction, at the feed of the model.
 pub fn lap(setup: &Setup, direction: Direction, angles: Vec<f64>) -> Rows {
+    at_feed(setup.feed, direction, angles)
+}
+
+fn at_feed(feed: f64, direction: Direction, angles: Vec<f64>) -> Rows {
     let count = angles.len();
-    let columns =
-        vec![angles.into(), Values::shared(f64::from(direction as u8), count), Values::shared(setup.feed, count)];
+    let columns = vec![angles.into(), Values::shared(f64::from(direction as u8), count), Values::shared(feed, count)];
     Rows { columns, observable: vec![0; count] }
 }
 
@@ -131,7 +134,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
                       (direction, feed): (Direction, f64),
                       angles: Vec<f64>| {
         let values = value.map_or_else(|| angles.clone(), |v| vec![v]);
-        let rows = lap(&Setup { feed, ..setup.clone() }, direction, angles);
+        let rows = at_feed(feed, direction, angles);
         CandidateExperiment { words, coordinate: COORDINATES[coordinate].name, values, rows }
     };
     let around = |direction, feed| {
@@ -167,8 +170,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
 
 /// Whether an angle lies off the corners.
 fn steady(setup: &Setup, angle: f64, direction: Direction, feed: f64) -> bool {
-    let columns = vec![vec![angle], vec![f64::from(direction as u8)], vec![feed]];
-    misplaced(setup, &Rows::new(columns, vec![0])).is_empty()
+    misplaced(setup, &at_feed(feed, direction, vec![angle])).is_empty()
 }
 
 /// On the path, lap by lap; a deviation is outwards.

@@ -127,7 +127,8 @@ fn set_ups(rows: &Rows) -> Vec<Vec<usize>> {
 pub fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
     match setup.reference {
         Reference::LeastSquaresCircle => {
-            set_ups(rows).iter().flat_map(|own| circle::directions(own, &rows.columns[ANGLE_OF_ROW].to_vec())).collect()
+            let angles = rows.columns[ANGLE_OF_ROW].to_vec();
+            set_ups(rows).iter().flat_map(|own| circle::directions(own, &angles)).collect()
         }
         Reference::Absolute => Vec::new(),
     }

@@ -181,7 +181,7 @@ impl Refinement {
     /// The errors before and after each pass, position by position.
     pub fn table(&self, positions: &[f64]) -> Table {
         let numbers = (1..=self.passes.len()).flat_map(|number| vec![number as f64; positions.len()]);
-        let x = positions.repeat(self.passes.len());
+        let x = positions.repeat(self.passes.len()).into();
         let errors = |name, of: fn(&Report) -> &Vec<f64>| {
             Column::quantities(name, MICRO, &self.passes.iter().flat_map(of).copied().collect::<Vec<_>>())
         };

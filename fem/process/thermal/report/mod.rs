@@ -77,8 +77,7 @@ fn left_by_elements(machine: &Machine, forward: &Forward, longest_step: f64) -> 
 /// A measurement file of its own: a record observes the elongation or a temperature, the other cell is empty.
 fn profile(setup: &Setup, rows: &Rows, observed: &[f64]) -> Table {
     let coordinates = [TIME_OF_ROW, X].into_iter().chain(setup.body.plane().map(|_| Y));
-    let mut columns: Vec<Column> =
-        coordinates.map(|i| Column::coordinate(&COORDINATES[i], &rows.columns[i].to_vec())).collect();
+    let mut columns: Vec<Column> = coordinates.map(|i| Column::coordinate(&COORDINATES[i], &rows.columns[i])).collect();
     let grows = rows.observable.contains(&ELONGATION).then_some(ELONGATION);
     columns.extend([TEMPERATURE_OF_ROW].into_iter().chain(grows).map(|observable| {
         let mut values = vec![f64::NAN; rows.len()];
