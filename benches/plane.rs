@@ -99,7 +99,7 @@ fn chuck() -> Result<(), Box<dyn Error>> {
             _ => Values::shared(first, angles.len()),
         };
     }
-    rows.observable.truncate(angles.len());
+    rows.observable = Values::shared(rows.observable[0], angles.len());
     let effects: Vec<_> =
         process.effects().iter().filter(|e| model.system.admits(e.name).is_ok()).map(|e| e.typical()).collect();
     let mut clock = Clock(Instant::now());

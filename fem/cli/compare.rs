@@ -21,7 +21,7 @@ pub fn run(args: &args::Compare) -> Result<(), Error> {
     for model in &models {
         model.require_values()?;
     }
-    let mut measurements = args.data.load(process)?;
+    let mut measurements = args.data.load(process, args.output.is_some())?;
     let mut comparisons = Vec::new();
     for model in &models {
         let data = Data::of(model, measurements)?;

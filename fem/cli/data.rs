@@ -19,9 +19,11 @@ impl args::Reading {
 }
 
 impl args::Data {
-    /// Reads the measurements of a process, of several files as one.
-    pub fn load(&self, process: &'static dyn Process) -> Result<Measurements, Error> {
-        Ok(Measurements::load_all(&self.with, process, &self.reading.said()?, false)?)
+    /// Reads the measurements of a process, of several files as one; their text stays with those that `are_written`
+    /// again.
+    pub fn load(&self, process: &'static dyn Process, are_written: bool) -> Result<Measurements, Error> {
+        let all = Measurements::load_all(&self.with, process, &self.reading.said()?, false)?;
+        Ok(if are_written { all } else { all.without_records() })
     }
 
     /// A model and the files of its measurements, which nothing may overwrite.

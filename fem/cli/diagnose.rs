@@ -27,7 +27,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         guard.check(new)?;
     }
     let progress = args.limit.progress();
-    let data = Data::of(&model, args.data.load(model.process)?)?.watched(progress.clone());
+    let data = Data::of(&model, args.data.load(model.process, false)?)?.watched(progress.clone());
     let diagnosis = searched(args, &data, &progress, guard)?;
     if let Some(new) = &args.add_to {
         let better = completed(&data, &diagnosis)?;

@@ -19,7 +19,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         guard.check(new)?;
     }
     refuse_certain(&model)?;
-    let data = Data::of(&model, args.data.load(model.process)?)?.watched(args.limit.progress());
+    let data = Data::of(&model, args.data.load(model.process, false)?)?.watched(args.limit.progress());
     let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {
         let text = fitted_text(&data, &fit);

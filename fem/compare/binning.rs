@@ -1,5 +1,7 @@
 //! Rows binned along coordinates and pairs of them, and what the bins and waves show of residuals.
 
+use rayon::prelude::*;
+
 use super::Trend;
 use super::waves::{Largest, Waves};
 use crate::measure::Measurements;
@@ -20,61 +22,103 @@ const CELLS: usize = PAIR_LEVELS * PAIR_LEVELS;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Along(pub Vec<usize>);
 
+/// Every way in which rows are binned: everywhere alike, along every coordinate that varies, and along every pair of
+/// those.
+pub struct Binnings<'a> {
+    /// Coordinates of the process.
+    pub coordinates: &'static [Coordinate],
+    /// The rows.
+    pub measurements: &'a Measurements,
+    /// Of each coordinate that varies, by its position.
+    quantiles: Vec<(usize, Quantiles)>,
+    /// In the order in which they are tested.
+    pub all: Vec<Along>,
+}
+
+impl<'a> Binnings<'a> {
+    /// The ways of binning the rows of a file.
+    pub fn new(coordinates: &'static [Coordinate], measurements: &'a Measurements) -> Self {
+        let is_sought = |i: &usize| !coordinates[*i].repeats && measurements.given.contains(i);
+        let quantiles: Vec<(usize, Quantiles)> = (0..coordinates.len())
+            .filter(is_sought)
+            .map(|i| (i, Quantiles::of(&measurements.rows.columns[i])))
+            .filter(|(_, own)| own.count(BINS) > 1)
+            .collect();
+        let mut all = vec![Along(Vec::new())];
+        for (k, (i, _)) in quantiles.iter().enumerate() {
+            all.push(Along(vec![*i]));
+            all.extend(quantiles[k + 1..].iter().map(|(j, _)| Along(vec![*i, *j])));
+        }
+        Self { coordinates, measurements, quantiles, all }
+    }
+
+    /// Bins the rows in one of these ways.
+    pub fn binned(&self, along: &Along) -> Binned {
+        let own = |i: usize| self.quantiles.iter().find(|(own, _)| *own == i).map(|(_, quantiles)| quantiles);
+        let bins = |i: usize, most| match own(i) {
+            Some(quantiles) => quantiles.bins(&self.measurements.rows.columns[i], most),
+            None => (vec![0; self.measurements.len()], 1),
+        };
+        let levels = |i: usize| own(i).map_or(1, |quantiles| quantiles.count(PAIR_LEVELS));
+        let beside = |i: usize, other: usize| bins(i, LEVELS.min(CELLS / levels(other)));
+        let (parts, waves) = match along.0[..] {
+            [] => (Vec::new(), None),
+            [i] => (vec![bins(i, BINS)], Some(Waves::new(&[bins(i, LEVELS)]))),
+            [i, j, ..] => {
+                let waves = Waves::new(&[beside(i, j), beside(j, i)]);
+                (vec![bins(i, PAIR_BINS), bins(j, PAIR_BINS)], Some(waves))
+            }
+        };
+        let (bins, counts) = parts.into_iter().unzip();
+        Binned { along: along.clone(), bins, counts, waves }
+    }
+}
+
+/// Where the values of a coordinate are parted into bins.
+struct Quantiles {
+    /// The first value of each bin, for one bin at most, for two, up to [`LEVELS`].
+    starts: Vec<Vec<f64>>,
+}
+
+impl Quantiles {
+    /// One bin per distinct value, or as many as are wanted with about equally many rows.
+    fn of(values: &Values) -> Self {
+        let mut sorted: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
+        sorted.par_sort_unstable_by(f64::total_cmp);
+        let distinct: Vec<f64> = sorted.chunk_by(|a, b| a == b).take(LEVELS + 1).map(|alike| alike[0]).collect();
+        let starts = |most: usize| {
+            if distinct.len() <= most {
+                return distinct.clone();
+            }
+            let mut starts: Vec<f64> = (0..most).map(|k| sorted[k * sorted.len() / most]).collect();
+            starts.dedup();
+            starts
+        };
+        Self { starts: (1..=LEVELS).map(starts).collect() }
+    }
+
+    /// Number of bins where there are `most` of them.
+    fn count(&self, most: usize) -> usize {
+        self.starts[most - 1].len().max(1)
+    }
+
+    /// Bin of each value, and number of bins.
+    fn bins(&self, values: &Values, most: usize) -> (Vec<u8>, usize) {
+        let starts = &self.starts[most - 1];
+        let bin = |v: &f64| if v.is_nan() { 0 } else { starts.partition_point(|s| s <= v).saturating_sub(1) as u8 };
+        (values.iter().map(bin).collect(), self.count(most))
+    }
+}
+
 /// Rows binned by none, one or two coordinates.
 pub struct Binned {
     /// The coordinates.
     pub along: Along,
     /// Bin of each row along each coordinate.
-    bins: Vec<Vec<u16>>,
+    bins: Vec<Vec<u8>>,
     counts: Vec<usize>,
     /// Waves along the coordinate or along both; `None` where there is no coordinate.
     waves: Option<Waves>,
-}
-
-/// Bins the rows everywhere, along every coordinate that varies, and along every pair of those.
-pub fn binnings(coordinates: &[Coordinate], measurements: &Measurements) -> Vec<Binned> {
-    let bins = |i: usize, most| bins(&measurements.rows.columns[i], most);
-    let together = |i: usize, j: usize| {
-        let beside = |other: usize| LEVELS.min(CELLS / bins(other, PAIR_LEVELS).1);
-        [bins(i, beside(j)), bins(j, beside(i))]
-    };
-    let varying: Vec<usize> = (0..coordinates.len())
-        .filter(|i| !coordinates[*i].repeats && measurements.given.contains(i) && bins(*i, BINS).1 > 1)
-        .collect();
-    let mut binnings = vec![Binned { along: Along(Vec::new()), bins: Vec::new(), counts: Vec::new(), waves: None }];
-    for (k, &i) in varying.iter().enumerate() {
-        let (of_rows, count) = bins(i, BINS);
-        binnings.push(Binned {
-            along: Along(vec![i]),
-            bins: vec![of_rows],
-            counts: vec![count],
-            waves: Some(Waves::new(&[bins(i, LEVELS)])),
-        });
-        for &j in &varying[k + 1..] {
-            let ((a, m), (b, n)) = (bins(i, PAIR_BINS), bins(j, PAIR_BINS));
-            binnings.push(Binned {
-                along: Along(vec![i, j]),
-                bins: vec![a, b],
-                counts: vec![m, n],
-                waves: Some(Waves::new(&together(i, j))),
-            });
-        }
-    }
-    binnings
-}
-
-/// Bin of each value, and number of bins: one per distinct value, or `most` with about equally many rows.
-fn bins(values: &Values, most: usize) -> (Vec<u16>, usize) {
-    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let levels = sorted.chunk_by(|a, b| a == b).take(most + 1).count();
-    let mut starts = match levels > most {
-        true => (0..most).map(|k| sorted[k * sorted.len() / most]).collect(),
-        false => sorted,
-    };
-    starts.dedup();
-    let bin = |v: &f64| if v.is_nan() { 0 } else { starts.partition_point(|s| s <= v).saturating_sub(1) as u16 };
-    (values.iter().map(bin).collect(), starts.len().max(1))
 }
 
 /// Test statistic of one binning.
@@ -155,7 +199,7 @@ impl Binned {
     }
 }
 
-fn gather(bins: &[u16], count: usize, values: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
+fn gather(bins: &[u8], count: usize, values: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
     let (mut sums, mut counts) = (vec![0.0; count], vec![0.0; count]);
     for (&bin, value) in bins.iter().zip(values) {
         sums[usize::from(bin)] += value;
@@ -165,26 +209,31 @@ fn gather(bins: &[u16], count: usize, values: impl Iterator<Item = f64>) -> (Vec
 }
 
 /// Interaction of two coordinates: the statistic of their cells beyond the sum of the two main effects.
-fn interaction(first: &[u16], second: &[u16], wide: usize, high: usize, z: &[f64], mean: f64) -> Statistic {
+fn interaction(first: &[u8], second: &[u8], wide: usize, high: usize, z: &[f64], mean: f64) -> Statistic {
     /// Largest mean, in standard uncertainties, that need not be taken out any more.
     const SETTLED: f64 = 1e-3;
-    let mut left: Vec<f64> = z.iter().map(|z| z - mean).collect();
+    let (mut sums, mut counts) = (vec![0.0; wide * high], vec![0.0; wide * high]);
+    for ((a, b), z) in first.iter().zip(second).zip(z) {
+        let cell = usize::from(*a) * wide + usize::from(*b);
+        sums[cell] += z - mean;
+        counts[cell] += 1.0;
+    }
     // Backfitting: the means of the one and the other are taken out in turn; balanced designs need one turn.
     for _ in 0..10 {
+        let of_first = (0..high).map(|a| (a * wide..(a + 1) * wide).step_by(1));
+        let of_second = (0..wide).map(|b| (b..wide * high).step_by(wide));
         let mut largest = 0.0f64;
-        for (bins, count) in [(first, high), (second, wide)] {
-            let (mut means, counts) = gather(bins, count, left.iter().copied());
-            for (mean, count) in means.iter_mut().zip(&counts).filter(|(_, count)| **count > 0.0) {
-                *mean /= count;
+        for level in of_first.chain(of_second) {
+            let count: f64 = level.clone().map(|cell| counts[cell]).sum();
+            if count > 0.0 {
+                let mean = level.clone().map(|cell| sums[cell]).sum::<f64>() / count;
                 largest = largest.max(mean.abs());
+                level.for_each(|cell| sums[cell] -= mean * counts[cell]);
             }
-            left.iter_mut().zip(bins).for_each(|(l, b)| *l -= means[usize::from(*b)]);
         }
         if largest < SETTLED {
             break;
         }
     }
-    let cells: Vec<u16> = first.iter().zip(second).map(|(a, b)| a * wide as u16 + b).collect();
-    let (sums, counts) = gather(&cells, wide * high, left.into_iter());
     Statistic::between(&sums, &counts, wide + high - 1)
 }

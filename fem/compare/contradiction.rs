@@ -10,7 +10,13 @@ pub fn contradicting(group: &[usize], z: &[f64]) -> Vec<bool> {
     const LEAST: usize = 4;
     /// Distance, in standard deviations, beyond which a row contradicts the others.
     const FAR: f64 = 6.0;
-    let mut groups = vec![Vec::new(); group.iter().max().map_or(0, |most| most + 1)];
+    let mut members = vec![0_u32; group.iter().max().map_or(0, |most| most + 1)];
+    group.iter().for_each(|group| members[*group] += 1);
+    // Of a million rows that each have their own conditions none is told to be wrong, and no list is needed.
+    if members.iter().all(|members| (*members as usize) < LEAST) {
+        return vec![false; z.len()];
+    }
+    let mut groups = vec![Vec::new(); members.len()];
     group.iter().enumerate().for_each(|(row, group)| groups[*group].push(row));
     let mut distances = vec![0.0; z.len()];
     for rows in groups.iter().filter(|rows| rows.len() >= LEAST) {

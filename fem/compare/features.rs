@@ -9,7 +9,7 @@
 
 use rayon::prelude::*;
 
-use super::binning::{Along, Binned, Statistic, binnings};
+use super::binning::{Along, Binned, Binnings, Statistic};
 use super::rng::Rng;
 use super::sentence::{name, sentence};
 use super::{SIGNIFICANCE, Trend};
@@ -48,19 +48,25 @@ pub struct Feature {
 /// Finds the significant features, the largest share first. Observables that stand side by side are tested
 /// one by one.
 pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64], noise: &Noise) -> Vec<Feature> {
+    let coordinates = process.coordinates();
+    // Made first: values are sorted for it, and a million of them need not lie beside the others.
+    let of_all = (measurements.observables.len() == 1).then(|| Binnings::new(coordinates, measurements));
     let left = noise.unshared(residuals);
     let z = noise.whiten(residuals.iter().copied());
     let source = noise.source_of_level();
-    let whole = Residuals { sigma: noise.rms(), source, left, z };
-    let [_, _, ..] = &measurements.observables[..] else { return of_one(process, measurements, whole) };
+    let whole = Residuals { sigma: noise.rms(), source, left: &left, z };
+    if let Some(binnings) = of_all {
+        return of_one(&binnings, whole);
+    }
     let square = |rows: &[usize]| rows.iter().map(|r| whole.z[*r].powi(2)).sum::<f64>();
     let total = square(&(0..residuals.len()).collect::<Vec<_>>());
     let mut features = Vec::new();
     for (seen, rows) in measurements.observables.iter().zip(measurements.rows_by_observable()) {
         let of = |values: &[f64]| rows.iter().map(|r| values[*r]).collect::<Vec<f64>>();
         let sigma = noise.usual(measurements, seen.position);
-        let own = Residuals { left: of(&whole.left), z: of(&whole.z), sigma, source };
-        let found = of_one(process, &measurements.of(seen), own);
+        let left = of(&left);
+        let own = Residuals { left: &left, z: of(&whole.z), sigma, source };
+        let found = of_one(&Binnings::new(coordinates, &measurements.of(seen)), own);
         let looks = measurements.observables.len() as f64;
         features.extend(found.into_iter().map(|f| Feature {
             share: f.share * square(&rows) / total,
@@ -75,9 +81,9 @@ pub fn find(process: &dyn Process, measurements: &Measurements, residuals: &[f64
 }
 
 /// Residuals of the rows of one observable, or of all.
-struct Residuals {
+struct Residuals<'a> {
     /// Without what effects of the measurement add, SI.
-    left: Vec<f64>,
+    left: &'a [f64],
     /// Whitened: independent with variance 1 if they are noise.
     z: Vec<f64>,
     /// Root mean square of the noise, SI.
@@ -86,40 +92,37 @@ struct Residuals {
 }
 
 /// Finds the features of a single observable.
-fn of_one(process: &dyn Process, measurements: &Measurements, residuals: Residuals) -> Vec<Feature> {
-    let coordinates = process.coordinates();
-    let binnings = binnings(coordinates, measurements);
+fn of_one(binnings: &Binnings, residuals: Residuals) -> Vec<Feature> {
+    let Binnings { coordinates, measurements, .. } = *binnings;
     let Residuals { left, mut z, sigma, source } = residuals;
-    let null = NullDistribution::new(source, &binnings, &mut z);
-    let statistics: Vec<Statistic> = binnings.iter().map(|binned| binned.statistic(&z)).collect();
+    let null = NullDistribution::new(source, binnings, &mut z);
     let total: f64 = z.iter().map(|z| z * z).sum();
     let kind = measurements.kind();
-    let mut features: Vec<Feature> = binnings
-        .iter()
-        .zip(&statistics)
-        .filter_map(|(binned, statistic)| {
-            let p_value = null.p_value(binned, statistic);
-            (p_value < SIGNIFICANCE).then(|| {
-                let (trend, curve) = binned.describe(coordinates, measurements, &left, sigma, kind);
-                let trend = match (&statistic.wave, trend) {
-                    (Some(halves), Some(Trend::Irregular)) => Some(Trend::Periodic { periods: 0.5 * halves[0] as f64 }),
-                    (_, trend) => trend,
-                };
-                let text = sentence(&binned.along, coordinates, trend.as_ref(), &curve, kind);
-                let coordinate = name(&binned.along, coordinates);
-                Feature {
-                    along: binned.along.clone(),
-                    coordinate,
-                    trend,
-                    share: statistic.sum / total,
-                    p_value,
-                    text,
-                    curve,
-                    unit: kind.unit,
-                }
-            })
+    let feature = |along: &Along| {
+        let binned = binnings.binned(along);
+        let statistic = binned.statistic(&z);
+        let p_value = null.p_value(&binned, &statistic);
+        (p_value < SIGNIFICANCE).then(|| {
+            let (trend, curve) = binned.describe(coordinates, measurements, left, sigma, kind);
+            let trend = match (&statistic.wave, trend) {
+                (Some(halves), Some(Trend::Irregular)) => Some(Trend::Periodic { periods: 0.5 * halves[0] as f64 }),
+                (_, trend) => trend,
+            };
+            let text = sentence(along, coordinates, trend.as_ref(), &curve, kind);
+            Feature {
+                along: along.clone(),
+                coordinate: name(along, coordinates),
+                trend,
+                share: statistic.sum / total,
+                p_value,
+                text,
+                curve,
+                unit: kind.unit,
+            }
         })
-        .collect();
+    };
+    // Made where they are needed: the bins of all of them together would be more than a file of a million rows.
+    let mut features: Vec<Feature> = binnings.all.par_iter().filter_map(feature).collect();
     features.sort_by(|a, b| b.share.total_cmp(&a.share));
     features
 }
@@ -144,9 +147,9 @@ enum NullDistribution {
 
 impl NullDistribution {
     /// Makes the null distribution of standardised residuals.
-    fn new(source: NoiseSource, binnings: &[Binned], z: &mut [f64]) -> Self {
+    fn new(source: NoiseSource, binnings: &Binnings, z: &mut [f64]) -> Self {
         if source != NoiseSource::Estimated || z.len() > MANY {
-            return Self::Bonferroni(binnings.len() as f64);
+            return Self::Bonferroni(binnings.all.len() as f64);
         }
         // Residuals that are shuffled are scaled to a mean square of one: measured by a noise that is a small part of
         // them, every shuffle would be as significant as they are.
@@ -155,7 +158,8 @@ impl NullDistribution {
         z.iter_mut().for_each(|z| *z /= scale);
         // A shuffle cannot change the mean, which is no feature without a known noise.
         let smallest = [1, 2].map(|coordinates| {
-            let own: Vec<&Binned> = binnings.iter().filter(|b| b.along.0.len() == coordinates).collect();
+            let own = binnings.all.iter().filter(|along| along.0.len() == coordinates);
+            let own: Vec<Binned> = own.map(|along| binnings.binned(along)).collect();
             smallest_of_shuffles(&own, z)
         });
         Self::Permutation { smallest, rows: z.len(), square }
@@ -184,7 +188,7 @@ impl NullDistribution {
 
 /// The smallest p-value of each of many shuffles, rising; nothing where the values as they stand are far from
 /// significant: the smallest of several p-values is below one of them more often than that one itself.
-fn smallest_of_shuffles(binnings: &[&Binned], z: &[f64]) -> Vec<f64> {
+fn smallest_of_shuffles(binnings: &[Binned], z: &[f64]) -> Vec<f64> {
     /// Ratio to the level of significance that allows for p-values from a table.
     const FAR: f64 = 3.0;
     /// Shuffles as significant as the values after which no more are needed, and those that are made together.

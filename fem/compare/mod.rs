@@ -38,15 +38,15 @@ pub struct Comparison {
     pub residuals: Vec<f64>,
     /// Noise by which the residuals are judged.
     pub noise: Noise,
-    /// Residuals of all rows on one scale: SI, or standard uncertainties where the file has several
-    /// observables.
-    pub errors: Vec<f64>,
-    /// Root mean square of the errors.
+    /// Root mean square of the errors: the residuals of all rows on one scale, SI, or standard uncertainties where
+    /// the file has several observables.
     pub rms: f64,
     /// Mean of the errors.
     pub bias: f64,
     /// Row of the largest |error|, from 0.
     pub worst: usize,
+    /// The error of that row.
+    pub worst_error: f64,
     /// Reduced χ² against a known noise, or lack of fit over pure error (F) with repeats.
     pub reduced_chi2: f64,
     /// Probability that chance alone gives a larger χ² (p-value); `None` where the noise is only estimated.
@@ -97,8 +97,10 @@ impl Comparison {
     /// Agreement of one of the file's observables.
     pub fn agreement(&self, measurements: &Measurements, seen: &MeasuredObservable) -> Agreement {
         let rows = || (0..measurements.len()).filter(|row| measurements.rows.observable[*row] == seen.position);
-        let of = |values: &[f64]| rms(&rows().map(|row| values[row]).collect::<Vec<_>>());
-        Agreement { rms: of(&self.residuals), sigma: of(&self.noise.sigma) }
+        Agreement {
+            rms: root_mean_square(rows().map(|row| self.residuals[row])),
+            sigma: root_mean_square(rows().map(|row| self.noise.sigma[row])),
+        }
     }
 }
 
@@ -128,6 +130,7 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
         model: model.source.name.to_string(),
         rms: rms(&errors),
         bias: errors.iter().sum::<f64>() / errors.len() as f64,
+        worst_error: errors.get(worst).copied().unwrap_or(f64::NAN),
         worst,
         reduced_chi2,
         p_value,
@@ -136,14 +139,18 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
         cautions: data.cautions.clone(),
         predicted,
         residuals,
-        errors,
         noise,
     }
 }
 
 /// Root mean square.
 pub fn rms(values: &[f64]) -> f64 {
-    (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
+    root_mean_square(values.iter().copied())
+}
+
+fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0), |(sum, count), value| (sum + value * value, count + 1));
+    (sum / f64::from(count)).sqrt()
 }
 
 /// Reduced χ² and its p-value for a known noise; lack of fit over pure error, by the F distribution, for
@@ -158,12 +165,12 @@ fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usiz
         NoiseSource::Column | NoiseSource::Covariance => (chi2 / n, beyond_chi2(n, chi2)),
         NoiseSource::Repeats => {
             let (mut sum, mut count) = (vec![0.0; repeats.groups], vec![0.0; repeats.groups]);
-            for (&g, z) in repeats.group.iter().zip(&z) {
+            for (g, z) in repeats.group.iter().zip(&z) {
                 sum[g] += z;
                 count[g] += 1.0;
             }
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
-            let groups = (repeats.groups as f64 - blind as f64 - noise.free_between(&repeats.group)).max(1.0);
+            let groups = (repeats.groups as f64 - blind as f64 - noise.free_between(&repeats.groups_of_rows())).max(1.0);
             let f = lack / groups;
             (f, beyond_f(groups, repeats.effective_freedom(), f))
         }

@@ -178,8 +178,8 @@ impl Suspicion<'_> {
     /// too many to be single mistakes.
     pub fn contradictions(&self) -> Option<Vec<Term>> {
         let noise = self.noise;
-        let z: Vec<f64> = self.residuals.iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
-        let rows = contradictions(&self.repeats.group, &z);
+        let z: Vec<f64> = self.residuals.iter().zip(noise.sigma.iter()).map(|(r, s)| r / s).collect();
+        let rows = contradictions(&self.repeats.groups_of_rows(), &z);
         let is_new = rows.iter().any(|row| !noise.is_weighed_down(*row));
         is_new.then(|| self.with_outliers(rows))
     }
@@ -196,14 +196,14 @@ impl Suspicion<'_> {
     fn outlying(&self) -> Option<Vec<usize>> {
         let noise = self.noise;
         let present: Vec<usize> = (0..noise.sigma.len()).filter(|row| noise.is_weighed_down(*row)).collect();
-        let z: Vec<f64> = noise.unshared(self.residuals).iter().zip(&noise.sigma).map(|(r, s)| r / s).collect();
+        let z: Vec<f64> = noise.unshared(self.residuals).iter().zip(noise.sigma.iter()).map(|(r, s)| r / s).collect();
         let mut sizes: Vec<f64> = z.iter().map(|z| z.abs()).collect();
         sizes.sort_unstable_by(f64::total_cmp);
         // The median of |z| is 0.6745 of a standard deviation.
         let usual = sizes[sizes.len() / 2] / 0.6745;
         let usual = if noise.source.is_known() { usual.max(1.0) } else { usual };
         let threshold = ((2.0 * (z.len() as f64).ln()).sqrt() + 1.0) * usual;
-        let contradicts = contradicting(&self.repeats.group, &z);
+        let contradicts = contradicting(&self.repeats.groups_of_rows(), &z);
         let is_out = |row: &usize| z[*row].abs() > threshold || contradicts[*row];
         let new: Vec<usize> = (0..z.len()).filter(|row| is_out(row) && !present.contains(row)).collect();
         let mut rows = [present, new.clone()].concat();

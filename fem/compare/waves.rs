@@ -6,7 +6,7 @@
 /// two such.
 pub struct Waves {
     /// Cell of each row: a level, or a pair of levels.
-    cell: Vec<u16>,
+    cell: Vec<u8>,
     cells: usize,
     waves: Vec<Wave>,
     /// Cosine and sine of each whole wave, orthonormal.
@@ -41,10 +41,10 @@ const DEPENDENT: f64 = 1e-3;
 
 impl Waves {
     /// Makes the waves from the level of each row and the number of levels, along one coordinate or two.
-    pub fn new(along: &[(Vec<u16>, usize)]) -> Self {
+    pub fn new(along: &[(Vec<u8>, usize)]) -> Self {
         let rows = along.first().map_or(0, |a| a.0.len());
-        let of_row = |row: usize| along.iter().fold(0, |c, (of, count)| c * *count as u16 + of[row]);
-        let cell: Vec<u16> = (0..rows).map(of_row).collect();
+        let of_row = |row: usize| along.iter().fold(0, |c, (of, count)| c * *count as u8 + of[row]);
+        let cell: Vec<u8> = (0..rows).map(of_row).collect();
         let cells = along.iter().map(|a| a.1).product();
         let mut counts = vec![0.0; cells];
         cell.iter().for_each(|c| counts[usize::from(*c)] += 1.0);
@@ -94,7 +94,7 @@ impl Waves {
 
 /// Makes the whole waves along every coordinate, and at each level of the other coordinate where that has
 /// few.
-fn whole(along: &[(Vec<u16>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
+fn whole(along: &[(Vec<u8>, usize)], counts: &[f64]) -> Vec<[Wave; 2]> {
     let levels: Vec<usize> = along.iter().map(|a| a.1).collect();
     let level = |cell: usize, i: usize| cell / levels[i + 1..].iter().product::<usize>() % levels[i];
     let mut found = Vec::new();
@@ -153,8 +153,8 @@ mod tests {
     fn what_alternates_is_seen_whole() {
         // Eight levels along one coordinate, nine along the other, ±1 in turn along the first: few waves
         // hold all of it, and none along the second.
-        let first: Vec<u16> = (0..72).map(|r| r / 9).collect();
-        let second: Vec<u16> = (0..72).map(|r| r % 9).collect();
+        let first: Vec<u8> = (0..72).map(|r| r / 9).collect();
+        let second: Vec<u8> = (0..72).map(|r| r % 9).collect();
         let z: Vec<f64> = first.iter().map(|i| if i % 2 == 0 { 1.0 } else { -1.0 }).collect();
         let along = Waves::new(&[(first.clone(), 8)]).largest(&z, 0.0).next().unwrap();
         assert_eq!(along.halves, [7]);
@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn a_whole_wave_is_seen_at_any_phase_and_at_one_level() {
         // Five waves around 24 places, at any phase, on all of three runs or on one of them.
-        let (run, place): (Vec<u16>, Vec<u16>) = (0..72).map(|r| (r / 24, r % 24)).unzip();
+        let (run, place): (Vec<u8>, Vec<u8>) = (0..72_u8).map(|r| (r / 24, r % 24)).unzip();
         for phase in [0.0, 0.7, 1.5] {
             let wave: Vec<f64> =
                 place.iter().map(|i| (std::f64::consts::TAU * 5.0 * f64::from(*i) / 24.0 - phase).cos()).collect();

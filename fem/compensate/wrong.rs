@@ -63,8 +63,8 @@ pub fn readings(data: &Data, weighed: &Data, approaches: &[Approach]) -> Vec<Wro
             .map(|other| data.observed[other])
             .collect();
         WrongReading {
-            record: data.records_of[row] + 1,
-            line: data.lines[row],
+            record: data.record(row),
+            line: data.line(row),
             approach: approaches[row],
             value: data.observed[row],
             others: (!others.is_empty()).then(|| others.iter().sum::<f64>() / others.len() as f64),

@@ -17,7 +17,7 @@ use super::{Next, absent, instrument, unsolvable};
 use crate::fit::{Objective, Solution};
 use crate::model::Data;
 use crate::noise::{Acts, Noise, NoiseSource, Term};
-use crate::process::{Description, Failure, Rows};
+use crate::process::{Description, Failure, Rows, Values};
 
 /// Size at which effects are compared with each other, in standard uncertainties: each is plain to see.
 const PLAIN: f64 = 15.0;
@@ -59,7 +59,7 @@ pub struct Alike {
 /// The model cannot be computed.
 pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
     let model = design.model;
-    let of_rows = |rows: &Rows| rows.observable.iter().map(|o| sigma[*o]).collect::<Vec<f64>>();
+    let of_rows = |rows: &Rows| rows.observable.iter().map(|o| sigma[*o]).collect::<Values>();
     let known = design.uncertainty.clone().unwrap_or_else(|| of_rows(&design.rows));
     let (unknown, terms): (Vec<Term>, Vec<Term>) = design.terms.iter().cloned().partition(is_unknown);
     let expected = Noise::independent(known.clone(), NoiseSource::Column);
@@ -111,7 +111,7 @@ struct Assessment {
 }
 
 impl Assessment {
-    fn of(absent: &[Description], design: &Data, sigma: Vec<f64>) -> Result<Self, Failure> {
+    fn of(absent: &[Description], design: &Data, sigma: Values) -> Result<Self, Failure> {
         let mut objective = Objective::new(design)?;
         let terms = design.terms.iter().filter(|term| !is_unknown(term)).cloned().collect();
         objective.noise = Noise::independent(sigma, NoiseSource::Column).with(terms, design);

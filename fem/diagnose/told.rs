@@ -17,9 +17,9 @@ pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
     let left = noise.unshared(&residuals);
     let weighed = noise.terms.iter().filter(|t| matches!(t.effect.acts, Acts::Weighs));
     let outlier = |(row, factor): (usize, f64)| Outlier {
-        record: data.records_of[row] + 1,
+        record: data.record(row),
         observable: data.observable(row),
-        line: data.lines[row],
+        line: data.line(row),
         value: data.observed[row],
         predicted: data.observed[row] - left[row],
         weight: 1.0 / (factor * factor),
@@ -60,7 +60,7 @@ pub fn told(
                 observable: term.observable.map(|o| data.model.process.observables()[o].name),
                 records: records(term, data),
                 from: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.place(*r))).flatten(),
-                from_line: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.lines[*r])).flatten(),
+                from_line: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.line(*r))).flatten(),
             },
             effect: instrument::description(term, data),
             goodness: GoodnessOfFit::of(&grown, repeats, None),
@@ -89,7 +89,7 @@ fn records(term: &Term, data: &Data) -> Vec<usize> {
     let is_weighed = |t: &Term| t.effect == term.effect && matches!(t.effect.acts, Acts::Weighs);
     let is_known = |row: &usize| data.terms.iter().any(|t| is_weighed(t) && t.rows.contains(row));
     let mut records: Vec<usize> =
-        term.rows.iter().filter(|row| !is_known(row)).map(|row| data.records_of[*row] + 1).collect();
+        term.rows.iter().filter(|row| !is_known(row)).map(|row| data.record(*row)).collect();
     records.dedup();
     records
 }

@@ -75,10 +75,11 @@ impl GoodnessOfFit {
 /// Root mean square residual of the rows, SI; in standard uncertainties where there are several observables.
 pub fn rms(trial: &CandidateModel) -> f64 {
     let objective = &trial.objective;
-    let left = objective.noise.unshared(&trial.residuals());
+    let residuals = trial.residuals();
+    let left = objective.noise.unshared(&residuals);
     let left = objective.data.together(&left, &objective.noise.sigma);
-    let counted = left.into_iter().enumerate().filter(|(row, _)| !objective.noise.is_weighed_down(*row));
-    compare::rms(&counted.map(|(_, error)| error).collect::<Vec<_>>())
+    let counted = left.iter().enumerate().filter(|(row, _)| !objective.noise.is_weighed_down(*row));
+    compare::rms(&counted.map(|(_, error)| *error).collect::<Vec<_>>())
 }
 
 /// Structure of the residuals of a fitted model.

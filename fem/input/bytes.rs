@@ -71,7 +71,7 @@ pub(super) fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
         let message = format!("the file has {size:.1} MB; at most {limit:.0} MB are read");
         return Err(Problem::new(message).help("is it the right file?"));
     }
-    let mut bytes = Vec::new();
+    let mut bytes = Vec::with_capacity(metadata.len() as usize + 1);
     // A device or a pipe has no length to be judged by.
     std::fs::File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(io)?;
     if bytes.len() as u64 > limit {

@@ -1,7 +1,7 @@
 //! Actual values beside commanded ones: what is observed is their difference.
 
 use super::heading::Heading;
-use super::sheet::Row;
+use super::records::Records;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
 use crate::units::Unit;
@@ -13,7 +13,7 @@ use crate::units::Unit;
 /// The actual value has no unit of the commanded one.
 pub fn less_commanded(
     headings: &mut [Heading],
-    rows: &mut [Row],
+    records: &mut Records,
     vocabulary: Vocabulary,
     told: &mut Vec<String>,
 ) -> Result<(), Problem> {
@@ -35,14 +35,9 @@ pub fn less_commanded(
         })?;
         // A unit of the commanded value that cannot be read is told with the header.
         let of_commanded = kind.unit_of(&headings[commanded].unit).unwrap_or(unit);
-        for row in rows.iter_mut() {
-            let difference = match (row.cells.get(actual), row.cells.get(commanded)) {
-                (Some(actual), Some(commanded)) => difference([actual, commanded], [unit, of_commanded]),
-                _ => None,
-            };
-            let Some(difference) = difference else { continue };
-            row.cells = row.cells.with(actual, &difference);
-        }
+        records.rewrite(&[actual], |_, cells, actual| {
+            difference([&cells[actual], &cells[commanded]], [unit, of_commanded])
+        });
         told.push(format!("{observable} = {} - {}", headings[actual].name, coordinate.name));
         headings[actual].name = observable.to_string();
     }

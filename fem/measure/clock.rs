@@ -2,17 +2,20 @@
 
 use super::heading::Heading;
 use super::moment::Moment;
-use super::sheet::{MOST_PROBLEMS, Row};
+use super::records::Records;
+use super::sheet::MOST_PROBLEMS;
 use crate::input::Problem;
 
 /// Counts the moments of a column from the first of them, or from the one that its heading says.
 ///
 /// # Errors
 /// A cell is no moment of the form of the others, or times of day fall.
-pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut Vec<String>) -> Vec<Problem> {
-    let cell = |row: &Row| row.cells.get(column).unwrap_or_default().to_string();
-    let Some(first) = rows.iter().find(|row| !cell(row).is_empty()) else { return Vec::new() };
-    let (text, line) = (cell(first), first.line);
+pub fn count(records: &mut Records, column: usize, heading: &mut Heading, notes: &mut Vec<String>) -> Vec<Problem> {
+    let mut reader = records.reader();
+    let Some(first) = (0..records.len()).find(|record| !reader.read(*record)[column].is_empty()) else {
+        return Vec::new();
+    };
+    let (text, line) = (reader.read(first)[column].to_string(), records.line(first));
     let (zero, said) = match (&heading.since, Moment::parse(&text)) {
         (Some((said, zero)), _) => (*zero, Some(said.clone())),
         (None, Some(zero)) if heading.unit.is_empty() => (zero, None),
@@ -22,24 +25,24 @@ pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut
     let written = heading.written.clone();
     let mut problems = Vec::new();
     let mut before = f64::NEG_INFINITY;
-    for row in rows.iter_mut().filter(|row| !cell(row).is_empty()) {
-        if problems.len() >= MOST_PROBLEMS {
-            break;
+    records.rewrite(&[column], |record, cells, column| {
+        let text = &cells[column];
+        if text.is_empty() || problems.len() >= MOST_PROBLEMS {
+            return None;
         }
-        let text = cell(row);
-        let problem = match Moment::parse(&text).and_then(|moment| moment.after(zero)) {
+        let problem = match Moment::parse(text).and_then(|moment| moment.after(zero)) {
             Some(seconds) if zero.has_date || seconds >= before => {
                 before = seconds;
-                row.cells = row.cells.with(column, &seconds.to_string());
-                continue;
+                return Some(seconds.to_string());
             }
             Some(_) => Problem::new(format!("`{name}` falls to {text}: is it past midnight?"))
                 .help("write dates with the times, 2026-03-01T10:00:00"),
             None => Problem::new(format!("`{text}` in `{name}` is no time like {like}"))
                 .help("write all times alike, 2026-03-01T10:00:00, all with a zone or all without"),
         };
-        problems.push(problem.at(Some(row.place.clone())));
-    }
+        problems.push((record, problem));
+        None
+    });
     heading.unit = "s".into();
     notes.push(match said {
         Some(said) => format!("`{name}` is counted from {said}, as was said"),
@@ -48,5 +51,5 @@ pub fn count(rows: &mut [Row], column: usize, heading: &mut Heading, notes: &mut
              moment, say --columns '{written}={name} since {text}'"
         ),
     });
-    problems
+    problems.into_iter().map(|(record, problem)| problem.at(Some(records.place(record)))).collect()
 }

@@ -1,8 +1,7 @@
 //! Decimal marks: which of comma and point is one, and numbers written with a point.
 
-use std::borrow::Cow;
-
-use super::sheet::{MOST_PROBLEMS, Row};
+use super::records::Records;
+use super::sheet::MOST_PROBLEMS;
 use crate::input::Problem;
 
 /// The decimal mark of a file.
@@ -43,7 +42,7 @@ enum Style {
 /// # Errors
 /// Which mark is the decimal one cannot be told, so that no number can be read.
 pub fn settle(
-    rows: &mut [Row],
+    records: &mut Records,
     numeric: &[bool],
     separator: char,
     said: Option<Decimal>,
@@ -53,7 +52,7 @@ pub fn settle(
         Some(decimal) => decimal,
         // Quoted cells such as "1,500" are refused as no numbers.
         None if separator == ',' => return Ok(Vec::new()),
-        None => found(rows, numeric)?,
+        None => found(records, numeric)?,
     };
     if decimal == Decimal::Comma {
         told.push("a decimal comma".into());
@@ -61,46 +60,44 @@ pub fn settle(
     if decimal == Decimal::Point && said.is_none() {
         return Ok(Vec::new());
     }
+    let numeric: Vec<usize> = (0..numeric.len()).filter(|column| numeric[*column]).collect();
     let mut problems = Vec::new();
-    for row in rows {
-        let mut cells: Vec<Cow<str>> = Vec::new();
-        for (cell, numeric) in row.cells.iter().zip(numeric) {
-            cells.push(match plain(cell, decimal).filter(|_| *numeric) {
-                Some(Ok(number)) => number.into(),
-                Some(Err(problem)) if problems.len() < MOST_PROBLEMS => {
-                    problems.push(problem.at(Some(row.place.clone())));
-                    cell.into()
-                }
-                _ => cell.into(),
-            });
+    records.rewrite(&numeric, |record, cells, column| match plain(&cells[column], decimal)? {
+        Ok(number) => Some(number),
+        Err(problem) => {
+            if problems.len() < MOST_PROBLEMS {
+                problems.push((record, problem));
+            }
+            None
         }
-        row.cells = cells.into_iter().collect();
-    }
-    Ok(problems)
+    });
+    Ok(problems.into_iter().map(|(record, problem)| problem.at(Some(records.place(record)))).collect())
 }
 
 /// The mark that alone occurs; a point where none does.
-fn found(rows: &[Row], numeric: &[bool]) -> Result<Decimal, Problem> {
-    let mut first: [Option<(&str, u64)>; 2] = [None; 2];
-    for row in rows {
-        for (cell, _) in row.cells.iter().zip(numeric).filter(|(_, numeric)| **numeric) {
+fn found(records: &Records, numeric: &[bool]) -> Result<Decimal, Problem> {
+    let mut first: [Option<(String, usize)>; 2] = [None, None];
+    let mut reader = records.reader();
+    for record in 0..records.len() {
+        for (cell, _) in reader.read(record).iter().zip(numeric).filter(|(_, numeric)| **numeric) {
             let place = match style(cell) {
                 Style::With(',') => &mut first[0],
                 Style::With(_) => &mut first[1],
                 Style::Grouped => {
                     let problem = Problem::new(format!("which mark of `{cell}` is the decimal one cannot be told"));
-                    return Err(problem.help(ASK).at(Some(row.place.clone())));
+                    return Err(problem.help(ASK).at(Some(records.place(record))));
                 }
                 Style::Other => continue,
             };
             if place.is_none() {
-                *place = Some((cell, row.line));
+                *place = Some((cell.to_string(), record));
             }
-            if let [Some((comma, one)), Some((point, other))] = first {
+            if let [Some((comma, one)), Some((point, other))] = &first {
+                let [one, other] = [one, other].map(|record| records.line(*record));
                 let message = format!(
                     "numbers are written with a comma, `{comma}` in line {one}, and with a point, `{point}` in line {other}"
                 );
-                return Err(Problem::new(message).help(ASK).at(Some(row.place.clone())));
+                return Err(Problem::new(message).help(ASK).at(Some(records.place(record))));
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::cells::Cells;
 use super::reading::{Reading, is_meant};
+use super::records::Records;
 use super::{MeasuredObservable, Measurements};
 use crate::input::{InputError, Problem, Source, name_and_unit};
 use crate::process::Process;
@@ -109,10 +109,10 @@ impl Measurements {
         self.rows = self.rows.and(&file.rows);
         self.observed.extend(file.observed);
         if let (Some(all), Some(own)) = (&mut self.uncertainty, file.uncertainty) {
-            all.extend(own);
+            all.extend(own.iter().copied());
         }
         self.records_of.extend(file.records_of.iter().map(|record| record + before));
-        self.lines.extend(file.lines);
+        self.lines.extend(file.lines.iter());
         let is_new = |seen: &MeasuredObservable| self.observables.iter().all(|s| s.position != seen.position);
         let new: Vec<MeasuredObservable> = file.observables.into_iter().filter(is_new).collect();
         self.observables.extend(new);
@@ -122,7 +122,7 @@ impl Measurements {
     }
 
     /// Adds records under the columns that are there already, in their units, and under new ones.
-    fn align(&mut self, header: &[String], records: &[Cells]) {
+    fn align(&mut self, header: &[String], records: &Records) {
         let mut columns = Vec::new();
         for cell in header {
             let same = self.header.iter().position(|own| conversion(cell, own).is_some());
@@ -131,11 +131,16 @@ impl Measurements {
                 self.header.len() - 1
             }));
         }
-        let empty = |record: &Cells| record.iter().chain(std::iter::repeat("")).take(self.header.len()).collect();
-        let mut all: Vec<Cells> = self.records.iter().map(empty).collect();
-        for record in records {
+        // Of several files, none is the text of all records.
+        let mut all = Records::written("".into(), self.header.len());
+        let mut reader = self.records.reader();
+        for number in 0..self.records.len() {
+            all.push_written(0, reader.read(number));
+        }
+        let mut reader = records.reader();
+        for number in 0..records.len() {
             let mut cells = vec![String::new(); self.header.len()];
-            for ((cell, own), column) in record.iter().zip(header).zip(&columns) {
+            for ((cell, own), column) in reader.read(number).iter().zip(header).zip(&columns) {
                 let convert = conversion(own, &self.header[*column]).flatten();
                 cells[*column] = match (convert, cell.parse::<f64>()) {
                     (Some([from, to]), Ok(value)) => {
@@ -146,7 +151,7 @@ impl Measurements {
                     _ => cell.to_string(),
                 };
             }
-            all.push(cells.into_iter().collect());
+            all.push_written(0, cells);
         }
         self.records = all;
     }
@@ -160,19 +165,19 @@ impl Measurements {
 
     /// Number, among the files, of that in which a row stands.
     pub fn file_number(&self, row: usize) -> usize {
-        let record = self.records_of.get(row).copied().unwrap_or(0);
+        let record = self.records_of.get(row).unwrap_or(0);
         self.files.partition_point(|file| file.first_record <= record).saturating_sub(1)
     }
 
     /// Name of the file of a row, where there are several.
     pub fn file_of(&self, row: usize) -> Option<&str> {
-        self.file_of_record(self.records_of.get(row).copied().unwrap_or(0))
+        self.file_of_record(self.records_of.get(row).unwrap_or(0))
     }
 
     /// Where a row stands, for people: `line 12`, and of several files `line 12 of b.csv`.
     pub fn place(&self, row: usize) -> String {
         let of = self.file_of(row).map_or(String::new(), |name| format!(" of {name}"));
-        format!("line {}{of}", self.lines[row])
+        format!("line {}{of}", self.line(row))
     }
 }
 

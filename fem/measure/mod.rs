@@ -1,7 +1,6 @@
 //! Measurement files: one observation per row, with its coordinates, its value and perhaps its uncertainty.
 
 mod actual;
-mod cells;
 mod clock;
 mod decimal;
 mod header;
@@ -10,8 +9,10 @@ mod instrument;
 mod join;
 mod moment;
 mod neighbours;
+mod ordinals;
 mod read;
 mod reading;
+mod records;
 mod repeats;
 mod sheet;
 mod table;
@@ -20,18 +21,21 @@ mod vocabulary;
 mod wide;
 mod words;
 
-pub use cells::Cells;
 pub use decimal::Decimal;
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
+pub use ordinals::Ordinals;
 pub use reading::Reading;
+pub use records::{RecordReader, Records};
 pub use repeats::{LEAST_FREEDOM, Repeats, Scatter, repeats};
 pub use vocabulary::{MeasuredObservable, is_column};
+
+use std::borrow::Cow;
 
 use rayon::prelude::*;
 
 use crate::input::name_and_unit;
-use crate::process::{Process, Rows};
+use crate::process::{Process, Rows, Values};
 use crate::units::Kind;
 
 /// Measurements of a process.
@@ -46,12 +50,12 @@ pub struct Measurements {
     /// Observed values, SI.
     pub observed: Vec<f64>,
     /// Standard uncertainty of each row, SI; `None` without a column `u`.
-    pub uncertainty: Option<Vec<f64>>,
+    pub uncertainty: Option<Values>,
     /// Record, from 0, in which each row stands; a record that holds several observables gives a row for
     /// each.
-    pub records_of: Vec<usize>,
+    pub records_of: Ordinals,
     /// Line of the file in which each row stands.
-    pub lines: Vec<u64>,
+    pub lines: Ordinals,
     /// Observables of the file, in the order of their columns; there is at least one.
     pub observables: Vec<MeasuredObservable>,
     /// Coordinates that have a column in the file, by their position in the process's list.
@@ -62,8 +66,8 @@ pub struct Measurements {
     pub headings: Vec<String>,
     /// Options by which the user has said how the file is to be read.
     pub said: Vec<String>,
-    /// Records, in the program's form.
-    pub records: Vec<Cells>,
+    /// Records, in the program's form; none where they are not to be written again.
+    pub records: Records,
     /// Notes for the user: columns that were not used.
     pub notes: Vec<String>,
 }
@@ -100,13 +104,13 @@ impl Measurements {
             observed: vec![0.0; rows.len()],
             uncertainty: None,
             records_of: (0..rows.len()).collect(),
-            lines: (0..rows.len() as u64).collect(),
+            lines: (0..rows.len()).collect(),
             observables: MeasuredObservable::of(&rows, process.observables()),
             given: (0..process.coordinates().len()).collect(),
             header: Vec::new(),
             headings: Vec::new(),
             said: Vec::new(),
-            records: Vec::new(),
+            records: Records::default(),
             notes: Vec::new(),
             rows,
         }
@@ -122,14 +126,14 @@ impl Measurements {
     #[must_use]
     pub fn some(&self, keep: impl Fn(usize) -> bool) -> Self {
         let rows: Vec<usize> = (0..self.len()).filter(|row| keep(*row)).collect();
-        let of = |column: &Vec<f64>| rows.iter().map(|r| column[*r]).collect::<Vec<f64>>();
+        let ordinals = |all: &Ordinals| rows.iter().filter_map(|row| all.get(*row)).collect();
         Self {
             rows: self.rows.some(&rows),
-            observed: of(&self.observed),
-            uncertainty: self.uncertainty.as_ref().map(of),
-            records_of: rows.iter().map(|r| self.records_of[*r]).collect(),
-            lines: rows.iter().map(|r| self.lines[*r]).collect(),
-            records: Vec::new(),
+            observed: rows.iter().map(|row| self.observed[*row]).collect(),
+            uncertainty: self.uncertainty.as_ref().map(|all| all.some(&rows)),
+            records_of: ordinals(&self.records_of),
+            lines: ordinals(&self.lines),
+            records: Records::default(),
             name: self.name.clone(),
             files: self.files.clone(),
             observables: self.observables.clone(),
@@ -139,6 +143,13 @@ impl Measurements {
             said: self.said.clone(),
             notes: self.notes.clone(),
         }
+    }
+
+    /// The same without the text in which they stand, for those who will not write it again: of long files it is half of
+    /// what they take in memory.
+    #[must_use]
+    pub fn without_records(self) -> Self {
+        Self { records: Records::default(), ..self }
     }
 
     /// Selects the rows of one observable, as a file of their own.
@@ -159,10 +170,10 @@ impl Measurements {
 
     /// Errors (SI) of all rows on one scale: unchanged for one observable, divided by `sigma` where there
     /// are several.
-    pub fn together(&self, errors: &[f64], sigma: &[f64]) -> Vec<f64> {
+    pub fn together<'a>(&self, errors: &'a [f64], sigma: &Values) -> Cow<'a, [f64]> {
         match &self.observables[..] {
-            [_] => errors.to_vec(),
-            _ => errors.iter().zip(sigma).map(|(e, s)| e / s).collect(),
+            [_] => errors.into(),
+            _ => errors.iter().zip(sigma.iter()).map(|(e, s)| e / s).collect(),
         }
     }
 
@@ -206,6 +217,16 @@ impl Measurements {
     pub fn is_planned(&self) -> bool {
         let is_of = |cell: &String| self.observables.iter().any(|o| name_and_unit(cell).0 == o.name);
         !self.header.iter().any(is_of)
+    }
+
+    /// Line of the file in which a row stands.
+    pub fn line(&self, row: usize) -> u64 {
+        self.lines.get(row).unwrap_or(0) as u64
+    }
+
+    /// Record of a row, counted from 1 as people do.
+    pub fn record(&self, row: usize) -> usize {
+        1 + self.records_of.get(row).unwrap_or(0)
     }
 
     /// Number of observations.

@@ -3,14 +3,16 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::cells::Cells;
+use csv::StringRecord;
+
 use super::header::{self, Column, Header};
 use super::instrument::text_of_rtx;
 use super::reading::Reading;
-use super::sheet::{MOST_PROBLEMS, Row};
+use super::records::Records;
+use super::sheet::MOST_PROBLEMS;
 use super::table;
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
-use super::{MeasuredFile, Measurements};
+use super::{MeasuredFile, Measurements, Ordinals};
 use crate::input::{InputError, Problem, Source, number};
 use crate::process::{Absent, Holds, Process, Rows, Values};
 use crate::units::Unit;
@@ -75,16 +77,20 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     let of_header = |problem: Problem| problem.at(Some(file.place.clone()));
     let header = header::read(&file.header, vocabulary, purpose)
         .map_err(|problems| refuse(problems.into_iter().map(of_header).collect()))?;
-    let mut builder = Builder::new(&header, vocabulary, purpose, file.header);
+    let mut builder = Builder::new(&header, vocabulary, purpose, file.header, file.records.len());
     let mut problems = file.problems;
     let told: BTreeSet<usize> = problems.iter().filter_map(|p| p.span.as_ref()).map(|span| span.start).collect();
-    for row in file.rows.into_iter().filter(|row| !told.contains(&row.place.start)) {
+    let mut reader = file.records.reader();
+    for (number, line) in file.records.lines().enumerate() {
         if problems.len() >= MOST_PROBLEMS {
             break;
         }
-        let place = row.place.clone();
-        builder.push(row).unwrap_or_else(|problem| problems.push(problem.at(Some(place))));
+        if told.is_empty() || !told.contains(&file.records.place(number).start) {
+            let taken = builder.push(number, line, reader.read(number));
+            taken.unwrap_or_else(|problem| problems.push(problem.at(Some(file.records.place(number)))));
+        }
     }
+    drop(reader);
     if problems.is_empty() && builder.measurements.observed.is_empty() {
         let help = match builder.left_out.is_empty() {
             true => "add at least one observation",
@@ -98,6 +104,7 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     let left_out = unobserved(&builder.left_out);
     let mut measurements = builder.measurements;
     measurements.name = source.name.to_string();
+    measurements.records = file.records;
     measurements.files = vec![MeasuredFile { name: source.name.to_string(), first_record: 0 }];
     (measurements.headings, measurements.said) = (file.headings, said.options());
     measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).collect();
@@ -144,7 +151,7 @@ struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn new(header: &'a Header, vocabulary: Vocabulary, purpose: Purpose, cells: Vec<String>) -> Self {
+    fn new(header: &'a Header, vocabulary: Vocabulary, purpose: Purpose, cells: Vec<String>, rows: usize) -> Self {
         let has_u = header.columns.iter().any(|c| matches!(c, Column::Uncertainty(..)));
         let given = header.columns.iter().filter_map(|c| match c {
             Column::Coordinate(i, _) => Some(*i),
@@ -153,17 +160,20 @@ impl<'a> Builder<'a> {
         let measurements = Measurements {
             name: String::new(),
             files: Vec::new(),
-            rows: Rows { columns: vec![Values::default(); vocabulary.coordinates.len()], observable: Vec::new() },
-            observed: Vec::new(),
-            uncertainty: has_u.then(Vec::new),
-            records_of: Vec::new(),
-            lines: Vec::new(),
+            rows: Rows {
+                columns: vocabulary.coordinates.iter().map(|_| Values::with_capacity(rows)).collect(),
+                observable: Values::with_capacity(rows),
+            },
+            observed: Vec::with_capacity(rows),
+            uncertainty: has_u.then(|| Values::with_capacity(rows)),
+            records_of: Ordinals::default(),
+            lines: Ordinals::default(),
             observables: header.observables.clone(),
             given: given.collect(),
             header: cells,
             headings: Vec::new(),
             said: Vec::new(),
-            records: Vec::new(),
+            records: Records::default(),
             notes: header.notes.clone(),
         };
         Self { header, vocabulary, purpose, measurements, left_out: Vec::new() }
@@ -171,15 +181,13 @@ impl<'a> Builder<'a> {
 
     /// Takes a record whole, or reports its problem and takes nothing. A record in which nothing was observed
     /// is counted and left out.
-    fn push(&mut self, row: Row) -> Result<(), Problem> {
-        let record = row.cells;
-        let observed = self.observed(&record)?;
+    fn push(&mut self, number: usize, line: u64, record: &StringRecord) -> Result<(), Problem> {
+        let observed = self.observed(record)?;
         if observed.is_empty() {
-            self.left_out.push(row.line);
-            self.measurements.records.push(record);
+            self.left_out.push(line);
             return Ok(());
         }
-        let coordinates = self.coordinates(&record, &observed)?;
+        let coordinates = self.coordinates(record, &observed)?;
         let table = &mut self.measurements;
         for o in observed {
             for ((column, value), coordinate) in
@@ -193,15 +201,14 @@ impl<'a> Builder<'a> {
             if let Some(all) = &mut table.uncertainty {
                 all.push(o.uncertainty);
             }
-            table.records_of.push(table.records.len());
-            table.lines.push(row.line);
+            table.records_of.push(number);
+            table.lines.push(line as usize);
         }
-        table.records.push(record);
         Ok(())
     }
 
     /// Reads the observed values of a record; empty cells observe nothing. A design asks for none.
-    fn observed(&self, record: &Cells) -> Result<Vec<Observed>, Problem> {
+    fn observed(&self, record: &StringRecord) -> Result<Vec<Observed>, Problem> {
         let cells = || record.iter().zip(&self.header.columns).zip(&self.measurements.header);
         let mut all = Vec::new();
         for ((cell, column), name) in cells() {
@@ -227,7 +234,7 @@ impl<'a> Builder<'a> {
 
     /// Infers the observable of a row of a design that does not name it: the one that needs the coordinates
     /// that are given, else the first.
-    fn planned(&self, record: &Cells) -> usize {
+    fn planned(&self, record: &StringRecord) -> usize {
         let needs = |(cell, column): (&str, &Column)| match column {
             Column::Coordinate(i, _) if !cell.is_empty() => self.vocabulary.coordinates[*i].absent.only_of(),
             _ => None,
@@ -237,7 +244,7 @@ impl<'a> Builder<'a> {
 
     /// Reads the coordinates of a record. A coordinate of an observable that the record does not observe may
     /// be empty.
-    fn coordinates(&self, record: &Cells, observed: &[Observed]) -> Result<Vec<f64>, Problem> {
+    fn coordinates(&self, record: &StringRecord, observed: &[Observed]) -> Result<Vec<f64>, Problem> {
         let mut coordinates: Vec<f64> = self.vocabulary.coordinates.iter().map(left_out).collect();
         for ((cell, column), name) in record.iter().zip(&self.header.columns).zip(&self.measurements.header) {
             let Column::Coordinate(i, unit) = column else { continue };

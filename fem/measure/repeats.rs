@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::Measurements;
 use super::neighbours::of_neighbours_alike;
+use super::ordinals::Ordinals;
 use crate::process::{Coordinate, Holds};
 use crate::units::TIME;
 
@@ -14,7 +15,7 @@ pub const LEAST_FREEDOM: usize = 5;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeats {
     /// Group of each row, from 0; rows of a group differ in nothing that is compared.
-    pub group: Arc<Vec<usize>>,
+    pub group: Arc<Ordinals>,
     /// Number of groups.
     pub groups: usize,
     /// Scatter of each of the file's observables, in their order.
@@ -22,8 +23,8 @@ pub struct Repeats {
     /// Whether rows of a group were taken at times of their own: they repeat each other in all but what drifts,
     /// and the scatter is that of neighbours about the means of their groups.
     pub drifting: bool,
-    /// Pass of each row: by its run, direction and other labels, and its observable.
-    pass: Arc<Vec<usize>>,
+    /// Pass of each row: by its run, direction and other labels, and its observable; where rows drift.
+    pass: Option<Arc<Vec<usize>>>,
 }
 
 /// Scatter of the replicates of one observable (pure error).
@@ -51,17 +52,36 @@ impl Repeats {
         self.groups as f64 / uncertain
     }
 
+    /// Group of each row.
+    pub fn groups_of_rows(&self) -> Vec<usize> {
+        self.group.iter().collect()
+    }
+
+    /// Number of each group among those of several rows, or [`ALONE`].
+    fn repeated(&self) -> Vec<u32> {
+        let mut members = vec![0_u32; self.groups];
+        self.group.iter().for_each(|group| members[group] += 1);
+        let mut next = 0..;
+        for members in &mut members {
+            *members = if *members > 1 { next.next().unwrap_or(ALONE) } else { ALONE };
+        }
+        members
+    }
+
     /// Groups of rows that agree in some coordinates and the observable.
     fn of(measurements: &Measurements, coordinates: &[Coordinate], compared: &[usize], drifting: bool) -> Self {
         let group = measurements.levels_of_observables(compared);
         let is_label = |i: &usize| matches!(coordinates[*i].holds, Holds::Number(_) | Holds::Word(_));
-        let labels: Vec<usize> = (0..coordinates.len()).filter(is_label).collect();
+        let pass = || {
+            let labels: Vec<usize> = (0..coordinates.len()).filter(is_label).collect();
+            Arc::new(measurements.levels_of_observables(&labels))
+        };
         let bare = Self {
             groups: group.iter().max().map_or(0, |most| most + 1),
             scatter: vec![Scatter::default(); measurements.observables.len()],
-            pass: measurements.levels_of_observables(&labels).into(),
+            pass: drifting.then(pass),
             drifting,
-            group: group.into(),
+            group: Arc::new(group.into_iter().collect()),
         };
         bare.within(measurements, &[], &|_| false)
     }
@@ -72,26 +92,42 @@ impl Repeats {
     pub fn within(&self, measurements: &Measurements, levels: &[Vec<usize>], is_out: &dyn Fn(usize) -> bool) -> Self {
         /// Most rounds of taking means out in turn; balanced designs need two.
         const ROUNDS: usize = 30;
-        let rows: Vec<usize> = (0..measurements.len()).filter(|row| !is_out(*row)).collect();
-        let mut left: Vec<f64> = rows.iter().map(|row| measurements.observed[*row]).collect();
-        let own = |of_rows: &[usize]| rows.iter().map(|row| of_rows[*row]).collect::<Vec<usize>>();
-        let parts: Vec<Vec<usize>> = std::iter::once(&*self.group).chain(levels).map(|l| own(l)).collect();
-        for _ in 0..if levels.is_empty() { 1 } else { ROUNDS } {
-            parts.iter().for_each(|part| take_means_out(part, &mut left));
+        // Nothing is left of a row that no other repeats, and most of a million are such; levels and neighbours need
+        // all rows.
+        let repeated = (levels.is_empty() && self.pass.is_none()).then(|| self.repeated());
+        let number = |group: usize| match &repeated {
+            Some(numbers) => numbers[group] as usize,
+            None => group,
+        };
+        let (mut rows, mut of_group, mut aside) = (Vec::new(), Vec::new(), vec![0; self.scatter.len()]);
+        for (row, group) in self.group.iter().enumerate().filter(|(row, _)| !is_out(*row)) {
+            if number(group) == ALONE as usize {
+                aside[measurements.observable(row)] += 1;
+            } else {
+                rows.push(row);
+                of_group.push(number(group));
+            }
         }
-        let shifts: usize = parts[1..].iter().map(|part| distinct(part.clone()).saturating_sub(1)).sum();
+        drop(repeated);
+        let mut left: Vec<f64> = rows.iter().map(|row| measurements.observed[*row]).collect();
+        let of_levels = levels.iter().map(|of_rows| rows.iter().map(|row| of_rows[*row]).collect::<Vec<usize>>());
+        let of_levels: Vec<Vec<usize>> = of_levels.collect();
+        for _ in 0..if levels.is_empty() { 1 } else { ROUNDS } {
+            std::iter::once(&of_group).chain(&of_levels).for_each(|part| take_means_out(part, &mut left));
+        }
+        let shifts: usize = of_levels.into_iter().map(|part| distinct(part).saturating_sub(1)).sum();
         let scatter = |(number, own): (usize, &Scatter)| {
             let of: Vec<usize> = (0..rows.len()).filter(|i| measurements.observable(rows[*i]) == number).collect();
+            let count = of.len() + aside[number];
             // Groups are those of all rows: one that has lost its only row to `is_out` has no scatter either.
-            let all = distinct(of.iter().map(|i| self.group[rows[*i]]).collect());
-            let groups = own.groups.max(all);
-            let freedom = of.len().saturating_sub(groups + shifts);
+            let groups = own.groups.max(aside[number] + distinct(of.iter().map(|i| of_group[*i]).collect()));
+            let freedom = count.saturating_sub(groups + shifts);
             let left: Vec<f64> = of.iter().map(|i| left[*i]).collect();
-            if !self.drifting {
+            let Some(pass) = &self.pass else {
                 return Scatter { groups, freedom, sum_of_squares: left.iter().map(|d| d * d).sum() };
-            }
-            let is_one_pass = |a: usize, b: usize| self.pass[rows[of[a]]] == self.pass[rows[of[b]]];
-            let enlarged = of.len() as f64 / freedom.max(1) as f64;
+            };
+            let is_one_pass = |a: usize, b: usize| pass[rows[of[a]]] == pass[rows[of[b]]];
+            let enlarged = count as f64 / freedom.max(1) as f64;
             let freedom = freedom / NEIGHBOURS;
             let variance = enlarged * of_neighbours_alike(&left, is_one_pass).powi(2);
             Scatter { groups, freedom, sum_of_squares: variance * freedom as f64 }
@@ -100,6 +136,9 @@ impl Repeats {
         Self { scatter, ..self.clone() }
     }
 }
+
+/// In the place of the number of a group of one row.
+const ALONE: u32 = u32::MAX;
 
 /// Rows whose differences tell of a variance as much as one independent row does: second differences that
 /// overlap, by their median.

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use csv::StringRecord;
 
-use super::cells::Cells;
+use super::records::{LARGEST_TEXT, Records, parted};
 use crate::input::{Problem, Source, line_at, no_csv};
 
 /// Number of problems after which reading stops.
@@ -18,17 +18,6 @@ const MOST_COLUMNS: usize = 1000;
 /// two.
 const SEPARATORS: [char; 3] = [';', '\t', ','];
 
-/// A record and where it stands.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Cells without the blanks around them.
-    pub cells: Cells,
-    /// Bytes of its line in the source.
-    pub place: Range<usize>,
-    /// Line of the file, from 1.
-    pub line: u64,
-}
-
 /// Header and records of a file.
 #[derive(Debug)]
 pub struct Sheet {
@@ -39,7 +28,7 @@ pub struct Sheet {
     /// Bytes of the header's line.
     pub place: Range<usize>,
     /// Records in their order.
-    pub rows: Vec<Row>,
+    pub records: Records,
     /// Records that cannot be read.
     pub problems: Vec<Problem>,
     /// How the file was read where it is not written as the program writes its own.
@@ -56,36 +45,29 @@ pub fn read(source: &Source) -> Result<Sheet, Problem> {
     let (said, text) = said_separator(text);
     let skipped = whole.len() - text.len();
     let separator = said.unwrap_or_else(|| separator(text));
-    let mut builder = csv::ReaderBuilder::new();
-    let builder = builder.comment(Some(b'#')).trim(csv::Trim::All).delimiter(separator as u8);
-    let mut reader = builder.from_reader(text.as_bytes());
+    if whole.len() > LARGEST_TEXT {
+        return Err(Problem::new("the file has more than 4 GB of text").help("part it, and name its parts"));
+    }
+    let mut reader = parted(separator as u8).from_reader(text.as_bytes());
     let header = reader.headers().map_err(|error| no_csv(&error, skipped))?.clone();
     if header.len() > MOST_COLUMNS {
         let problem = Problem::new(format!("the header has {} columns; at most {MOST_COLUMNS} are read", header.len()));
         return Err(problem.help("has the file lost its line ends? leave out columns that are not needed"));
     }
-    let place = |record: &StringRecord| {
-        line_at(text, record.position().map_or(0, |position| position.byte() as usize), skipped)
-    };
+    let byte = |record: &StringRecord| record.position().map_or(0, |position| position.byte() as usize);
     let mut sheet = Sheet {
         separator,
-        place: place(&header),
+        place: line_at(text, byte(&header), skipped),
+        records: Records::of_file(whole.clone(), separator as u8, header.len()),
         header: header.iter().map(str::to_string).collect(),
-        rows: Vec::new(),
         problems: Vec::new(),
         told: told(separator),
     };
-    let (mut counted, mut line) = (0, 1);
     let mut record = StringRecord::new();
     loop {
         match reader.read_record(&mut record) {
             Ok(false) => break,
-            Ok(true) => {
-                let place = place(&record);
-                line += whole[counted..place.start].matches('\n').count() as u64;
-                counted = place.start;
-                sheet.rows.push(Row { cells: record.iter().collect(), place, line });
-            }
+            Ok(true) => sheet.records.push(skipped + byte(&record)),
             Err(error) => sheet.problems.push(ragged(&error, skipped, separator)),
         }
         if sheet.problems.len() >= MOST_PROBLEMS {

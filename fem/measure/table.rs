@@ -5,7 +5,8 @@ use std::ops::Range;
 
 use super::heading::{self, Heading};
 use super::reading::{self, Reading};
-use super::sheet::{self, MOST_PROBLEMS, Row, Sheet};
+use super::records::Records;
+use super::sheet::{self, MOST_PROBLEMS, Sheet};
 use super::vocabulary::Vocabulary;
 use super::{actual, clock, decimal, instrument, wide, words};
 use crate::input::{Problem, Source, did_you_mean};
@@ -25,7 +26,7 @@ pub struct Table {
     /// Bytes of the header's line in the source.
     pub place: Range<usize>,
     /// Records; of a wide file several stand in one line.
-    pub rows: Vec<Row>,
+    pub records: Records,
     /// Problems of single records.
     pub problems: Vec<Problem>,
     /// What was read otherwise than it is written, for the user.
@@ -48,25 +49,25 @@ pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<T
     units(&mut headings, &mut sheet, &mut told).map_err(|problem| vec![problem])?;
     let numeric: Vec<bool> = headings.iter().map(|heading| is_numeric(heading, vocabulary)).collect();
     let mut problems = sheet.problems;
-    let marks = decimal::settle(&mut sheet.rows, &numeric, sheet.separator, said.decimal, &mut told);
+    let marks = decimal::settle(&mut sheet.records, &numeric, sheet.separator, said.decimal, &mut told);
     problems.extend(marks.map_err(|problem| vec![problem])?);
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
-        problems.extend(clock::count(&mut sheet.rows, column, heading, &mut notes));
+        problems.extend(clock::count(&mut sheet.records, column, heading, &mut notes));
     }
     told.extend(bounded(headings.iter().filter_map(Heading::told).collect()));
-    let long = wide::lengthened(headings, sheet.rows, vocabulary, &mut told);
-    let (mut headings, mut rows) = long.map_err(|problem| vec![of_header(problem)])?;
-    actual::less_commanded(&mut headings, &mut rows, vocabulary, &mut told)
+    let long = wide::lengthened(headings, sheet.records, vocabulary, &mut told);
+    let (mut headings, mut records) = long.map_err(|problem| vec![of_header(problem)])?;
+    actual::less_commanded(&mut headings, &mut records, vocabulary, &mut told)
         .map_err(|problem| vec![of_header(problem)])?;
     for (column, heading) in headings.iter().enumerate() {
-        told.extend(bounded(settle_words(&mut rows, column, heading, vocabulary)));
+        told.extend(bounded(settle_words(&mut records, column, heading, vocabulary)));
     }
     if !told.is_empty() {
         notes.insert(0, format!("how it was read: {}", told.join("; ")));
     }
     problems.truncate(MOST_PROBLEMS);
     let header = headings.iter().map(Heading::cell).collect();
-    Ok(Table { header, headings: sheet.header, place: sheet.place, rows, problems, notes })
+    Ok(Table { header, headings: sheet.header, place: sheet.place, records, problems, notes })
 }
 
 /// Reads all headings, those that the user has said before those that speak for themselves, and drops columns
@@ -90,8 +91,7 @@ fn headings(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) -> Result
     }
     let (mut headings, mut kept) = (Vec::new(), Vec::new());
     for (column, cell) in sheet.header.iter().enumerate() {
-        let is_empty = |row: &Row| row.cells.get(column).is_none_or(str::is_empty);
-        if cell.is_empty() && sheet.rows.iter().all(is_empty) {
+        if cell.is_empty() && is_empty(&sheet.records, column) {
             continue;
         }
         // A decimal comma in a place stands beside another separator only.
@@ -114,11 +114,14 @@ fn headings(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) -> Result
         return Err(problems);
     }
     if kept.len() < sheet.header.len() {
-        for row in &mut sheet.rows {
-            row.cells = kept.iter().map(|column| row.cells.get(*column).unwrap_or_default()).collect();
-        }
+        sheet.records.keep(&kept);
     }
     Ok(headings)
+}
+
+fn is_empty(records: &Records, column: usize) -> bool {
+    let mut reader = records.reader();
+    (0..records.len()).all(|record| reader.read(record)[column].is_empty())
 }
 
 /// Names of the columns as the file writes them, without units.
@@ -128,8 +131,11 @@ fn names(header: &[String]) -> Vec<String> {
 
 /// Takes the units of columns that have none from a first record that holds nothing but units.
 fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) -> Result<(), Problem> {
-    let Some(first) = sheet.rows.first() else { return Ok(()) };
-    let cells: Vec<&str> = first.cells.iter().map(|cell| cell.trim_matches(['[', ']', '(', ')']).trim()).collect();
+    if sheet.records.is_empty() {
+        return Ok(());
+    }
+    let first = sheet.records.get(0);
+    let cells: Vec<&str> = first.iter().map(|cell| cell.trim_matches(['[', ']', '(', ')']).trim()).collect();
     let is_unit = |cell: &&str| heading::is_unit(cell);
     let is_blank = |cell: &str| matches!(cell, "" | "-");
     let known = || headings.iter().zip(&cells).filter(|(heading, _)| heading.is_known);
@@ -139,7 +145,7 @@ fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) ->
     for (heading, cell) in headings.iter_mut().zip(&cells).filter(|(heading, cell)| heading.is_known && is_unit(cell)) {
         if !heading.unit.is_empty() && heading.unit != *cell {
             let message = format!("`{}` is in {} by its heading, and in {cell} here", heading.name, heading.unit);
-            return Err(Problem::new(message).help("keep one of the units").at(Some(first.place.clone())));
+            return Err(Problem::new(message).help("keep one of the units").at(Some(sheet.records.place(0))));
         }
         heading.unit = cell.to_string();
         // The unit stands elsewhere; the name alone may be as the program writes it.
@@ -147,8 +153,8 @@ fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) ->
             heading.written = heading.cell();
         }
     }
-    told.push(format!("units from line {}", first.line));
-    sheet.rows.remove(0);
+    told.push(format!("units from line {}", sheet.records.line(0)));
+    sheet.records.leave_first_out();
     Ok(())
 }
 
@@ -163,16 +169,16 @@ fn is_time(heading: &Heading, vocabulary: Vocabulary) -> bool {
 }
 
 /// Writes the words of a column as the program does, and tells which were written otherwise.
-fn settle_words(rows: &mut [Row], column: usize, heading: &Heading, vocabulary: Vocabulary) -> Vec<String> {
+fn settle_words(records: &mut Records, column: usize, heading: &Heading, vocabulary: Vocabulary) -> Vec<String> {
     let holds = vocabulary.coordinate(&heading.name).filter(|_| heading.is_known).map(|c| c.holds);
     let Some(Holds::Word(all)) = holds else { return Vec::new() };
     let mut told = BTreeMap::new();
-    for row in rows {
-        let cell = row.cells.get(column).unwrap_or_default();
-        let Some(word) = words::meant(cell, all).filter(|word| *word != cell) else { continue };
+    records.rewrite(&[column], |_, cells, column| {
+        let cell = &cells[column];
+        let word = words::meant(cell, all).filter(|word| *word != cell)?;
         told.entry(cell.to_string()).or_insert(word);
-        row.cells = row.cells.with(column, word);
-    }
+        Some(word.to_string())
+    });
     told.into_iter().map(|(cell, word)| format!("{} `{cell}` as {word}", heading.name)).collect()
 }
 

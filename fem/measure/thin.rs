@@ -14,14 +14,14 @@ impl Measurements {
         let stratum = self.strata(repeats);
         let mut next: Vec<usize> = (0..).take(stratum.iter().max().map_or(0, |m| m + 1)).collect();
         let mut of_group: Vec<Option<bool>> = vec![None; repeats.groups];
-        let mut keeps = |row: usize| {
-            *of_group[repeats.group[row]].get_or_insert_with(|| {
+        let mut keeps = |row: usize, group: usize| {
+            *of_group[group].get_or_insert_with(|| {
                 let place = &mut next[stratum[row]];
                 *place += 1;
                 (*place - 1).is_multiple_of(every)
             })
         };
-        (0..self.len()).map(&mut keeps).collect()
+        repeats.group.iter().enumerate().map(|(row, group)| keeps(row, group)).collect()
     }
 
     /// Stratum of each row: its levels by as many coordinates together, those of fewest levels first, as leave
@@ -31,7 +31,7 @@ impl Measurements {
         let mut own: Vec<(usize, usize)> = self.given.iter().map(|i| (count(&self.levels(&[*i])), *i)).collect();
         own.sort_unstable();
         let mut chosen = Vec::new();
-        let mut stratum = self.rows.observable.clone();
+        let mut stratum = self.rows.observable.to_vec();
         for (_, coordinate) in own {
             let by: Vec<usize> = chosen.iter().copied().chain([coordinate]).collect();
             let levels = self.levels_of_observables(&by);

@@ -1,8 +1,7 @@
 //! Wide files, which have a column for every sensor: each column becomes rows of its own.
 
-use super::cells::Cells;
 use super::heading::{Condition, Heading};
-use super::sheet::Row;
+use super::records::Records;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
 use crate::units::Unit;
@@ -14,10 +13,10 @@ use crate::units::Unit;
 /// A coordinate stands in a heading and in a column, or columns of one name differ in their units.
 pub fn lengthened(
     headings: Vec<Heading>,
-    rows: Vec<Row>,
+    records: Records,
     vocabulary: Vocabulary,
     told: &mut Vec<String>,
-) -> Result<(Vec<Heading>, Vec<Row>), Problem> {
+) -> Result<(Vec<Heading>, Records), Problem> {
     let mut places: Vec<&[Condition]> = Vec::new();
     for heading in headings.iter().filter(|h| !h.at.is_empty()) {
         if !places.contains(&&*heading.at) {
@@ -25,7 +24,7 @@ pub fn lengthened(
         }
     }
     if places.is_empty() {
-        return Ok((headings, rows));
+        return Ok((headings, records));
     }
     let plain: Vec<usize> = (0..headings.len()).filter(|i| headings[*i].at.is_empty()).collect();
     let is_observable = |h: &Heading| vocabulary.observables.iter().any(|o| o.name == h.name);
@@ -43,25 +42,33 @@ pub fn lengthened(
     let mut long: Vec<Heading> = plain.iter().map(|i| headings[*i].clone()).collect();
     long.extend(fixed.iter().map(|(i, unit)| made(vocabulary.coordinates[*i].name, unit)));
     long.extend(names.iter().map(|(name, unit)| made(name, unit)));
-    let record = |row: &Row, place: &[Condition]| {
-        let own = plain.iter().map(|i| match (is_observable(&headings[*i]), place) {
-            (true, [_, ..]) => String::new(),
-            _ => row.cells.get(*i).unwrap_or_default().to_string(),
-        });
-        let coordinates = fixed.iter().map(|(coordinate, unit)| value(place, *coordinate, unit));
-        let observed = names.iter().map(|(name, _)| {
-            let column = headings.iter().position(|h| h.name == *name && h.at == place && !place.is_empty());
-            column.and_then(|i| row.cells.get(i)).unwrap_or_default().to_string()
-        });
-        let cells: Cells = own.chain(coordinates).chain(observed).collect();
-        Row { cells, place: row.place.clone(), line: row.line }
-    };
     let all = has_own.then_some(&[] as &[Condition]).into_iter().chain(places.iter().copied());
     let all: Vec<&[Condition]> = all.collect();
-    let rows = rows.iter().flat_map(|row| all.iter().map(|place| record(row, place)).collect::<Vec<_>>());
+    let column = |name: &str, place: &[Condition]| {
+        headings.iter().position(|h| h.name == name && h.at == place && !place.is_empty())
+    };
+    let coordinates: Vec<Vec<String>> =
+        all.iter().map(|place| fixed.iter().map(|(i, unit)| value(place, *i, unit)).collect()).collect();
+    let observed: Vec<Vec<Option<usize>>> =
+        all.iter().map(|place| names.iter().map(|(name, _)| column(name, place)).collect()).collect();
+    let mut lengthened = Records::written(records.text().clone(), long.len());
+    let mut reader = records.reader();
+    for number in 0..records.len() {
+        let cells = reader.read(number);
+        for ((place, coordinates), observed) in all.iter().zip(&coordinates).zip(&observed) {
+            let own = plain.iter().map(|i| match (is_observable(&headings[*i]), place) {
+                (true, [_, ..]) => "",
+                _ => &cells[*i],
+            });
+            let observed = observed.iter().map(|column| column.map_or("", |i| &cells[i]));
+            lengthened.push_written(
+                records.byte(number),
+                own.chain(coordinates.iter().map(String::as_str)).chain(observed),
+            );
+        }
+    }
     told.push(format!("a row for each of {} places in the header", places.len()));
-    let rows = rows.collect();
-    Ok((long, rows))
+    Ok((long, lengthened))
 }
 
 /// The coordinates that places fix, each with the unit in which its column is written.

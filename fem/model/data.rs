@@ -7,7 +7,7 @@ use super::{Model, instrument, measurement, terms};
 use crate::input::{InputError, Problem, Source};
 use crate::measure::{Measurements, Repeats, repeats};
 use crate::noise::{Acts, Term};
-use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows};
+use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows, Values};
 use crate::progress::Progress;
 
 /// Most misplaced rows that are reported.
@@ -32,7 +32,7 @@ pub struct Data<'m> {
     /// Observed values as they were read, where datum directions were taken out of them.
     as_read: Option<Vec<f64>>,
     /// Standard uncertainties as they were read, where a known covariance takes their place.
-    u_as_read: Option<Option<Vec<f64>>>,
+    u_as_read: Option<Option<Values>>,
     /// Which rows repeat each other, once somebody has asked.
     repeats: OnceLock<Repeats>,
 }
@@ -79,7 +79,7 @@ impl<'m> Data<'m> {
     /// The data with the effects of the measurement on its rows; a known covariance is their uncertainty.
     fn with_terms(mut self, terms: Vec<Term>) -> Self {
         if let Some(given) = terms.iter().find_map(|t| t.covariance.as_ref()) {
-            self.u_as_read = Some(self.measurements.uncertainty.replace(given.sigma()));
+            self.u_as_read = Some(self.measurements.uncertainty.replace(given.sigma().into()));
         }
         Self { terms, ..self }
     }

@@ -63,7 +63,7 @@ impl ForwardModel for Instrument {
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let mut values = self.part.observe(&at_true_times(rows, &self.terms, self.time))?;
         for gain in self.terms.iter().filter(|t| *t.effect == effects::GAIN) {
-            let own = values.iter_mut().zip(&rows.observable);
+            let own = values.iter_mut().zip(rows.observable.iter());
             for (value, observable) in own.filter(|(_, o)| gain.observable.is_none_or(|own| own == **o)) {
                 // The scale of a thermometer begins at 0 degC.
                 let zero = self.process.observables()[*observable].kind.to_si(0.0);

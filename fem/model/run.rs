@@ -1,7 +1,7 @@
 //! Runs a model: the prediction, and the change that each effect makes in it.
 
 use super::Model;
-use crate::process::{Active, Failure, Observable, RunReport};
+use crate::process::{Active, Failure, Observable, RunReport, Values};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -93,8 +93,8 @@ impl Model {
 }
 
 /// Summarises the changes at the points of the programme at which this observable is predicted.
-fn contribution(name: &'static str, observable: usize, changes: &[f64], programme: &[usize]) -> Contribution {
-    let own = changes.iter().zip(programme).filter(|(_, o)| **o == observable);
+fn contribution(name: &'static str, observable: usize, changes: &[f64], programme: &Values<usize>) -> Contribution {
+    let own = changes.iter().zip(programme.iter()).filter(|(_, o)| **o == observable);
     let changes: Vec<f64> = own.map(|(change, _)| *change).collect();
     let square: f64 = changes.iter().map(|change| change * change).sum();
     Contribution {

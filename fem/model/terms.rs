@@ -121,7 +121,7 @@ fn rows_of(term: &Term, measurements: &Measurements, counted: Option<usize>) -> 
     for record in &term.rows {
         let is_first = *term.effect == effects::JUMP;
         let is_meant = |row: &usize| {
-            let own = measurements.records_of[*row] + 1;
+            let own = measurements.record(*row);
             let is_there = counted.is_none_or(|number| measurements.file_number(*row) == number);
             let at = before + record;
             is_there && term.is_of(measurements, *row) && if is_first { own >= at } else { own == at }

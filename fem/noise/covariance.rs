@@ -17,6 +17,7 @@ use super::flat::Flat;
 use super::given::GivenCovariance;
 use super::term::{Acts, Column, Term};
 use crate::measure::Measurements;
+use crate::process::Values;
 
 /// What rows share, relative to their own standard uncertainties.
 #[derive(Clone, Debug)]
@@ -62,7 +63,7 @@ enum Middle {
 impl Covariance {
     /// Makes what `terms` share between rows of the given standard uncertainties (SI); `None` where they
     /// share nothing.
-    pub fn new(terms: &[Term], sigma: &[f64], measurements: &Measurements) -> Option<Self> {
+    pub fn new(terms: &[Term], sigma: &Values, measurements: &Measurements) -> Option<Self> {
         let correlation = Correlation::of(terms, sigma.len(), measurements);
         let (mut given, mut free) = (Vec::new(), Vec::new());
         for (number, term) in terms.iter().enumerate() {
@@ -114,8 +115,8 @@ impl Covariance {
 
     /// Most probable amplitude of every shared column, given residuals of all rows (SI) with their own
     /// standard uncertainties: the contribution of each term to every row, SI, as (term, contribution).
-    pub fn amplitudes(&self, residuals: &[f64], sigma: &[f64]) -> Vec<(usize, Column)> {
-        let own = |left: &[f64]| left.iter().zip(sigma).map(|(r, s)| r / s).collect::<Vec<f64>>();
+    pub fn amplitudes(&self, residuals: &[f64], sigma: &Values) -> Vec<(usize, Column)> {
+        let own = |left: &[f64]| left.iter().zip(sigma.iter()).map(|(r, s)| r / s).collect::<Vec<f64>>();
         let (mut left, mut all) = (residuals.to_vec(), Vec::new());
         if let Some(flat) = &self.flat {
             let mut whitened = own(&left);
@@ -176,7 +177,7 @@ impl Correlation {
     }
 
     /// A shared column in standard uncertainties, freed of the correlation.
-    fn freed(&self, sigma: &[f64], column: &Column) -> Column {
+    fn freed(&self, sigma: &Values, column: &Column) -> Column {
         if self.is_none() {
             return column.iter().map(|(row, w)| (*row, w / sigma[*row])).collect();
         }

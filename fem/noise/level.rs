@@ -25,7 +25,7 @@ impl NoiseLevel {
 impl Noise {
     /// Whether the uncertainties of all rows agree within a ratio.
     pub fn is_about(&self, other: &Self, ratio: f64) -> bool {
-        let mut ratios = self.sigma.iter().zip(&other.sigma).map(|(a, b)| a / b);
+        let mut ratios = self.sigma.iter().zip(other.sigma.iter()).map(|(a, b)| a / b);
         ratios.all(|r| (1.0 / ratio..ratio).contains(&r))
     }
 

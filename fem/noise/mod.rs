@@ -21,6 +21,7 @@ pub use level::NoiseLevel;
 pub use likelihood::Restricted;
 pub use term::{Acts, Along, Column, MeasurementEffect, Size, Term};
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use nalgebra::DMatrix;
@@ -33,9 +34,9 @@ use covariance::Covariance;
 #[derive(Clone, Debug)]
 pub struct Noise {
     /// Standard uncertainty of each row, without what it shares with others.
-    pub sigma: Vec<f64>,
+    pub sigma: Values,
     /// The same before any term changes it.
-    own: Vec<f64>,
+    own: Values,
     /// Source of the standard uncertainty.
     pub source: NoiseSource,
     /// Effects of the measurement that are at work.
@@ -134,11 +135,12 @@ impl Noise {
     /// Gives all rows of an observable the same noise; `sigma` in the order of the file's observables.
     pub fn alike(measurements: &Measurements, sigma: &[f64], source: NoiseSource) -> Self {
         let of_row = |row: usize| sigma[measurements.observable(row)];
-        Self::independent((0..measurements.len()).map(of_row).collect(), source)
+        Self::independent((0..measurements.len()).map(of_row).collect::<Values>(), source)
     }
 
     /// Noise that the rows do not share.
-    pub fn independent(sigma: Vec<f64>, source: NoiseSource) -> Self {
+    pub fn independent(sigma: impl Into<Values>, source: NoiseSource) -> Self {
+        let sigma = sigma.into();
         Self { own: sigma.clone(), sigma, source, terms: Vec::new(), shared: None }
     }
 
@@ -148,23 +150,24 @@ impl Noise {
         let mut sigma = self.own.clone();
         for term in &terms {
             if matches!(term.effect.acts, Acts::Scales) {
-                sigma.iter_mut().for_each(|s| *s *= term.size);
+                sigma = sigma.map(|s| s * term.size);
             }
         }
         self.round(&mut sigma, &terms, measurements);
         for term in terms.iter().filter(|t| matches!(t.effect.acts, Acts::Weighs)) {
-            term.rows.iter().for_each(|row| sigma[*row] *= term.size);
+            term.rows.iter().for_each(|row| sigma.set(*row, sigma[*row] * term.size));
         }
         let shared = Covariance::new(&terms, &sigma, measurements).map(Arc::new);
         Self { sigma, own: self.own.clone(), source: self.source, terms, shared }
     }
 
     /// Adds what rounding by the instrument makes to known uncertainties, and raises others to it.
-    fn round(&self, sigma: &mut [f64], terms: &[Term], measurements: &Measurements) {
+    fn round(&self, sigma: &mut Values, terms: &[Term], measurements: &Measurements) {
         for term in terms.iter().filter(|t| matches!(t.effect.acts, Acts::Rounds)) {
             let variance = term.size * term.size / 12.0;
-            for (_, s) in sigma.iter_mut().enumerate().filter(|(row, _)| term.is_of(measurements, *row)) {
-                *s = if self.source.is_known() { (*s * *s + variance).sqrt() } else { s.max(variance.sqrt()) };
+            for row in (0..sigma.len()).filter(|row| term.is_of(measurements, *row)) {
+                let s = sigma[row];
+                sigma.set(row, if self.source.is_known() { (s * s + variance).sqrt() } else { s.max(variance.sqrt()) });
             }
         }
     }
@@ -182,13 +185,12 @@ impl Noise {
         if !self.source.is_known() {
             self.round(&mut own, &self.terms, measurements);
         }
-        own.iter_mut().for_each(|s| *s = (factor * *s).max(1e-15));
         let scaled = |term: &Term| match term.effect.acts {
             Acts::Shared(_) => Term { size: factor * term.size, ..term.clone() },
             _ => term.clone(),
         };
         let terms: Vec<Term> = self.terms.iter().map(scaled).collect();
-        Self { own, ..self.clone() }.with(terms, measurements)
+        Self { own: own.map(|s| (factor * s).max(1e-15)), ..self.clone() }.with(terms, measurements)
     }
 
     /// Whether it is the other noise, all of it larger or smaller by one factor: then both have the same minimum.
@@ -206,14 +208,14 @@ impl Noise {
             Acts::Scales | Acts::Weighs | Acts::Rounds | Acts::Reads => own.is_like(other),
         };
         self.terms.len() == other.terms.len()
-            && self.sigma.iter().zip(&other.sigma).all(|(own, other)| is_scaled(*own, *other))
+            && self.sigma.iter().zip(other.sigma.iter()).all(|(own, other)| is_scaled(*own, *other))
             && self.terms.iter().zip(&other.terms).all(is_alike)
     }
 
     /// The same noise, what every row has to itself larger by a factor; what rows share stays.
     #[must_use]
     fn levelled(&self, factor: f64, measurements: &Measurements) -> Self {
-        let own = self.own.iter().map(|s| (factor * s).max(1e-15)).collect();
+        let own = self.own.map(|s| (factor * s).max(1e-15));
         Self { own, ..self.clone() }.with(self.terms.clone(), measurements)
     }
 
@@ -245,7 +247,7 @@ impl Noise {
     /// Whitens values of every row (SI): divided by the standard uncertainties and freed of what the rows
     /// share, they are independent with variance 1 if they are noise.
     pub fn whiten(&self, values: impl IntoIterator<Item = f64>) -> Vec<f64> {
-        let mut own: Vec<f64> = values.into_iter().zip(&self.sigma).map(|(v, s)| v / s).collect();
+        let mut own: Vec<f64> = values.into_iter().zip(self.sigma.iter()).map(|(v, s)| v / s).collect();
         if let Some(shared) = &self.shared {
             shared.whiten(&mut own);
         }
@@ -264,12 +266,15 @@ impl Noise {
     }
 
     /// Residuals without what the terms most probably add, SI.
-    pub fn unshared(&self, residuals: &[f64]) -> Vec<f64> {
+    pub fn unshared<'a>(&self, residuals: &'a [f64]) -> Cow<'a, [f64]> {
+        if self.shared.is_none() {
+            return residuals.into();
+        }
         let mut left = residuals.to_vec();
         for share in self.shares(residuals) {
             left.iter_mut().zip(share).for_each(|(l, s)| *l -= s);
         }
-        left
+        left.into()
     }
 
     /// ln det V, with V the covariance of all rows in SI.
@@ -322,7 +327,7 @@ pub(crate) mod tests {
         let process = crate::process::ALL[0];
         let mut columns = vec![Values::shared(f64::NAN, values.len()); process.coordinates().len()];
         columns[0] = values.to_vec().into();
-        Measurements::planned(process, "rows", Rows { columns, observable: vec![0; values.len()] })
+        Measurements::planned(process, "rows", Rows { columns, observable: Values::shared(0, values.len()) })
     }
 
     /// |W·v|² and ln det V for rows of standard uncertainty 1.
@@ -363,7 +368,7 @@ pub(crate) mod tests {
         let group = |size| Term { by: vec![0], size, ..Term::new(&effects::ZERO_SHIFT) };
         let neighbours = |size| Term { size, ..Term::new(&effects::CORRELATED_NOISE) };
         let of = |level: f64, terms: Vec<Term>| {
-            let sigma = (0..5).map(|i| level * (1.0 + 0.1 * f64::from(i))).collect();
+            let sigma: Values = (0..5).map(|i| level * (1.0 + 0.1 * f64::from(i))).collect();
             Noise::independent(sigma, NoiseSource::Estimated).with(terms, &measurements)
         };
         let noise = of(1.0, vec![group(1.7), neighbours(1.5)]);

@@ -153,7 +153,7 @@ fn coordinates(term: &Term, process: &dyn Process) -> Vec<&'static str> {
 
 /// The effects of the measurement at work, beside the noise in JSON; rows are records, counted from 1.
 pub fn json(terms: &[Term], process: &dyn Process, measurements: Option<&Measurements>) -> Json {
-    let record = |row: &usize| measurements.map_or(*row, |m| m.records_of[*row] + 1);
+    let record = |row: &usize| measurements.map_or(*row, |m| m.record(*row));
     let one = |term: &Term| {
         let kind = kind(term, process, measurements);
         let is_file = matches!(term.effect.size, Size::File(..));

@@ -1,7 +1,5 @@
 //! Writes measurements as a file in the program's own form.
 
-use std::collections::BTreeSet;
-
 use crate::input::name_and_unit;
 use crate::measure::{Measurements, is_column};
 use crate::process::Process;
@@ -11,11 +9,15 @@ use crate::process::Process;
 pub fn measurements(measurements: &Measurements, process: &dyn Process, about: &str) -> String {
     let is_used = |cell: &String| is_column(process, name_and_unit(cell).0);
     let used: Vec<usize> = (0..measurements.header.len()).filter(|i| is_used(&measurements.header[*i])).collect();
-    let taken: BTreeSet<usize> = measurements.records_of.iter().copied().collect();
+    let mut taken: Vec<usize> = measurements.records_of.iter().collect();
+    taken.sort_unstable();
+    taken.dedup();
     let mut writer = csv::Writer::from_writer(Vec::new());
     // Writing to memory does not fail.
     let _ = writer.write_record(used.iter().map(|i| &measurements.header[*i]));
-    for record in taken.into_iter().filter_map(|record| measurements.records.get(record)) {
+    let mut reader = measurements.records.reader();
+    for record in taken.into_iter().filter(|record| *record < measurements.records.len()) {
+        let record = reader.read(record);
         let _ = writer.write_record(used.iter().map(|i| record.get(*i).unwrap_or_default()));
     }
     let rows = String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default();

@@ -186,7 +186,7 @@ impl<D: Definition> Assembled<D> {
         let limits: Vec<_> = (0..D::OBSERVABLES.len()).map(|o| D::limit(&self.setup, o)).collect();
         // A size that is itself unknown limits nothing.
         let wrong = |(value, o): &(&f64, &usize)| !value.is_finite() || value.abs() >= limits[**o].size;
-        let Some((value, observable)) = values.iter().zip(&rows.observable).find(wrong) else { return Ok(()) };
+        let Some((value, observable)) = values.iter().zip(rows.observable.iter()).find(wrong) else { return Ok(()) };
         if !value.is_finite() && !self.formulas.is_empty() {
             return Err(Failure {
                 message: "a formula of the model gives no finite number somewhere".into(),

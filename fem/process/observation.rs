@@ -105,13 +105,13 @@ pub struct Rows {
     /// One column per coordinate, in the order of the process's list; SI.
     pub columns: Vec<Values>,
     /// Which observable each row observes, by its position in the process's list.
-    pub observable: Vec<usize>,
+    pub observable: Values<usize>,
 }
 
 impl Rows {
     /// Rows of these columns.
-    pub fn new<V: Into<Values>>(columns: impl IntoIterator<Item = V>, observable: Vec<usize>) -> Self {
-        Self { columns: columns.into_iter().map(V::into).collect(), observable }
+    pub fn new<V: Into<Values>>(columns: impl IntoIterator<Item = V>, observable: impl Into<Values<usize>>) -> Self {
+        Self { columns: columns.into_iter().map(V::into).collect(), observable: observable.into() }
     }
 
     /// Number of rows.
@@ -130,7 +130,7 @@ impl Rows {
         let columns = self.columns.iter().zip(&more.columns).map(|(a, b)| a.iter().chain(b.iter()).copied().collect());
         Self {
             columns: columns.collect(),
-            observable: self.observable.iter().chain(&more.observable).copied().collect(),
+            observable: self.observable.iter().chain(more.observable.iter()).copied().collect(),
         }
     }
 
@@ -139,7 +139,7 @@ impl Rows {
     pub fn some(&self, rows: &[usize]) -> Self {
         Self {
             columns: self.columns.iter().map(|column| column.some(rows)).collect(),
-            observable: rows.iter().map(|row| self.observable[*row]).collect(),
+            observable: self.observable.some(rows),
         }
     }
 

@@ -1,20 +1,45 @@
-//! The values of a coordinate in every row.
+//! The values of a column in every row.
 
 use std::ops::Index;
 
-/// Values of a coordinate in every row, SI; NaN where a row has none. What all rows share is kept once: most coordinates
+/// Values in every row: of a coordinate in SI, NaN where a row has none. What all rows share is kept once: most coordinates
 /// of a file are left out of it, and files have a million rows.
-#[derive(Clone, Debug, Default)]
-pub struct Values {
+#[derive(Clone, Debug)]
+pub struct Values<T = f64> {
     /// The value of each row, or one for all of them.
-    kept: Vec<f64>,
+    kept: Vec<T>,
     rows: usize,
+    /// Rows for which there will be room.
+    expected: usize,
 }
 
-impl Values {
+/// What rows may share.
+pub trait Shared: Copy {
+    /// Whether two values are the same to the last bit.
+    fn is_same(self, other: Self) -> bool;
+}
+
+impl Shared for f64 {
+    fn is_same(self, other: Self) -> bool {
+        self.to_bits() == other.to_bits()
+    }
+}
+
+impl Shared for usize {
+    fn is_same(self, other: Self) -> bool {
+        self == other
+    }
+}
+
+impl<T: Shared> Values<T> {
     /// One value in all of so many rows.
-    pub fn shared(value: f64, rows: usize) -> Self {
-        Self { kept: vec![value], rows }
+    pub fn shared(value: T, rows: usize) -> Self {
+        Self { kept: vec![value], rows, expected: 0 }
+    }
+
+    /// No rows yet of about so many, for which room is made as soon as they differ.
+    pub fn with_capacity(expected: usize) -> Self {
+        Self { expected, ..Self::default() }
     }
 
     /// Number of rows.
@@ -27,13 +52,23 @@ impl Values {
         self.rows == 0
     }
 
+    /// The value of the first row, if there is one.
+    pub fn first(&self) -> Option<&T> {
+        self.kept.first().filter(|_| self.rows > 0)
+    }
+
+    /// Whether a row has this value.
+    pub fn contains(&self, value: &T) -> bool {
+        self.rows > 0 && self.kept.iter().any(|own| own.is_same(*value))
+    }
+
     /// The values, row by row.
-    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &f64> + ExactSizeIterator + Clone {
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &T> + ExactSizeIterator + Clone {
         (0..self.rows).map(|row| &self[row])
     }
 
     /// The values, one for each row.
-    pub fn to_vec(&self) -> Vec<f64> {
+    pub fn to_vec(&self) -> Vec<T> {
         self.iter().copied().collect()
     }
 
@@ -46,30 +81,31 @@ impl Values {
         }
     }
 
-    /// Gives all rows one value.
-    pub fn fill(&mut self, value: f64) {
-        self.kept = vec![value];
+    /// Each of the values, changed.
+    #[must_use]
+    pub fn map(&self, change: impl FnMut(T) -> T) -> Self {
+        Self { kept: self.kept.iter().copied().map(change).collect(), rows: self.rows, expected: 0 }
     }
 
-    /// Gives a value to all rows that have none.
-    pub fn fill_absent(&mut self, value: f64) {
-        self.kept.iter_mut().filter(|own| own.is_nan()).for_each(|own| *own = value);
+    /// Gives all rows one value.
+    pub fn fill(&mut self, value: T) {
+        self.kept = vec![value];
     }
 
     /// Gives a row a value of its own.
     ///
     /// # Panics
     /// There is no such row.
-    pub fn set(&mut self, row: usize, value: f64) {
-        if self[row].to_bits() != value.to_bits() {
+    pub fn set(&mut self, row: usize, value: T) {
+        if !self[row].is_same(value) {
             self.spread();
             self.kept[row] = value;
         }
     }
 
     /// Adds a row.
-    pub fn push(&mut self, value: f64) {
-        let is_shared = self.kept.first().is_none_or(|first| first.to_bits() == value.to_bits());
+    pub fn push(&mut self, value: T) {
+        let is_shared = self.kept.first().is_none_or(|first| first.is_same(value));
         if self.kept.is_empty() {
             self.kept.push(value);
         } else if self.kept.len() > 1 || !is_shared {
@@ -82,38 +118,58 @@ impl Values {
     /// Keeps a value for each row.
     fn spread(&mut self) {
         if let [value] = self.kept[..] {
+            self.kept.reserve_exact(self.expected.max(self.rows) - 1);
             self.kept.resize(self.rows, value);
         }
     }
 }
 
-impl Index<usize> for Values {
-    type Output = f64;
+impl Values {
+    /// Gives a value to all rows that have none.
+    pub fn fill_absent(&mut self, value: f64) {
+        self.kept.iter_mut().filter(|own| own.is_nan()).for_each(|own| *own = value);
+    }
+}
 
-    fn index(&self, row: usize) -> &f64 {
+impl<T> Index<usize> for Values<T> {
+    type Output = T;
+
+    fn index(&self, row: usize) -> &T {
         assert!(row < self.rows, "row {row} of {}", self.rows);
         &self.kept[if self.kept.len() == 1 { 0 } else { row }]
     }
 }
 
-impl From<Vec<f64>> for Values {
-    fn from(mut kept: Vec<f64>) -> Self {
+impl<T: Shared> From<Vec<T>> for Values<T> {
+    fn from(mut kept: Vec<T>) -> Self {
         let rows = kept.len();
-        if kept.iter().all(|value| value.to_bits() == kept[0].to_bits()) {
+        if kept.iter().all(|value| value.is_same(kept[0])) {
             kept.truncate(1);
             kept.shrink_to_fit();
         }
-        Self { kept, rows }
+        Self { kept, rows, expected: 0 }
     }
 }
 
-impl FromIterator<f64> for Values {
-    fn from_iter<I: IntoIterator<Item = f64>>(values: I) -> Self {
+impl<T: Shared> FromIterator<T> for Values<T> {
+    fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
         values.into_iter().collect::<Vec<_>>().into()
     }
 }
 
-impl PartialEq for Values {
+impl<T: Shared> Extend<T> for Values<T> {
+    fn extend<I: IntoIterator<Item = T>>(&mut self, values: I) {
+        values.into_iter().for_each(|value| self.push(value));
+    }
+}
+
+impl<T> Default for Values<T> {
+    fn default() -> Self {
+        Self { kept: Vec::new(), rows: 0, expected: 0 }
+    }
+}
+
+impl<T: Shared + PartialEq> PartialEq for Values<T> {
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }

@@ -4,7 +4,7 @@ use fem::compare::Comparison;
 use fem::measure::MeasuredObservable;
 use fem::model::{Data, Model, Run};
 use fem::output::{Format, Json, OutputError, Report, Text, figures};
-use fem::process::{Column, Observable, Rows, Table};
+use fem::process::{Column, Observable, Rows, Table, Values};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -102,9 +102,9 @@ pub fn tables_of_run(model: &Model, run: &mut Run) -> Tables {
 
 /// The rows of each observable of a file: coordinates, what was measured, its standard uncertainty, what is predicted,
 /// and measured less predicted. Datum directions are taken out of what was measured.
-pub fn tables_of_rows(data: &Data, predicted: &[f64], residuals: &[f64], sigma: &[f64]) -> Tables {
+pub fn tables_of_rows(data: &Data, predicted: &[f64], residuals: &[f64], sigma: &Values) -> Tables {
     let rows = data.model.system.resolved(&data.rows);
-    data.observables.iter().map(|seen| table_of_rows(data, &rows, seen, [predicted, residuals, sigma])).collect()
+    data.observables.iter().map(|seen| table_of_rows(data, &rows, seen, [predicted, residuals], sigma)).collect()
 }
 
 /// The same of a comparison.
@@ -116,7 +116,8 @@ fn table_of_rows(
     data: &Data,
     rows: &Rows,
     seen: &MeasuredObservable,
-    [predicted, residuals, sigma]: [&[f64]; 3],
+    [predicted, residuals]: [&[f64]; 2],
+    sigma: &Values,
 ) -> (String, Table) {
     let process = data.model.process;
     let observable: &Observable = &process.observables()[seen.position];
@@ -127,7 +128,7 @@ fn table_of_rows(
     let (kind, of_errors) = (observable.kind, observable.error_kind());
     let values = [
         Column::quantities(observable.name, kind, &of(&data.observed)),
-        Column::quantities("u", of_errors, &of(sigma)),
+        Column::quantities("u", of_errors, &sigma.some(&own).to_vec()),
         Column::quantities("predicted", kind, &of(predicted)),
         Column::quantities("residual", of_errors, &of(residuals)),
     ];

@@ -278,7 +278,7 @@ fn another_value_is_told_apart() {
 fn rows_know_their_lines() {
     let text = "\u{feff}sep=;\n# a\nx;diameter_error\n# b\nmm;um\n\n1;2\n# c\n2;\n\n3;4\n";
     let found = Measurements::parse(Source::new("data.csv", text), process("turning")).unwrap();
-    assert_eq!((found.lines, found.records_of), (vec![7, 11], vec![0, 2]));
+    assert_eq!([0, 1].map(|row| (found.line(row), found.record(row))), [(7, 1), (11, 3)]);
 }
 
 /// Days of known distance, by the calendar: 1972-2000 has 7 leap years of 28, 2000 is one, 1900 is none.

@@ -90,7 +90,7 @@ fn a_report_by_the_standard_is_read() {
     let own = read(OF_REPORT, "axis", "").unwrap();
     assert!(same(&found, &own), "{found:#?}");
     // Rows know their lines: the first target forwards stands in line 19, the last backwards in line 29.
-    assert_eq!((found.lines[0], found.lines[1], found.lines[11]), (19, 19, 29));
+    assert_eq!((found.line(0), found.line(1), found.line(11)), (19, 19, 29));
     let notes = found.notes.join("\n");
     for words in ["a report by ISO 230-2", "computed again", "deviation = actual_position - position"] {
         assert!(notes.contains(words), "{words}: {notes}");

@@ -93,7 +93,7 @@ fn read_rows(t: &Reader, model: &Model, observable: usize) -> Rows {
     let less = t.optional_table("less", "where and under which conditions what is taken off is observed", row);
     let all = |i: usize| std::iter::once(first[i]).chain(less.iter().map(|l| l[i])).collect();
     let columns = (0..coordinates.len()).map(all).collect();
-    let rows = Rows { columns, observable: vec![observable; 1 + usize::from(less.is_some())] };
+    let rows = Rows { columns, observable: Values::shared(observable, 1 + usize::from(less.is_some())) };
     check(t, model, &rows, |row| if row == 0 { "at" } else { "less" });
     rows
 }
@@ -134,7 +134,7 @@ fn read_programme(t: &Reader, model: &Model, observable: usize) -> Rows {
             column.fill(*value);
         }
     }
-    rows.observable = vec![observable; kept.len()];
+    rows.observable = Values::shared(observable, kept.len());
     if kept.is_empty() && t.is_sound() {
         let help = "leave `observable` out, or name a part, a state, a branch that the model has";
         t.problem("at", format!("the programme of {} has no such rows", model.source.name), help);

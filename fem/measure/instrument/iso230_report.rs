@@ -7,7 +7,8 @@
 
 use super::lines::{Instrument, Line, lines, sheet};
 use crate::input::{Problem, Source, name_and_unit};
-use crate::measure::sheet::{Row, Sheet};
+use crate::measure::records::Records;
+use crate::measure::sheet::Sheet;
 
 pub const REPORT: Instrument = Instrument { is_one, read };
 
@@ -46,7 +47,8 @@ fn read(source: &Source) -> Result<Sheet, Problem> {
     let mut all = lines(&source.text).peekable();
     let mut direction = None;
     let mut said = [None; 2];
-    let (mut tables, mut rows, mut units, mut place) = ([None, None], Vec::new(), None, 0..0);
+    let (mut tables, mut units, mut place) = ([None, None], None, 0..0);
+    let mut records = Records::written(source.text.clone(), 4);
     while let Some(line) = all.next() {
         if line.says.starts_with('#') {
             direction = direction_of(line.says);
@@ -83,7 +85,7 @@ fn read(source: &Source) -> Result<Sheet, Problem> {
             if record.says.chars().all(|c| matches!(c, '-' | '|' | ':' | ' ')) {
                 continue;
             }
-            take(&record, width, way, &mut rows)?;
+            take(&record, width, way, &mut records)?;
             table.targets += 1;
         }
         check(&line, &table, said)?;
@@ -94,7 +96,7 @@ fn read(source: &Source) -> Result<Sheet, Problem> {
     told.push("its deviations and quantities are computed again".into());
     told.extend(WAYS.iter().zip(&tables).filter(|(_, t)| t.is_none()).map(|(word, _)| format!("no table {word}")));
     let header = ["run", &format!("position [{target}]"), "direction", &format!("actual_position [{reached}]")];
-    Ok(sheet(header.map(str::to_string).into(), place, rows, told))
+    Ok(sheet(header.map(str::to_string).into(), place, records, told))
 }
 
 /// The two ways, as reports name them.
@@ -122,20 +124,17 @@ fn units_of(header: &Line) -> Result<[String; 2], Problem> {
     Ok([target, first])
 }
 
-/// Takes a row of the table: one of the sheet for each cycle.
-fn take(record: &Line, width: usize, way: usize, rows: &mut Vec<Row>) -> Result<(), Problem> {
+/// Takes a row of the table: a record of the sheet for each cycle.
+fn take(record: &Line, width: usize, way: usize, records: &mut Records) -> Result<(), Problem> {
     let own: Vec<&str> = cells(record.says).collect();
     if own.len() != width {
         let message = format!("the row has {} cells, and the header {width}", own.len());
         return Err(record.problem(message, "has the file been cut off? give every row a cell for each column"));
     }
     let direction = ["+", "-"][way];
-    rows.extend(
-        own[2..]
-            .iter()
-            .zip(1..)
-            .map(|(reached, run): (&&str, usize)| record.row([&*run.to_string(), own[1], direction, reached])),
-    );
+    for (reached, run) in own[2..].iter().zip(1_usize..) {
+        records.push_written(record.place.start, [&*run.to_string(), own[1], direction, reached]);
+    }
     Ok(())
 }
 

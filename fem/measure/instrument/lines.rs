@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use crate::input::{Problem, Source};
-use crate::measure::sheet::{Row, Sheet};
+use crate::measure::records::Records;
+use crate::measure::sheet::Sheet;
 
 /// The file of an instrument.
 pub struct Instrument {
@@ -16,8 +17,6 @@ pub struct Instrument {
 /// A line of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line<'a> {
-    /// Number, from 1.
-    pub number: u64,
     /// Bytes of the text.
     pub place: Range<usize>,
     /// What it says, without blanks around it.
@@ -25,11 +24,6 @@ pub struct Line<'a> {
 }
 
 impl Line<'_> {
-    /// A row of a sheet that stands in this line.
-    pub fn row<'c>(&self, cells: impl IntoIterator<Item = &'c str>) -> Row {
-        Row { cells: cells.into_iter().collect(), place: self.place.clone(), line: self.number }
-    }
-
     /// A problem in this line.
     pub fn problem(&self, message: String, help: &str) -> Problem {
         Problem::new(message).help(help).at(Some(self.place.clone()))
@@ -39,15 +33,15 @@ impl Line<'_> {
 /// The lines of a text.
 pub fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     let mut begin = 0;
-    text.split('\n').zip(1..).map(move |(line, number)| {
+    text.split('\n').map(move |line| {
         let place = begin..begin + line.trim_end().len();
         begin += line.len() + 1;
-        Line { number, place, says: line.trim_start_matches('\u{feff}').trim() }
+        Line { place, says: line.trim_start_matches('\u{feff}').trim() }
     })
 }
 
-/// A sheet of columns that a reader has made, in a file whose first line is its header.
-pub fn sheet(header: Vec<String>, place: Range<usize>, rows: Vec<Row>, told: Vec<String>) -> Sheet {
+/// A sheet of records that a reader has made of a file, in which its header stands at `place`.
+pub fn sheet(header: Vec<String>, place: Range<usize>, records: Records, told: Vec<String>) -> Sheet {
     // Numbers may have a decimal comma, as beside a semicolon.
-    Sheet { separator: ';', header, place, rows, problems: Vec::new(), told }
+    Sheet { separator: ';', header, place, records, problems: Vec::new(), told }
 }

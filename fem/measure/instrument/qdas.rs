@@ -12,7 +12,8 @@
 use super::lines::{Instrument, Line, lines, sheet};
 use crate::input::{Problem, Source};
 use crate::measure::moment::Moment;
-use crate::measure::sheet::{Row, Sheet};
+use crate::measure::records::Records;
+use crate::measure::sheet::Sheet;
 
 pub const QDAS: Instrument =
     Instrument { is_one: |text| text.lines().next().is_some_and(|line| line.starts_with("K0100 ")), read };
@@ -39,7 +40,7 @@ struct Characteristic {
     unit: String,
     kind: String,
     is_described: bool,
-    values: Vec<(Value, u64, std::ops::Range<usize>)>,
+    values: Vec<(Value, std::ops::Range<usize>)>,
 }
 
 fn read(source: &Source) -> Result<Sheet, Problem> {
@@ -47,7 +48,7 @@ fn read(source: &Source) -> Result<Sheet, Problem> {
     for line in lines(&source.text).filter(|line| !line.says.is_empty()) {
         file.take(&line)?;
     }
-    file.sheet()
+    file.sheet(source)
 }
 
 #[derive(Default)]
@@ -79,7 +80,7 @@ impl File {
             (1, Some(index)) if index > 0 => {
                 let own = self.at(line, index)?;
                 let value = Value { value: value.into(), is_valid: true, time: None };
-                own.values.push((value, line.number, line.place.clone()));
+                own.values.push((value, line.place.clone()));
             }
             (2 | 4, Some(index)) => {
                 let all = self.characteristics.iter_mut().enumerate();
@@ -123,7 +124,7 @@ impl File {
                 continue;
             }
             let time = time.map(|field| moment(line, field)).transpose()?;
-            own.values.push((Value { value, is_valid: is_valid(attribute), time }, line.number, line.place.clone()));
+            own.values.push((Value { value, is_valid: is_valid(attribute), time }, line.place.clone()));
         }
         Ok(())
     }
@@ -140,7 +141,7 @@ impl File {
         Ok(&mut self.characteristics[index - 1])
     }
 
-    fn sheet(self) -> Result<Sheet, Problem> {
+    fn sheet(self, source: &Source) -> Result<Sheet, Problem> {
         let (place, said) = self.said.unwrap_or_default();
         let found = self.characteristics.len();
         if found != said || self.characteristics.iter().any(|c| !c.is_described && c.values.is_empty()) {
@@ -157,7 +158,8 @@ impl File {
         for c in &measured {
             header.push(c.heading(&self.common, &header));
         }
-        let row = |set: usize| {
+        let mut records = Records::written(source.text.clone(), header.len());
+        for set in 0..sets {
             let mut cells = vec![(set + 1).to_string()];
             cells.extend(is_timed.then(|| of(set).find_map(|(v, ..)| v.time.clone()).unwrap_or_default()));
             let value = |c: &&Characteristic| match c.values.get(set) {
@@ -165,10 +167,9 @@ impl File {
                 _ => String::new(),
             };
             cells.extend(measured.iter().map(value));
-            let (line, place) = of(set).next().map(|(_, line, place)| (*line, place.clone())).unwrap_or_default();
-            Row { cells: cells.into_iter().collect(), place, line }
-        };
-        let rows = (0..sets).map(row).collect();
+            let place = of(set).next().map_or(0, |(_, place)| place.start);
+            records.push_written(place, cells);
+        }
         let invalid = measured.iter().flat_map(|c| &c.values).filter(|(value, ..)| !value.is_valid).count();
         let mut told = vec![format!(
             "K-fields with {sets} sets of values, a row for each, of characteristics: {}",
@@ -177,7 +178,7 @@ impl File {
         let count = |count: usize, what: &str| (count > 0).then(|| format!("{what}, which are left out: {count}"));
         told.extend(count(invalid, "values marked as not holding (K0002)"));
         told.extend(count(counts.len(), "characteristics of counted faults, or without values"));
-        Ok(sheet(header, place, rows, told))
+        Ok(sheet(header, place, records, told))
     }
 }
 

@@ -7,6 +7,7 @@
 
 use super::lines::{Instrument, lines, sheet};
 use crate::input::{Problem, Source};
+use crate::measure::records::Records;
 use crate::measure::sheet::Sheet;
 
 pub const RTX: Instrument = Instrument { is_one: |text| text.starts_with(HEADER), read };
@@ -75,20 +76,20 @@ fn read(source: &Source) -> Result<Sheet, Problem> {
         let problem = Problem::new(format!("the header of the capture has no `{RATE}`"));
         return Err(problem.help("export the capture again").at(Some(first)));
     };
-    let mut rows = Vec::new();
+    let mut records = Records::written(source.text.clone(), 2);
     for (line, number) in all.filter(|line| !line.says.is_empty()).zip(0_u32..) {
         if !line.says.parse().is_ok_and(f64::is_finite) {
             let message = format!("sample {} is {}, and no number", number + 1, line.says);
             return Err(line.problem(message, "was the beam broken? leave such a capture out"));
         }
         let time = f64::from(number) / rate;
-        rows.push(line.row([&*time.to_string(), line.says]));
+        records.push_written(line.place.start, [&*time.to_string(), line.says]);
     }
-    let samples = rows.len();
+    let samples = records.len();
     let told = vec![
         format!("{samples} samples at {rate} a second from a capture as `time` and `value`"),
         "its unit stands nowhere, and is said by --columns 'value=NAME [UNIT]'".into(),
         format!("keys of its header beside the rate, which are left: {keys}"),
     ];
-    Ok(sheet(vec!["time [s]".into(), "value".into()], first, rows, told))
+    Ok(sheet(vec!["time [s]".into(), "value".into()], first, records, told))
 }

@@ -59,7 +59,7 @@ fn check(name: &str, measured: &[Measurements]) -> Result<(), InputError> {
 /// No rows yet, of no file.
 fn nothing(model: &Model, name: &str) -> Measurements {
     let columns = vec![Values::default(); model.process.coordinates().len()];
-    let planned = Measurements::planned(model.process, name, Rows { columns, observable: Vec::new() });
+    let planned = Measurements::planned(model.process, name, Rows { columns, observable: Values::default() });
     Measurements { files: Vec::new(), given: Vec::new(), ..planned }
 }
 
@@ -72,10 +72,10 @@ fn append(all: &mut Measurements, campaign: &Campaign, test: usize, own: Measure
     all.rows = all.rows.and(&layout.among_all(test, &own.rows));
     all.observed.extend(own.observed);
     if let Some(own) = own.uncertainty {
-        all.uncertainty.get_or_insert_default().extend(own);
+        all.uncertainty.get_or_insert_default().extend(own.iter().copied());
     }
     all.records_of.extend(own.records_of.iter().map(|record| record + records));
-    all.lines.extend(own.lines);
+    all.lines.extend(own.lines.iter());
     for seen in own.observables {
         let position = layout.observable(test, seen.position);
         let name = layout.observables[position].name;

@@ -46,9 +46,9 @@ pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[C
             "bias": kind.from_si(c.bias),
             "unit": kind.unit,
             "worst": {
-                "error": kind.from_si(c.errors[c.worst]),
-                "row": measurements.records_of[c.worst] + 1,
-                "line": measurements.lines[c.worst],
+                "error": kind.from_si(c.worst_error),
+                "row": measurements.record(c.worst),
+                "line": measurements.line(c.worst),
                 "file": measurements.file_of(c.worst).unwrap_or(&measurements.name),
                 "at": place(process.coordinates(), measurements, c.worst),
             },

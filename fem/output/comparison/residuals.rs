@@ -18,9 +18,10 @@ pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String
     // Writing to memory does not fail.
     let _ = writer.write_record(header.chain(names));
     let mut row = 0;
-    for (number, record) in measurements.records.iter().enumerate() {
+    let mut reader = measurements.records.reader();
+    for number in 0..measurements.records.len() {
         let mut added = vec![String::new(); 2 * measurements.observables.len()];
-        while measurements.records_of.get(row) == Some(&number) {
+        while measurements.records_of.get(row) == Some(number) {
             let own = measurements.observable(row);
             let unit = unit(&measurements.observables[own]);
             // Nothing has no sign: -0 + 0 is 0.
@@ -29,7 +30,7 @@ pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String
             row += 1;
         }
         let file = measurements.file_of_record(number).map(str::to_string);
-        let _ = writer.write_record(file.into_iter().chain(record.iter().map(str::to_string)).chain(added));
+        let _ = writer.write_record(file.into_iter().chain(reader.read(number).iter().map(str::to_string)).chain(added));
     }
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }

@@ -30,7 +30,7 @@ pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[C
         "model", "rms", "bias", "worst", "chi2/dof"
     );
     for c in comparisons {
-        let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
+        let [rms, bias, worst] = [c.rms, c.bias, c.worst_error].map(|si| kind.from_si(si));
         let _ = writeln!(
             text,
             "  {:<width$} {rms:>11.3} {bias:>+11.3} {worst:>+11.3} {:>11.3}   {}",

@@ -30,7 +30,7 @@ fn test_fits(data: &Data, d: &Diagnosis) -> Vec<TestFit> {
     let Some(campaign) = &data.model.campaign else { return Vec::new() };
     let some = thinned(data);
     let used = some.as_ref().unwrap_or(data);
-    let is_wrong = |row: usize| d.outliers.iter().any(|o| o.record == used.records_of[row] + 1);
+    let is_wrong = |row: usize| d.outliers.iter().any(|o| o.record == used.record(row));
     let own = used.observables.iter().zip(used.rows_by_observable()).zip(&d.noise.of);
     let fit = |((seen, rows), noise): ((&crate::measure::MeasuredObservable, Vec<usize>), &f64)| {
         let rows: Vec<usize> = rows.into_iter().filter(|row| !is_wrong(*row)).collect();

@@ -141,7 +141,7 @@ fn refitted(found: &Evidence, steps: &[Step], noise: f64) -> String {
 fn compared(found: &Evidence) -> String {
     let kind = found.data.kind();
     let row = |c: &Comparison| {
-        let [rms, bias, worst] = [c.rms, c.bias, c.errors[c.worst]].map(|si| kind.from_si(si));
+        let [rms, bias, worst] = [c.rms, c.bias, c.worst_error].map(|si| kind.from_si(si));
         vec![
             Cell::Text(c.model.clone()),
             Cell::Number(format!("{rms:.3}"), rms),

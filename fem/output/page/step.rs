@@ -33,7 +33,7 @@ pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> Vec<Step<'a>> {
             reduced_chi2: c.reduced_chi2,
             held_out: None,
             predicted: &c.predicted,
-            residuals: c.noise.unshared(&c.residuals),
+            residuals: c.noise.unshared(&c.residuals).into_owned(),
             noise: &c.noise,
         };
         found.comparisons.iter().map(one).collect()
@@ -59,7 +59,7 @@ pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> Vec<Step<'a>> {
             reduced_chi2: goodness.reduced_chi2,
             held_out: goodness.cross_validation.filter(|h| h.is_finite()).map(|h| h * sigma),
             predicted: &goodness.predicted,
-            residuals: if is_shared { noise.unshared(&residuals) } else { residuals },
+            residuals: if is_shared { noise.unshared(&residuals).into_owned() } else { residuals },
             noise,
         });
     }

@@ -83,7 +83,7 @@ pub fn rows(approaches: impl IntoIterator<Item = (f64, Direction, f64, f64)>) ->
         columns[RUN].push(run);
         columns[TIME_OF_ROW].push(time);
     }
-    let observable = vec![0; columns[POSITION].len()];
+    let observable = Values::shared(0, columns[POSITION].len());
     Rows { columns, observable }
 }
 

@@ -51,7 +51,7 @@ pub fn around(angles: Vec<f64>, pass: Pass) -> Rows {
     let direction = if pass.is_reversed { REVERSE } else { FORWARD };
     Rows {
         columns: vec![angles.into(), Values::shared(pass.speed, count), Values::shared(direction, count)],
-        observable: vec![0; count],
+        observable: Values::shared(0, count),
     }
 }
 

@@ -106,7 +106,7 @@ pub fn lap(setup: &Setup, direction: Direction, angles: Vec<f64>) -> Rows {
 fn at_feed(feed: f64, direction: Direction, angles: Vec<f64>) -> Rows {
     let count = angles.len();
     let columns = vec![angles.into(), Values::shared(f64::from(direction as u8), count), Values::shared(feed, count)];
-    Rows { columns, observable: vec![0; count] }
+    Rows { columns, observable: Values::shared(0, count) }
 }
 
 /// Rows with direction and feed of the model where they have none of their own.

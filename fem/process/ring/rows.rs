@@ -64,7 +64,7 @@ fn set_up(setup: &Setup, run: f64, angles: Vec<f64>) -> Rows {
     for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (RUN, run)] {
         columns[column].fill(value);
     }
-    let observable = vec![0; angles.len()];
+    let observable = Values::shared(0, angles.len());
     columns[ANGLE_OF_ROW] = angles.into();
     Rows { columns, observable }
 }

@@ -51,7 +51,7 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
 /// Rows of one branch.
 pub fn along(forces: Vec<f64>, branch: Branch) -> Rows {
     let count = forces.len();
-    Rows { columns: vec![forces.into(), Values::shared(branch.word(), count)], observable: vec![0; count] }
+    Rows { columns: vec![forces.into(), Values::shared(branch.word(), count)], observable: Values::shared(0, count) }
 }
 
 /// Rows of loading and then of unloading.

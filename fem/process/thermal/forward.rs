@@ -33,7 +33,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     refuse_too_many_steps(&run)?;
     let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
     let mut values = read(machine, &looks, &readings, &run)?;
-    for (value, observable) in values.iter_mut().zip(&rows.observable) {
+    for (value, observable) in values.iter_mut().zip(rows.observable.iter()) {
         *value += if *observable == ELONGATION { 0.0 } else { machine.setup.start };
     }
     Ok(values)

@@ -103,7 +103,7 @@ fn rows(setup: &Setup, times: &[f64], places: &[Option<f64>]) -> Rows {
 /// Elongations at some times (s).
 pub fn elongations(times: &[f64]) -> Rows {
     let nowhere = Values::shared(f64::NAN, times.len());
-    Rows { columns: vec![times.to_vec().into(), nowhere.clone(), nowhere], observable: vec![ELONGATION; times.len()] }
+    Rows { columns: vec![times.to_vec().into(), nowhere.clone(), nowhere], observable: Values::shared(ELONGATION, times.len()) }
 }
 
 /// Temperatures at some places (x and y in m; a rod has no y) at a time (s).
@@ -111,7 +111,7 @@ pub fn temperatures(places: &[[f64; 2]], time: f64) -> Rows {
     let along = |axis: usize| places.iter().map(|place| place[axis]).collect();
     Rows {
         columns: vec![Values::shared(time, places.len()), along(0), along(1)],
-        observable: vec![TEMPERATURE_OF_ROW; places.len()],
+        observable: Values::shared(TEMPERATURE_OF_ROW, places.len()),
     }
 }
 

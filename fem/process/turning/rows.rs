@@ -99,7 +99,7 @@ pub fn programme(setup: &Setup) -> Rows {
     let mut columns = vec![Values::shared(f64::NAN, sweep.len()); COORDINATES.len()];
     columns[X] = sweep.clone().into();
     columns[ANGLE].fill(0.0);
-    let first = resolved(setup, &Rows { columns, observable: vec![0; sweep.len()] });
+    let first = resolved(setup, &Rows { columns, observable: Values::shared(0, sweep.len()) });
     // Parts differ in their number, and in time and path.
     let each = |of: &dyn Fn(usize, f64) -> f64| {
         (1..=parts).flat_map(|part| sweep.iter().map(move |x| of(part, *x))).collect::<Values>()
@@ -111,7 +111,7 @@ pub fn programme(setup: &Setup) -> Rows {
         _ => (0..parts).flat_map(|_| values.iter().copied()).collect(),
     };
     let columns = first.columns.iter().enumerate().map(column).collect();
-    Rows { columns, observable: vec![0; parts * sweep.len()] }
+    Rows { columns, observable: Values::shared(0, parts * sweep.len()) }
 }
 
 /// Every coordinate of every row, those left to the model filled in.
@@ -238,7 +238,7 @@ fn at(like: &Rows, places: &[f64], part: f64, changes: &[(usize, f64)]) -> Rows 
         columns[column].fill(value);
     }
     let observable = like.observable.first().copied().unwrap_or(0);
-    Rows { columns, observable: vec![observable; places.len()] }
+    Rows { columns, observable: Values::shared(observable, places.len()) }
 }
 
 /// The forces at which parts were turned, rising.

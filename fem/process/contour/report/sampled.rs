@@ -36,7 +36,7 @@ impl Sampled {
         let all = || programme.deviations.iter().chain(&fine.deviations).copied();
         let span = all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min);
         let columns = vec![Values::default(); programme.rows.columns.len()];
-        let mut sampled = Self { rows: Rows { columns, observable: Vec::new() }, deviations: Vec::new() };
+        let mut sampled = Self { rows: Rows { columns, observable: Values::default() }, deviations: Vec::new() };
         for direction in &setup.directions {
             let (own, dense) = (programme.lap(*direction), fine.lap(*direction));
             for (k, row) in own.iter().enumerate() {

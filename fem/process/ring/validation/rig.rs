@@ -43,7 +43,7 @@ pub fn deviations(chuck: &Option<Chuck>, angles: &[f64], changes: &[(usize, f64)
     for (column, value) in changes {
         columns[*column].fill(*value);
     }
-    let rows = Rows { columns, observable: vec![0; angles.len()] };
+    let rows = Rows { columns, observable: Values::shared(0, angles.len()) };
     let observed = chuck.as_ref().and_then(|c| c.observe(&rows).ok());
     observed.unwrap_or_else(|| vec![f64::NAN; angles.len()])
 }

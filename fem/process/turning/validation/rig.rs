@@ -54,7 +54,7 @@ pub fn observed(lathe: &Lathe, x: f64, given: &[(usize, f64)]) -> f64 {
     let mut columns = vec![Values::shared(f64::NAN, 1); COORDINATES.len()];
     columns[X].fill(x);
     given.iter().for_each(|(column, value)| columns[*column].fill(*value));
-    let rows = Rows { columns, observable: vec![0] };
+    let rows = Rows { columns, observable: Values::shared(0, 1) };
     lathe.observe(&rows).map_or(f64::NAN, |values| values[0])
 }
 
