@@ -2,16 +2,29 @@
 
 use std::ops::Index;
 
-/// Values in every row: of a coordinate in SI, NaN where a row has none. What all rows share is kept once: most coordinates
-/// of a file are left out of it, and files have a million rows.
+/// Values in every row: of a coordinate in SI, NaN where a row has none. Files have a million rows, and most of their
+/// coordinates one value in all of them, for they are left out, or a few: a number of a run, a target, the place of a
+/// sensor.
 #[derive(Clone, Debug)]
 pub struct Values<T = f64> {
-    /// The value of each row, or one for all of them.
-    kept: Vec<T>,
+    kept: Kept<T>,
     rows: usize,
     /// Rows for which there will be room.
     expected: usize,
 }
+
+#[derive(Clone, Debug)]
+enum Kept<T> {
+    /// One value for all rows; none where there are no rows yet.
+    Shared(Option<T>),
+    /// A few values, and which of them each row has.
+    Few(Vec<T>, Vec<u8>),
+    /// A value for each row.
+    Each(Vec<T>),
+}
+
+/// Most values that are a few.
+const FEW: usize = 64;
 
 /// What rows may share.
 pub trait Shared: Copy {
@@ -34,7 +47,7 @@ impl Shared for usize {
 impl<T: Shared> Values<T> {
     /// One value in all of so many rows.
     pub fn shared(value: T, rows: usize) -> Self {
-        Self { kept: vec![value], rows, expected: 0 }
+        Self { kept: Kept::Shared(Some(value)), rows, expected: 0 }
     }
 
     /// No rows yet of about so many, for which room is made as soon as they differ.
@@ -54,12 +67,15 @@ impl<T: Shared> Values<T> {
 
     /// The value of the first row, if there is one.
     pub fn first(&self) -> Option<&T> {
-        self.kept.first().filter(|_| self.rows > 0)
+        (self.rows > 0).then(|| &self[0])
     }
 
     /// Whether a row has this value.
     pub fn contains(&self, value: &T) -> bool {
-        self.rows > 0 && self.kept.iter().any(|own| own.is_same(*value))
+        match &self.kept {
+            Kept::Shared(own) => self.rows > 0 && own.is_some_and(|own| own.is_same(*value)),
+            _ => self.iter().any(|own| own.is_same(*value)),
+        }
     }
 
     /// The values, row by row.
@@ -75,21 +91,28 @@ impl<T: Shared> Values<T> {
     /// Those of these rows, in this order.
     #[must_use]
     pub fn some(&self, rows: &[usize]) -> Self {
-        match self.kept[..] {
-            [value] => Self::shared(value, rows.len()),
-            _ => rows.iter().map(|row| self[*row]).collect(),
-        }
+        let kept = match &self.kept {
+            Kept::Shared(value) => Kept::Shared(*value),
+            Kept::Few(values, of_row) => Kept::Few(values.clone(), rows.iter().map(|row| of_row[*row]).collect()),
+            Kept::Each(values) => return rows.iter().map(|row| values[*row]).collect(),
+        };
+        Self { kept, rows: rows.len(), expected: 0 }
     }
 
     /// Each of the values, changed.
     #[must_use]
     pub fn map(&self, change: impl FnMut(T) -> T) -> Self {
-        Self { kept: self.kept.iter().copied().map(change).collect(), rows: self.rows, expected: 0 }
+        let kept = match &self.kept {
+            Kept::Shared(value) => Kept::Shared(value.map(change)),
+            Kept::Few(values, of_row) => Kept::Few(values.iter().copied().map(change).collect(), of_row.clone()),
+            Kept::Each(values) => Kept::Each(values.iter().copied().map(change).collect()),
+        };
+        Self { kept, rows: self.rows, expected: 0 }
     }
 
     /// Gives all rows one value.
     pub fn fill(&mut self, value: T) {
-        self.kept = vec![value];
+        self.kept = Kept::Shared(Some(value));
     }
 
     /// Gives a row a value of its own.
@@ -98,36 +121,64 @@ impl<T: Shared> Values<T> {
     /// There is no such row.
     pub fn set(&mut self, row: usize, value: T) {
         if !self[row].is_same(value) {
-            self.spread();
-            self.kept[row] = value;
+            let mut values = self.take_each();
+            values[row] = value;
+            self.kept = Kept::Each(values);
         }
     }
 
     /// Adds a row.
     pub fn push(&mut self, value: T) {
-        let is_shared = self.kept.first().is_none_or(|first| first.is_same(value));
-        if self.kept.is_empty() {
-            self.kept.push(value);
-        } else if self.kept.len() > 1 || !is_shared {
-            self.spread();
-            self.kept.push(value);
+        let room = self.expected.max(self.rows + 1);
+        match &mut self.kept {
+            Kept::Shared(None) => self.kept = Kept::Shared(Some(value)),
+            Kept::Shared(Some(own)) if own.is_same(value) => {}
+            Kept::Shared(Some(own)) => {
+                let mut of_row = Vec::with_capacity(room);
+                of_row.resize(self.rows, 0);
+                of_row.push(1);
+                self.kept = Kept::Few(vec![*own, value], of_row);
+            }
+            Kept::Few(values, of_row) => match values.iter().position(|own| own.is_same(value)) {
+                Some(number) => of_row.push(number as u8),
+                None if values.len() < FEW => {
+                    of_row.push(values.len() as u8);
+                    values.push(value);
+                }
+                None => {
+                    let mut values = self.take_each();
+                    values.push(value);
+                    self.kept = Kept::Each(values);
+                }
+            },
+            Kept::Each(values) => values.push(value),
         }
         self.rows += 1;
     }
 
-    /// Keeps a value for each row.
-    fn spread(&mut self) {
-        if let [value] = self.kept[..] {
-            self.kept.reserve_exact(self.expected.max(self.rows) - 1);
-            self.kept.resize(self.rows, value);
+    /// Takes out a value for each row.
+    fn take_each(&mut self) -> Vec<T> {
+        if let Kept::Each(values) = &mut self.kept {
+            return std::mem::take(values);
         }
+        let mut values = Vec::with_capacity(self.expected.max(self.rows));
+        values.extend(self.iter().copied());
+        values
     }
 }
 
 impl Values {
     /// Gives a value to all rows that have none.
     pub fn fill_absent(&mut self, value: f64) {
-        self.kept.iter_mut().filter(|own| own.is_nan()).for_each(|own| *own = value);
+        let fill = |own: &mut f64| {
+            if own.is_nan() {
+                *own = value;
+            }
+        };
+        match &mut self.kept {
+            Kept::Shared(own) => own.iter_mut().for_each(fill),
+            Kept::Few(values, _) | Kept::Each(values) => values.iter_mut().for_each(fill),
+        }
     }
 }
 
@@ -135,19 +186,21 @@ impl<T> Index<usize> for Values<T> {
     type Output = T;
 
     fn index(&self, row: usize) -> &T {
-        assert!(row < self.rows, "row {row} of {}", self.rows);
-        &self.kept[if self.kept.len() == 1 { 0 } else { row }]
+        match &self.kept {
+            Kept::Each(values) => &values[row],
+            Kept::Few(values, of_row) => &values[usize::from(of_row[row])],
+            Kept::Shared(Some(value)) if row < self.rows => value,
+            Kept::Shared(_) => panic!("row {row} of {}", self.rows),
+        }
     }
 }
 
 impl<T: Shared> From<Vec<T>> for Values<T> {
-    fn from(mut kept: Vec<T>) -> Self {
-        let rows = kept.len();
-        if kept.iter().all(|value| value.is_same(kept[0])) {
-            kept.truncate(1);
-            kept.shrink_to_fit();
-        }
-        Self { kept, rows, expected: 0 }
+    fn from(values: Vec<T>) -> Self {
+        let rows = values.len();
+        let first = values.first().copied();
+        let is_shared = first.is_none_or(|first| values.iter().all(|value| value.is_same(first)));
+        Self { kept: if is_shared { Kept::Shared(first) } else { Kept::Each(values) }, rows, expected: 0 }
     }
 }
 
@@ -165,7 +218,7 @@ impl<T: Shared> Extend<T> for Values<T> {
 
 impl<T> Default for Values<T> {
     fn default() -> Self {
-        Self { kept: Vec::new(), rows: 0, expected: 0 }
+        Self { kept: Kept::Shared(None), rows: 0, expected: 0 }
     }
 }
 
@@ -181,13 +234,18 @@ mod tests {
 
     #[test]
     fn values_are_those_that_were_put_in_however_they_are_kept() {
-        for all in [&[][..], &[1.0], &[2.0, 2.0, 2.0], &[2.0, 2.0, 3.0], &[0.0, -0.0], &[1.0, 2.0, 1.0]] {
+        let many: Vec<f64> = (0..300).map(|row| f64::from(row % 100)).collect();
+        for all in [&[][..], &[1.0], &[2.0; 3], &[2.0, 2.0, 3.0], &[0.0, -0.0], &[1.0, 2.0, 1.0], &many] {
             let made: Values = all.to_vec().into();
-            let mut pushed = Values::default();
+            let mut pushed = Values::with_capacity(all.len());
             all.iter().for_each(|value| pushed.push(*value));
+            let last: Vec<usize> = (0..all.len()).rev().take(2).collect();
             for values in [&made, &pushed] {
                 assert_eq!(values.to_vec(), all);
-                assert_eq!(values.len(), all.len());
+                assert_eq!((values.len(), values.first()), (all.len(), all.first()));
+                assert_eq!(values.map(|v| v + 1.0).to_vec(), all.iter().map(|v| v + 1.0).collect::<Vec<_>>());
+                assert_eq!(values.some(&last).to_vec(), all.iter().rev().take(2).copied().collect::<Vec<_>>());
+                assert_eq!([1.0, 2.0, 99.0].map(|v| values.contains(&v)), [1.0, 2.0, 99.0].map(|v| all.contains(&v)));
             }
             assert_eq!(made, pushed);
         }
@@ -203,9 +261,14 @@ mod tests {
         values.push(f64::NAN);
         values.fill_absent(6.0);
         assert_eq!(values.to_vec(), [4.0, 5.0, 4.0, 6.0]);
-        assert_eq!(values.some(&[3, 1]).to_vec(), [6.0, 5.0]);
         values.fill(1.0);
         values.push(1.0);
         assert_eq!(values.to_vec(), [1.0; 5]);
+        // Of a few values one is given to all that have none, and a row changes alone.
+        let mut few = Values::default();
+        few.extend([1.0, f64::NAN, 1.0, f64::NAN]);
+        few.fill_absent(3.0);
+        few.set(2, 3.0);
+        assert_eq!(few.to_vec(), [1.0, 3.0, 3.0, 3.0]);
     }
 }

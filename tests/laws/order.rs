@@ -7,7 +7,7 @@ use fem::diagnose::{Diagnosis, Missing, diagnose};
 use fem::fit::fit;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
-use fem::process::Rows;
+use fem::process::{Rows, Values};
 use fem::progress::Progress;
 use proptest::prelude::*;
 
@@ -50,7 +50,7 @@ fn measured<'m>(model: &'m Model, truth: &Model, noise: &[f64], order: &[usize])
     let own: Vec<usize> = order.iter().copied().filter(|row| *row < rows.len()).collect();
     let observed = own.iter().map(|row| exact[*row] + sigma * noise[*row]).collect();
     let planned = Measurements::planned(model.process, "rows", rows.some(&own));
-    Data::of(model, Measurements { observed, uncertainty: Some(vec![sigma; own.len()]), ..planned }).unwrap()
+    Data::of(model, Measurements { observed, uncertainty: Some(Values::shared(sigma, own.len())), ..planned }).unwrap()
 }
 
 fn parsed([name, written, ..]: &[&str; 4], other: &str) -> Model {

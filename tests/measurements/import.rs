@@ -248,7 +248,7 @@ fn read(case: &Case, text: &str) -> Measurements {
 
 /// What is read, bit for bit.
 fn content(m: &Measurements) -> Vec<Vec<u64>> {
-    let values = [m.observed.clone(), m.uncertainty.clone().unwrap_or_default()];
+    let values = [m.observed.clone(), m.uncertainty.as_ref().map(Values::to_vec).unwrap_or_default()];
     let columns = m.rows.columns.iter().map(Values::to_vec).chain(values);
     columns.map(|column| column.iter().map(|v| v.to_bits()).collect()).collect()
 }
