@@ -72,7 +72,7 @@ pub fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Resu
 }
 
 /// Rows whose positions are condensed together: a position takes a hundred bytes, and files have a million.
-const BLOCK: usize = 1 << 16;
+const BLOCK: usize = 1 << 14;
 
 /// What every row would show, m.
 ///
