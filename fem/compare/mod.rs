@@ -170,7 +170,8 @@ fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usiz
                 count[g] += 1.0;
             }
             let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
-            let groups = (repeats.groups as f64 - blind as f64 - noise.free_between(&repeats.groups_of_rows())).max(1.0);
+            let groups =
+                (repeats.groups as f64 - blind as f64 - noise.free_between(&repeats.groups_of_rows())).max(1.0);
             let f = lack / groups;
             (f, beyond_f(groups, repeats.effective_freedom(), f))
         }

@@ -88,8 +88,7 @@ pub fn cause(effect: &Description) -> Cause {
 fn records(term: &Term, data: &Data) -> Vec<usize> {
     let is_weighed = |t: &Term| t.effect == term.effect && matches!(t.effect.acts, Acts::Weighs);
     let is_known = |row: &usize| data.terms.iter().any(|t| is_weighed(t) && t.rows.contains(row));
-    let mut records: Vec<usize> =
-        term.rows.iter().filter(|row| !is_known(row)).map(|row| data.record(*row)).collect();
+    let mut records: Vec<usize> = term.rows.iter().filter(|row| !is_known(row)).map(|row| data.record(*row)).collect();
     records.dedup();
     records
 }

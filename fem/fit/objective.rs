@@ -183,8 +183,7 @@ impl<'a> Objective<'a> {
         let free = self.data.len() as f64 - self.freedom();
         let is_enough = |count: usize| count as f64 >= free + 1.0;
         let repeats = self.data.repeats();
-        let apart =
-            || repeats.group.iter().zip(predicted).map(|(g, p)| (g, p.to_bits())).collect::<HashSet<_>>().len();
+        let apart = || repeats.group.iter().zip(predicted).map(|(g, p)| (g, p.to_bits())).collect::<HashSet<_>>().len();
         is_enough(repeats.groups) || is_enough(apart())
     }
 

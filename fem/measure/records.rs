@@ -151,11 +151,7 @@ impl Records {
 
     /// Writes cells of some columns otherwise: those for which `write`, given the number of a record, its cells and the
     /// column, says how.
-    pub fn rewrite(
-        &mut self,
-        columns: &[usize],
-        mut write: impl FnMut(usize, &StringRecord, usize) -> Option<String>,
-    ) {
+    pub fn rewrite(&mut self, columns: &[usize], mut write: impl FnMut(usize, &StringRecord, usize) -> Option<String>) {
         let mut written = vec![(Cells::default(), false); columns.len()];
         let mut reader = self.reader();
         for number in 0..self.len() {

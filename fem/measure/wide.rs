@@ -61,10 +61,8 @@ pub fn lengthened(
                 _ => &cells[*i],
             });
             let observed = observed.iter().map(|column| column.map_or("", |i| &cells[i]));
-            lengthened.push_written(
-                records.byte(number),
-                own.chain(coordinates.iter().map(String::as_str)).chain(observed),
-            );
+            lengthened
+                .push_written(records.byte(number), own.chain(coordinates.iter().map(String::as_str)).chain(observed));
         }
     }
     told.push(format!("a row for each of {} places in the header", places.len()));

@@ -36,7 +36,8 @@ impl Restricted<'_> {
     fn mean_under(&self, noise: &Noise) -> DMatrix<f64> {
         /// Length of a column over its length in the rows' own standard uncertainties.
         const ROUND_OFF: f64 = 1e-9;
-        let length = |column: &[f64]| column.iter().zip(noise.sigma.iter()).map(|(v, s)| (v / s).powi(2)).sum::<f64>().sqrt();
+        let length =
+            |column: &[f64]| column.iter().zip(noise.sigma.iter()).map(|(v, s)| (v / s).powi(2)).sum::<f64>().sqrt();
         let whitened = |column: Vec<f64>| {
             let before = length(&column);
             let white = DVector::from_vec(noise.whiten(column));

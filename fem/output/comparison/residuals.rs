@@ -17,20 +17,22 @@ pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String
     let names = measurements.observables.iter().flat_map(|seen| names(seen, several));
     // Writing to memory does not fail.
     let _ = writer.write_record(header.chain(names));
+    let units: Vec<Unit> = measurements.observables.iter().map(unit).collect();
     let mut row = 0;
     let mut reader = measurements.records.reader();
     for number in 0..measurements.records.len() {
         let mut added = vec![String::new(); 2 * measurements.observables.len()];
         while measurements.records_of.get(row) == Some(number) {
             let own = measurements.observable(row);
-            let unit = unit(&measurements.observables[own]);
+            let unit = units[own];
             // Nothing has no sign: -0 + 0 is 0.
             added[2 * own] = ((comparison.predicted[row] - unit.offset) / unit.factor + 0.0).to_string();
             added[2 * own + 1] = (comparison.residuals[row] / unit.factor + 0.0).to_string();
             row += 1;
         }
         let file = measurements.file_of_record(number).map(str::to_string);
-        let _ = writer.write_record(file.into_iter().chain(reader.read(number).iter().map(str::to_string)).chain(added));
+        let _ =
+            writer.write_record(file.into_iter().chain(reader.read(number).iter().map(str::to_string)).chain(added));
     }
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }

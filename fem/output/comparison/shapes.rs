@@ -5,6 +5,9 @@ use crate::compare::Comparison;
 use crate::process::{Animation, Body, Cell, Ends, Field, Frame, Grid, Observable, Places, Role, Rows, Skin, View};
 use crate::units::{Kind, LENGTH, NUMBER};
 
+/// Most rows of a frame that are marked, evenly chosen: more are not told apart on any screen.
+const MOST_MARKS: usize = 2000;
+
 /// Half of the size of a mark, as a part of the size of the shape.
 const MARK: f64 = 0.006;
 
@@ -14,15 +17,16 @@ const MARK: f64 = 0.006;
 /// stand the same points again, which `displacement` moves by the predicted values, and the first ones by the
 /// measured.
 pub fn shapes(observables: &[Observable], rows: &Rows, places: &Places, comparison: &Comparison) -> Animation {
-    let mut frames: Vec<f64> = places.frames.clone();
-    frames.sort_unstable_by(f64::total_cmp);
-    frames.dedup();
+    let mut order: Vec<usize> = (0..places.frames.len()).collect();
+    let key = |row: &usize| (places.frames[*row], places.along[*row]);
+    order.sort_by(|a, b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
+    let frames = order.chunk_by(|a, b| key(a).0 == key(b).0);
     // Rows of several observables are of several units, and have none together.
     let kinds = match rows.observable.first().filter(|first| rows.observable.iter().all(|o| o == *first)) {
         Some(one) => [observables[*one].error_kind(), observables[*one].kind],
         None => [NUMBER; 2],
     };
-    let all: Vec<Frame> = frames.iter().map(|at| frame(*at, kinds, places, comparison)).collect();
+    let all: Vec<Frame> = frames.map(|rows| frame(rows, kinds, places, comparison)).collect();
     Animation {
         name: "compared",
         shown: "residual",
@@ -35,17 +39,20 @@ pub fn shapes(observables: &[Observable], rows: &Rows, places: &Places, comparis
     }
 }
 
-fn frame(at: f64, [error, kind]: [Kind; 2], places: &Places, comparison: &Comparison) -> Frame {
-    let mut rows: Vec<usize> = (0..places.frames.len()).filter(|r| places.frames[*r] == at).collect();
-    rows.sort_by(|a, b| places.along[*a].total_cmp(&places.along[*b]));
+/// The frame of rows that have one value in common, in the order of their places.
+fn frame(all: &[usize], [error, kind]: [Kind; 2], places: &Places, comparison: &Comparison) -> Frame {
+    let rows: Vec<usize> = all.iter().copied().step_by(all.len().div_ceil(MOST_MARKS)).collect();
+    let at = places.frames[rows[0]];
     // Once for what was measured, once for what is predicted.
     let twice = || rows.iter().chain(&rows);
-    let scalar = |values: &[f64]| twice().map(|r| values[*r]).collect::<Vec<f64>>();
-    let by = |values: &[f64], r: usize| places.directions[r].map(|d| d * (values[r] - places.references[r]));
-    let moved = |values: &[f64]| twice().map(|r| by(values, *r)).collect::<Vec<[f64; 3]>>();
+    let residual = |r: usize| comparison.residuals[r];
+    let predicted = |r: usize| comparison.predicted[r];
     // Measured values as they were compared, without datum directions.
-    let measured: Vec<f64> = comparison.predicted.iter().zip(&comparison.residuals).map(|(p, r)| p + r).collect();
-    let own = rows.iter().map(|r| by(&measured, *r)).chain(rows.iter().map(|r| by(&comparison.predicted, *r)));
+    let measured = |r: usize| predicted(r) + residual(r);
+    let scalar = |value: &dyn Fn(usize) -> f64| twice().map(|r| value(*r)).collect::<Vec<f64>>();
+    let by = |value: f64, r: usize| places.directions[r].map(|d| d * (value - places.references[r]));
+    let moved = |value: &dyn Fn(usize) -> f64| twice().map(|r| by(value(*r), *r)).collect::<Vec<[f64; 3]>>();
+    let own = rows.iter().map(|r| by(measured(*r), *r)).chain(rows.iter().map(|r| by(predicted(*r), *r)));
     let mut grid = Grid { points: twice().map(|r| places.points[*r]).collect(), ..Grid::default() };
     let count = rows.len() as u32;
     let is_closed = goes_around(&rows.iter().map(|r| places.directions[*r]).collect::<Vec<_>>());
@@ -60,14 +67,16 @@ fn frame(at: f64, [error, kind]: [Kind; 2], places: &Places, comparison: &Compar
     }
     let bodies = bodies(&grid.points[..rows.len()], is_closed);
     grid.point_fields = vec![
-        Field::scalar("residual", error, scalar(&comparison.residuals)),
+        Field::scalar("residual", error, scalar(&residual)),
         Field::scalar("measured", kind, scalar(&measured)),
-        Field::scalar("predicted", kind, scalar(&comparison.predicted)),
+        Field::scalar("predicted", kind, scalar(&predicted)),
         Field::vector("displacement", LENGTH, own.collect()),
         Field::vector("measured_displacement", LENGTH, moved(&measured)),
-        Field::vector("predicted_displacement", LENGTH, moved(&comparison.predicted)),
+        Field::vector("predicted_displacement", LENGTH, moved(&predicted)),
     ];
-    Frame { time: at, caption: format!("set {at}: {count} rows"), grid, bodies, arrows: Vec::new() }
+    let counted =
+        if rows.len() < all.len() { format!("{count} of {} rows", all.len()) } else { format!("{count} rows") };
+    Frame { time: at, caption: format!("set {at}: {counted}"), grid, bodies, arrows: Vec::new() }
 }
 
 /// A mark for every measured row, and a thread through what is predicted of them.

@@ -103,7 +103,10 @@ fn rows(setup: &Setup, times: &[f64], places: &[Option<f64>]) -> Rows {
 /// Elongations at some times (s).
 pub fn elongations(times: &[f64]) -> Rows {
     let nowhere = Values::shared(f64::NAN, times.len());
-    Rows { columns: vec![times.to_vec().into(), nowhere.clone(), nowhere], observable: Values::shared(ELONGATION, times.len()) }
+    Rows {
+        columns: vec![times.to_vec().into(), nowhere.clone(), nowhere],
+        observable: Values::shared(ELONGATION, times.len()),
+    }
 }
 
 /// Temperatures at some places (x and y in m; a rod has no y) at a time (s).

@@ -114,27 +114,32 @@ pub fn programme(setup: &Setup) -> Rows {
     Rows { columns, observable: Values::shared(0, parts * sweep.len()) }
 }
 
+/// The coordinates that the model can fill in.
+const FILLED: [usize; 8] = [PART, FORCE_OF_ROW, DEPTH, FEED_OF_ROW, SPEED_OF_ROW, BLANK, TIME_OF_ROW, PATH_OF_ROW];
+
 /// Every coordinate of every row, those left to the model filled in.
 pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
-    let mut all = rows.clone();
     let pass = setup.schedule.pass;
+    let mut filled = FILLED.map(|_| Values::with_capacity(rows.len()));
     for row in 0..rows.len() {
         let (part, x) = (part(rows, row), rows.get(X, row).unwrap_or(0.0));
         let diameter = setup.diameter(x);
         let conditions = conditions(setup, rows, row, diameter);
         let (time, path) = moment(setup, rows, row, part, x);
-        let filled = [
-            (PART, part as f64),
-            (FORCE_OF_ROW, conditions.force),
-            (DEPTH, rows.get(DEPTH, row).unwrap_or(setup.cut.depth)),
-            (FEED_OF_ROW, rows.get(FEED_OF_ROW, row).unwrap_or(pass.feed)),
-            (SPEED_OF_ROW, rows.get(SPEED_OF_ROW, row).unwrap_or(pass.spindle_speed)),
-            (BLANK, rows.get(BLANK, row).unwrap_or(diameter + 2.0 * conditions.set_depth)),
-            (TIME_OF_ROW, time),
-            (PATH_OF_ROW, path),
+        let own = [
+            part as f64,
+            conditions.force,
+            rows.get(DEPTH, row).unwrap_or(setup.cut.depth),
+            rows.get(FEED_OF_ROW, row).unwrap_or(pass.feed),
+            rows.get(SPEED_OF_ROW, row).unwrap_or(pass.spindle_speed),
+            rows.get(BLANK, row).unwrap_or(diameter + 2.0 * conditions.set_depth),
+            time,
+            path,
         ];
-        filled.iter().for_each(|(column, value)| all.columns[*column].set(row, *value));
+        filled.iter_mut().zip(own).for_each(|(column, value)| column.push(value));
     }
+    let mut all = rows.clone();
+    FILLED.into_iter().zip(filled).for_each(|(column, values)| all.columns[column] = values);
     all
 }
 
