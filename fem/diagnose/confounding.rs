@@ -117,11 +117,7 @@ fn imitations(best: &CandidateModel, bare: &CandidateModel, stranger: &Candidate
 
 /// Compares a model with the best: by its χ², and by the residual that it would leave without noise if the
 /// best were the truth.
-fn alternative<'a>(
-    best: &CandidateModel<'a>,
-    mut trial: CandidateModel<'a>,
-    candidate: usize,
-) -> Option<Alternative<'a>> {
+fn alternative<'a>(best: &CandidateModel<'a>, trial: CandidateModel<'a>, candidate: usize) -> Option<Alternative<'a>> {
     let jacobian = trial.objective.jacobian(&trial.solution)?;
     let apart = trial.objective.noise.whiten(best.change_from(&trial)).into_iter().chain(priors_apart(best, &trial));
     let separation = length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2);

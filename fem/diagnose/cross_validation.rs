@@ -61,7 +61,7 @@ impl Folds {
     /// about the fit of all rows: r_out = (1 − H)⁻¹·r with the block H of the hat matrix (Cook and Weisberg
     /// 1982), exact where the model is linear.
     pub fn error(&self, trial: &CandidateModel) -> Option<f64> {
-        let mut objective = trial.objective.clone();
+        let objective = trial.objective.clone();
         let jacobian = objective.jacobian(&trial.solution)?;
         let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
         let covariance = objective.covariance(&jacobian);

@@ -20,7 +20,7 @@ const BENT: f64 = 9.0;
 /// Stopping criterion of a few steps, after which only the best of several starts goes on.
 const AHEAD: StoppingCriterion = StoppingCriterion::rough(6, 1e-4);
 /// Stopping criterion that is enough to rank sets; the last set is fitted to full convergence.
-const SEARCHING: StoppingCriterion = StoppingCriterion::rough(40, 1e-4);
+pub const SEARCHING: StoppingCriterion = StoppingCriterion::rough(40, 1e-4);
 
 /// Set that is worth fitting.
 pub struct Lead<'t, 'a> {

@@ -9,18 +9,21 @@ use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
 use super::confounding::{EQUAL_FIT, priors_apart};
-use super::instrument::{self, criterion, minus_two_log};
-use super::lead::{fit_with, starts, without};
+use super::instrument::{self, Proposal, criterion, minus_two_log};
+use super::lead::{SEARCHING, fit_with, starts, without};
 use super::residual_projection::{ProjectedResidual, length_outside};
 use super::search::SearchResult;
 use super::sensitivity;
-use crate::fit::{StoppingCriterion, minimise};
+use crate::fit::{StoppingCriterion, minimise, resume};
 use crate::measure::Repeats;
-use crate::noise::{Acts, Noise, effects};
+use crate::noise::{Acts, Noise, Term, effects};
 use crate::process::Description;
 
 /// Rise of −2 ln L to first order beyond which an effect is not fitted in the place of a term.
 const HOPELESS: f64 = 40.0;
+/// Rise of −2 ln L beyond that of an equal fit, at a rough minimum, from which the minimum itself is not sought: a rough
+/// one is no more than a ten-thousandth of χ² above it.
+const FAR: f64 = 6.0;
 
 /// Something that fits as well in the place of a cause.
 pub struct LookAlike<'a> {
@@ -68,25 +71,31 @@ fn terms_instead<'a>(
 ) -> Vec<LookAlike<'a>> {
     let Some(rest) = without(&found.base, &found.candidates, best, member) else { return Vec::new() };
     let cause = &found.candidates[member].effect;
-    let mut all: Vec<(f64, LookAlike<'a>)> = Vec::new();
-    for proposal in instrument::proposals(&rest, repeats) {
-        let Some(term) = proposal.noise.terms.last().cloned() else { continue };
-        let is_known = all.iter().any(|(_, own)| own.other.name == term.effect.name);
-        if is_known || !matches!(term.effect.acts, Acts::Shared(_)) {
-            continue;
-        }
+    let stand_in = |(proposal, term): (Proposal, Term)| {
         let mut trial = rest.clone();
         trial.objective.noise = proposal.noise;
-        let fitted = minimise(&mut trial.objective, &rest.solution.position, &[], StoppingCriterion::FULL);
-        let Some(solution) = fitted else { continue };
-        trial.solution = solution;
+        trial.solution = minimise(&mut trial.objective, &rest.solution.position, &[], SEARCHING)?;
+        if behind(&trial, best) > EQUAL_FIT + FAR {
+            return None;
+        }
+        trial.solution = resume(&mut trial.objective, trial.solution, StoppingCriterion::FULL);
         let rise = behind(&trial, best);
-        if rise <= EQUAL_FIT {
-            let other = instrument::description(&term, best.objective.data);
-            let model = separation(best, &mut trial).map(|apart| (trial, apart));
-            all.push((rise, LookAlike { cause: cause.clone(), other, model }));
+        let other = instrument::description(&term, best.objective.data);
+        let model = (rise <= EQUAL_FIT).then(|| separation(best, &mut trial).map(|apart| (trial, apart)))?;
+        Some((rise, LookAlike { cause: cause.clone(), other, model }))
+    };
+    // Of each effect the most promising term that fits as well; effects do not wait for each other.
+    let mut of_effects: Vec<Vec<(Proposal, Term)>> = Vec::new();
+    for proposal in instrument::proposals(&rest, repeats) {
+        let newest = proposal.noise.terms.last().filter(|term| matches!(term.effect.acts, Acts::Shared(_)));
+        let Some(term) = newest.cloned() else { continue };
+        match of_effects.iter_mut().find(|own| own[0].1.effect.name == term.effect.name) {
+            Some(own) => own.push((proposal, term)),
+            None => of_effects.push(vec![(proposal, term)]),
         }
     }
+    let first = |own: Vec<(Proposal, Term)>| own.into_iter().find_map(stand_in);
+    let mut all: Vec<(f64, LookAlike<'a>)> = of_effects.into_par_iter().filter_map(first).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all.into_iter().map(|(_, own)| own).collect()
 }

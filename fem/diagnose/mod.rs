@@ -64,7 +64,8 @@ const MOST_ROWS: usize = 2000;
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     let some = thinned(data);
-    diagnose_all(some.as_ref().unwrap_or(data), most, progress)
+    // On a thread of the pool: one from outside would wait for it at every Jacobian.
+    rayon::scope(|_| diagnose_all(some.as_ref().unwrap_or(data), most, progress))
 }
 
 /// The rows that a diagnosis uses, where there are too many of them to use all.

@@ -113,7 +113,7 @@ struct Contrast {
 impl Contrast {
     fn new(best: &CandidateModel, rival: &Rival, experiment: &Rows) -> Option<Self> {
         let alternative = rival.model;
-        let (mut one, mut other) = (best.objective.clone(), alternative.objective.clone());
+        let (one, other) = (best.objective.clone(), alternative.objective.clone());
         let sigma = experiment.observable.iter().map(|o| one.noise.usual(one.data, *o));
         let sigma = DVector::from_iterator(experiment.len(), sigma);
         let mut jacobian = other.jacobian(&alternative.solution)?;

@@ -164,7 +164,8 @@ pub fn search<'a>(
         null_distribution = beside;
     }
     progress.advance((most.max(1) - steps.len()) as u64);
-    prune(&base, &candidates, &mut steps, &null_distribution, variance);
+    let left_out = || prune(&base, &candidates, &mut steps, &tried, &null_distribution, variance);
+    progress.stretch("effects left out again", left_out);
     Some(SearchResult {
         base,
         candidates,
@@ -183,13 +184,14 @@ fn prune<'a>(
     base: &CandidateModel<'a>,
     candidates: &[CandidateEffect],
     steps: &mut [CandidateModel<'a>],
+    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
     null_distribution: &MaxStatistic,
     variance: Variance,
 ) {
     let Some(best) = steps.last_mut() else { return };
     while best.members.len() > 1 {
-        let smaller = best.members.iter().filter_map(|m| without(base, candidates, best, *m));
-        let Some(least) = smaller.min_by(|a, b| a.solution.chi2.total_cmp(&b.solution.chi2)) else { return };
+        let all: Vec<_> = best.members.par_iter().filter_map(|m| smaller(base, candidates, best, *m, tried)).collect();
+        let Some(least) = all.into_iter().min_by(|a, b| a.solution.chi2.total_cmp(&b.solution.chi2)) else { return };
         let gained = least.solution.chi2 - best.solution.chi2;
         let p_value =
             null_distribution.p_value(variance.statistic(gained, best.solution.chi2, best.objective.freedom()));
@@ -235,7 +237,7 @@ fn exchange<'a>(
             break;
         }
         let smaller: Vec<CandidateModel> =
-            best.members.iter().filter_map(|m| smaller(base, candidates, &best, *m, tried)).collect();
+            best.members.par_iter().filter_map(|m| smaller(base, candidates, &best, *m, tried)).collect();
         let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
         let before = |lead: &Lead| tried.get(&lead.key());
         let is_open = |lead: &Lead, known: &CandidateModel| {

@@ -6,7 +6,7 @@ use super::null_distribution::variance;
 use super::search::{self, Extent, SearchResult};
 use super::sensitivity;
 use super::verdict::is_explained;
-use crate::fit::{self, Objective, Solution, StoppingCriterion, minimise};
+use crate::fit::{self, Objective, Solution, StoppingCriterion, resume};
 use crate::measure::Repeats;
 use crate::noise::NoiseSource;
 use crate::process::{Description, Failure};
@@ -92,7 +92,9 @@ fn look<'a>(
     repeats: &Repeats,
     extent: Extent<'_, 'a>,
 ) -> Result<SearchResult<'a>, Failure> {
-    *solution = minimise(objective, &solution.position, &[], StoppingCriterion::FULL).ok_or_else(unsolvable)?;
+    // The model is at its minimum already but for the noise, under which its slopes stay what they are.
+    solution.chi2 = objective.residuals(&solution.position, &solution.predicted).norm_squared();
+    *solution = resume(objective, solution.clone(), StoppingCriterion::FULL);
     let sought = || sensitivity::candidates(objective, solution, absent);
     let candidates = extent.progress.stretch("what each effect would change", sought);
     let base =

@@ -288,7 +288,7 @@ impl Profile<'_> {
     /// Selects the one of two positions at which χ² is lower; `None` where the model can be computed at
     /// neither.
     fn lower(&self, objective: &mut Objective, a: DVector<f64>, b: DVector<f64>) -> Option<DVector<f64>> {
-        let mut chi2 = |position: &DVector<f64>| {
+        let chi2 = |position: &DVector<f64>| {
             let predicted = objective.predict(position)?;
             Some(objective.residuals(position, &predicted).norm_squared())
         };

@@ -86,6 +86,11 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
             help: "mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"".into(),
         });
     }
+    // On a thread of the pool: one from outside would wait for it at every Jacobian.
+    rayon::scope(|_| fitted(data))
+}
+
+fn fitted(data: &Data) -> Result<Fit, Failure> {
     let repeats = data.repeats();
     let mut objective = Objective::new(data)?;
     let mut solution = starts::best(&mut objective)?;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 
 use super::search_variable::SearchVariable;
 use crate::input::Parameter;
@@ -220,12 +221,12 @@ impl<'a> Objective<'a> {
     }
 
     /// Prediction of every measured row, if the model can be computed there.
-    pub fn predict(&mut self, position: &DVector<f64>) -> Option<Vec<f64>> {
+    pub fn predict(&self, position: &DVector<f64>) -> Option<Vec<f64>> {
         self.predict_rows(position, &self.data.rows)
     }
 
     /// Prediction of any rows, if the model can be computed there.
-    pub fn predict_rows(&mut self, position: &DVector<f64>, rows: &Rows) -> Option<Vec<f64>> {
+    pub fn predict_rows(&self, position: &DVector<f64>, rows: &Rows) -> Option<Vec<f64>> {
         if self.data.progress.is_stopped() {
             return None;
         }
@@ -262,11 +263,13 @@ impl<'a> Objective<'a> {
 
     /// Slopes of the prediction about a point by these differences: SI per unit of the search variables, which no
     /// noise changes; columns of variables that are `held` are zero.
-    pub fn slopes_about(&mut self, here: &Solution, held: &[usize], differences: Differences) -> Option<DMatrix<f64>> {
-        let mut slopes = DMatrix::zeros(here.predicted.len(), self.variables.len());
-        for i in (0..self.variables.len()).filter(|i| !held.contains(i)) {
+    pub fn slopes_about(&self, here: &Solution, held: &[usize], differences: Differences) -> Option<DMatrix<f64>> {
+        let column = |i: usize| -> Option<Vec<f64>> {
+            if held.contains(&i) {
+                return Some(vec![0.0; here.predicted.len()]);
+            }
             let ends: [f64; 2] = self.around(&here.position, i).into();
-            let mut at = |s: f64| {
+            let at = |s: f64| {
                 let mut moved = here.position.clone();
                 moved[i] = s;
                 self.predict(&moved)
@@ -280,10 +283,13 @@ impl<'a> Objective<'a> {
                     (here.predicted.clone(), at(s)?, s - here.position[i])
                 }
             };
-            let column = far.iter().zip(&near).map(|(far, near)| (far - near) / step);
-            slopes.set_column(i, &DVector::from_iterator(near.len(), column));
+            Some(far.iter().zip(&near).map(|(far, near)| (far - near) / step).collect())
+        };
+        match differences {
+            Differences::Central => self.columns(here.predicted.len(), column),
+            // The rough searches that take these run side by side, and would only wait for each other.
+            Differences::Forward => matrix(here.predicted.len(), (0..self.variables.len()).map(column)),
         }
-        Some(slopes)
     }
 
     /// Jacobian of the residuals, those of the priors included, by the slopes of the prediction at a position.
@@ -303,30 +309,37 @@ impl<'a> Objective<'a> {
     }
 
     /// Jacobian of the residuals by central differences, one-sided at a bound.
-    pub fn jacobian(&mut self, here: &Solution) -> Option<DMatrix<f64>> {
+    pub fn jacobian(&self, here: &Solution) -> Option<DMatrix<f64>> {
         let slopes = self.slopes_about(here, &[], Differences::Central)?;
         Some(self.jacobian_of(&slopes, &here.position))
     }
 
     /// Sensitivities: derivatives of the prediction of any rows, SI per unit of the search variables.
-    pub fn sensitivities(&mut self, position: &DVector<f64>, rows: &Rows) -> Option<DMatrix<f64>> {
-        let mut all = DMatrix::zeros(rows.len(), self.variables.len());
-        for i in 0..self.variables.len() {
+    pub fn sensitivities(&self, position: &DVector<f64>, rows: &Rows) -> Option<DMatrix<f64>> {
+        let column = |i: usize| {
             let (low, high) = self.around(position, i);
-            let mut at = |s: f64| {
+            let at = |s: f64| {
                 let mut moved = position.clone();
                 moved[i] = s;
-                self.predict_rows(&moved, rows).map(DVector::from_vec)
+                self.predict_rows(&moved, rows)
             };
-            all.set_column(i, &((at(high)? - at(low)?) / (high - low)));
-        }
-        Some(all)
+            let (high_end, low_end) = (at(high)?, at(low)?);
+            Some(high_end.iter().zip(&low_end).map(|(h, l)| (h - l) / (high - low)).collect())
+        };
+        self.columns(rows.len(), column)
+    }
+
+    /// A matrix with a column for each variable, made on all threads; `None` where one of them cannot be made.
+    fn columns(&self, rows: usize, column: impl Fn(usize) -> Option<Vec<f64>> + Send + Sync) -> Option<DMatrix<f64>> {
+        // All are made, so that the count of evaluations does not depend on which thread was the first to fail.
+        let all: Vec<Option<Vec<f64>>> = (0..self.variables.len()).into_par_iter().map(column).collect();
+        matrix(rows, all.into_iter())
     }
 
     /// Derivatives of the prediction of the measured rows by the free variables, beside the datum directions,
     /// SI.
     pub fn mean(&self, solution: &Solution) -> Option<DMatrix<f64>> {
-        let own = self.clone().sensitivities(&solution.position, &self.data.rows)?;
+        let own = self.sensitivities(&solution.position, &self.data.rows)?;
         let blind = &self.data.datum_directions;
         let mut all = DMatrix::zeros(self.data.len(), blind.len() + own.ncols());
         for (column, direction) in blind.iter().enumerate() {
@@ -358,6 +371,15 @@ impl<'a> Objective<'a> {
         let inverse = &eigen.eigenvectors * inverse * eigen.eigenvectors.transpose();
         DMatrix::from_fn(n, n, |r, c| inverse[(r, c)] * scale[r] * scale[c])
     }
+}
+
+/// The matrix of these columns, if all could be made.
+fn matrix(rows: usize, columns: impl ExactSizeIterator<Item = Option<Vec<f64>>>) -> Option<DMatrix<f64>> {
+    let mut matrix = DMatrix::zeros(rows, columns.len());
+    for (mut to, from) in matrix.column_iter_mut().zip(columns) {
+        to.copy_from_slice(&from?);
+    }
+    Some(matrix)
 }
 
 /// Standard deviation of the observed values of some rows.

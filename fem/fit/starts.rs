@@ -124,7 +124,7 @@ fn settle_linear(objective: &mut Objective) {
     for i in
         (0..objective.variables.len()).filter(|i| objective.variables[*i].starts.len() > SEVERAL).collect::<Vec<_>>()
     {
-        let mut at = |times: f64| {
+        let at = |times: f64| {
             let mut moved = start.clone();
             moved[i] *= times;
             objective.predict(&moved).map(DVector::from_vec)

@@ -19,7 +19,7 @@ impl Kept {
     }
 }
 
-/// The results of the last few questions, at most `MOST`.
+/// The results of the questions that were asked last, at most `MOST`.
 #[derive(Debug)]
 pub struct Cache<K, V, const MOST: usize>(Mutex<Vec<(K, Arc<V>)>>);
 
@@ -44,8 +44,15 @@ impl<K: PartialEq, V, const MOST: usize> Cache<K, V, MOST> {
     pub fn get_or<E>(&self, question: K, find: impl FnOnce(&K) -> Result<V, E>) -> Result<Arc<V>, E> {
         // A panic while the list was held leaves it whole: entries are added and removed in one step each.
         let list = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, known)) = list().iter().find(|(q, _)| *q == question) {
-            return Ok(known.clone());
+        {
+            let mut list = list();
+            // The last is the likeliest, and what is asked for again stays.
+            if let Some(place) = list.iter().rposition(|(known, _)| *known == question) {
+                list[place..].rotate_left(1);
+                if let Some((_, known)) = list.last() {
+                    return Ok(known.clone());
+                }
+            }
         }
         // Found without the list, which others need meanwhile; two that find the same do no harm.
         let found = Arc::new(find(&question)?);

@@ -27,8 +27,8 @@ const SLOWEST: f64 = 1e5;
 #[derive(Debug, Default)]
 pub struct Known {
     laws: Cache<Arc<Programme>, Laws, 8>,
-    transfers: Cache<(Reach, Body), Vec<Lanes>, 8>,
-    responses: Cache<Input, Response, 32>,
+    transfers: Cache<(Reach, Body), Vec<Lanes>, 32>,
+    responses: Cache<Input, Response, 64>,
 }
 
 /// A term of what comes in through an inlet.
