@@ -120,8 +120,8 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     Ok(measurements)
 }
 
-/// Rows above which a note tells what they may take: each some 240 bytes with two coordinates, 520 with eight.
-const MANY: usize = 2_000_000;
+/// Rows above which a note tells what they may take: each some 80 bytes with two coordinates, 170 with eight.
+const MANY: usize = 6_000_000;
 
 /// Most lines that a note lists.
 const MOST_LINES: usize = 10;

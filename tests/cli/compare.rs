@@ -41,6 +41,27 @@ fn bad_measurements_are_refused_at_their_line() {
     }
 }
 
+/// A screen shows two thousand places at most, and a file of a million rows made 800 MB of shapes.
+#[test]
+fn shapes_mark_some_of_many_rows_and_the_table_has_all() {
+    let place = Place::new();
+    place.write("lathe.toml", model("lathe.toml"));
+    let rows = |part: i32, count: i32| {
+        let x = move |row: i32| 600.0 * f64::from(row) / f64::from(count);
+        (0..count).map(move |row| format!("{part},{},70,1\n", x(row))).collect::<String>()
+    };
+    place.write("measured.csv", format!("part,x [mm],diameter_error [um],u [um]\n{}{}", rows(1, 5000), rows(2, 300)));
+    let answer = place.fem(&["compare", "lathe.toml", "--with", "measured.csv", "-o", "there"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    // A mark for what was measured, and one for what is predicted: every third of 5000 rows, all of 300.
+    for (frame, marked) in [(0, 1667), (1, 300)] {
+        let bytes = std::fs::read(place.path(&format!("there/compared/compared_{frame:04}.vtu"))).unwrap();
+        let head = String::from_utf8_lossy(&bytes[..bytes.len().min(2000)]).into_owned();
+        assert!(head.contains(&format!("NumberOfPoints=\"{}\"", 2 * marked)), "{head}");
+    }
+    assert_eq!(std::fs::read_to_string(place.path("there/residuals.csv")).unwrap().lines().count(), 5301);
+}
+
 #[test]
 fn residuals_are_the_measured_rows_and_what_is_left() {
     let place = Place::new();
