@@ -45,7 +45,7 @@ fn timed(folder: &Path) -> Timed {
         seconds = seconds.min(start.elapsed().as_secs_f64());
         evaluations = diagnosis.trials.1;
     }
-    let mut objective = Objective::new(&data).unwrap();
+    let objective = Objective::new(&data).unwrap();
     let first = objective.variables.iter().map(|v| v.position(v.starts.first().copied().unwrap_or(0.0)));
     let position = nalgebra::DVector::from_iterator(objective.variables.len(), first);
     let start = Instant::now();
