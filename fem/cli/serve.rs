@@ -1,6 +1,7 @@
 //! `fem report --serve`: a page that renews itself when a file that it was made of changes. It is served to this
 //! computer alone.
 
+use std::collections::BTreeMap;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -45,10 +46,12 @@ pub fn serve(args: &args::Report) -> Result<(), Error> {
     })?;
     let port = server.server_addr().to_ip().map_or(args.port, |a| a.port());
     let shown = Shared::default();
+    // Before the page is made: what is written meanwhile is not in it.
+    let seen = stamps(args, &shown);
     renew(args, Depth::Compared, &shown);
     say!("http://127.0.0.1:{port}/ shows the page and renews it when a file changes; Ctrl-C ends it");
     let (owned, told) = (args.clone(), shown.clone());
-    thread::spawn(move || watch(&owned, &told));
+    thread::spawn(move || watch(&owned, &told, seen));
     for request in server.incoming_requests() {
         answer(request, &locked(&shown), port);
     }
@@ -56,8 +59,7 @@ pub fn serve(args: &args::Report) -> Result<(), Error> {
 }
 
 /// Makes the page anew whenever a file changes: compared at once, then diagnosed.
-fn watch(args: &args::Report, shown: &Shared) {
-    let mut seen = stamps(args, shown);
+fn watch(args: &args::Report, shown: &Shared, mut seen: Stamps) {
     loop {
         if !args.with.is_empty() {
             renew(args, Depth::Diagnosed, shown);
@@ -65,8 +67,11 @@ fn watch(args: &args::Report, shown: &Shared) {
         loop {
             thread::sleep(LOOK);
             let now = stamps(args, shown);
-            if now != seen {
-                seen = now;
+            // A file that the last page was the first to name was not looked at before.
+            let is_other = |(path, stamp)| seen.get(path).is_some_and(|before| before != stamp);
+            let has_changed = now.iter().any(is_other);
+            seen = now;
+            if has_changed {
                 break;
             }
         }
@@ -74,11 +79,16 @@ fn watch(args: &args::Report, shown: &Shared) {
     }
 }
 
-/// When the files were last written, and how long they are.
-fn stamps(args: &args::Report, shown: &Shared) -> Vec<Option<(SystemTime, u64)>> {
+/// When each file was last written, and how long it is; nothing of one that cannot be read.
+type Stamps = BTreeMap<PathBuf, Option<(SystemTime, u64)>>;
+
+fn stamps(args: &args::Report, shown: &Shared) -> Stamps {
     let stamp = |path: &PathBuf| {
-        let about = std::fs::metadata(path).ok()?;
-        Some((about.modified().ok()?, about.len()))
+        let about = || {
+            let about = std::fs::metadata(path).ok()?;
+            Some((about.modified().ok()?, about.len()))
+        };
+        (path.clone(), about())
     };
     let named = locked(shown).files.clone();
     args.models.iter().chain(&args.with).chain(&named).map(stamp).collect()
