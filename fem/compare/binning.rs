@@ -220,8 +220,9 @@ fn interaction(first: &[u8], second: &[u8], wide: usize, high: usize, z: &[f64],
     }
     // Backfitting: the means of the one and the other are taken out in turn; balanced designs need one turn.
     for _ in 0..10 {
-        let of_first = (0..high).map(|a| (a * wide..(a + 1) * wide).step_by(1));
-        let of_second = (0..wide).map(|b| (b..wide * high).step_by(wide));
+        let cells = |from: usize, step: usize, count: usize| (0..count).map(move |i| from + i * step);
+        let of_first = (0..high).map(|a| cells(a * wide, 1, wide));
+        let of_second = (0..wide).map(|b| cells(b, wide, high));
         let mut largest = 0.0f64;
         for level in of_first.chain(of_second) {
             let count: f64 = level.clone().map(|cell| counts[cell]).sum();

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::objective::{Differences, Objective, Solution};
+use super::jacobian::Differences;
+use super::objective::{Objective, Solution};
 use crate::process::Failure;
 
 /// Criterion by which a search for a minimum stops.

@@ -3,6 +3,7 @@
 
 mod estimates;
 mod intervals;
+mod jacobian;
 mod least_squares;
 mod objective;
 mod search_variable;

@@ -39,7 +39,7 @@ struct Cells {
 pub const LARGEST_TEXT: usize = u32::MAX as usize;
 
 /// How the records of a text are parted: cells without the blanks around them, comments left out.
-pub fn parted(separator: u8) -> ReaderBuilder {
+pub fn csv_builder(separator: u8) -> ReaderBuilder {
     let mut builder = ReaderBuilder::new();
     builder.comment(Some(b'#')).trim(csv::Trim::All).delimiter(separator);
     builder
@@ -128,7 +128,7 @@ impl Records {
         let text = Cursor::new(self.text.as_bytes());
         RecordReader {
             records: self,
-            file: parted(self.separator).flexible(true).has_headers(false).from_reader(text),
+            file: csv_builder(self.separator).flexible(true).has_headers(false).from_reader(text),
             of_file: StringRecord::new(),
             record: StringRecord::new(),
         }

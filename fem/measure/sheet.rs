@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use csv::StringRecord;
 
-use super::records::{LARGEST_TEXT, Records, parted};
+use super::records::{LARGEST_TEXT, Records, csv_builder};
 use crate::input::{Problem, Source, line_at, no_csv};
 
 /// Number of problems after which reading stops.
@@ -48,7 +48,7 @@ pub fn read(source: &Source) -> Result<Sheet, Problem> {
     if whole.len() > LARGEST_TEXT {
         return Err(Problem::new("the file has more than 4 GB of text").help("part it, and name its parts"));
     }
-    let mut reader = parted(separator as u8).from_reader(text.as_bytes());
+    let mut reader = csv_builder(separator as u8).from_reader(text.as_bytes());
     let header = reader.headers().map_err(|error| no_csv(&error, skipped))?.clone();
     if header.len() > MOST_COLUMNS {
         let problem = Problem::new(format!("the header has {} columns; at most {MOST_COLUMNS} are read", header.len()));

@@ -26,25 +26,25 @@ enum Kept<T> {
 /// Most values that are a few.
 const FEW: usize = 64;
 
-/// What rows may share.
-pub trait Shared: Copy {
+/// Values that are the same only to the last bit.
+pub trait SameBits: Copy {
     /// Whether two values are the same to the last bit.
     fn is_same(self, other: Self) -> bool;
 }
 
-impl Shared for f64 {
+impl SameBits for f64 {
     fn is_same(self, other: Self) -> bool {
         self.to_bits() == other.to_bits()
     }
 }
 
-impl Shared for usize {
+impl SameBits for usize {
     fn is_same(self, other: Self) -> bool {
         self == other
     }
 }
 
-impl<T: Shared> Values<T> {
+impl<T: SameBits> Values<T> {
     /// One value in all of so many rows.
     pub fn shared(value: T, rows: usize) -> Self {
         Self { kept: Kept::Shared(Some(value)), rows, expected: 0 }
@@ -195,7 +195,7 @@ impl<T> Index<usize> for Values<T> {
     }
 }
 
-impl<T: Shared> From<Vec<T>> for Values<T> {
+impl<T: SameBits> From<Vec<T>> for Values<T> {
     fn from(values: Vec<T>) -> Self {
         let rows = values.len();
         let first = values.first().copied();
@@ -204,13 +204,13 @@ impl<T: Shared> From<Vec<T>> for Values<T> {
     }
 }
 
-impl<T: Shared> FromIterator<T> for Values<T> {
+impl<T: SameBits> FromIterator<T> for Values<T> {
     fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
         values.into_iter().collect::<Vec<_>>().into()
     }
 }
 
-impl<T: Shared> Extend<T> for Values<T> {
+impl<T: SameBits> Extend<T> for Values<T> {
     fn extend<I: IntoIterator<Item = T>>(&mut self, values: I) {
         values.into_iter().for_each(|value| self.push(value));
     }
@@ -222,7 +222,7 @@ impl<T> Default for Values<T> {
     }
 }
 
-impl<T: Shared + PartialEq> PartialEq for Values<T> {
+impl<T: SameBits + PartialEq> PartialEq for Values<T> {
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }
