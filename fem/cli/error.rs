@@ -76,8 +76,9 @@ impl Error {
     pub fn status(&self) -> u8 {
         match self {
             Self::Input(_) | Self::Request(_) => 2,
-            Self::Output(OutputError::Read { .. } | OutputError::Exists { .. }) => 2,
-            Self::Compute(_) | Self::Output(_) | Self::Stdout(_) | Self::Found => 1,
+            Self::Output(OutputError::File { .. } | OutputError::Shape { .. }) => 1,
+            Self::Output(_) => 2,
+            Self::Compute(_) | Self::Stdout(_) | Self::Found => 1,
         }
     }
 
@@ -103,6 +104,10 @@ impl Error {
             Self::Output(error) => Problem::new(error.to_string()).help(match error {
                 OutputError::Read { .. } => "name another file; models and measurements are never overwritten",
                 OutputError::Exists { .. } => "name another place, or let it be replaced with --force",
+                OutputError::Special { .. } => "name another place",
+                OutputError::Link { .. } => {
+                    "it may have come with the files of others; if it is yours, name the folder that it leads to"
+                }
                 OutputError::File { .. } | OutputError::Shape { .. } => "choose another place with -o, or make room",
             }),
             Self::Stdout(error) => Problem::new(format!("the output cannot be written: {error}")),

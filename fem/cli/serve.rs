@@ -2,13 +2,20 @@
 //! computer alone.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use tiny_http::{Header, Method, Request, Response, Server};
+use axum::Router;
+use axum::body::Bytes;
+use axum::extract::State;
+use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE, HOST, X_CONTENT_TYPE_OPTIONS};
+use axum::http::{HeaderMap, Method, StatusCode, Uri};
+use axum::response::{IntoResponse, Response};
+use tokio::net::TcpListener;
 
 use super::args;
 use super::error::Error;
@@ -25,7 +32,7 @@ const LOOK: Duration = Duration::from_millis(250);
 struct Shown {
     /// Counts the pages.
     version: u64,
-    html: String,
+    html: Bytes,
     /// Files of which the last good page was made.
     files: Vec<PathBuf>,
 }
@@ -39,12 +46,17 @@ fn locked(shown: &Shared) -> MutexGuard<'_, Shown> {
 
 /// Serves the page until the program is stopped.
 pub fn serve(args: &args::Report) -> Result<(), Error> {
-    let address = SocketAddr::from((Ipv4Addr::LOCALHOST, args.port));
-    let server = Server::http(address).map_err(|error| {
+    // Connections wait for each other's bytes nowhere: one thread is enough for all of them.
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    runtime.and_then(|runtime| runtime.block_on(served(args))).map_err(|error| {
         let problem = Problem::new(format!("port {} cannot be served: {error}", args.port));
         Error::Request(problem.help("name another one with --port, or none for any that is free"))
-    })?;
-    let port = server.server_addr().to_ip().map_or(args.port, |a| a.port());
+    })
+}
+
+async fn served(args: &args::Report) -> io::Result<()> {
+    let listener = TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, args.port))).await?;
+    let port = listener.local_addr()?.port();
     let shown = Shared::default();
     // Before the page is made: what is written meanwhile is not in it.
     let seen = stamps(args, &shown);
@@ -52,10 +64,7 @@ pub fn serve(args: &args::Report) -> Result<(), Error> {
     say!("http://127.0.0.1:{port}/ shows the page and renews it when a file changes; Ctrl-C ends it");
     let (owned, told) = (args.clone(), shown.clone());
     thread::spawn(move || watch(&owned, &told, seen));
-    for request in server.incoming_requests() {
-        answer(request, &locked(&shown), port);
-    }
-    Ok(())
+    axum::serve(listener, Router::new().fallback(answer).with_state((shown, port))).await
 }
 
 /// Makes the page anew whenever a file changes: compared at once, then diagnosed.
@@ -101,25 +110,23 @@ fn renew(args: &args::Report, depth: Depth, shown: &Shared) {
     let mut shown = locked(shown);
     shown.version = version;
     match made {
-        Ok(made) => (shown.html, shown.files) = (made.html, made.files),
-        Err(error) => shown.html = trouble(&error.text(false), version),
+        Ok(made) => (shown.html, shown.files) = (made.html.into(), made.files),
+        Err(error) => shown.html = trouble(&error.text(false), version).into(),
     }
 }
 
 /// Answers a browser. Pages of other sites that send their readers here by a name of their own get nothing.
-fn answer(request: Request, shown: &Shown, port: u16) {
-    let host = request.headers().iter().find(|h| h.field.equiv("Host")).map(|h| h.value.as_str().to_string());
+async fn answer(State((shown, port)): State<(Shared, u16)>, method: Method, uri: Uri, headers: HeaderMap) -> Response {
+    let host = headers.get(HOST).and_then(|host| host.to_str().ok());
     let is_own = host.is_some_and(|h| h == format!("127.0.0.1:{port}") || h == format!("localhost:{port}"));
-    let (status, kind, text) = match (is_own, request.method(), request.url()) {
-        (true, Method::Get, "/") => (200, "text/html; charset=utf-8", shown.html.clone()),
-        (true, Method::Get, "/version") => (200, "text/plain; charset=utf-8", shown.version.to_string()),
-        (true, ..) => (404, "text/plain; charset=utf-8", "there is nothing but the page at /\n".to_string()),
-        (false, ..) => (403, "text/plain; charset=utf-8", "this page is for this computer alone\n".to_string()),
+    let (page, text) = ("text/html; charset=utf-8", "text/plain; charset=utf-8");
+    let shown = locked(&shown);
+    let (status, kind, body) = match (is_own, method, uri.path()) {
+        (true, Method::GET, "/") => (StatusCode::OK, page, shown.html.clone()),
+        (true, Method::GET, "/version") => (StatusCode::OK, text, shown.version.to_string().into()),
+        (true, ..) => (StatusCode::NOT_FOUND, text, "there is nothing but the page at /\n".into()),
+        (false, ..) => (StatusCode::FORBIDDEN, text, "this page is for this computer alone\n".into()),
     };
-    let header = |name: &str, value: &str| Header::from_bytes(name, value).ok();
-    let headers = [header("Content-Type", kind), header("Cache-Control", "no-store")];
-    let response = Response::from_string(text).with_status_code(status);
-    let response = headers.into_iter().flatten().fold(response, |response, h| response.with_header(h));
-    // A browser that has gone away is no error.
-    let _ = request.respond(response);
+    (status, [(CONTENT_TYPE, kind), (CACHE_CONTROL, "no-store"), (X_CONTENT_TYPE_OPTIONS, "nosniff")], body)
+        .into_response()
 }

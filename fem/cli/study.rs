@@ -9,7 +9,7 @@ use super::terminal::{page, print};
 use super::watch::watched;
 use crate::input::Problem;
 use crate::output::files::Guard;
-use crate::output::study::{StudyFolder, line, merge};
+use crate::output::study::{Earlier, StudyFolder, line, merge};
 use crate::output::{Folder, Format, Report};
 use crate::progress::Progress;
 use crate::study::{Layout, Shard, Summary, in_order, load};
@@ -17,7 +17,7 @@ use crate::study::{Layout, Shard, Summary, in_order, load};
 pub fn run(args: &args::Study) -> Result<(), Error> {
     if let Some(args::StudyCommand::Merge(args)) = &args.command {
         let (layout, rows, summary) = merge(&args.folders, &args.output)?;
-        return told((&layout, &summary), (&args.output, &rows), &[], args.json);
+        return told((&layout, &summary), (&args.output, &rows), Guard { reads: &[], force: false }, args.json);
     }
     let Some(file) = &args.plan else {
         let problem = Problem::new("no plan is named");
@@ -28,7 +28,8 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     let shard = args.shard.unwrap_or(Shard::ALL);
     let directory = args.output.clone().unwrap_or_else(|| default_directory(file, shard));
     let reads = plan.paths();
-    let mut folder = StudyFolder::open(&directory, &layout, shard, args.restart, &reads)?;
+    let earlier = Earlier { restart: args.restart, force: args.force };
+    let mut folder = StudyFolder::open(&directory, &layout, shard, earlier, &reads)?;
     let jobs = folder.jobs();
     let left = folder.next()..jobs.end;
     if !left.is_empty() && left.start > jobs.start {
@@ -52,7 +53,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     if shard != Shard::ALL {
         say!("note: these are the jobs of shard {shard}; `fem study merge` puts all of them together");
     }
-    told((&layout, &summary), (&directory, &rows), &reads, args.json)?;
+    told((&layout, &summary), (&directory, &rows), Guard { reads: &reads, force: args.force }, args.json)?;
     if summary.rows > 0 && summary.failed == summary.rows {
         let first = summary.failures.first().map_or(String::new(), |(_, message)| message.clone());
         say!("error: every job failed: {first}");
@@ -65,11 +66,10 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
 fn told(
     (layout, summary): (&Layout, &Summary),
     (directory, rows): (&Path, &Path),
-    reads: &[PathBuf],
+    guard: Guard,
     json: bool,
 ) -> Result<(), Error> {
     let report = Report::Study(layout, summary);
-    let guard = Guard { reads, force: false };
     let written = Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
     let list = if json { String::new() } else { format!("{written}  {}\n", rows.display()) };
     print(&(page(&report, json)? + &list))

@@ -24,10 +24,24 @@ pub enum OutputError {
         error: VtkError,
     },
     /// A file stands in its place that the program did not write, or that was changed since.
-    #[error("{} is there already, and not as this program wrote it", path.display())]
+    #[error("{} is there already; it was changed since, or this account did not write it", path.display())]
     Exists {
         /// Which file.
         path: PathBuf,
+    },
+    /// Something stands in its place that is no file, such as a device or a pipe.
+    #[error("{} is no file, and stays as it is", path.display())]
+    Special {
+        /// Where.
+        path: PathBuf,
+    },
+    /// The way to it leads over a link that may have come with the files of others.
+    #[error("{} is a link{}, and links are not written through here", path.display(), target.as_ref().map_or(String::new(), |t| format!(" to {}", t.display())))]
+    Link {
+        /// Which link.
+        path: PathBuf,
+        /// What it names, where that is there.
+        target: Option<PathBuf>,
     },
     /// It would stand where a file is that was read.
     #[error("{} is itself what is read", path.display())]

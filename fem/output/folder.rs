@@ -59,8 +59,7 @@ impl Format for Folder<'_> {
 
 impl Folder<'_> {
     fn stage<'g>(&self, of: &'static str, guard: Guard<'g>) -> Result<Stage<'g>, OutputError> {
-        let unwritable = |error: std::io::Error| OutputError::File { path: self.directory.to_path_buf(), error };
-        Stage::new(self.directory, of, guard).map_err(unwritable)
+        Stage::new(self.directory, of, guard)
     }
 
     /// Texts with the names of their files, as far as there are any.

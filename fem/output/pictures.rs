@@ -22,8 +22,7 @@ impl Format for Pictures<'_> {
     /// Writes the figures, and lists them.
     fn write(&self, report: &Report) -> Result<String, OutputError> {
         let all = of_report(report);
-        let unwritable = |error: std::io::Error| OutputError::File { path: self.directory.to_path_buf(), error };
-        let stage = Stage::new(self.directory, "plot", self.guard).map_err(unwritable)?;
+        let stage = Stage::new(self.directory, "plot", self.guard)?;
         let written = stage_all(all, Path::new(""), &stage)?;
         stage.publish()?;
         let list: Vec<String> = written.iter().map(|f| format!("  {}", self.directory.join(f).display())).collect();

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use fem::input::{Problem, Source};
 use fem::output::files::Guard;
-use fem::output::study::{StudyFolder, line};
+use fem::output::study::{Earlier, StudyFolder, line};
 use fem::output::{Folder, Format, Json, Report, Text};
 use fem::process::Failure;
 use fem::study::{Layout, Plan, Shard, in_order, load, parse};
@@ -36,10 +36,11 @@ impl Study {
     /// Opens or makes the folder of a plan, and finds how far an earlier program came.
     #[staticmethod]
     fn open(py: Python, name: String, text: Option<String>, output: PathBuf, restart: bool) -> PyResult<Self> {
+        let earlier = Earlier { restart, force: false };
         compute(py, &Arc::default(), move |_| {
             let plan = read(name, text)?;
             let layout = plan.layout();
-            let folder = StudyFolder::open(&output, &layout, Shard::ALL, restart, &plan.paths())?;
+            let folder = StudyFolder::open(&output, &layout, Shard::ALL, earlier, &plan.paths())?;
             Ok(Self { plan: Arc::new(plan), layout, folder: Arc::new(Mutex::new(Some(folder))) })
         })
     }

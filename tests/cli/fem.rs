@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// A directory of its own, with the models copied into it, gone after the test.
-pub struct Place(tempfile::TempDir);
+/// A directory of its own and a user's state folder, gone after the test.
+pub struct Place(tempfile::TempDir, tempfile::TempDir);
 
 /// In a good file, replaced by, part of the message, part of the remedy.
 pub type Mistake = (&'static str, &'static str, &'static str, &'static str);
@@ -19,11 +19,16 @@ pub struct Answer {
 
 impl Place {
     pub fn new() -> Self {
-        Self(tempfile::tempdir().unwrap())
+        Self(tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap())
     }
 
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
+    }
+
+    /// The state folder of the program.
+    pub fn state(&self) -> PathBuf {
+        self.1.path().join("fem")
     }
 
     /// Writes a file.
@@ -52,6 +57,7 @@ impl Place {
             .args(args)
             .current_dir(self.0.path())
             .stdin(Stdio::null())
+            .env("XDG_STATE_HOME", self.1.path())
             .env("NO_COLOR", "1")
             .env("COLUMNS", "100")
             .env("LC_ALL", "C.UTF-8");

@@ -16,6 +16,8 @@ mod fem;
 mod figures;
 mod files;
 mod fixture;
+#[cfg(unix)]
+mod hostile;
 mod import;
 mod measurement;
 mod mesh_file;

@@ -127,3 +127,41 @@ fn a_served_page_follows_its_files() {
     let mended = served.until("<h1>Mended</h1>");
     assert_ne!(version(&mended), version(&first));
 }
+
+#[test]
+fn a_served_page_outlives_its_clients() {
+    let place = Place::new();
+    place.write("model.toml", model("stiffness.toml"));
+    let served = Served::of(&place, &["report", "model.toml", "--serve"]);
+    served.until("</html>");
+    let open = |text: &str| {
+        let mut stream = TcpStream::connect(&served.address).unwrap();
+        // One that is refused while it sends is refused.
+        let _ = stream.write_all(text.replace("HOST", &served.address).as_bytes());
+        stream
+    };
+    let begun = |rest: &str| format!("GET /version HTTP/1.1\r\nHost: HOST\r\n{rest}");
+    let lengths = [u64::MAX, 1 << 63, 1 << 62, 1_000_000_000_000, 5000];
+    let mut held: Vec<TcpStream> = lengths
+        .iter()
+        .map(|length| open(&begun(&format!("Content-Length: {length}\r\n\r\nx")).replacen("GET", "POST", 1)))
+        .collect();
+    held.push(open(&begun("Content-Length: 18446744073709551616\r\n\r\n")));
+    held.push(open(&begun("Content-Length: -1\r\n\r\n")));
+    held.push(open(&begun("Transfer-Encoding: chunked\r\n\r\nffffffffffffffff\r\n")));
+    held.push(open("GET / HTTP/1.1\r\nHost: evil.example\r\nContent-Length: 5000\r\n\r\n"));
+    held.push(open(&begun("\r\n").repeat(500)));
+    held.push(open(&begun(&format!("X: {}", "a".repeat(4_000_000)))));
+    held.push(open("\0\u{1b}[2J\r\n\r\n"));
+    held.extend((0..100).map(|_| open("GET / HT")));
+    for _ in 0..300 {
+        // Gone before the page is sent.
+        open(&begun("\r\n"));
+    }
+    let mut stream = TcpStream::connect(&served.address).unwrap();
+    stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+    write!(stream, "GET / HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", served.address).unwrap();
+    let mut page = String::new();
+    stream.read_to_string(&mut page).unwrap();
+    assert!(page.starts_with("HTTP/1.1 200") && page.contains("</html>"));
+}

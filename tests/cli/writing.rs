@@ -1,5 +1,6 @@
 //! A run appears as one, whatever happens to it, and replaces nothing that the program did not write.
 
+use std::collections::BTreeMap;
 use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
@@ -172,21 +173,37 @@ fn models_and_measurements_are_replaced_only_by_force() {
     assert_eq!((place.fem(&own).status, place.read("lathe.toml")), (2, model("lathe.toml")));
 }
 
+/// A note of a hidden folder in the state folder, as a run makes it, with the files that go from there into `folder`.
+#[cfg(unix)]
+fn note(place: &Place, name: &str, hidden: &str, placing: Option<serde_json::Value>) -> std::path::PathBuf {
+    let host = String::from_utf8(std::process::Command::new("uname").arg("-n").output().unwrap().stdout).unwrap();
+    let hidden = place.path(hidden);
+    let begun = serde_json::json!({ "schema": "fem-work/1", "host": host.trim(), "hidden": hidden });
+    let works = place.state().join("works");
+    std::fs::create_dir_all(&works).unwrap();
+    let path = works.join(name);
+    std::fs::write(&path, format!("{begun}\n{}", placing.map_or(String::new(), |p| format!("{p}\n")))).unwrap();
+    path
+}
+
 #[cfg(unix)]
 #[test]
 fn what_dead_runs_left_is_swept_and_what_lives_is_not() {
     let place = Place::new();
     two_models(&place);
-    for name in [".fem-1-0.partial", ".fem-2-0.partial", "out/.fem-3-0.partial", ".fem-x", "fem.partial"] {
+    let folders = [".fem-a.partial", ".fem-b.partial", "out/.fem-c.partial", ".fem-1-0.partial", ".fem-x"];
+    for name in folders {
         std::fs::create_dir_all(place.path(name)).unwrap();
         place.write(&format!("{name}/profile.csv"), "half");
     }
-    let alive = std::fs::File::open(place.path(".fem-2-0.partial")).unwrap();
+    let notes: Vec<_> =
+        folders[..3].iter().enumerate().map(|(i, name)| note(&place, &format!("{i}.jsonl"), name, None)).collect();
+    let alive = std::fs::File::open(&notes[1]).unwrap();
     alive.lock().unwrap();
     assert_eq!(place.fem(&["run", "long.toml", "-o", "out"]).status, 0);
-    let left = [".fem-1-0.partial", ".fem-2-0.partial", "out/.fem-3-0.partial", ".fem-x", "fem.partial"]
-        .map(|name| place.path(name).exists());
-    assert_eq!(left, [false, true, false, true, true]);
+    // What nobody has noted may be anybody's.
+    assert_eq!(folders.map(|name| place.path(name).exists()), [false, true, false, true, true]);
+    assert_eq!(notes.iter().map(|note| note.exists()).collect::<Vec<_>>(), [false, true, false]);
 }
 
 #[cfg(unix)]
@@ -195,22 +212,35 @@ fn a_run_that_died_between_two_files_is_brought_to_its_end() {
     // Where folders cannot be exchanged, files go into place one by one.
     let place = Place::new();
     two_models(&place);
-    assert_eq!(place.fem(&["run", "short.toml", "-o", "short"]).status, 0);
-    assert_eq!(place.fem(&["run", "long.toml", "-o", "out"]).status, 0);
-    std::fs::rename(place.path("short"), place.path("out/.fem-1-0.partial")).unwrap();
-    place.write(
-        "out/.fem-1-0.partial/.going",
-        "\nshaft/shaft_0005.vtu\nshaft/shaft_0006.vtu\nshaft/shaft-magnified_0005.vtp\nshaft/shaft-magnified_0006.vtp",
-    );
-    std::fs::rename(place.path("out/.fem-1-0.partial/profile.csv"), place.path("out/profile.csv")).unwrap();
+    for (model, folder) in [("short.toml", "short"), ("long.toml", "out")] {
+        assert_eq!(place.fem(&["run", model, "-o", folder]).status, 0);
+    }
+    let list = |folder: &str| -> BTreeMap<String, serde_json::Value> {
+        let list: serde_json::Value = serde_json::from_str(&place.read(&format!("{folder}/.fem-files.json"))).unwrap();
+        let own = |e: &serde_json::Value| (e["name"].as_str().unwrap().to_string(), e.clone());
+        list["files"].as_array().unwrap().iter().map(own).collect()
+    };
+    let (new, mut old) = (list("short"), list("out"));
+    let whole = |folder: &str| {
+        let name = format!("{folder}/.fem-files.json");
+        let (bytes, sha256) = (place.read(&name).len(), place.sha256(&name));
+        serde_json::json!({ "name": ".fem-files.json", "of": "", "bytes": bytes, "sha256": sha256 })
+    };
+    let last = serde_json::json!({ "new": whole("short"), "over": whole("out") });
+    let moves: Vec<_> =
+        new.iter().map(|(name, e)| serde_json::json!({ "new": e, "over": old.remove(name) })).chain([last]).collect();
+    let placing = serde_json::json!({
+        "folder": place.path("out").canonicalize().unwrap(), "moves": moves, "leave": old.values().collect::<Vec<_>>()
+    });
+    std::fs::rename(place.path("short"), place.path("out/.fem-a.partial")).unwrap();
+    note(&place, "a.jsonl", "out/.fem-a.partial", Some(placing.clone()));
+    // The first file has gone into place, and another one was changed by its user since.
+    std::fs::rename(place.path("out/.fem-a.partial/profile.csv"), place.path("out/profile.csv")).unwrap();
+    place.write("out/map.svg", "mine");
     assert_eq!(places(&place, "out"), None);
-    // Whatever writes there next ends it, here another command.
+    // Whatever writes next ends it, here another command into another folder.
     place.write("measured.csv", "part,x [mm],diameter_error [um]\n1,100,3\n1,200,4\n1,300,5\n");
-    assert_eq!(place.fem(&["compare", "long.toml", "--with", "measured.csv", "-o", "out"]).status, 0);
+    assert_eq!(place.fem(&["compare", "long.toml", "--with", "measured.csv", "-o", "other"]).status, 0);
     assert_eq!((places(&place, "out"), leftovers(&place)), (Some(5), vec![]));
-    // A folder that somebody else put there names nothing outside.
-    std::fs::create_dir_all(place.path("out/.fem-1-0.partial")).unwrap();
-    place.write("out/.fem-1-0.partial/.going", "\n../long.toml");
-    assert_eq!(place.fem(&["run", "short.toml", "-o", "out"]).status, 0);
-    assert!(place.path("long.toml").exists());
+    assert_eq!(place.read("out/map.svg"), "mine");
 }

@@ -33,6 +33,9 @@ pub struct Study {
     /// Drop the rows that stand there of this or another plan, and begin anew
     #[arg(long)]
     pub restart: bool,
+    /// Go on with rows, or drop them, that you have not begun on this account
+    #[arg(long)]
+    pub force: bool,
     #[command(flatten)]
     pub limit: Limit,
     /// Print JSON

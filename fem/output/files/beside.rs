@@ -1,81 +1,95 @@
-//! Hidden folders for what is not finished. A folder is locked as long as its program lives, so that whoever
-//! comes next can sweep what a killed one has left.
+//! Hidden folders for what is not finished, each under a name that nobody else can have used, and noted in the user's
+//! state folder as long as it is there.
 
-use std::collections::BTreeSet;
-use std::fs::File;
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::replace;
+use cap_fs_ext::DirExt;
+use cap_std::fs::Dir;
 
-/// What is being written, for [`abandon`]. Whoever makes a partial folder holds the lock until it stands
-/// here, so that none can be made behind the back of a program that is ending.
-static PARTIAL: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+use super::account::{Account, digits};
+use super::work::Work;
 
-const PREFIX: &str = ".fem-";
-const SUFFIX: &str = ".partial";
+/// What is being written, for [`abandon`]: folders by their names, with the folder in which each stands and its note.
+/// Whoever makes a hidden folder holds the lock until it stands here, so that none can be made behind the back of a
+/// program that is ending.
+static PARTIAL: Mutex<BTreeMap<String, (Dir, Option<PathBuf>)>> = Mutex::new(BTreeMap::new());
 
-fn partial() -> MutexGuard<'static, BTreeSet<PathBuf>> {
-    // A panic while the set was held leaves it whole: entries are added and removed in one step each.
+fn partial() -> MutexGuard<'static, BTreeMap<String, (Dir, Option<PathBuf>)>> {
+    // A panic while the map was held leaves it whole: entries are added and removed in one step each.
     PARTIAL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A hidden folder, gone with its owner.
 pub struct Beside {
-    path: PathBuf,
-    /// Held for as long as the folder is in use.
-    _lock: Option<File>,
+    above: Dir,
+    name: String,
+    dir: Dir,
+    /// Its note; `None` where the user has no state folder: what a killed program leaves is not swept then.
+    work: Option<Work>,
+    /// Whether another folder stands under its name.
+    is_exchanged: bool,
 }
 
 impl Beside {
-    /// Makes one in a directory that is there, and sweeps what dead programs left beside it.
+    /// Makes one in the folder `above`, whose path is `path`.
     ///
     /// # Errors
-    /// The directory cannot be written.
-    pub fn new_in(directory: &Path) -> io::Result<Self> {
-        static NUMBER: AtomicU32 = AtomicU32::new(0);
-        sweep(directory);
+    /// The folder cannot be written.
+    pub fn new_in(above: &Dir, path: &Path, account: Option<&Account>) -> io::Result<Self> {
+        let name = format!(".fem-{}.partial", digits()?);
         let mut partial = partial();
-        loop {
-            let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-            let path = directory.join(format!("{PREFIX}{}-{number}{SUFFIX}", std::process::id()));
-            match std::fs::create_dir(&path) {
-                Err(e) if e.kind() == io::ErrorKind::AlreadyExists => continue,
-                made => made?,
-            }
-            let lock = locked(&path);
-            // Before it was locked, somebody may have taken it for a dead program's.
-            if path.exists() {
-                partial.insert(path.clone());
-                return Ok(Self { path, _lock: lock });
-            }
-        }
+        let work = account.and_then(|account| Work::begin(account, &path.join(&name)).ok());
+        above.create_dir(&name)?;
+        let dir = above.open_dir_nofollow(&name)?;
+        let note = work.as_ref().map(|work| work.path().to_path_buf());
+        partial.insert(name.clone(), (above.try_clone()?, note));
+        Ok(Self { above: above.try_clone()?, name, dir, work, is_exchanged: false })
     }
 
-    /// Where it is.
-    pub fn path(&self) -> &Path {
-        &self.path
+    /// The folder.
+    pub fn dir(&self) -> &Dir {
+        &self.dir
+    }
+
+    /// Its name there.
+    pub fn name(&self) -> &OsStr {
+        OsStr::new(&self.name)
+    }
+
+    /// Its note, if it has one.
+    pub fn work(&mut self) -> Option<&mut Work> {
+        self.work.as_mut()
+    }
+
+    /// Says that another folder stands under its name, which is not for this one to remove.
+    pub fn exchanged(&mut self) {
+        self.is_exchanged = true;
     }
 }
 
 impl Drop for Beside {
     fn drop(&mut self) {
         // What cannot be removed is hidden and harmless.
-        let _ = std::fs::remove_dir_all(&self.path);
-        partial().remove(&self.path);
+        if !self.is_exchanged {
+            let _ = self.above.remove_dir_all(&self.name);
+        }
+        partial().remove(&self.name);
     }
 }
 
 /// Removes what is being written. Nothing more can be begun afterwards: for a program that ends.
 pub fn abandon() {
     let partial = partial();
-    for beside in partial.iter() {
+    for (name, (above, note)) in partial.iter() {
         // Another thread may be writing into it: once more catches the file it had open.
         for _ in 0..2 {
-            let _ = std::fs::remove_dir_all(beside);
+            let _ = above.remove_dir_all(name);
         }
+        let _ = note.as_ref().map(std::fs::remove_file);
     }
     std::mem::forget(partial);
 }
@@ -83,30 +97,4 @@ pub fn abandon() {
 /// Keeps [`abandon`] off while files go into place.
 pub fn undisturbed() -> impl Drop {
     partial()
-}
-
-/// Locks a folder; `None` where the system has no such locks. Another program's lock is waited for.
-pub fn locked(folder: &Path) -> Option<File> {
-    let file = File::open(folder).ok()?;
-    file.lock().ok()?;
-    Some(file)
-}
-
-/// Removes the folders of programs that are dead; one that died while it put its files into place is helped to
-/// the end first.
-pub fn sweep(directory: &Path) {
-    let Ok(entries) = std::fs::read_dir(directory) else { return };
-    for entry in entries.flatten() {
-        let name = entry.file_name();
-        let is_partial = name.to_str().is_some_and(|n| n.starts_with(PREFIX) && n.ends_with(SUFFIX));
-        if !is_partial || !entry.file_type().is_ok_and(|t| t.is_dir()) {
-            continue;
-        }
-        let Ok(lock) = File::open(entry.path()) else { continue };
-        // Held by a program that lives, or by none that locks can tell of.
-        if lock.try_lock().is_ok() {
-            replace::resume(&entry.path(), directory);
-            let _ = std::fs::remove_dir_all(entry.path());
-        }
-    }
 }

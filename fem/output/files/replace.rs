@@ -1,137 +1,245 @@
-//! Putting a set of files into the place of another: one folder for the other in one step where the system can
-//! do that, else file by file, which whoever comes next brings to the end if it is interrupted.
+//! Putting a set of files into the place of another: a folder that is wholly the program's own in one step, where the
+//! system can do that; into any other file by file, so that what belongs to others stays as it is.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::io;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
-/// Most files of others in a folder that are carried over when it is exchanged.
-const MOST_CARRIED: usize = 2000;
-/// In a partial folder whose files are on their way into place: the files to be taken away from there.
-const GOING: &str = ".going";
+use cap_fs_ext::DirExt;
+use cap_std::fs::{Dir, Metadata};
 
-/// Whether a folder can be exchanged for another one made in `parent`: both on one file system, and nobody's
-/// working directory is within.
-pub fn is_exchangeable(folder: &Path, parent: &Path) -> bool {
-    if !EXCHANGES || folder.parent().is_none() {
-        return false;
-    }
-    let stands_in = std::env::current_dir().and_then(|d| d.canonicalize()).map_or(true, |d| d.starts_with(folder));
-    !stands_in && is_one_device(folder, parent) && files_below(folder, MOST_CARRIED).is_some()
+use super::way::below;
+use super::written::{Entry, LIST};
+
+/// A file on its way into place.
+pub struct Move {
+    /// What it holds.
+    pub new: Entry,
+    /// What it goes over.
+    pub over: Over,
 }
 
-/// Files below a folder by their paths from it, links as such; `None` where they are more than `most`, or
-/// cannot be listed.
-pub fn files_below(folder: &Path, most: usize) -> Option<Vec<PathBuf>> {
-    let (mut found, mut open) = (Vec::new(), vec![PathBuf::new()]);
-    while let Some(inside) = open.pop() {
-        for entry in std::fs::read_dir(folder.join(&inside)).ok()? {
-            let entry = entry.ok()?;
-            let path = inside.join(entry.file_name());
-            match entry.file_type().ok()?.is_dir() {
-                true => open.push(path),
-                false => found.push(path),
-            }
-            if found.len() + open.len() > most {
-                return None;
-            }
+/// What stands where a file is to be.
+pub enum Over {
+    /// Nothing.
+    Nothing,
+    /// A file with this content.
+    File(Entry),
+    /// A link, which goes with what it names left as it is.
+    Link,
+}
+
+impl Over {
+    /// What stands in a folder under the name of a file; `None` where it is no file.
+    pub fn at(folder: &Dir, name: &Path) -> Option<Self> {
+        match below(folder, name, false).and_then(|(inside, name)| inside.symlink_metadata(name)) {
+            Err(_) => Some(Self::Nothing),
+            Ok(there) if there.is_symlink() => Some(Self::Link),
+            Ok(_) => Entry::of_file(folder, name).map(Self::File),
         }
     }
-    Some(found)
+
+    /// Whether two are the same.
+    fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Nothing, Self::Nothing) | (Self::Link, Self::Link) => true,
+            (Self::File(a), Self::File(b)) => a.is_same(b),
+            _ => false,
+        }
+    }
 }
 
-/// Exchanges `folder` for `new` in one step, once `new` holds what is to stay of it: all files of `folder` but
-/// those of `leave` and those that are in `new` already. `new` holds the old files afterwards.
+/// What goes into a folder, and what leaves it.
+#[derive(Default)]
+pub struct Plan {
+    /// Files that come; the list of them is the last.
+    pub moves: Vec<Move>,
+    /// Files that go.
+    pub leave: Vec<Entry>,
+}
+
+impl Plan {
+    /// Moves files from the folder `new` into `folder`, one by one, and takes others away from there. What has been
+    /// moved already is left where it is, and so is everything in `folder` that is not as the plan has it.
+    ///
+    /// # Errors
+    /// Something else stands in a place, or it cannot be written; the rest has been done.
+    pub fn carry_out(&self, new: &Dir, folder: &Dir) -> Result<(), (PathBuf, io::Error)> {
+        for entry in self.leave.iter().filter(|entry| entry.is_untouched(folder)) {
+            // What is left over does no harm.
+            let _ = below(folder, &entry.name, false).and_then(|(inside, name)| inside.remove_file(name));
+        }
+        let mut result = Ok(());
+        for one in &self.moves {
+            if let Err(error) = one.carry_out(new, folder) {
+                result = Err((one.new.name.clone(), error));
+            }
+        }
+        result
+    }
+}
+
+impl Move {
+    fn carry_out(&self, new: &Dir, folder: &Dir) -> io::Result<()> {
+        let path = &self.new.name;
+        if Entry::of_file(new, path).is_none_or(|there| !there.is_same(&self.new)) {
+            return Ok(());
+        }
+        let ((from, name), (to, _)) = (below(new, path, false)?, below(folder, path, true)?);
+        // Nothing may have come there since it was looked at.
+        if !Over::at(folder, path).is_some_and(|over| over.is_same(&self.over)) {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
+        if let (Over::File(_), Ok(there)) = (&self.over, to.symlink_metadata(name)) {
+            from.set_permissions(name, there.permissions())?;
+        }
+        from.rename(name, &to, name)
+    }
+}
+
+/// Whether a folder holds the files of `listed` and nothing else, all as they were written, and is itself as the program makes
+/// folders: `new` is such a one, with its list.
+pub fn is_wholly_own(folder: &Dir, listed: &BTreeMap<&Path, &Entry>, new: &Dir) -> bool {
+    let (Ok(as_folder), Ok(as_file)) = (new.dir_metadata(), new.symlink_metadata(LIST)) else { return false };
+    let is_own = |inside: &Path| {
+        let is_listed = listed.get(inside).is_some_and(|entry| entry.is_untouched(folder));
+        is_listed || inside == Path::new(LIST)
+    };
+    let mut open = vec![PathBuf::new()];
+    let mut count = 0;
+    while let Some(inside) = open.pop() {
+        let here = if inside.as_os_str().is_empty() { folder.try_clone() } else { subfolder(folder, &inside) };
+        let Ok(here) = here else { return false };
+        let Ok(entries) = here.entries() else { return false };
+        let mut is_empty = true;
+        if !here.dir_metadata().is_ok_and(|about| is_alike(&about, &as_folder)) {
+            return false;
+        }
+        for entry in entries {
+            let Ok(entry) = entry else { return false };
+            let (path, Ok(about)) = (inside.join(entry.file_name()), here.symlink_metadata(entry.file_name())) else {
+                return false;
+            };
+            is_empty = false;
+            match about.is_dir() {
+                true => open.push(path),
+                false if about.is_file() && is_alike(&about, &as_file) && is_own(&path) => count += 1,
+                false => return false,
+            }
+        }
+        if is_empty {
+            return false;
+        }
+    }
+    count == listed.len() + 1
+}
+
+fn subfolder(folder: &Dir, inside: &Path) -> io::Result<Dir> {
+    let (above, name) = below(folder, inside, false)?;
+    above.open_dir_nofollow(name)
+}
+
+/// Exchanges the folder `name` for `new`, which is called `hidden`, both of them in `above`; `stay` are the files that
+/// stay from the old one. It is called `hidden` afterwards.
 ///
 /// # Errors
 /// The file system knows no links or no exchange; nothing has changed then but for links in `new`.
-pub fn exchange(folder: &Path, new: &Path, leave: &BTreeSet<PathBuf>) -> io::Result<()> {
-    let stays = |path: &&PathBuf| !leave.contains(*path) && new.join(path).symlink_metadata().is_err();
-    let all = files_below(folder, MOST_CARRIED + leave.len()).ok_or_else(|| io::Error::other("too many files"))?;
-    for path in all.iter().filter(stays) {
-        if let Some(inside) = path.parent() {
-            std::fs::create_dir_all(new.join(inside))?;
-        }
-        std::fs::hard_link(folder.join(path), new.join(path))?;
+pub fn exchange(above: &Dir, name: &OsStr, hidden: &OsStr, stay: &[PathBuf]) -> io::Result<()> {
+    let (old, new) = (above.open_dir_nofollow(name)?, above.open_dir_nofollow(hidden)?);
+    for path in stay {
+        let ((from, file), (to, _)) = (below(&old, path, false)?, below(&new, path, true)?);
+        from.hard_link(file, &to, file)?;
     }
-    std::fs::set_permissions(new, folder.metadata()?.permissions())?;
-    swap(folder, new)?;
-    // What somebody put into the folder in the meantime.
-    for path in files_below(new, usize::MAX).unwrap_or_default().iter().filter(|p| !leave.contains(*p)) {
-        let to = folder.join(path);
-        if to.symlink_metadata().is_err() {
-            let _ = to.parent().map(std::fs::create_dir_all);
-            let _ = std::fs::rename(new.join(path), to);
-        }
-    }
-    Ok(())
+    swap(above, name, hidden)
 }
 
-/// Moves the files of `new` into `folder`, one by one, and takes those of `leave` away from there.
+/// Removes a folder that was exchanged: the files of the program, and folders that are empty then. What somebody put
+/// there in the meantime goes into the `new` one if its name is free, and else stays.
+pub fn dissolve(above: &Dir, hidden: &OsStr, own: &[PathBuf], new: &Dir) {
+    let Ok(old) = above.open_dir_nofollow(hidden) else { return };
+    for path in own {
+        let _ = below(&old, path, false).and_then(|(inside, name)| inside.remove_file(name));
+    }
+    empty(&old, new);
+    let _ = above.remove_dir(hidden);
+}
+
+fn empty(old: &Dir, new: &Dir) {
+    for entry in old.entries().into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        if let Ok(inside) = old.open_dir_nofollow(&name) {
+            if let Ok(into) = new.open_dir_nofollow(&name) {
+                empty(&inside, &into);
+            }
+            let _ = old.remove_dir(&name);
+        }
+        let is_there = old.symlink_metadata(&name).is_ok();
+        if is_there && new.symlink_metadata(&name).is_err() {
+            let _ = old.rename(&name, new, &name);
+        }
+    }
+}
+
+/// Gives a folder in `above` another name, under which nothing may stand.
 ///
 /// # Errors
-/// A place is taken by a directory, or cannot be written.
-pub fn one_by_one(folder: &Path, new: &Path, leave: &[PathBuf]) -> Result<(), (PathBuf, io::Error)> {
-    // From the folder in which the partial one stands, so that both may be moved together.
-    let to = new.parent().and_then(|beside| folder.strip_prefix(beside).ok()).unwrap_or(Path::new(""));
-    let lines: Vec<_> =
-        std::iter::once(to).chain(leave.iter().map(PathBuf::as_path)).map(Path::to_string_lossy).collect();
-    std::fs::write(new.join(GOING), lines.join("\n")).map_err(|e| (folder.to_path_buf(), e))?;
-    finish(folder, new, leave)
-}
-
-fn finish(folder: &Path, new: &Path, leave: &[PathBuf]) -> Result<(), (PathBuf, io::Error)> {
-    let at = |path: &Path| {
-        let path = folder.join(path);
-        move |error| (path, error)
-    };
-    for path in leave {
-        // What is left over does no harm.
-        let _ = std::fs::remove_file(folder.join(path));
-    }
-    for path in files_below(new, usize::MAX).unwrap_or_default().iter().filter(|p| *p != Path::new(GOING)) {
-        if let Some(inside) = path.parent() {
-            std::fs::create_dir_all(folder.join(inside)).map_err(at(path))?;
+/// Something does, or the system refuses.
+pub fn rename_new(above: &Dir, from: &OsStr, to: &OsStr) -> io::Result<()> {
+    match rename_with(above, from, to, false) {
+        // Not every file system can look and rename in one step.
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists && above.symlink_metadata(to).is_err() => {
+            above.rename(from, above, to)
         }
-        std::fs::rename(new.join(path), folder.join(path)).map_err(at(path))?;
-    }
-    Ok(())
-}
-
-/// Brings to the end what [`one_by_one`] of a dead program began from `new`, which stands in `directory`.
-pub fn resume(new: &Path, directory: &Path) {
-    let Ok(list) = std::fs::read_to_string(new.join(GOING)) else { return };
-    let mut lines = list.split('\n').map(PathBuf::from);
-    let folder = lines.next().unwrap_or_default();
-    let leave: Vec<PathBuf> = lines.collect();
-    let is_below = |path: &PathBuf| path.components().all(|part| matches!(part, Component::Normal(_)));
-    if is_below(&folder) && leave.iter().all(is_below) {
-        // Where it cannot be ended, nobody is left to be told.
-        let _ = finish(&directory.join(folder), new, &leave);
+        done => done,
     }
 }
 
-/// Whether the system exchanges folders.
-const EXCHANGES: bool = cfg!(any(target_os = "linux", target_vendor = "apple"));
+fn swap(above: &Dir, a: &OsStr, b: &OsStr) -> io::Result<()> {
+    rename_with(above, a, b, true)
+}
 
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
-fn swap(a: &Path, b: &Path) -> io::Result<()> {
-    use rustix::fs::{CWD, RenameFlags, renameat_with};
-    Ok(renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE)?)
+fn rename_with(above: &Dir, from: &OsStr, to: &OsStr, exchanges: bool) -> io::Result<()> {
+    use rustix::fs::{RenameFlags, renameat_with};
+    let flags = if exchanges { RenameFlags::EXCHANGE } else { RenameFlags::NOREPLACE };
+    Ok(renameat_with(above, from, above, to, flags)?)
 }
 
 #[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
-fn swap(_: &Path, _: &Path) -> io::Result<()> {
+fn rename_with(_: &Dir, _: &OsStr, _: &OsStr, _: bool) -> io::Result<()> {
     Err(io::ErrorKind::Unsupported.into())
 }
 
+/// Whether a program stands in a folder, as far as the system tells: it would be left in one that is gone.
+pub fn is_stood_in(folder: &Path) -> bool {
+    let is_within = |place: PathBuf| place.starts_with(folder);
+    // Where the place of the program itself is not known, it may be anywhere.
+    let own = std::env::current_dir().and_then(|place| place.canonicalize()).map_or(true, is_within);
+    let processes = std::fs::read_dir("/proc").into_iter().flatten().flatten();
+    own || processes.filter_map(|p| std::fs::read_link(p.path().join("cwd")).ok()).any(is_within)
+}
+
+/// Whether two have one owner, one group and one mode.
 #[cfg(unix)]
-fn is_one_device(a: &Path, b: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    matches!((a.metadata(), b.metadata()), (Ok(a), Ok(b)) if a.dev() == b.dev())
+pub fn is_alike(a: &Metadata, b: &Metadata) -> bool {
+    use cap_std::fs::MetadataExt;
+    (a.uid(), a.gid(), a.mode()) == (b.uid(), b.gid(), b.mode())
 }
 
 #[cfg(not(unix))]
-fn is_one_device(_: &Path, _: &Path) -> bool {
-    false
+pub fn is_alike(a: &Metadata, b: &Metadata) -> bool {
+    a.permissions() == b.permissions()
+}
+
+/// Whether two belong to one owner and one group.
+#[cfg(unix)]
+pub fn belong_together(a: &Metadata, b: &Metadata) -> bool {
+    use cap_std::fs::MetadataExt;
+    (a.uid(), a.gid()) == (b.uid(), b.gid())
+}
+
+#[cfg(not(unix))]
+pub fn belong_together(_: &Metadata, _: &Metadata) -> bool {
+    true
 }

@@ -1,26 +1,45 @@
 //! The files of one command on their way into a folder.
 
-use std::collections::BTreeSet;
-use std::io;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use super::beside::{Beside, locked, sweep, undisturbed};
+use cap_fs_ext::{DirExt, MetadataExt};
+use cap_std::fs::Dir;
+
+use super::account::Account;
+use super::beside::{Beside, undisturbed};
+use super::replace::{self, Move, Over, Plan};
+use super::way::{self, Way, below, reader};
 use super::written::{self, Entry, LIST};
-use super::{Guard, failed, replace};
+use super::{Guard, failed, work};
 use crate::output::OutputError;
 
 /// Files on their way into a directory: all of them appear in the place of the earlier ones, or none, none
 /// over a file that was read, and without leave none over a file that the program did not write.
 pub struct Stage<'a> {
+    /// Where they appear, without links.
     directory: PathBuf,
+    /// The folder in which the directory stands, and its name there; `None` of the root of all.
+    above: Option<(Dir, OsString)>,
     guard: Guard<'a>,
     /// The command whose results these are.
     of: &'static str,
+    account: Option<Account>,
     beside: Beside,
-    /// Whether the hidden folder stands beside the directory, to be exchanged for it.
-    exchanged: bool,
+    /// Whether the hidden folder stands beside the directory, to take its place.
+    is_beside: bool,
     files: Mutex<Vec<Entry>>,
+}
+
+/// What stands in the directory, and what is to stand there.
+struct Placing {
+    plan: Plan,
+    /// All that the program knows to be there.
+    old: Vec<Entry>,
+    /// Of these, what stays.
+    kept: Vec<PathBuf>,
 }
 
 impl<'a> Stage<'a> {
@@ -28,29 +47,28 @@ impl<'a> Stage<'a> {
     /// what is not finished.
     ///
     /// # Errors
-    /// The directory cannot be made or written.
-    pub fn new(directory: &Path, of: &'static str, guard: Guard<'a>) -> io::Result<Self> {
-        // What a link names is exchanged, not the link.
-        let directory = directory.canonicalize().unwrap_or_else(|_| directory.to_path_buf());
-        if directory.symlink_metadata().is_ok_and(|m| !m.is_dir()) {
-            return Err(io::ErrorKind::NotADirectory.into());
+    /// The directory cannot be made or written, or the way to it leads over a link that others may have put there.
+    pub fn new(directory: &Path, of: &'static str, guard: Guard<'a>) -> Result<Self, OutputError> {
+        let failed = failed(directory);
+        let way = Way::to(directory, guard.reads)?;
+        // Without a state folder nothing is known to be the program's own.
+        let account = Account::open().ok();
+        account.as_ref().inspect(|account| work::sweep(account));
+        let (path, above) = (way.path(), way.make_above().map_err(&failed)?);
+        let into = if way.is_whole() { Some(way.make().map_err(&failed)?) } else { None };
+        let mut beside = None;
+        if let (Some((above, _)), Some(parent)) = (&above, path.parent()) {
+            let is_own = into
+                .as_ref()
+                .is_none_or(|into| written::read(into, account.as_ref()).is_some() && is_one_device(into, above));
+            beside = if is_own { Beside::new_in(above, parent, account.as_ref()).ok() } else { None };
         }
-        let parent = directory.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        std::fs::create_dir_all(parent)?;
-        sweep(&directory);
-        let beside = match !directory.exists() || replace::is_exchangeable(&directory, parent) {
-            true => Beside::new_in(parent).ok(),
-            false => None,
-        };
-        let exchanged = beside.is_some();
+        let is_beside = beside.is_some();
         let beside = match beside {
             Some(beside) => beside,
-            None => {
-                std::fs::create_dir_all(&directory)?;
-                Beside::new_in(&directory)?
-            }
+            None => Beside::new_in(&way.make().map_err(&failed)?, &path, account.as_ref()).map_err(&failed)?,
         };
-        Ok(Self { directory, guard, of, beside, exchanged, files: Mutex::default() })
+        Ok(Self { directory: path, above, guard, of, account, beside, is_beside, files: Mutex::default() })
     }
 
     /// Writes a file that will stand at `name` in the directory.
@@ -60,16 +78,8 @@ impl<'a> Stage<'a> {
     pub fn write(&self, name: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         self.guard.check_reads(&self.directory.join(name))?;
         let failed = failed(&self.directory.join(name));
-        let mut folder = self.beside.path().to_path_buf();
-        for part in name.parent().into_iter().flatten() {
-            folder.push(part);
-            // Not with its parents: once the stage is abandoned it must not come back.
-            match std::fs::create_dir(&folder) {
-                Err(e) if e.kind() != io::ErrorKind::AlreadyExists => return Err(failed(e)),
-                _ => {}
-            }
-        }
-        std::fs::write(self.beside.path().join(name), bytes).map_err(failed)?;
+        let (inside, file) = below(self.beside.dir(), name, true).map_err(&failed)?;
+        inside.write(file, bytes).map_err(failed)?;
         let entry = Entry::new(name, self.of, bytes);
         self.files.lock().unwrap_or_else(PoisonError::into_inner).push(entry);
         Ok(())
@@ -80,85 +90,165 @@ impl<'a> Stage<'a> {
     /// # Errors
     /// A file stands in the way that the program did not write; a place is taken by a directory, or cannot be
     /// written.
-    pub fn publish(self) -> Result<(), OutputError> {
+    pub fn publish(mut self) -> Result<(), OutputError> {
         loop {
-            // One program at a time; whoever waited may find another folder under the name.
-            let was_there = self.directory.exists();
-            let lock = was_there.then(|| locked(&self.directory)).flatten();
-            if lock.as_ref().is_some_and(|lock| !is_at(lock, &self.directory)) {
+            let Ok(into) = self.open() else {
+                if self.appear()? {
+                    return Ok(());
+                }
                 continue;
+            };
+            // One program at a time; whoever waited may find another folder under the name.
+            let lock = reader(&into);
+            // Where folders cannot be locked, nobody is kept off.
+            let _ = lock.as_ref().map(|lock| lock.lock());
+            if self.open().is_ok_and(|now| is_one(&now, &into)) {
+                return self.place(&into);
             }
-            let is_placed = if was_there { self.place()? } else { self.appear()? };
-            if is_placed {
-                return Ok(());
-            }
+        }
+    }
+
+    /// The directory as it is now.
+    fn open(&self) -> std::io::Result<Dir> {
+        match &self.above {
+            Some((above, name)) => above.open_dir_nofollow(name),
+            None => way::open(&self.directory),
         }
     }
 
     /// Puts the folder where none was; `false` where another program has put one there in the meantime, whose files are
     /// to be looked at under lock.
-    fn appear(&self) -> Result<bool, OutputError> {
-        let new = self.files.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let beside = self.beside.path();
-        std::fs::write(beside.join(LIST), written::text(&new)).map_err(failed(&self.directory.join(LIST)))?;
-        match std::fs::rename(beside, &self.directory) {
+    fn appear(&mut self) -> Result<bool, OutputError> {
+        let failed = failed(&self.directory);
+        let Some((above, name)) = &self.above else { return Ok(false) };
+        if !self.is_beside {
+            return above.create_dir(name).map(|()| false).map_err(failed);
+        }
+        self.list(self.files().iter())?;
+        match replace::rename_new(above, self.beside.name(), name) {
             Ok(()) => Ok(true),
-            Err(_) if self.directory.exists() => Ok(false),
-            Err(error) => Err(failed(&self.directory)(error)),
+            Err(_) if above.open_dir_nofollow(name).is_ok() => Ok(false),
+            Err(error) => Err(failed(error)),
         }
     }
 
-    /// Puts the files into the place of others; `false` where the folder has gone in the meantime.
-    fn place(&self) -> Result<bool, OutputError> {
-        let new = self.files.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let names: BTreeSet<&PathBuf> = new.iter().map(|entry| &entry.name).collect();
-        let old = written::read(&self.directory);
-        for entry in &new {
-            self.check(entry, &old)?;
-        }
-        let is_stale = |e: &Entry| e.of == self.of && !names.contains(&e.name) && e.is_untouched(&self.directory);
-        let (stale, kept): (Vec<Entry>, Vec<Entry>) = old.into_iter().partition(is_stale);
-        let kept = kept.into_iter().filter(|e| !names.contains(&e.name));
-        let list = written::text(&kept.chain(new.iter().cloned()).collect::<Vec<_>>());
-        let beside = self.beside.path();
-        std::fs::write(beside.join(LIST), list).map_err(failed(&self.directory.join(LIST)))?;
-        let stale: Vec<PathBuf> = stale.into_iter().map(|e| e.name).collect();
-        if self.exchanged && !self.directory.exists() {
-            return Ok(false);
-        }
-        let leave: BTreeSet<PathBuf> = new.iter().map(|e| e.name.clone()).chain(stale.iter().cloned()).collect();
-        let leave = leave.into_iter().chain([LIST.into()]).collect();
+    /// Puts the files into the place of others.
+    fn place(&mut self, into: &Dir) -> Result<(), OutputError> {
+        let placing = self.placing(into)?;
         let _undisturbed = undisturbed();
-        if self.exchanged && replace::exchange(&self.directory, beside, &leave).is_ok() {
-            return Ok(true);
+        if self.is_beside && self.exchange(into, &placing) {
+            return Ok(());
         }
-        replace::one_by_one(&self.directory, beside, &stale).map_err(|(path, error)| failed(&path)(error))?;
-        Ok(true)
+        if let Some(work) = self.beside.work() {
+            // What cannot be noted is not brought to the end if it is interrupted.
+            let _ = work.places(&self.directory, &placing.plan);
+        }
+        let done = placing.plan.carry_out(self.beside.dir(), into);
+        done.map_err(|(path, error)| failed(&self.directory.join(path))(error))
     }
 
-    /// Refuses to replace what is not known to be the program's own.
-    fn check(&self, entry: &Entry, old: &[Entry]) -> Result<(), OutputError> {
-        let path = self.directory.join(&entry.name);
-        let Ok(there) = path.symlink_metadata() else { return Ok(()) };
-        if there.is_dir() {
-            return Err(failed(&path)(io::ErrorKind::IsADirectory.into()));
+    /// What comes into the directory and what leaves it, with the list of what stands there then.
+    fn placing(&self, into: &Dir) -> Result<Placing, OutputError> {
+        let new = self.files();
+        let names: BTreeSet<&PathBuf> = new.iter().map(|entry| &entry.name).collect();
+        let known = written::read(into, self.account.as_ref());
+        let is_own_list = known.is_some();
+        let old = known.unwrap_or_default();
+        let mut moves = Vec::new();
+        for entry in &new {
+            moves.push(Move { new: entry.clone(), over: self.over(entry, &old, into)? });
         }
-        let is_own = || old.iter().any(|o| o.name == entry.name && o.is_untouched(&self.directory));
-        match self.guard.force || is_own() {
-            true => Ok(()),
+        let is_stale = |e: &Entry| e.of == self.of && !names.contains(&e.name) && e.is_untouched(into);
+        let (leave, kept): (Vec<Entry>, Vec<Entry>) = old.iter().cloned().partition(is_stale);
+        let kept: Vec<Entry> = kept.into_iter().filter(|e| !names.contains(&e.name)).collect();
+        if let Some(list) = self.list(kept.iter().chain(&new))? {
+            let path = || self.directory.join(LIST);
+            let over = match Over::at(into, &list.name) {
+                Some(over) if matches!(over, Over::Nothing) || is_own_list || self.guard.force => over,
+                Some(_) => return Err(OutputError::Exists { path: path() }),
+                None => return Err(OutputError::Special { path: path() }),
+            };
+            moves.push(Move { new: list, over });
+        }
+        let kept = kept.into_iter().map(|entry| entry.name).collect();
+        Ok(Placing { plan: Plan { moves, leave }, old, kept })
+    }
+
+    /// Exchanges the directory for the hidden one if nothing in it, and nobody, would be disturbed.
+    fn exchange(&mut self, into: &Dir, placing: &Placing) -> bool {
+        let Some((above, name)) = &self.above else { return false };
+        let hidden = self.beside.name().to_os_string();
+        let listed: BTreeMap<&Path, &Entry> = placing.old.iter().map(|e| (e.name.as_path(), e)).collect();
+        let is_own = replace::is_wholly_own(into, &listed, self.beside.dir());
+        if !is_own || replace::is_stood_in(&self.directory) {
+            return false;
+        }
+        let is_done = replace::exchange(above, name, &hidden, &placing.kept).is_ok();
+        if is_done {
+            let own: Vec<PathBuf> = placing.old.iter().map(|e| e.name.clone()).chain([LIST.into()]).collect();
+            replace::dissolve(above, &hidden, &own, self.beside.dir());
+            self.beside.exchanged();
+        }
+        is_done
+    }
+
+    /// What a file goes over; refuses what is not known to be the program's own.
+    fn over(&self, entry: &Entry, old: &[Entry], into: &Dir) -> Result<Over, OutputError> {
+        let path = self.directory.join(&entry.name);
+        let Ok((inside, name)) = below(into, &entry.name, false) else {
+            return self.free(entry, into);
+        };
+        let Ok(there) = inside.symlink_metadata(name) else { return Ok(Over::Nothing) };
+        if there.is_dir() {
+            return Err(failed(&path)(std::io::ErrorKind::IsADirectory.into()));
+        }
+        let Some(over) = Over::at(into, &entry.name) else { return Err(OutputError::Special { path }) };
+        let new = self.beside.dir().symlink_metadata(&entry.name);
+        let is_own = |o: &Entry| o.name == entry.name && o.is_untouched(into);
+        let is_own = old.iter().any(is_own) && new.is_ok_and(|new| replace::belong_together(&new, &there));
+        match self.guard.force || is_own {
+            true => Ok(over),
             false => Err(OutputError::Exists { path }),
         }
     }
+
+    /// Refuses to make the folders of a file where something else than folders stands in their place.
+    fn free(&self, entry: &Entry, into: &Dir) -> Result<Over, OutputError> {
+        let mut inside = PathBuf::new();
+        for part in entry.name.parent().into_iter().flatten() {
+            inside.push(part);
+            let path = self.directory.join(&inside);
+            match below(into, &inside, false).and_then(|(above, name)| above.symlink_metadata(name)) {
+                Ok(there) if there.is_symlink() => {
+                    return Err(OutputError::Link { target: path.canonicalize().ok(), path });
+                }
+                Ok(there) if !there.is_dir() => return Err(failed(&path)(std::io::ErrorKind::NotADirectory.into())),
+                _ => {}
+            }
+        }
+        Ok(Over::Nothing)
+    }
+
+    fn files(&self) -> Vec<Entry> {
+        self.files.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Writes the list of these files, if there is a key to seal it with.
+    fn list<'e>(&self, entries: impl Iterator<Item = &'e Entry>) -> Result<Option<Entry>, OutputError> {
+        let Some(account) = &self.account else { return Ok(None) };
+        let text = written::text(&entries.cloned().collect::<Vec<_>>(), account);
+        self.beside.dir().write(LIST, &text).map_err(failed(&self.directory.join(LIST)))?;
+        Ok(Some(Entry::new(Path::new(LIST), "", text.as_bytes())))
+    }
 }
 
-/// Whether a locked folder is the one at a path.
-#[cfg(unix)]
-fn is_at(lock: &std::fs::File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    matches!((lock.metadata(), path.metadata()), (Ok(a), Ok(b)) if (a.dev(), a.ino()) == (b.dev(), b.ino()))
+/// Whether two are one folder.
+fn is_one(a: &Dir, b: &Dir) -> bool {
+    let number = |dir: &Dir| dir.dir_metadata().map(|about| (about.dev(), about.ino()));
+    matches!((number(a), number(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-#[cfg(not(unix))]
-fn is_at(_: &std::fs::File, _: &Path) -> bool {
-    true
+/// Whether two stand on one file system.
+fn is_one_device(a: &Dir, b: &Dir) -> bool {
+    matches!((a.dir_metadata(), b.dir_metadata()), (Ok(a), Ok(b)) if a.dev() == b.dev())
 }

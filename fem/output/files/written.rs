@@ -1,12 +1,22 @@
-//! The list of what the program wrote into a folder, by which it knows its own files again.
+//! The list of what the program wrote into a folder, by which it knows its own files again. The list is sealed: one
+//! that came with the files of others tells nothing.
 
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use cap_fs_ext::{FollowSymlinks, OpenOptionsFollowExt};
+use cap_std::fs::{Dir, Metadata, OpenOptions};
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+use super::account::Account;
+use super::way::below;
 
 /// Name of the list.
 pub const LIST: &str = ".fem-files.json";
-const SCHEMA: &str = "fem-files/1";
+const SCHEMA: &str = "fem-files/2";
+/// A list that is longer was not written by this program.
+const LONGEST: u64 = 1 << 28;
 
 /// A file that was written.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,49 +26,82 @@ pub struct Entry {
     /// The command whose results it belongs to.
     pub of: String,
     bytes: u64,
-    /// FNV-1a (Fowler, Noll and Vo) of its content.
-    digest: String,
+    sha256: String,
 }
 
 impl Entry {
     /// What is known of a content.
     pub fn new(name: &Path, of: &str, bytes: &[u8]) -> Self {
-        Self { name: name.to_path_buf(), of: of.into(), bytes: bytes.len() as u64, digest: digest(bytes) }
+        Self { name: name.to_path_buf(), of: of.into(), bytes: bytes.len() as u64, sha256: digest(bytes) }
     }
 
-    /// Whether the file in `folder` is still what was written.
-    pub fn is_untouched(&self, folder: &Path) -> bool {
-        let path = folder.join(&self.name);
-        path.metadata().is_ok_and(|m| m.is_file() && m.len() == self.bytes)
-            && std::fs::read(path).is_ok_and(|bytes| digest(&bytes) == self.digest)
+    /// What stands in a folder under a name; `None` where no plain file does.
+    pub fn of_file(folder: &Dir, name: &Path) -> Option<Self> {
+        Some(Self::new(name, "", &read_plain(folder, name, u64::MAX).ok()?))
+    }
+
+    /// Whether the file in `folder` is still what was written, and may be written.
+    pub fn is_untouched(&self, folder: &Dir) -> bool {
+        let about = below(folder, &self.name, false).and_then(|(inside, name)| inside.symlink_metadata(name));
+        about.is_ok_and(|about| about.is_file() && about.len() == self.bytes && !about.permissions().readonly())
+            && read_plain(folder, &self.name, self.bytes).is_ok_and(|bytes| digest(&bytes) == self.sha256)
+    }
+
+    /// Whether two are of one content.
+    pub fn is_same(&self, other: &Self) -> bool {
+        (self.bytes, &self.sha256) == (other.bytes, &other.sha256)
+    }
+
+    /// As JSON; `None` where the name is no text.
+    pub fn to_json(&self) -> Option<Value> {
+        Some(json!({ "name": self.name.to_str()?, "of": self.of, "bytes": self.bytes, "sha256": self.sha256 }))
+    }
+
+    /// Of JSON.
+    pub fn of_json(value: &Value) -> Option<Self> {
+        Some(Self {
+            name: value["name"].as_str()?.into(),
+            of: value["of"].as_str()?.into(),
+            bytes: value["bytes"].as_u64()?,
+            sha256: value["sha256"].as_str()?.into(),
+        })
     }
 }
 
 fn digest(bytes: &[u8]) -> String {
-    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    format!("{:016x}", bytes.iter().fold(0xcbf2_9ce4_8422_2325, step))
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// The list of a folder; empty where there is none, or none that can be read.
-pub fn read(folder: &Path) -> Vec<Entry> {
-    let text = std::fs::read(folder.join(LIST)).unwrap_or_default();
+/// The content of a plain file in a folder, reached by no link.
+///
+/// # Errors
+/// It is no plain file, longer than `most`, or cannot be read.
+pub fn read_plain(folder: &Dir, name: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let (inside, name) = below(folder, name, false)?;
+    // A pipe would be waited for when it is opened.
+    let is_plain = |about: Metadata| about.is_file() && about.len() <= most;
+    if !is_plain(inside.symlink_metadata(name)?) {
+        return Err(io::ErrorKind::InvalidInput.into());
+    }
+    let mut file = inside.open_with(name, OpenOptions::new().read(true).follow(FollowSymlinks::No))?;
+    let mut bytes = Vec::new();
+    file.by_ref().take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The list of a folder; `None` where there is none that this account has sealed.
+pub fn read(folder: &Dir, account: Option<&Account>) -> Option<Vec<Entry>> {
+    let text = read_plain(folder, Path::new(LIST), LONGEST).unwrap_or_default();
+    if !account.is_some_and(|account| account.has_sealed_json(SCHEMA, &text)) {
+        return None;
+    }
     let all: Value = serde_json::from_slice(&text).unwrap_or_default();
-    let entry = |value: &Value| {
-        Some(Entry {
-            name: value["name"].as_str()?.into(),
-            of: value["of"].as_str()?.into(),
-            bytes: value["bytes"].as_u64()?,
-            digest: value["fnv1a"].as_str()?.into(),
-        })
-    };
-    let files = all["files"].as_array().filter(|_| all["schema"] == SCHEMA);
-    files.into_iter().flatten().filter_map(entry).collect()
+    Some(all["files"].as_array()?.iter().filter_map(Entry::of_json).collect())
 }
 
 /// The text of a list.
-pub fn text(entries: &[Entry]) -> String {
-    let entry =
-        |e: &Entry| json!({ "name": e.name.to_string_lossy(), "of": e.of, "bytes": e.bytes, "fnv1a": e.digest });
-    let files: Vec<String> = entries.iter().map(|e| format!("    {}", entry(e))).collect();
-    format!("{{\n  \"schema\": \"{SCHEMA}\",\n  \"files\": [\n{}\n  ]\n}}\n", files.join(",\n"))
+pub fn text(entries: &[Entry], account: &Account) -> String {
+    let lines: Vec<String> = entries.iter().filter_map(Entry::to_json).map(|file| format!("    {file}")).collect();
+    let text = format!("{{\n  \"schema\": \"{SCHEMA}\",\n  \"files\": [\n{}\n  ]\n}}\n", lines.join(",\n"));
+    account.sealed_json(SCHEMA, &text)
 }

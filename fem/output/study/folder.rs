@@ -1,15 +1,18 @@
 //! The folder of a study: rows that are appended, and found again after any end of the program.
 
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use cap_fs_ext::{FollowSymlinks, MetadataExt, OpenOptionsFollowExt};
+use cap_std::fs::{Dir, OpenOptions};
+
 use super::{layout, rows};
 use crate::input::Problem;
 use crate::output::OutputError;
-use crate::output::files::{self, Guard};
+use crate::output::files::{self, Account, Guard, Way, read_plain, reader};
 use crate::study::{Layout, Shard, Summary};
 
 /// Names of the rows, finished and not.
@@ -34,9 +37,20 @@ impl From<OutputError> for StudyError {
     }
 }
 
+/// What is done with rows that stand in a folder already.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Earlier {
+    /// They are dropped, instead of gone on with.
+    pub restart: bool,
+    /// Also where this account has not begun them.
+    pub force: bool,
+}
+
 /// The folder of a study that is being done.
 pub struct StudyFolder {
     directory: PathBuf,
+    /// The folder that stood there when the work began.
+    dir: Dir,
     layout: Layout,
     jobs: Range<u64>,
     next: u64,
@@ -49,43 +63,51 @@ pub struct StudyFolder {
 }
 
 impl StudyFolder {
-    /// Opens or makes the folder, and finds how far an earlier program came; `restart` drops what it did.
+    /// Opens or makes the folder, and finds how far an earlier program came.
     ///
     /// # Errors
     /// The rows there are of another plan or shard, another program works on them, files stand there that are of
-    /// no study, or the folder cannot be written.
+    /// no study or that this account has not begun, or the folder cannot be written.
     pub fn open(
         directory: &Path,
         layout: &Layout,
         shard: Shard,
-        restart: bool,
+        earlier: Earlier,
         reads: &[PathBuf],
     ) -> Result<Self, StudyError> {
         let at = |name: &str| directory.join(name);
         let failed = |name: &str| failed(&at(name));
-        std::fs::create_dir_all(directory).map_err(failed(""))?;
-        let lock = lock(directory)?;
+        let dir = Way::to(directory, reads)?.make().map_err(failed(""))?;
+        let lock = lock(&dir, directory)?;
         for name in [ROWS, PARTIAL, layout::FILE] {
             Guard { reads, force: true }.check(&at(name))?;
         }
-        match known(directory) {
+        let account = Account::open().ok();
+        let stands = |name: &&&str| stands_in(&dir, name);
+        let text = read_plain(&dir, Path::new(layout::FILE), layout::LONGEST).unwrap_or_default();
+        let is_own = earlier.force || account.as_ref().is_some_and(|account| layout::is_own(&text, account));
+        match layout::parse(&text).filter(|_| is_own) {
             None => {
-                if let Some(name) = [ROWS, PARTIAL].into_iter().find(|name| at(name).exists()) {
-                    return Err(OutputError::Exists { path: at(name) }.into());
+                if let Some(name) = [ROWS, PARTIAL, layout::FILE].iter().find(stands) {
+                    let message = format!("{} is there already, and was not begun on this account", at(name).display());
+                    let help = "name another folder (-o, output=), or go on with it all the same (--force)";
+                    return Err(StudyError::Refused(Problem::new(message).help(help)));
                 }
             }
-            Some(_) if restart => {
-                for name in [ROWS, PARTIAL].into_iter().filter(|name| at(name).exists()) {
-                    std::fs::remove_file(at(name)).map_err(failed(name))?;
+            Some(_) if earlier.restart => {
+                for name in [ROWS, PARTIAL].iter().filter(|name| stands(name)) {
+                    dir.remove_file(name).map_err(failed(name))?;
                 }
             }
             Some(before) => fits(directory, &before, (layout, shard))?,
         }
-        files::write(&at(layout::FILE), layout::text(layout, shard).as_bytes(), Guard { reads, force: true })?;
+        let begun = layout::text(layout, shard, account.as_ref());
+        files::write(&at(layout::FILE), begun.as_bytes(), Guard { reads, force: true })?;
         let jobs = shard.jobs(layout);
         let now = Instant::now();
         let mut folder = Self {
             directory: directory.to_path_buf(),
+            dir,
             layout: layout.clone(),
             next: jobs.end,
             jobs,
@@ -94,8 +116,8 @@ impl StudyFolder {
             synced: now,
             _lock: lock,
         };
-        if !at(ROWS).exists() {
-            let resumed = resume(&at(PARTIAL), layout, folder.jobs.start).map_err(failed(PARTIAL))?;
+        if !stands_in(&folder.dir, ROWS) {
+            let resumed = resume(&folder.dir, layout, folder.jobs.start).map_err(failed(PARTIAL))?;
             folder.next = resumed.1;
             folder.out = Some(BufWriter::with_capacity(1 << 16, resumed.0));
         }
@@ -144,7 +166,8 @@ impl StudyFolder {
             out.flush().and_then(|()| out.get_ref().sync_all()).map_err(&failed)?;
             drop(out);
             match self.next == self.jobs.end {
-                true => std::fs::rename(&partial, &rows).map_err(&failed)?,
+                true if stands_in(&self.dir, ROWS) => return Err(OutputError::Exists { path: rows }),
+                true => self.dir.rename(PARTIAL, &self.dir, ROWS).map_err(&failed)?,
                 false => path = partial,
             }
         }
@@ -155,12 +178,15 @@ impl StudyFolder {
 
 /// Layout and shard of the rows of a folder.
 pub fn known(directory: &Path) -> Option<(Layout, Shard)> {
-    layout::parse(&std::fs::read(directory.join(layout::FILE)).ok()?)
+    let path = directory.join(layout::FILE);
+    layout::parse(&std::fs::read(path.metadata().ok().filter(|about| about.is_file()).map(|_| path)?).ok()?)
 }
 
 /// The finished rows of a folder, behind their header; `None` where they are not finished.
 pub fn finished(directory: &Path) -> Option<(PathBuf, BufReader<File>)> {
     let path = directory.join(ROWS);
+    // A pipe would be waited for.
+    let path = path.is_file().then_some(path)?;
     let mut reader = BufReader::with_capacity(1 << 16, File::open(&path).ok()?);
     reader.read_until(b'\n', &mut Vec::new()).ok()?;
     Some((path, reader))
@@ -187,9 +213,14 @@ fn fits(directory: &Path, before: &(Layout, Shard), now: (&Layout, Shard)) -> Re
     Ok(())
 }
 
-fn lock(directory: &Path) -> Result<Option<File>, StudyError> {
+/// Whether anything stands in a folder under a name.
+fn stands_in(dir: &Dir, name: &str) -> bool {
+    dir.symlink_metadata(name).is_ok()
+}
+
+fn lock(dir: &Dir, directory: &Path) -> Result<Option<File>, StudyError> {
     // Where folders cannot be locked, nobody is kept off.
-    let Ok(folder) = File::open(directory) else { return Ok(None) };
+    let Some(folder) = reader(dir) else { return Ok(None) };
     match folder.try_lock() {
         Err(TryLockError::WouldBlock) => {
             let problem = Problem::new(format!("another program works on {}", directory.display()));
@@ -199,10 +230,22 @@ fn lock(directory: &Path) -> Result<Option<File>, StudyError> {
     }
 }
 
+/// The file of the rows: a new one, or one that stands in this folder and nowhere else.
+fn appended(dir: &Dir) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true).write(true).follow(FollowSymlinks::No);
+    let is_there = match dir.symlink_metadata(PARTIAL) {
+        Ok(about) if about.is_file() && about.nlink() == 1 => true,
+        Ok(_) => return Err(io::Error::new(io::ErrorKind::AlreadyExists, "it is no file of this folder alone")),
+        Err(_) => false,
+    };
+    Ok(dir.open_with(PARTIAL, options.create_new(!is_there))?.into_std())
+}
+
 /// Opens unfinished rows behind the last whole one, which is that of the last job before the returned one; what is
 /// torn behind it is cut off.
-fn resume(path: &Path, layout: &Layout, first: u64) -> io::Result<(File, u64)> {
-    let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)?;
+fn resume(dir: &Dir, layout: &Layout, first: u64) -> io::Result<(File, u64)> {
+    let mut file = appended(dir)?;
     let header = rows::header(layout);
     let mut reader = BufReader::with_capacity(1 << 16, &mut file);
     let mut line = Vec::new();

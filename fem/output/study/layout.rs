@@ -2,14 +2,17 @@
 
 use serde_json::{Value as Json, json};
 
+use crate::output::files::Account;
 use crate::study::{Layout, Nature, ResultColumn, Shard};
 
 /// Name of the file.
 pub const FILE: &str = ".fem-study.json";
 const SCHEMA: &str = "fem-study-rows/1";
+/// A file that is longer was not written by this program.
+pub const LONGEST: u64 = 1 << 28;
 
-/// The text of the file.
-pub fn text(layout: &Layout, shard: Shard) -> String {
+/// The text of the file, sealed where there is a key.
+pub fn text(layout: &Layout, shard: Shard, account: Option<&Account>) -> String {
     let word = Nature::WORDS.iter().find(|(_, nature)| *nature == layout.nature).map_or("", |(word, _)| word);
     let end = |value: f64| if value.is_finite() { json!(value) } else { Json::Null };
     let result = |r: &ResultColumn| {
@@ -35,7 +38,13 @@ pub fn text(layout: &Layout, shard: Shard) -> String {
         "results": layout.results.iter().map(result).collect::<Vec<_>>(),
         "shard": [shard.number, shard.of],
     });
-    format!("{value:#}\n")
+    let text = format!("{value:#}\n");
+    account.map_or(text.clone(), |account| account.sealed_json(SCHEMA, &text))
+}
+
+/// Whether this account has sealed the text of a file.
+pub fn is_own(text: &[u8], account: &Account) -> bool {
+    account.has_sealed_json(SCHEMA, text)
 }
 
 /// Reads the text of the file; `None` where it is no such file.

@@ -7,7 +7,7 @@ mod merge;
 mod rows;
 mod text;
 
-pub use folder::{StudyError, StudyFolder};
+pub use folder::{Earlier, StudyError, StudyFolder};
 pub use json::json;
 pub use merge::merge;
 pub use rows::line;
