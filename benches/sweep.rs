@@ -42,7 +42,7 @@ fn sweep(shaft: &Shaft, joints: &[Joint; 2], at: &[f64]) -> f64 {
     let mut sum = 0.0;
     for i in 0..at.len() {
         let g = condensed.influence[i];
-        let y = solve_joints(joints, g, &condensed.constraint, 500.0, None)
+        let y = solve_joints(joints, g, &condensed.constraint, (500.0, [0.0; 2]), None)
             .expect("the joints find an equilibrium")
             .displacements;
         sum += condensed.compliance[i] * 500.0 + g[0] * y[0] + g[1] * y[1];

@@ -4,8 +4,10 @@
 //! = y(Q) obey
 //!
 //! ```text
-//!     Q + S·y(Q) − g·P = 0        and the tool sees    C·P + g·d
+//!     Q + S·y(Q) − g·P = q        and the tool sees    C·P + g·d
 //! ```
+//!
+//! with q the forces that supports out of line leave on the joints.
 //!
 //! Where statics decides, S = 0 and Q = g·P at once. Otherwise Newton's method runs along each joint's path
 //! (see [`Joint::along`]), on which the contact law has no infinite slope, with a line search on the
@@ -44,8 +46,8 @@ pub struct JointsError {
     pub residual: f64,
 }
 
-/// Solves for the joints under the tool force `load` (N), given influence g and constraint S, from the
-/// solution under a similar force if there is one.
+/// Solves for the joints under the tool force `load` (N), given influence g, constraint S and the forces q (N) that are
+/// there without the tool, from the solution under a similar force if there is one.
 ///
 /// # Errors
 /// Newton's method did not converge.
@@ -53,10 +55,10 @@ pub fn solve_joints(
     joints: &[Joint; 2],
     influence: [f64; 2],
     constraint: &[[f64; 2]; 2],
-    load: f64,
+    (load, bent_forces): (f64, [f64; 2]),
     near: Option<&Equilibrium>,
 ) -> Result<Equilibrium, JointsError> {
-    let target = [influence[0] * load, influence[1] * load];
+    let target = [influence[0] * load + bent_forces[0], influence[1] * load + bent_forces[1]];
     if *constraint == [[0.0; 2]; 2] {
         return Ok(determinate(joints, influence, target));
     }

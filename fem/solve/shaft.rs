@@ -16,6 +16,8 @@ pub struct Rest {
     pub at: f64,
     /// Stiffness, N/m.
     pub stiffness: f64,
+    /// How far it stands out of the line of the shaft, m.
+    pub offset: f64,
 }
 
 /// The hold of the headstock on the shaft's rotation.
@@ -78,6 +80,10 @@ pub struct Condensed {
     /// Forces at headstock and tailstock per unit displacement of each, N/m: zero where statics alone
     /// decides.
     pub constraint: [[f64; 2]; 2],
+    /// Deflection at each position by rests that stand out of line, on rigid supports, m.
+    pub bent: Vec<f64>,
+    /// Forces that they leave to headstock and tailstock, N.
+    pub bent_forces: [f64; 2],
 }
 
 impl Shaft {
@@ -105,7 +111,7 @@ impl Shaft {
     /// # Errors
     /// A position is off the shaft, or the shaft is loose.
     pub fn condense(&self, positions: &[f64]) -> Result<Condensed, ShaftError> {
-        let (links, cuts) = self.cut(positions)?;
+        let (links, cuts, rests) = self.cut(positions)?;
         let tail = if self.tailstock { HalfPlane::held(Turning::FREE) } else { HalfPlane::FREE };
         let ahead = || planes_ahead(HalfPlane::held(self.turning()), &links);
         let behind = || planes_behind(tail, &links);
@@ -115,20 +121,30 @@ impl Shaft {
         if let Some(i) = compliance.iter().position(|c| !c.is_finite()) {
             return Err(ShaftError::Loose { at: positions[i] });
         }
-        let mut condensed =
-            Condensed { links, left, right, cuts, compliance, influence: Vec::new(), constraint: [[0.0; 2]; 2] };
+        let mut condensed = Condensed {
+            links,
+            left,
+            right,
+            bent: vec![0.0; cuts.len()],
+            cuts,
+            compliance,
+            influence: Vec::new(),
+            constraint: [[0.0; 2]; 2],
+            bent_forces: [0.0; 2],
+        };
         if self.is_determinate() {
             let length = self.length();
             let share = |x: &f64| if self.tailstock { [1.0 - x / length, x / length] } else { [1.0, 0.0] };
             condensed.influence = positions.iter().map(share).collect();
         } else {
-            condensed.displace_supports(self);
+            condensed.displace_supports(self, &rests);
         }
         Ok(condensed)
     }
 
-    /// Splits the pieces at positions and rests: links from cut to cut, and the cut of each position.
-    fn cut(&self, positions: &[f64]) -> Result<(Vec<Link>, Vec<u32>), ShaftError> {
+    /// Splits the pieces at positions and rests: links from cut to cut, the cut of each position and that of each
+    /// rest.
+    fn cut(&self, positions: &[f64]) -> Result<(Vec<Link>, Vec<u32>, Vec<u32>), ShaftError> {
         let length = self.length();
         let on_shaft = |at: f64| match (-1e-12 * length..=length * (1.0 + 1e-12)).contains(&at) {
             true => Ok(()),
@@ -142,16 +158,20 @@ impl Shaft {
             order.sort_unstable_by(|a, b| at(*a).total_cmp(&at(*b)));
         }
         let mut cutter = Cutter::new(&self.pieces, self.pieces.len() + order.len(), length);
-        let mut cuts = vec![0; positions.len()];
+        let (mut cuts, mut rests) = (vec![0; positions.len()], vec![0; self.rests.len()]);
         for i in order {
             let cut = cutter.advance(at(i));
             match cuts.get_mut(i as usize) {
                 Some(place) => *place = cut,
-                None => cutter.support(self.rests[i as usize - positions.len()].stiffness),
+                None => {
+                    let rest = i as usize - positions.len();
+                    cutter.support(self.rests[rest].stiffness);
+                    rests[rest] = cut;
+                }
             }
         }
         cutter.advance(length);
-        Ok((cutter.links, cuts))
+        Ok((cutter.links, cuts, rests))
     }
 }
 
@@ -245,8 +265,9 @@ fn planes_behind(start: HalfPlane, links: &[Link]) -> Vec<HalfPlane> {
 }
 
 impl Condensed {
-    /// Finds influence and constraint by displacing headstock and tailstock by one unit each.
-    fn displace_supports(&mut self, shaft: &Shaft) {
+    /// Finds influence and constraint by displacing headstock and tailstock by one unit each, and what rests out of
+    /// line bend; `rests` are their cuts.
+    fn displace_supports(&mut self, shaft: &Shaft, rests: &[u32]) {
         let last = self.links.len();
         let (slope, head_force) = self.right[0].displaced(shaft.turning());
         let head = self.towards_tail(0, (1.0, slope));
@@ -256,8 +277,8 @@ impl Condensed {
             tail = self.towards_head(last, (1.0, slope));
             tail[0] = 0.0;
             // Headstock and tailstock push the shaft against its rests.
-            let rests: f64 = self.links.iter().zip(&head[1..]).map(|(link, w)| link.rest * w).sum();
-            let mutual = rests - head_force;
+            let on_rests: f64 = self.links.iter().zip(&head[1..]).map(|(link, w)| link.rest * w).sum();
+            let mutual = on_rests - head_force;
             self.constraint = [[head_force, mutual], [mutual, tail_force]];
         } else {
             self.constraint[0][0] = head_force;
@@ -267,6 +288,15 @@ impl Condensed {
             // The tailstock is rigid while the headstock moves.
             let at_end = |c: &u32| *c as usize == last;
             self.cuts.iter().zip(&mut self.influence).filter(|(c, _)| at_end(c)).for_each(|(_, i)| i[0] = 0.0);
+        }
+        for (rest, &cut) in shaft.rests.iter().zip(rests).filter(|(rest, _)| rest.offset != 0.0) {
+            // A spring whose foot is moved pushes with what would hold it there.
+            let force = rest.stiffness * rest.offset;
+            let unit = self.under_force_at(cut as usize);
+            self.bent.iter_mut().zip(unit).for_each(|(w, unit)| *w += force * unit);
+            for (force_there, at_rest) in self.bent_forces.iter_mut().zip([head[cut as usize], tail[cut as usize]]) {
+                *force_there += force * at_rest;
+            }
         }
     }
 
@@ -299,7 +329,10 @@ impl Condensed {
     /// Deflection at every position while a unit force stands at position number `tool`, on rigid supports;
     /// m/N.
     pub fn shape(&self, tool: usize) -> Vec<f64> {
-        let cut = self.cuts[tool] as usize;
+        self.under_force_at(self.cuts[tool] as usize)
+    }
+
+    fn under_force_at(&self, cut: usize) -> Vec<f64> {
         let (w, slope) = self.left[cut].joined(&self.right[cut]);
         let before = self.towards_head(cut, (w, slope));
         let after = self.towards_tail(cut, (w, -slope));

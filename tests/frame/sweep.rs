@@ -53,7 +53,7 @@ impl Trial {
     }
 
     fn shaft(&self) -> Shaft {
-        let rests = self.rests.iter().map(|&(node, stiffness)| Rest { at: self.at(node), stiffness }).collect();
+        let rests = self.rests.iter().map(|&(node, stiffness)| Rest { at: self.at(node), stiffness, offset: 0.0 }).collect();
         Shaft { pieces: self.pieces.clone(), hold: self.hold, tailstock: self.tailstock, rests }
     }
 
@@ -62,7 +62,7 @@ impl Trial {
         let nodes: Vec<f64> = (0..=self.pieces.len()).map(|i| self.at(i)).collect();
         let condensed: Condensed = self.shaft().condense(&nodes).unwrap();
         let influence = condensed.influence[self.tool];
-        let joints = solve_joints(&self.joints, influence, &condensed.constraint, self.load, None).unwrap();
+        let joints = solve_joints(&self.joints, influence, &condensed.constraint, (self.load, [0.0; 2]), None).unwrap();
         let [head, tail] = joints.displacements;
         let shape = condensed.shape(self.tool);
         assert!((shape[self.tool] / condensed.compliance[self.tool] - 1.0).abs() < 1e-12);

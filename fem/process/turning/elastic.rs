@@ -1,18 +1,53 @@
-//! The deflection under the tool: shaft, supports, carriage and force in one equilibrium.
+//! What the tool meets and leaves: shaft, supports, carriage, nose and force in one equilibrium.
+//!
+//! Nose and work are moved apart by a gap y: the shaft bends under the force between supports that yield, and that
+//! stand where effects have moved them; tool and slide yield. All else that moves the nose ([`Nose`]) meets that gap in
+//! one place, and the depth of cut is what lies between blank and nose: t_d = t_set − (R − D/2), R the radius at which
+//! the nose stands.
 
 use super::cut::Conditions;
-use super::machine::Machine;
+use super::machine::{Machine, Moment, Nose};
 use super::setup::Setup;
 use crate::joint::Joint;
 use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
+
+/// What is cut, with what, at one place and moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cutting {
+    /// Force and depth.
+    pub conditions: Conditions,
+    /// Diameter that is meant, m.
+    pub diameter: f64,
+    /// Where the nose stands.
+    pub nose: Nose,
+    /// How far headstock and tailstock stand from their places, m.
+    pub displacements: [f64; 2],
+}
+
+impl Cutting {
+    /// What is cut at a moment under these conditions.
+    pub fn new(machine: &Machine, moment: &Moment, conditions: Conditions) -> Self {
+        let (nose, displacements) = (machine.nose_at(moment), machine.displacements_at(moment));
+        Self { conditions, diameter: moment.diameter, nose, displacements }
+    }
+
+    /// The same where the work is larger by an error of the diameter (m).
+    #[must_use]
+    pub fn meeting(mut self, error: f64) -> Self {
+        self.conditions.set_depth += 0.5 * error;
+        self
+    }
+}
 
 /// The equilibrium at one tool position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deflection {
     /// Radial force that really acts, N.
     pub force: f64,
-    /// Forces and displacements of headstock and tailstock.
+    /// Forces and yielding of headstock and tailstock.
     pub supports: Equilibrium,
+    /// How far these stand from their places, m.
+    pub displaced: [f64; 2],
     /// The shaft's own bending under the tool, m.
     pub shaft: f64,
     /// Tool, slide and holder, m.
@@ -21,15 +56,15 @@ pub struct Deflection {
     pub total: f64,
     /// dy/dP, m/N.
     pub rate: f64,
-    /// The diameter error that the tool meets, m, where the cut follows it; infinite where it does not.
-    pub met: f64,
+    /// Diameter error that is left, m.
+    pub error: f64,
 }
 
 impl Deflection {
-    /// The diameter error that is left, m, with what else moves the tool on the diameter (m): twice the gap and that,
-    /// but no more than there was, which the tool does not reach.
-    pub fn error(&self, shift: f64) -> f64 {
-        (2.0 * self.total + shift).min(self.met)
+    /// How far the shaft is moved at headstock and tailstock, m.
+    pub fn ends(&self) -> [f64; 2] {
+        let y = self.supports.displacements;
+        [y[0] + self.displaced[0], y[1] + self.displaced[1]]
     }
 }
 
@@ -46,84 +81,108 @@ impl<'a> Elastic<'a> {
     /// A machine on a shaft condensed to the positions of interest.
     pub fn new(machine: &'a Machine, shaft: &'a Condensed) -> Self {
         let joints = [machine.headstock.clone(), machine.tailstock.clone()];
-        Self { shaft, joints, carriage: &machine.carriage, feedback: machine.feedback, setup: &machine.setup }
+        let feedback = machine.feedback.filter(|exponent| *exponent != 0.0);
+        Self { shaft, joints, carriage: &machine.carriage, feedback, setup: &machine.setup }
     }
 
     /// The diameter error (m) that the passes before the last leave at x with the tool there, at position
     /// number `i`, at an angle (rad) around the part or on the mean: where the force is fed back each copies what it
-    /// meets.
+    /// meets. `last` is the last pass, and whatever moves nose and supports in it moves them in all.
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn before(&self, i: usize, x: f64, angle: Option<f64>) -> Result<f64, JointsError> {
-        if self.feedback.is_none_or(|exponent| exponent == 0.0) {
+    pub fn before(&self, i: usize, x: f64, angle: Option<f64>, last: &Cutting) -> Result<f64, JointsError> {
+        if self.feedback.is_none() {
             return Ok(0.0);
         }
         let blank = &self.setup.blank;
         // Half of a diameter is what the tool meets at one angle.
         let around = angle.map_or(0.0, |angle| 2.0 * blank.around(angle));
         let blank = blank.error(x, self.setup.length()) + around;
-        self.setup.passes.iter().try_fold(blank, |error, pass| Ok(self.pass(i, pass.conditions(x, error))?.1))
+        (0..self.setup.passes.len()).try_fold(blank, |error, number| {
+            Ok(self.deflect(i, &self.earlier(number, x, error, last))?.error)
+        })
     }
 
-    /// Force (N) of a pass, and the diameter error (m) that it leaves: twice the gap, or all that it does
-    /// not reach.
-    ///
-    /// # Errors
-    /// The joints found no equilibrium.
-    pub fn pass(&self, i: usize, at: Conditions) -> Result<(f64, f64), JointsError> {
-        let deflection = self.deflect(i, at)?;
-        Ok((deflection.force, deflection.error(0.0)))
+    /// The pass `number` before the last at x, where the work is too large by an error (m).
+    pub fn earlier(&self, number: usize, x: f64, error: f64, last: &Cutting) -> Cutting {
+        let passes = &self.setup.passes;
+        let later = passes[number + 1..].iter().map(|pass| pass.depth).sum::<f64>() + self.setup.cut.depth;
+        let conditions = passes[number].conditions(x, error);
+        Cutting { conditions, diameter: last.diameter + 2.0 * later, ..*last }
     }
 
     /// The equilibrium with the tool at position number `i`.
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn deflect(&self, i: usize, at: Conditions) -> Result<Deflection, JointsError> {
+    pub fn deflect(&self, i: usize, at: &Cutting) -> Result<Deflection, JointsError> {
         match self.feedback {
-            Some(exponent) if exponent != 0.0 => {
-                Ok(Deflection { met: 2.0 * at.set_depth, ..self.fed_back(i, at, exponent)? })
-            }
-            _ => self.under(i, at.force, None),
+            Some(exponent) => self.fed_back(i, at, exponent),
+            None => self.under(i, at.conditions.force, at, None),
         }
+    }
+
+    /// The same under a given force (N) where every support stands in its place.
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn yielding(&self, i: usize, force: f64) -> Result<Equilibrium, JointsError> {
+        solve_joints(&self.joints, self.shaft.influence[i], &self.shaft.constraint, (force, [0.0; 2]), None)
     }
 
     /// The equilibrium under a given force, from that under a similar one if there is one.
-    fn under(&self, i: usize, force: f64, near: Option<&Deflection>) -> Result<Deflection, JointsError> {
-        let influence = self.shaft.influence[i];
+    fn under(
+        &self,
+        i: usize,
+        force: f64,
+        at: &Cutting,
+        near: Option<&Deflection>,
+    ) -> Result<Deflection, JointsError> {
+        let (influence, s, displaced) = (self.shaft.influence[i], &self.shaft.constraint, at.displacements);
+        // A support that is moved leaves what it would take to move it back.
+        let left = |k: usize| self.shaft.bent_forces[k] - s[k][0] * displaced[0] - s[k][1] * displaced[1];
         let near = near.map(|d| &d.supports);
-        let supports = solve_joints(&self.joints, influence, &self.shaft.constraint, force, near)?;
+        let supports = solve_joints(&self.joints, influence, s, (force, [left(0), left(1)]), near)?;
         let shaft = self.shaft.compliance[i] * force;
         let (carriage, carriage_rate) = self.carriage.yield_under(force);
-        let [d, rates] = [supports.displacements, supports.displacement_rates];
-        let total = shaft + influence[0] * d[0] + influence[1] * d[1] + carriage;
+        let [y, rates] = [supports.displacements, supports.displacement_rates];
+        let moved = influence[0] * (y[0] + displaced[0]) + influence[1] * (y[1] + displaced[1]);
+        let total = shaft + self.shaft.bent[i] + moved + carriage;
         let rate = self.shaft.compliance[i] + influence[0] * rates[0] + influence[1] * rates[1] + carriage_rate;
-        Ok(Deflection { force, supports, shaft, carriage, total, rate, met: f64::INFINITY })
+        let error = at.nose.error(at.diameter, total).0;
+        Ok(Deflection { force, supports, displaced, shaft, carriage, total, rate, error })
     }
 
-    /// The deflection takes depth off the cut, and the force with it: P = P₀·(t_d/t₀)^e, t_d = t_set − y(P)
-    /// ≥ 0.
+    /// What moves nose and work apart takes depth off the cut, and the force with it: P = P₀·(t_d/t₀)^e, t_d =
+    /// t_set − e(P)/2 ≥ 0, with e(P) the diameter error that the nose would leave under P. Where nothing is left of the
+    /// depth the tool does not touch, and leaves what it meets.
     ///
-    /// t_d + y(P(t_d)) rises with t_d from 0 to beyond t_set, so the root is bracketed; Newton's step is
-    /// taken where it stays inside the bracket.
-    fn fed_back(&self, i: usize, at: Conditions, exponent: f64) -> Result<Deflection, JointsError> {
-        if at.set_depth <= 0.0 || at.nominal == 0.0 {
-            return self.under(i, 0.0, None);
+    /// t_d + e(P(t_d))/2 rises with t_d, so the root is bracketed; Newton's step is taken where it stays inside
+    /// the bracket.
+    fn fed_back(&self, i: usize, at: &Cutting, exponent: f64) -> Result<Deflection, JointsError> {
+        let conditions = &at.conditions;
+        let force = |depth: f64| conditions.nominal * (depth / conditions.nominal_depth).powf(exponent);
+        let free = self.under(i, 0.0, at, None)?;
+        let (mut low, mut high) = (0.0, conditions.set_depth - 0.5 * free.error);
+        if high <= 0.0 {
+            return Ok(Deflection { error: 2.0 * conditions.set_depth, ..free });
         }
-        let force = |depth: f64| at.nominal * (depth / at.nominal_depth).powf(exponent);
-        let (mut low, mut high) = (0.0, at.set_depth);
-        let mut deflection = self.under(i, force(at.set_depth), None)?;
-        let mut depth = at.set_depth / (1.0 + deflection.total / at.set_depth);
+        if conditions.nominal == 0.0 {
+            return Ok(free);
+        }
+        let mut deflection = self.under(i, force(high), at, None)?;
+        let mut depth = high / (1.0 + 0.5 * (deflection.error - free.error) / high);
         for _ in 0..MAX_ITERATIONS {
-            deflection = self.under(i, force(depth), Some(&deflection))?;
-            let excess = depth + deflection.total - at.set_depth;
+            deflection = self.under(i, force(depth), at, Some(&deflection))?;
+            let excess = depth + 0.5 * deflection.error - conditions.set_depth;
             if excess > 0.0 {
                 high = depth
             } else {
                 low = depth
             }
-            let slope = 1.0 + deflection.rate * exponent * deflection.force / depth;
+            let by_gap = 0.5 * at.nose.error(at.diameter, deflection.total).1;
+            let slope = 1.0 + by_gap * deflection.rate * exponent * deflection.force / depth;
             let newton = depth - excess / slope;
             let inside = newton > low && newton < high;
             // The depth may be a tiny part of what is set, so it is halved by ratio and every step is
@@ -134,11 +193,11 @@ impl<'a> Elastic<'a> {
                 || excess == 0.0
                 || high - low <= ROUND_OFF * high
             {
-                return self.under(i, force(if excess == 0.0 { depth } else { next }), Some(&deflection));
+                return self.under(i, force(if excess == 0.0 { depth } else { next }), at, Some(&deflection));
             }
             depth = next;
         }
-        Err(JointsError { load: at.nominal, iterations: MAX_ITERATIONS, residual: force(high) - force(low) })
+        Err(JointsError { load: conditions.nominal, iterations: MAX_ITERATIONS, residual: force(high) - force(low) })
     }
 }
 

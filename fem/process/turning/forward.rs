@@ -6,12 +6,13 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::elastic::{Deflection, Elastic};
+use super::cut::Conditions;
+use super::elastic::{Cutting, Deflection, Elastic};
 use super::machine::{Machine, Moment};
 use super::rows::{self, ANGLE, BLANK, DIAMETER, X};
 use crate::process::{Failure, Rows};
 use crate::progress::Progress;
-use crate::solve::{Condensed, JointsError, ShaftError};
+use crate::solve::{Condensed, JointsError, Rest, ShaftError};
 
 /// The shaft as the machine holds it, condensed to tool positions in m.
 ///
@@ -21,10 +22,19 @@ pub fn condense(machine: &Machine, positions: &[f64]) -> Result<Condensed, Failu
     if let Some(failure) = &machine.failure {
         return Err(failure.clone());
     }
-    machine.setup.shaft(machine.hold).condense(positions).map_err(Failure::from)
+    machine.shaft().condense(positions).map_err(Failure::from)
 }
 
-/// The equilibrium of the last pass at each of the positions (m) to which the shaft is condensed.
+/// The last pass on the mean of a round blank, at position number `i`, x (m), on a part.
+///
+/// # Errors
+/// No equilibrium.
+pub fn last_pass(machine: &Machine, elastic: &Elastic, i: usize, x: f64, part: usize) -> Result<Cutting, JointsError> {
+    let last = Cutting::new(machine, &machine.moment_on(part, x), machine.setup.conditions(x, 0.0));
+    Ok(last.meeting(elastic.before(i, x, None, &last)?))
+}
+
+/// The equilibrium of the last pass on the first part at each of the positions (m) to which the shaft is condensed.
 ///
 /// # Errors
 /// No equilibrium at some position.
@@ -34,10 +44,19 @@ pub fn deflections(
     positions: &[f64],
     progress: &Progress,
 ) -> Result<Vec<Deflection>, Failure> {
-    let elastic = Elastic::new(machine, shaft);
+    on_part(machine, &Elastic::new(machine, shaft), positions, 1, progress)
+}
+
+fn on_part(
+    machine: &Machine,
+    elastic: &Elastic,
+    positions: &[f64],
+    part: usize,
+    progress: &Progress,
+) -> Result<Vec<Deflection>, Failure> {
     let deflect = |(i, x): (usize, &f64)| {
-        let before = elastic.before(i, *x, None);
-        let deflection = before.and_then(|before| elastic.deflect(i, machine.setup.conditions(*x, before)));
+        let last = last_pass(machine, elastic, i, *x, part);
+        let deflection = last.and_then(|last| elastic.deflect(i, &last));
         progress.advance(1);
         deflection.map_err(Failure::from)
     };
@@ -45,7 +64,17 @@ pub fn deflections(
     positions.par_iter().enumerate().with_min_len(64).map(deflect).collect()
 }
 
-/// The rows of the programme: each position is solved once for all parts.
+/// The diameter error (m) that is left at a moment where no force acts.
+///
+/// # Errors
+/// As [`condense`] and [`deflections`].
+pub fn unloaded(machine: &Machine, moment: &Moment) -> Result<f64, Failure> {
+    let shaft = condense(machine, &[moment.x])?;
+    let conditions = Conditions { force: 0.0, nominal: 0.0, ..machine.setup.conditions(moment.x, 0.0) };
+    Ok(Elastic::new(machine, &shaft).deflect(0, &Cutting::new(machine, moment, conditions))?.error)
+}
+
+/// The rows of the programme. Where the gap at a place stays the same, each position is solved once for all parts.
 ///
 /// # Errors
 /// As [`condense`] and [`deflections`].
@@ -59,12 +88,20 @@ pub fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Resu
         return observe(machine, &rows);
     }
     let positions = setup.sweep();
-    let deflections = deflections(machine, &condense(machine, &positions)?, &positions, progress)?;
+    let shaft = condense(machine, &positions)?;
+    let elastic = Elastic::new(machine, &shaft);
+    if machine.gap_changes() {
+        let parts = (1..=setup.schedule.parts).map(|part| on_part(machine, &elastic, &positions, part, progress));
+        let errors = parts.map(|part| Ok(part?.into_iter().map(|d| d.error).collect::<Vec<f64>>()));
+        return Ok(errors.collect::<Result<Vec<_>, Failure>>()?.concat());
+    }
+    let deflections = on_part(machine, &elastic, &positions, 1, progress)?;
     let mut errors = vec![0.0; programme.len()];
     progress.expect(setup.schedule.parts as u64);
     errors.par_chunks_mut(positions.len()).enumerate().for_each(|(k, errors)| {
         for ((error, &x), deflection) in errors.iter_mut().zip(&positions).zip(&deflections) {
-            *error = deflection.error(machine.shift_on(k + 1, x));
+            let moment = machine.moment_on(k + 1, x);
+            *error = machine.nose_at(&moment).error(moment.diameter, deflection.total).0;
         }
         progress.advance(1);
     });
@@ -99,22 +136,22 @@ fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Ve
         let x = at(row);
         let diameter = setup.diameter(x);
         let i = positions.partition_point(|p| *p < x);
-        let conditions = rows::conditions(setup, rows, row, diameter);
-        let deflection = |angle: Option<f64>| -> Result<Deflection, Failure> {
-            let mut at = conditions;
-            if rows.get(BLANK, row).is_none() {
-                at.set_depth += 0.5 * elastic.before(i, x, angle)?;
-            }
-            Ok(elastic.deflect(i, at)?)
-        };
         let (time, path) = rows::moment(setup, rows, row, rows::part(rows, row), x);
+        let conditions = rows::conditions(setup, rows, row, diameter);
+        let last = Cutting::new(machine, &Moment { x, diameter, time, path }, conditions);
+        let left = |angle: Option<f64>| -> Result<f64, Failure> {
+            let met = match rows.get(BLANK, row) {
+                Some(_) => 0.0,
+                None => elastic.before(i, x, angle, &last)?,
+            };
+            Ok(elastic.deflect(i, &last.meeting(met))?.error)
+        };
         let set = if rows.observable[row] == DIAMETER { diameter } else { 0.0 };
-        let shift = machine.shift_at(&Moment { x, diameter, time, path });
         // A diameter reaches from one side to the other.
         let angle = rows.get(ANGLE, row).unwrap_or(0.0);
         let error = match setup.blank.is_round() {
-            true => deflection(None)?.error(shift),
-            false => 0.5 * (deflection(Some(angle))?.error(shift) + deflection(Some(angle + PI))?.error(shift)),
+            true => left(None)?,
+            false => 0.5 * (left(Some(angle))? + left(Some(angle + PI))?),
         };
         Ok(set + error)
     };
@@ -133,15 +170,15 @@ pub fn rest_forces(machine: &Machine, positions: &[f64], deflections: &[Deflecti
     }
     let all: Vec<f64> = positions.iter().copied().chain(rests.iter().map(|r| r.at)).collect();
     let shaft = condense(machine, &all)?;
-    let forces = |(rest, stiffness): (usize, f64)| {
-        let ([head, tail], shape) = (shaft.influence[rest], shaft.shape(rest));
+    let forces = |(number, rest): (usize, Rest)| {
+        let ([head, tail], shape, bent) = (shaft.influence[number], shaft.shape(number), shaft.bent[number]);
         let force = |(d, unit): (&Deflection, f64)| {
-            let y = d.supports.displacements;
-            stiffness * (unit * d.force + head * y[0] + tail * y[1])
+            let ends = d.ends();
+            rest.stiffness * (unit * d.force + bent + head * ends[0] + tail * ends[1] - rest.offset)
         };
         deflections.iter().zip(shape).map(force).collect()
     };
-    Ok((positions.len()..).zip(rests.iter().map(|r| r.stiffness)).map(forces).collect())
+    Ok((positions.len()..).zip(machine.shaft().rests).map(forces).collect())
 }
 
 impl From<ShaftError> for Failure {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::setup::Setup;
 use crate::joint::Joint;
 use crate::process::{self, Failure};
-use crate::solve::Hold;
+use crate::solve::{Hold, Shaft};
 
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
@@ -23,14 +23,48 @@ pub struct Moment {
     pub path: f64,
 }
 
-/// A change of diameter that does not depend on the force, m.
+/// A displacement or a change of diameter that does not depend on the force, m.
 pub type Shift = Box<dyn Fn(&Moment) -> f64 + Send + Sync>;
 
 /// How far the edge has drawn back after a cutting path, both in m.
 pub type Wear = Box<dyn Fn(f64) -> f64 + Send + Sync>;
 
-/// A lathe with its effects. Effects act on it by yielding at a joint, by tilting the chuck, by feeding the
-/// deflection back into the force, or by adding a shift.
+/// A support of the shaft whose place effects move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Support {
+    /// At x = 0.
+    Headstock,
+    /// At x = L.
+    Tailstock,
+}
+
+/// Where the nose stands on a diameter, by all that does not ask for the force.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Nose {
+    /// Twice the way across, in the plane of the axis, m.
+    pub across: f64,
+    /// Twice the way up, out of that plane, m.
+    pub up: f64,
+}
+
+impl Nose {
+    /// The diameter error (m) that it leaves where nose and work are moved apart by a gap (m) besides, and what the
+    /// error grows by with the gap: it stands at √(r² + z²) from the axis, with all that moves it across in r and all
+    /// that moves it up in z [seed 002 (2), (3)].
+    pub fn error(&self, diameter: f64, gap: f64) -> (f64, f64) {
+        let across = self.across + 2.0 * gap;
+        if self.up == 0.0 {
+            return (across, 2.0);
+        }
+        let moved = diameter + across;
+        let whole = moved.hypot(self.up);
+        // √(D² + z²) − D without the loss of digits in the difference.
+        (across + self.up * self.up / (whole + moved), 2.0 * moved / whole)
+    }
+}
+
+/// A lathe with its effects. Effects act on it by yielding at a joint, by tilting the chuck, by moving a support, by
+/// feeding back into the force what the nose leaves of the depth, or by moving the nose.
 pub struct Machine {
     /// The tables of the model.
     pub setup: Arc<Setup>,
@@ -42,6 +76,10 @@ pub struct Machine {
     pub carriage: Joint,
     /// Rotation at the headstock.
     pub hold: Hold,
+    /// What moves headstock and tailstock away from the tool, m.
+    displaced: [Vec<Shift>; 2],
+    /// What moves all steady rests out of line besides their own offsets, m.
+    pub rests_offset: f64,
     /// Exponent of the force in the depth actually cut; `None` where the force stays as set.
     pub feedback: Option<f64>,
     /// Changes of diameter that add up: what moves the nose across, in the plane of the axis.
@@ -66,6 +104,8 @@ impl Machine {
             tailstock,
             carriage,
             hold,
+            displaced: [Vec::new(), Vec::new()],
+            rests_offset: 0.0,
             feedback: None,
             shifts: Vec::new(),
             lifts: Vec::new(),
@@ -77,6 +117,11 @@ impl Machine {
     /// Adds a change of diameter, m.
     pub fn add_shift(&mut self, shift: impl Fn(&Moment) -> f64 + Send + Sync + 'static) {
         self.shifts.push(Box::new(shift));
+    }
+
+    /// Moves a support away from the tool, m.
+    pub fn displace(&mut self, support: Support, displacement: impl Fn(&Moment) -> f64 + Send + Sync + 'static) {
+        self.displaced[support as usize].push(Box::new(displacement));
     }
 
     /// Moves the nose up, m.
@@ -94,26 +139,41 @@ impl Machine {
         self.wears.iter().map(|by| by(path)).sum()
     }
 
-    /// Everything but force that changes the diameter at a moment, m: the nose stands at √(r² + z²) from the axis,
-    /// with all that moves it across in r and all that moves it up in z [seed 002 (2), (3)].
-    pub fn shift_at(&self, moment: &Moment) -> f64 {
-        let all = |moves: &[Shift]| moves.iter().map(|by| by(moment)).sum::<f64>();
-        let (across, up) = (all(&self.shifts) + 2.0 * self.wear(moment.path), 2.0 * all(&self.lifts));
-        let diameter = moment.diameter + across;
-        // √(D² + z²) − D without the loss of digits in the difference.
-        let raised = if up == 0.0 { 0.0 } else { up * up / (diameter.hypot(up) + diameter) };
-        across + raised
+    /// Where the nose stands at a moment.
+    pub fn nose_at(&self, moment: &Moment) -> Nose {
+        Nose { across: all(&self.shifts, moment) + 2.0 * self.wear(moment.path), up: 2.0 * all(&self.lifts, moment) }
     }
 
-    /// The same when the tool is at `x` on `part` by the schedule of the model.
-    pub fn shift_on(&self, part: usize, x: f64) -> f64 {
+    /// How far headstock and tailstock stand from their places at a moment, away from the tool, m.
+    pub fn displacements_at(&self, moment: &Moment) -> [f64; 2] {
+        [all(&self.displaced[0], moment), all(&self.displaced[1], moment)]
+    }
+
+    /// Place and time of x on `part` by the schedule of the model.
+    pub fn moment_on(&self, part: usize, x: f64) -> Moment {
         let Setup { schedule, .. } = &*self.setup;
         let (time, path) = (schedule.time(part, x), schedule.path(part, x));
-        self.shift_at(&Moment { x, diameter: self.setup.diameter(x), time, path })
+        Moment { x, diameter: self.setup.diameter(x), time, path }
+    }
+
+    /// Whether the gap at a place is another one at another time.
+    pub fn gap_changes(&self) -> bool {
+        self.feeds_back() || self.displaced.iter().any(|displaced| !displaced.is_empty())
+    }
+
+    /// The shaft as the machine holds it.
+    pub fn shaft(&self) -> Shaft {
+        let mut shaft = self.setup.shaft(self.hold);
+        shaft.rests.iter_mut().for_each(|rest| rest.offset += self.rests_offset);
+        shaft
     }
 
     /// Whether the deflection changes the force.
     pub fn feeds_back(&self) -> bool {
         self.feedback.is_some_and(|exponent| exponent != 0.0)
     }
+}
+
+fn all(moves: &[Shift], moment: &Moment) -> f64 {
+    moves.iter().map(|by| by(moment)).sum()
 }

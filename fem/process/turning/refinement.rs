@@ -6,7 +6,7 @@
 //! diameter along the pass. Of what is inherited, apart from what each pass bends anew, a system of
 //! stiffness j leaves C/(j + C), C the force per depth [seed 002 (27)].
 
-use super::elastic::Elastic;
+use super::elastic::{Cutting, Elastic};
 use super::forward::condense;
 use super::machine::Machine;
 use super::rows::{COORDINATES, X};
@@ -55,21 +55,24 @@ impl Refinement {
         let nudge = 1e-4 * setup.cut.depth;
         let mut nudged: Vec<f64> = errors.iter().map(|e| e + nudge).collect();
         for number in 0..=setup.passes.len() {
-            let conditions = |x: f64, error: f64| match setup.passes.get(number) {
-                Some(pass) => pass.conditions(x, error),
-                None => setup.conditions(x, error),
+            let pass = |i: usize, error: f64| {
+                let x = positions[i];
+                let last = Cutting::new(machine, &machine.moment_on(1, x), setup.conditions(x, 0.0));
+                let is_last = number == setup.passes.len();
+                let at = if is_last { last.meeting(error) } else { elastic.earlier(number, x, error, &last) };
+                elastic.deflect(i, &at)
             };
             let mut report = Report {
-                depth: conditions(0.0, 0.0).set_depth,
+                depth: setup.passes.get(number).map_or(setup.cut.depth, |pass| pass.depth),
                 force: (f64::INFINITY, 0.0),
                 before: errors.clone(),
                 after: Vec::new(),
             };
-            for (i, x) in positions.iter().enumerate() {
-                let (force, after) = elastic.pass(i, conditions(*x, errors[i]))?;
-                report.force = (report.force.0.min(force), report.force.1.max(force));
-                nudged[i] = elastic.pass(i, conditions(*x, nudged[i]))?.1;
-                errors[i] = after;
+            for i in 0..positions.len() {
+                let cut = pass(i, errors[i])?;
+                report.force = (report.force.0.min(cut.force), report.force.1.max(cut.force));
+                nudged[i] = pass(i, nudged[i])?.error;
+                errors[i] = cut.error;
             }
             report.after.clone_from(&errors);
             passes.push(report);

@@ -115,8 +115,9 @@ impl Setup {
                 let spacing = spacing.positive().optional();
                 (kind, height, spacing, t.list("steady_rests", "springs under the shaft", |t, _| read_rest(t, length)))
             });
+        let (element_size, beam) = read_mesh(model, length);
         let holder_compliance =
-            model.optional_table("tool", "the tool holder, a cantilever", read_holder).unwrap_or(0.0);
+            model.optional_table("tool", "the tool holder, a cantilever", |t| read_holder(t, beam)).unwrap_or(0.0);
         let (cut, pass) = Cut::read(model, length);
         let passes = EarlierPass::read_all(model, &cut, &pass);
         let earlier: f64 = passes.iter().map(|p| p.duration((pass.to - pass.from).abs())).sum();
@@ -132,7 +133,6 @@ impl Setup {
             model.problem("batch", message, "take fewer positions or parts");
         }
         let edge = Edge::read(model, &schedule);
-        let (element_size, beam) = read_mesh(model, length);
         let ends = segments.iter().scan(0.0, |x, s| {
             *x += s.length;
             Some(*x)
@@ -237,18 +237,23 @@ fn read_rest(t: &Reader, length: f64) -> Rest {
             format!("the shaft is {} long", LENGTH.told(length)),
         );
     }
-    Rest { at, stiffness }
+    let offset = t.quantity("offset", LENGTH, "how far it stands out of line, away from the tool").or(0.0);
+    Rest { at, stiffness, offset }
 }
 
-/// P(l³/3EI + l/κGA) per unit force, m/N.
-fn read_holder(t: &Reader) -> f64 {
+/// P(l³/3EI + l/κGA) per unit force, without shear in slender beams, m/N.
+fn read_holder(t: &Reader, beam: BeamTheory) -> f64 {
     let overhang = t.quantity("overhang", LENGTH, "free length of the holder").positive().required();
     let width = t.quantity("width", LENGTH, "width, across the force").positive().required();
     let height = t.quantity("height", LENGTH, "height, along the force").positive().required();
     let material = Material::read(t, "material");
     let section = Rectangle { width, height };
     let shear = section.shear_coefficient(material.poisson_ratio) * material.shear_modulus() * section.area();
-    overhang.powi(3) / (3.0 * material.youngs_modulus * section.inertia()) + overhang / shear
+    let bending = overhang.powi(3) / (3.0 * material.youngs_modulus * section.inertia());
+    match beam {
+        BeamTheory::Timoshenko => bending + overhang / shear,
+        BeamTheory::EulerBernoulli => bending,
+    }
 }
 
 fn read_batch(model: &Reader, cutting_time: f64) -> (usize, f64, Vec<Pause>) {

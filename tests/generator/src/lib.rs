@@ -1,6 +1,7 @@
 //! Practice cases with a hidden physical effect, made by other code and other numerics than the program
 //! under test: see [`turning`], [`ring`], [`thermal`], [`axis`], [`stiffness`], [`contour`], [`fixture`] and
-//! [`cam`]. Laws, signs and units are those that `fem effects` states.
+//! [`cam`]. Laws, signs and units are those that `fem effects` states; what several of them make together is one
+//! machine in one equilibrium, and [`meeting`] lets any two of them meet in any way of holding.
 //!
 //! Every case is decided by its seed. lambda is the length of an effect's signature, in standard
 //! deviations, after projection onto the tangent of all `+-` parameters of the written model with their
@@ -15,6 +16,8 @@ pub mod foreign;
 pub mod job;
 pub mod law;
 pub mod machine;
+pub mod meeting;
+pub mod preload;
 pub mod random;
 pub mod ring;
 pub mod stiffness;
@@ -47,6 +50,9 @@ use visibility::Nuisance;
 /// Draws a job that admits some effects and does not show them.
 pub type DrawJob = fn(&[&'static str], &mut Random) -> Option<Box<dyn Job>>;
 
+/// Draws a job of one of the scenes of a process; None where it does not admit the effects.
+pub type DrawScene = fn(usize, &[&'static str], &mut Random) -> Option<Box<dyn Job>>;
+
 /// A process of which cases can be made.
 pub struct Process {
     /// Before the label of a stream of random numbers, so that processes do not share draws.
@@ -58,6 +64,12 @@ pub struct Process {
     pub draw_job: DrawJob,
     /// Effects that no measurement tells apart.
     pub never_together: &'static [[&'static str; 2]],
+    /// All effects that the program knows of this process, those of `laws` among them.
+    pub catalogue: &'static [Law],
+    /// Ways of holding, of making and of measuring, in each of which any two effects may meet.
+    pub scenes: &'static [&'static str],
+    /// A small job of a scene.
+    pub draw_scene: DrawScene,
 }
 
 /// What sort of thing is hidden.

@@ -6,6 +6,7 @@ use crate::law::Cause;
 use crate::random::{Random, figures};
 use crate::turning::design::STEEL;
 use crate::turning::job::{Holding, Job as Shafts, Row as Place};
+use crate::turning::set_up::SetUp;
 use crate::turning::shaft::{Segment, Shaft};
 use crate::{stiffness, writing};
 
@@ -91,9 +92,14 @@ fn tests(tailstock: Tailstock, shaft: (f64, f64, f64), most: f64, micrometer: f6
 
 /// Three shafts between centres, each measured at nine places, turned with the same force.
 fn shafts((length, diameter, force): (f64, f64, f64)) -> Shafts {
-    let place = |part: usize, i: usize| Place { part, x: length * (0.04 + 0.115 * i as f64), force, blank: None };
+    let place =
+        |part: usize, i: usize| Place { part, x: length * (0.04 + 0.115 * i as f64), force, ..Place::default() };
     Shafts {
-        shaft: Shaft { material: STEEL, segments: vec![Segment { length, diameter }], shear: true },
+        shaft: Shaft {
+            material: STEEL,
+            segments: vec![Segment { length, diameter, ..Segment::default() }],
+            shear: true,
+        },
         holding: Holding::Centres,
         depth: 0.5,
         feed: 0.2,
@@ -108,6 +114,7 @@ fn shafts((length, diameter, force): (f64, f64, f64)) -> Shafts {
         noise: NoiseKind::Column,
         shown: Vec::new(),
         survey: None,
+        set_up: SetUp::default(),
     }
 }
 
@@ -117,6 +124,7 @@ fn joint(tailstock: Tailstock, most: f64) -> stiffness::Job {
     stiffness::Job {
         stiffness: tailstock.stiffness,
         max_force: most,
+        loading: stiffness::Loading::FromZero,
         rows: (0..=20).map(row(false)).chain((0..=20).rev().map(row(true))).collect(),
         noise: NoiseKind::Column,
         shown: Vec::new(),

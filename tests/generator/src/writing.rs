@@ -4,6 +4,11 @@ use crate::job::Job;
 use crate::law::{Cause, unit};
 use std::fmt::Write as _;
 
+/// An observed value as a file shows it: with so many decimals, or without noise to the last digit.
+pub fn observed(value: f64, decimals: usize, sigma: f64) -> String {
+    if sigma == 0.0 { format!("{value:.12e}") } else { format!("{value:.decimals$}") }
+}
+
 /// The model file; `values` (one per shown parameter) replaces the `+-` by known values, and `more` are
 /// further effects. The user's file is `model(job, None, &[])`.
 pub fn model(job: &dyn Job, values: Option<&[f64]>, more: &[Cause]) -> String {

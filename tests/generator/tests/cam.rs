@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use generator::cam::motion::{Machine, Motion, programme};
 use generator::cam::profile::{Place, Profile};
-use generator::cam::{Job, Pass, Row};
+use generator::cam::{Before, Job, Pass, Row};
 use generator::job::{Job as _, NoiseKind};
 use generator::law::Cause;
 
@@ -113,6 +113,48 @@ fn effects_of_the_first_order() {
     }
 }
 
+/// Late slide, play, a centre that is too high and a worn wheel in one motion, followed in short steps of time: a
+/// slide behind its play does late what was commanded, and of all positions of the wheel the deepest counts.
+#[test]
+fn all_of_it_in_one_motion() {
+    let machine = Machine { lag: 4e-3, gap: 0.03, height: 0.4, loss: 0.05 };
+    let ends = programme(&PROFILE, WHEEL, 1.5);
+    let (first, last) = (ends[0][0], ends[ends.len() - 1][0]);
+    let command = |time: f64| {
+        // The programme once more and once more again.
+        let turn = (first + SPEED * time - first).rem_euclid(last - first) + first;
+        let above = ends.partition_point(|end| end[0] <= turn).clamp(1, ends.len() - 1);
+        let ([from, low], [to, high]) = (ends[above - 1], ends[above]);
+        low + (high - low) * (turn - from) / (to - from)
+    };
+    let (steps, whole) = (400_000, TAU / SPEED);
+    let mut slide = command(0.0);
+    let mut places = Vec::new();
+    for step in 0..2 * steps {
+        let time = whole * f64::from(step) / f64::from(steps);
+        slide = slide.clamp(command(time) - 0.5 * machine.gap, command(time) + 0.5 * machine.gap);
+        if step >= steps {
+            let (sine, cosine) = (first + SPEED * (time + machine.lag)).sin_cos();
+            places.push([slide * cosine - machine.height * sine, slide * sine + machine.height * cosine]);
+        }
+    }
+    let motion = turn(1.5, machine, false);
+    for angle in ANGLES {
+        let place = PROFILE.at(angle + 1.3);
+        let (sine, cosine) = place.normal.sin_cos();
+        let left = |[x, y]: &[f64; 2]| {
+            let [dx, dy] = [x - place.point[0], y - place.point[1]];
+            let (along, beside) = (dx * cosine + dy * sine, dy * cosine - dx * sine);
+            let inside = (WHEEL - machine.loss).powi(2) - beside * beside;
+            if inside > 0.0 && along > 0.0 { along - inside.sqrt() } else { f64::INFINITY }
+        };
+        let deepest = places.iter().map(left).fold(f64::INFINITY, f64::min);
+        // The deepest may stand at a bend between two steps, half a step of a slope of a millimetre a radian off.
+        close(motion.leaves(&place), deepest, 2e-5);
+        assert!(motion.leaves(&place) < deepest + 1e-9, "{angle}");
+    }
+}
+
 /// F = force_per_rate·stock·feed: on the base circle the feed is ω·r, and on a flank that of a contact that
 /// runs along a line, r·dψ = D/cos²ψ of the wheel's centre.
 #[test]
@@ -123,6 +165,7 @@ fn force_of_the_cut() {
         step: 1.0,
         speed: 30.0,
         cut: Some((20.0, 10.0)),
+        before: None,
         passes: vec![Pass { speed: 30.0, reverse: false }],
         rows: vec![Row { pass: 0, angle }],
         noise: NoiseKind::Neither,
@@ -135,4 +178,43 @@ fn force_of_the_cut() {
     let [x, y] = PROFILE.at(40.0).centre(WHEEL);
     let psi = y.atan2(x) - PROFILE.flank();
     close(change(40.0), 10.0 * 0.02 * omega * (18.0 + WHEEL) / psi.cos().powi(2) / 20.0, 1e-9);
+}
+
+/// After a pass of other blocks the layer is stock + what that left − what this one leaves; where it is below zero
+/// the old surface stays.
+#[test]
+fn the_layer_that_a_pass_before_has_left() {
+    let job = |stock: f64, before: Option<Before>, angle: f64| Job {
+        profile: PROFILE,
+        wheel: WHEEL,
+        step: 1.0,
+        speed: 30.0,
+        cut: Some((stock, 10.0)),
+        before,
+        passes: vec![Pass { speed: 30.0, reverse: false }],
+        rows: vec![Row { pass: 0, angle }],
+        noise: NoiseKind::Neither,
+        shown: vec![],
+    };
+    let gives = [Cause { effect: "grinding-deflection", parameters: vec![("stiffness", 8.0)] }];
+    let before = Some(Before { step: 4.0, wheel: WHEEL, stock: 60.0 });
+    for angle in [27.0, 180.0, 332.0] {
+        let at = |stock, before| job(stock, before, angle).predict(&gives)[0];
+        // N/um of the layer over N/um.
+        let part = (at(20.0, None) - at(0.0, None)) / 20.0;
+        let bare = at(0.0, None);
+        let mut coarse = job(60.0, None, angle);
+        coarse.step = 4.0;
+        let found = coarse.predict(&gives)[0];
+        let layer = (20.0 + found - bare) / (1.0 + part);
+        close(at(20.0, before), bare + part * layer.max(0.0), 1e-9);
+    }
+    // A worn wheel that does not reach the old surface.
+    let worn = [Cause { effect: "wheel-wear", parameters: vec![("loss", 15.0)] }];
+    let fresh = Some(Before { step: 1.0, wheel: WHEEL, stock: 60.0 });
+    close(job(20.0, fresh, 180.0).predict(&worn)[0], 15.0, 1e-9);
+    let deep = Some(Before { step: 8.0, wheel: 20.0, stock: 60.0 });
+    let old = Job { wheel: 20.0, step: 8.0, ..job(20.0, None, 30.0) }.predict(&[])[0];
+    let bare = job(20.0, None, 30.0).predict(&[])[0];
+    close(job(5.0, deep, 30.0).predict(&[])[0], bare.min(old + 5.0), 1e-9);
 }

@@ -20,7 +20,7 @@ fn job(gain: f64, angles: &[f64]) -> Job {
         gain,
         lead: Some(10.0),
         frequency: Some(0.5),
-        screws: Some([Screw { diameter: 30.0, fixed_at: -350.0 }; 2]),
+        screws: Some([Screw { diameter: 30.0, fixed_at: -350.0, nut: None }; 2]),
         cut: Some([200.0, 120.0]),
         rows: angles.iter().map(row(false)).chain(angles.iter().map(row(true))).collect(),
         noise: NoiseKind::Neither,
@@ -46,7 +46,7 @@ fn an_axis_follows_its_equation_of_motion() {
     let steps = 40_000;
     for (bearing, growth) in [(-350.0, 0.0), (-350.0, 2e-5), (350.0, 2e-5)] {
         let lost = Lost { half: 0.004, growth, bearing };
-        let axis = Axis { radius: 100.0, speed: 0.4, gain: 30.0, lost };
+        let axis = Axis { radius: 100.0, speed: 0.4, gain: 30.0, change: 0.0, lost };
         let h = TAU / axis.speed / f64::from(steps);
         let rate = |t: f64, s: f64| axis.gain * (axis.radius * (axis.speed * t).cos() - s);
         let (mut drive, mut slide, mut last, mut turned): (f64, f64, f64, f64) = (100.0, 100.0, 0.0, 0.0);
@@ -168,4 +168,27 @@ fn spikes_fade_behind_the_reversal() {
             assert!((found - expected).abs() < 1e-9, "{angle}: {found} {expected}");
         }
     }
+}
+
+/// Play and friction in series lose δ + 2F/C where an axis turns round, and a gain that changes with the speed acts
+/// before both: a slide stands by so much behind a drive that lags by v/Kv(v).
+#[test]
+fn lost_motion_lies_behind_the_servo() {
+    let causes = [
+        cause("gain-with-feed-x", &[("change", 0.1)]),
+        cause("backlash-x", &[("gap", 8.0)]),
+        cause("elastic-lost-motion-x", &[("friction", 600.0), ("stiffness", 200.0)]),
+    ];
+    let job = job(20.0, &[60.0]);
+    let row = job.rows[0];
+    let found = job.axes(&causes, &row)[0].at(60f64.to_radians());
+    let [without, drive] =
+        [job.axes(&causes[..1], &row), job.axes(&[], &row)].map(|axes| axes[0].at(60f64.to_radians()));
+    let speed = drive.velocity.abs();
+    let lag = drive.velocity / 20.0 * (1.0 / (1.0 + 0.1 * speed / 20.0) - 1.0);
+    assert!((without.place - (drive.place - lag)).abs() < 1e-12);
+    // It goes back, and is left ahead by half of what is lost there.
+    let free = (found.place + 350.0) / (YOUNGS_MODULUS * std::f64::consts::FRAC_PI_4 * 900.0);
+    let lost = 0.004 + 600.0 * (1e-3 / 200.0 + free);
+    assert!((found.place - (without.place + lost)).abs() < 1e-9, "{} {lost}", found.place - without.place);
 }

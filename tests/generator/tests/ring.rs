@@ -52,3 +52,57 @@ fn a_thick_ring_to_the_digits_of_michells_series() {
         assert!((at(f64::to_radians(degrees)) - expected).abs() < 2e-6, "{degrees}: {}", at(f64::to_radians(degrees)));
     }
 }
+
+mod bored {
+    use generator::job::{Job as _, NoiseKind};
+    use generator::law::Cause;
+    use generator::ring::elastic::compliances;
+    use generator::ring::job::{Job, Row, SetUp};
+
+    fn job(clamped: bool, blank: f64) -> Job {
+        Job {
+            outer: 50.0,
+            inner: 40.0,
+            width: 20.0,
+            modulus: 210.0,
+            poisson: 0.3,
+            expansion: 11.5,
+            jaws: 3,
+            force: 2000.0,
+            speed: 400.0,
+            force_per_depth: 1.0,
+            absolute: true,
+            set_ups: vec![SetUp { force: 2000.0, speed: 400.0, orientation: 10.0, clamped }],
+            rows: [0.0, 25.0, 60.0, 140.0].iter().map(|angle| Row { set_up: 0, angle: *angle, blank }).collect(),
+            noise: NoiseKind::Neither,
+            shown: vec![],
+            compliances: compliances(0.8, 0.3, 1),
+        }
+    }
+
+    fn cause(effect: &'static str, parameters: &[(&'static str, f64)]) -> Cause {
+        Cause { effect, parameters: parameters.to_vec() }
+    }
+
+    /// k·blank − (1 − k)·(u + heat + aside) + (1 − k)·spindle + stress, k = 1/(1 + 4).
+    #[test]
+    fn the_tool_finds_the_blank_where_it_is() {
+        let copying = cause("copying", &[("stiffness", 4.0)]);
+        let others = [
+            cause("cutting-heat", &[("temperature_rise", 10.0)]),
+            cause("chuck-runout", &[("runout", 30.0), ("phase", 50.0)]),
+            cause("spindle-error", &[("amplitude", 5.0), ("phase", -20.0)]),
+            cause("residual-stress", &[("amplitude", 3.0), ("phase", 15.0)]),
+        ];
+        let squeezed = job(true, 0.0).predict(&[]);
+        let found = job(false, 25.0).predict(&[std::slice::from_ref(&copying), &others].concat());
+        for ((found, u), row) in found.iter().zip(squeezed).zip(job(false, 0.0).rows) {
+            let turned = |lobes: f64, phase: f64| (lobes * (row.angle - phase).to_radians()).cos();
+            let moved = u + 11.5e-6 * 40e3 * 10.0 + 15.0 * turned(1.0, 50.0);
+            let expected = 0.2 * 25.0 - 0.8 * moved + 0.8 * 5.0 * turned(2.0, -20.0) + 3.0 * turned(2.0, 25.0);
+            assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+        }
+        // Clamped and not yet bored the jaws alone are seen.
+        assert_eq!(job(true, 25.0).predict(&[copying]), job(true, 0.0).predict(&[]));
+    }
+}

@@ -15,7 +15,9 @@ fn rod() -> Rod {
         joint: None,
         sources: vec![(0.2, 5.0, 0.0, 3000.0)],
         heater: None,
+        friction: Vec::new(),
         surroundings: (0.0, 1.0, 0.0),
+        apart: 0.0,
     }
 }
 
@@ -115,5 +117,38 @@ fn surroundings_that_drift() {
     let times = [600.0, 3000.0, 9000.0];
     for ((places, _), t) in histories(&rod, &[0.01], &times).iter().zip(times) {
         close(places[0], exact(t), 2e-3);
+    }
+}
+
+/// Heat that comes in on either side of a joint, close to it, and a reading close to it: the joint parts them, and
+/// long after all heat goes through the base. Two heaters pass on all that they get.
+#[test]
+fn sources_on_either_side_of_a_joint() {
+    let mut rod = rod();
+    (rod.base, rod.joint, rod.sources[0].3) = (0.4, Some((0.1, 2000.0)), f64::INFINITY);
+    rod.sources.push((0.0999, 2.0, 0.0, f64::INFINITY));
+    rod.friction = vec![(0.1001, 1.0)];
+    rod.heater = Some(Heater { capacity: 30.0, contact: 0.7 });
+    rod.apart = -6.0;
+    let at = [0.05, 0.0999, 0.1001, 0.15];
+    let found = &histories(&rod, &at, &[150_000.0])[0].0;
+    let (base, slope) = (-6.0 + 8.0 / 0.4, 1.0 / (50.0 * AREA));
+    close(found[0], base + 0.05 * 8.0 * slope, 2e-3);
+    close(found[1], base + 0.0999 * 8.0 * slope, 2e-3);
+    let beyond = base + (0.0999 * 8.0 + 0.0002 * 6.0) * slope + 6.0 / (2000.0 * AREA);
+    close(found[2], beyond, 2e-3);
+    close(found[3], beyond + 0.0499 * 5.0 * slope, 2e-3);
+}
+
+/// A lump that cools in a room that drifts: C T' = G (T_a − T) from T_a − T = −30.
+#[test]
+fn a_warm_body_in_a_drifting_room() {
+    let mut rod = rod();
+    rod.segments = vec![(0.02, 0.05)];
+    (rod.convection, rod.sources, rod.apart) = (10.0, Vec::new(), -30.0);
+    let tau = 7850.0 * 470.0 * 0.05 / 4.0 / 10.0;
+    for t in [900.0f64, 4000.0, 9000.0] {
+        let found = &histories(&rod, &[0.01], &[t])[0].0;
+        close(found[0], -30.0 * (1.0 - (-t / tau).exp()), 3e-3);
     }
 }

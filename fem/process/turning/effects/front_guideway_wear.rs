@@ -55,6 +55,6 @@ mod tests {
         // 30 um at the front, 6 um at the rear, 300 mm apart: 80 um/m, and 250 mm above them 20 um.
         let text = model("centres").replace("type = \"centres\"", "type = \"centres\", guideway_spacing = \"300 mm\"");
         let worn = with_effect::<super::super::super::Turning>(&text, "front-guideway-wear", &[30.0, 150.0, 80.0]);
-        assert!((1e6 * worn.machine().shift_at(&moment()) - 40.0).abs() < 1e-9);
+        assert!((1e6 * unloaded(worn.machine(), &moment()).unwrap() - 40.0).abs() < 1e-9);
     }
 }

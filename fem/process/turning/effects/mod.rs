@@ -57,6 +57,7 @@ mod bench {
     //! A lathe to try effects on.
 
     use super::super::machine::Moment;
+    pub use super::super::forward::unloaded;
     use super::super::{Turning, condense, deflections};
     use crate::process::{Assembled, with_effect};
 
@@ -81,7 +82,14 @@ mod bench {
 
     /// What the effect adds to the diameter, in um, whatever the force.
     pub fn shift(name: &str, canonical: &[f64], moment: Moment) -> f64 {
-        1e6 * lathe("centres", name, canonical).machine().shift_at(&moment)
+        1e6 * unloaded(lathe("centres", name, canonical).machine(), &moment).unwrap()
+    }
+
+    /// The same of a slender shaft that is held in some way, at x (m), on part 2.
+    pub fn shift_in(workholding: &str, name: &str, canonical: &[f64], x: f64) -> f64 {
+        let text = model(workholding) + "mesh = { beam = \"euler-bernoulli\" }\n";
+        let lathe = with_effect::<Turning>(&text, name, canonical);
+        1e6 * unloaded(lathe.machine(), &Moment { x, ..moment() }).unwrap()
     }
 
     /// Gap between tool and work at x (m) under the nominal force, in um.

@@ -1,10 +1,12 @@
 //! The warming headstock moves the spindle off.
 //!
-//! ΔD += 2·drift·(1 − e^(−t/τ))·(1 − x/L), t since the batch began; the tailstock stays where it is, and in
-//! a chuck without one the whole shaft moves: no (1 − x/L) [seed 002 (8), (39); thermal deformation of the
-//! system]. It runs through pauses: the spindle keeps turning. drift in m, of either sign; τ in s.
+//! The headstock stands off by d = drift·(1 − e^(−t/τ)), t since the batch began, and does not tilt; the tailstock
+//! stays where it is. It stands there in the equilibrium of shaft and supports: between centres ΔD += 2d·(1 − x/L),
+//! in a chuck the whole shaft goes along, ΔD += 2d, and between chuck and centre it bends, an even shaft in a stiff
+//! chuck by ΔD += 2d·(1 − (3ξ² − ξ³)/2), ξ = x/L [seed 002 (8), (39); thermal deformation of the system]. It runs
+//! through pauses: the spindle keeps turning. drift in m, of either sign; τ in s.
 
-use super::super::machine::Effect;
+use super::super::machine::{Effect, Support};
 use crate::process::{Belongs, Parameter, nothing};
 use crate::units::{MICRO, TIME};
 
@@ -12,7 +14,7 @@ use crate::units::{MICRO, TIME};
 pub static SPINDLE_THERMAL_DRIFT: Effect<2> = Effect {
     name: "spindle-thermal-drift",
     about: "the warming headstock moves the spindle away from the tool, or toward it",
-    law: "dD += 2*drift*(1 - exp(-t/time_constant))*(1 - x/L); no (1 - x/L) in a chuck",
+    law: "d = drift*(1 - exp(-t/time_constant)); between centres dD += 2*d*(1 - x/L), in a chuck 2*d, between chuck and centre bent",
     source: "seed 002, thermal deformation of the system",
     belongs: Belongs::Test,
     parameters: [
@@ -25,17 +27,21 @@ pub static SPINDLE_THERMAL_DRIFT: Effect<2> = Effect {
     ],
     needs: nothing,
     act: |[drift, time_constant], machine| {
-        let fixed_length = machine.setup.workholding.has_tailstock().then(|| machine.setup.length());
-        machine.add_shift(move |at| {
-            let lever = fixed_length.map_or(1.0, |length| 1.0 - at.x / length);
-            2.0 * drift * -(-at.time / time_constant).exp_m1() * lever
-        });
+        machine.displace(Support::Headstock, move |at| -drift * (-at.time / time_constant).exp_m1());
     },
 };
 
 #[cfg(test)]
 mod tests {
     use super::super::bench::*;
+
+    #[test]
+    fn a_chuck_takes_the_shaft_along_and_a_centre_bends_it() {
+        let drift = 2.0 * 6.0 * (1.0 - (-825f64 / 1800.0).exp());
+        let [free, bent] =
+            ["chuck", "chuck-and-centre"].map(|held| shift_in(held, "spindle-thermal-drift", &[6.0, 30.0], 0.3));
+        assert!((free - drift).abs() < 1e-12 && (bent - drift * (1.0 - 0.5 * 0.625)).abs() < 1e-9);
+    }
 
     #[test]
     fn drift_fades_toward_the_tailstock() {

@@ -47,6 +47,6 @@ mod tests {
         let text = format!("{}\nedge = {{ clearance_angle = \"10 deg\", {land} }}", model("centres"));
         let shift = with_effect::<super::super::super::Turning>(&text, "wear-land", &[1.0]);
         let expected = 2.0 * 200.0 * 10f64.to_radians().tan();
-        assert!((1e6 * shift.machine().shift_at(&moment()) - expected).abs() < 1e-9);
+        assert!((1e6 * unloaded(shift.machine(), &moment()).unwrap() - expected).abs() < 1e-9);
     }
 }

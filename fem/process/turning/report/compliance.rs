@@ -1,6 +1,7 @@
 //! The compliance of the system along the shaft, ω(x) = Σ ωᵢ, and its stiffness j(x) = 1/ω(x) [seed 002 (9)-(11)].
 
-use super::super::elastic::Deflection;
+use super::super::elastic::{Deflection, Elastic};
+use super::super::machine::Machine;
 use crate::process::{Column, Figure, Table, first_extreme};
 use crate::solve::Condensed;
 use crate::units::{LENGTH, STIFFNESS};
@@ -16,9 +17,11 @@ pub struct Compliance {
 
 impl Compliance {
     /// `None` where no force acts at some place.
-    pub fn of(shaft: &Condensed, deflections: &[Deflection]) -> Option<Self> {
+    pub fn of(machine: &Machine, shaft: &Condensed, deflections: &[Deflection]) -> Option<Self> {
+        let elastic = Elastic::new(machine, shaft);
         let part = |(i, d): (usize, &Deflection)| {
-            let ([head, tail], y) = (shaft.influence[i], d.supports.displacements);
+            // What gives way, and not what stands out of line.
+            let ([head, tail], y) = (shaft.influence[i], elastic.yielding(i, d.force).ok()?.displacements);
             let all = [d.shaft, head * y[0], tail * y[1], d.carriage];
             (d.force > 0.0).then(|| all.map(|y| y / d.force))
         };

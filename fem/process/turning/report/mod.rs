@@ -40,7 +40,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     figures.extend(conic::figure(machine));
     figures.extend(batch(setup, &part_means(positions.len(), errors)));
     figures.push(forces(deflections));
-    let compliance = Compliance::of(&shaft, deflections);
+    let compliance = Compliance::of(machine, &shaft, deflections);
     figures.extend(compliance.as_ref().and_then(|c| c.figure(positions)));
     figures.push(schedule(setup));
     let (worn, nearly_worn) = edge::figure(machine).unzip();

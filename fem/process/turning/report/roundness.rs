@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use super::super::elastic::Elastic;
+use super::super::elastic::{Cutting, Elastic};
 use super::super::forward::condense;
 use super::super::machine::Machine;
 use super::super::refinement::spread;
@@ -39,9 +39,10 @@ impl Roundness {
         let shaft = condense(machine, positions)?;
         let elastic = Elastic::new(machine, &shaft);
         let section = |(i, x): (usize, &f64)| -> Result<f64, Failure> {
+            let last = Cutting::new(machine, &machine.moment_on(1, *x), setup.conditions(*x, 0.0));
             let radii = angles.iter().map(|angle| -> Result<f64, Failure> {
-                let at = setup.conditions(*x, elastic.before(i, *x, Some(*angle))?);
-                Ok(0.5 * elastic.pass(i, at)?.1)
+                let met = elastic.before(i, *x, Some(*angle), &last)?;
+                Ok(0.5 * elastic.deflect(i, &last.meeting(met))?.error)
             });
             Ok(spread(&radii.collect::<Result<Vec<f64>, Failure>>()?))
         };

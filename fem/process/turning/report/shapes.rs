@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use super::super::elastic::{Deflection, Elastic};
+use super::super::elastic::{Cutting, Deflection, Elastic};
 use super::super::forward::{condense, deflections, rest_forces};
 use super::super::machine::Machine;
 use super::super::setup::Setup;
 use super::bodies::Bodies;
 use crate::process::{Animation, Arrow, Cell, Failure, Field, Forward, Frame, Grid, View};
 use crate::progress::Progress;
-use crate::solve::Condensed;
+use crate::solve::{Condensed, Rest};
 use crate::units::{FORCE, LENGTH, MICRO, MOMENT, STRESS, TIME};
 
 /// More frames than anybody watches.
@@ -33,7 +33,7 @@ pub fn animation(machine: &Machine, forward: &Forward) -> Result<Animation, Fail
     let shaft = condense(machine, &all)?;
     let passes = passes(machine, forward, &tools)?;
     let bodies = Bodies::new(&setup, &nodes);
-    let scene = Scene { setup, nodes, tools, shaft, passes, bodies };
+    let scene = Scene { setup, nodes, tools, shaft, passes, rests: machine.shaft().rests, bodies };
     Ok(Animation {
         name: "shaft",
         shown: "diameter_error",
@@ -92,12 +92,13 @@ fn passes(machine: &Machine, forward: &Forward, tools: &[f64]) -> Result<Vec<Pas
     let blank = |x: &f64| if copies { setup.blank.error(*x, setup.length()) } else { 0.0 };
     let mut errors: Vec<f64> = tools.iter().map(blank).collect();
     let (mut passes, mut begin) = (Vec::new(), 0.0);
-    for earlier in &setup.passes {
+    let last = |x| Cutting::new(machine, &machine.moment_on(1, x), setup.conditions(x, 0.0));
+    for (number, earlier) in setup.passes.iter().enumerate() {
         let before = ordered(&errors);
         let found: Result<Vec<Deflection>, _> =
-            (0..tools.len()).map(|i| elastic.deflect(i, earlier.conditions(tools[i], errors[i]))).collect();
+            (0..tools.len()).map(|i| elastic.deflect(i, &elastic.earlier(number, tools[i], errors[i], &last(tools[i])))).collect();
         let deflections = found?;
-        errors = deflections.iter().map(|d| d.error(0.0)).collect();
+        errors = deflections.iter().map(|d| d.error).collect();
         let duration = earlier.duration(travel);
         let times = tools.iter().map(|x| begin + duration * (x - tools[0]).abs() / travel).collect();
         let rests = rest_forces(machine, tools, &deflections)?;
@@ -131,6 +132,7 @@ struct Scene {
     /// Condensed to tools, nodes and rests, in this order.
     shaft: Condensed,
     passes: Vec<Pass>,
+    rests: Vec<Rest>,
     bodies: Bodies,
 }
 
@@ -214,23 +216,23 @@ impl Scene {
     /// Deflection of every node, m.
     fn line(&self, pass: &Pass, tool: usize) -> Vec<f64> {
         let deflection = &pass.deflections[tool];
-        let [head, tail] = deflection.supports.displacements;
-        let unit = self.shaft.shape(tool);
-        (self.tools.len()..self.tools.len() + self.nodes.len())
-            .map(|i| unit[i] * deflection.force + self.shaft.influence[i][0] * head + self.shaft.influence[i][1] * tail)
-            .collect()
+        let [head, tail] = deflection.ends();
+        let (unit, shaft) = (self.shaft.shape(tool), &self.shaft);
+        let at = |i: usize| unit[i] * deflection.force + shaft.bent[i] + shaft.influence[i][0] * head + shaft.influence[i][1] * tail;
+        (self.tools.len()..self.tools.len() + self.nodes.len()).map(at).collect()
     }
 
     fn markers(&self, pass: &Pass, tool: usize) -> Vec<Marker> {
         let deflection = &pass.deflections[tool];
         let supports = &deflection.supports;
+        let ends = deflection.ends();
         let on_axis = |x, displacement, force| Marker { at: [x, 0.0, 0.0], displacement, force };
-        let mut markers = vec![on_axis(0.0, supports.displacements[0], -supports.forces[0])];
+        let mut markers = vec![on_axis(0.0, ends[0], -supports.forces[0])];
         if self.setup.workholding.has_tailstock() {
-            markers.push(on_axis(self.setup.length(), supports.displacements[1], -supports.forces[1]));
+            markers.push(on_axis(self.setup.length(), ends[1], -supports.forces[1]));
         }
-        for (rest, forces) in self.setup.steady_rests.iter().zip(&pass.rests) {
-            markers.push(on_axis(rest.at, forces[tool] / rest.stiffness, -forces[tool]));
+        for (rest, forces) in self.rests.iter().zip(&pass.rests) {
+            markers.push(on_axis(rest.at, rest.offset + forces[tool] / rest.stiffness, -forces[tool]));
         }
         let x = self.tools[tool];
         let nose = [x, -0.5 * self.setup.diameter(x), 0.0];
@@ -244,7 +246,7 @@ impl Scene {
         let (deflection, x) = (&pass.deflections[tool], self.tools[tool]);
         let [head, tail] = deflection.supports.forces;
         let tail = if self.setup.workholding.has_tailstock() { tail } else { 0.0 };
-        let rests = || self.setup.steady_rests.iter().zip(&pass.rests).map(|(rest, forces)| (rest.at, forces[tool]));
+        let rests = || self.rests.iter().zip(&pass.rests).map(|(rest, forces)| (rest.at, forces[tool]));
         let chuck = tail * self.setup.length() + rests().map(|(at, r)| at * r).sum::<f64>() - deflection.force * x;
         let ahead = |at: f64, force: f64| force * (s - at).max(0.0);
         chuck + head * s + rests().map(|(at, r)| ahead(at, r)).sum::<f64>() - ahead(x, deflection.force)

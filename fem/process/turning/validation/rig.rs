@@ -2,8 +2,8 @@
 
 use super::super::Turning;
 use super::super::cut::Conditions;
-use super::super::elastic::Elastic;
-use super::super::forward::condense;
+use super::super::elastic::{Cutting, Elastic};
+use super::super::forward::{condense, unloaded};
 use super::super::rows::{COORDINATES, X};
 use crate::process::{Assembled, Case, ForwardModel, Rows, Tolerance, Values, assembled};
 pub(super) use crate::process::{bisect, row};
@@ -44,7 +44,8 @@ pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) 
     let solve = |lathe: &Lathe| {
         let shaft = condense(lathe.machine(), &[x]).ok()?;
         let conditions = conditions.unwrap_or(lathe.setup().conditions(0.0, 0.0));
-        Elastic::new(lathe.machine(), &shaft).deflect(0, conditions).ok().map(|d| d.total)
+        let at = Cutting::new(lathe.machine(), &lathe.machine().moment_on(1, x), conditions);
+        Elastic::new(lathe.machine(), &shaft).deflect(0, &at).ok().map(|d| d.total)
     };
     lathe.as_ref().and_then(solve).unwrap_or(f64::NAN)
 }
@@ -60,7 +61,8 @@ pub fn observed(lathe: &Lathe, x: f64, given: &[(usize, f64)]) -> f64 {
 
 /// What the force does not do to the diameter at x (m) of a part, m.
 pub fn shift(lathe: &Option<Lathe>, part: usize, x: f64) -> f64 {
-    lathe.as_ref().map_or(f64::NAN, |l| l.machine().shift_on(part, x))
+    let left = |l: &Lathe| unloaded(l.machine(), &l.machine().moment_on(part, x)).ok();
+    lathe.as_ref().and_then(left).unwrap_or(f64::NAN)
 }
 
 /// The whole predicted profile, part by part, m.

@@ -1,6 +1,6 @@
 //! Draws the jobs: axes, screws and positioning tests.
 
-use super::{Job, Row};
+use super::{Job, Row, SetUp};
 use crate::job::{NoiseKind, Shown};
 use crate::random::{Random, decimals, figures};
 
@@ -45,6 +45,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
         own_clock,
         noise,
         shown: shown(hidden, random),
+        set_up: SetUp::default(),
     })
 }
 

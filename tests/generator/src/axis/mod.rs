@@ -3,6 +3,7 @@
 
 pub mod catalogue;
 pub mod design;
+pub mod scenes;
 pub mod writing;
 
 use std::f64::consts::{PI, TAU};
@@ -12,6 +13,7 @@ use catalogue::LAWS;
 use crate::Process;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
+use crate::preload::Side;
 use crate::random::Random;
 
 /// Deviations (um) of feed axes.
@@ -20,10 +22,17 @@ pub const AXIS: Process = Process {
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     never_together: &[],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 /// Young's modulus of the screw, N/mm².
 const YOUNGS_MODULUS: f64 = 210_000.0;
+
+/// Expansion of the screw, 1e-6/K, and the temperature at which its lead is right, degC.
+const EXPANSION: f64 = 11.5;
+const REFERENCE: f64 = 20.0;
 
 /// Structure outside the catalogue.
 const SHAPES: &[&str] = &[
@@ -68,6 +77,42 @@ pub struct Job {
     pub noise: NoiseKind,
     /// What the model shows with `+-`.
     pub shown: Vec<Shown>,
+    /// What not every axis has.
+    pub set_up: SetUp,
+}
+
+/// What not every axis has.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SetUp {
+    /// A second fixed bearing, mm.
+    pub also_fixed_at: Option<f64>,
+    /// Friction of the slide at places (mm, N) that reach over the travel, straight between; only its course
+    /// counts.
+    pub drag: Vec<(f64, f64)>,
+    /// A nut of two halves: what each is, and with what they press on each other, N.
+    pub nut: Option<(Side, f64)>,
+    /// Of the screw, degC.
+    pub temperature: Option<f64>,
+}
+
+impl SetUp {
+    /// Friction at a place over its mean from `from` to `to`.
+    fn dragged(&self, x: f64, [from, to]: [f64; 2]) -> f64 {
+        if self.drag.is_empty() {
+            return 1.0;
+        }
+        let mut ends: Vec<f64> = self.drag.iter().map(|(at, _)| *at).filter(|at| from < *at && *at < to).collect();
+        ends.insert(0, from);
+        ends.push(to);
+        let piece = |pair: &[f64]| 0.5 * (self.drag_at(pair[0]) + self.drag_at(pair[1])) * (pair[1] - pair[0]);
+        self.drag_at(x) * (to - from) / ends.windows(2).map(piece).sum::<f64>()
+    }
+
+    fn drag_at(&self, x: f64) -> f64 {
+        let above = self.drag.partition_point(|(at, _)| *at <= x).clamp(1, self.drag.len() - 1);
+        let ((from, low), (to, high)) = (self.drag[above - 1], self.drag[above]);
+        low + (high - low) * (x - from) / (to - from)
+    }
 }
 
 impl crate::job::Job for Job {
@@ -82,7 +127,8 @@ impl crate::job::Job for Job {
     }
 
     fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
-        effect != "thermal-growth" || self.own_clock
+        // Where a screw that is held at both ends goes when it warms up nobody says.
+        effect != "thermal-growth" || self.own_clock && self.set_up.also_fixed_at.is_none()
     }
 
     fn length(&self) -> f64 {
@@ -99,25 +145,41 @@ impl crate::job::Job for Job {
     fn predict(&self, causes: &[Cause]) -> Vec<f64> {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
         let area = 0.25 * PI * self.diameter * self.diameter;
-        // um per N: 1000 times mm per N.
+        // um per N: 1000 times mm per N. The nut hangs on the screw from its bearing, or on both of its ends.
         let give = |x: f64| {
             let seat = value(causes, "elastic-lost-motion", "stiffness").map_or(0.0, |k| 1.0 / k);
-            seat + 1e3 * (x - self.fixed_at).abs() / (YOUNGS_MODULUS * area)
+            let near = (x - self.fixed_at).abs();
+            let free = self.set_up.also_fixed_at.map_or(near, |other| {
+                let far = (x - other).abs();
+                let between = near + far <= (other - self.fixed_at).abs() * (1.0 + 1e-12);
+                if between { near * far / (near + far) } else { near.min(far) }
+            });
+            seat + 1e3 * free / (YOUNGS_MODULUS * area)
+        };
+        // What friction winds up is transmitted when the slide is reached, one way or the other: screw, bearing
+        // and nut stand in series with the play, on the side of it that the approach has left them.
+        let wound = |x: f64| {
+            let friction =
+                size("elastic-lost-motion", "friction") * self.set_up.dragged(x, [self.from, self.from + self.travel]);
+            let nut = self.set_up.nut.map_or(0.0, |(side, preload)| side.pair_moves(preload, friction));
+            friction * give(x) + nut
         };
         let warmed = |time: f64| {
             let tau = value(causes, "thermal-growth", "time_constant").unwrap_or(1.0);
             size("thermal-growth", "slope") * (1.0 - (-time / tau).exp())
         };
+        // um/m from 1e-6/K.
+        let warm = self.set_up.temperature.map_or(0.0, |t| EXPANSION * (t - REFERENCE));
         let one = |row: &Row| {
             let part = (row.x - self.from) / self.travel;
             let bow = 1.0 - (2.0 * part - 1.0).powi(2);
             let turn = TAU * row.x / self.lead + size("periodic-error", "phase").to_radians();
             let both = 1e-3 * row.x * size("scale-error", "slope")
                 + size("periodic-error", "amplitude") * turn.sin()
-                + 1e-3 * (row.x - self.fixed_at) * warmed(row.time)
+                + 1e-3 * (row.x - self.fixed_at) * (warmed(row.time) + warm)
                 + size("abbe-error", "height") * bow
                 + size("reference-shift", "offset");
-            let wound = size("elastic-lost-motion", "friction") * give(row.x);
+            let wound = wound(row.x);
             let play = size("backlash", "gap")
                 + size("uneven-backlash", "change") * (part - 0.5)
                 + size("worn-screw", "depth") * bow;

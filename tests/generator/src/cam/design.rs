@@ -21,6 +21,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
         step: decimals(random.uniform(0.5, 1.5), 2),
         speed,
         cut: has_cut.then(|| (decimals(random.uniform(10.0, 30.0), 0), decimals(random.uniform(8.0, 20.0), 0))),
+        before: None,
         passes: passes(speed, random),
         rows: Vec::new(),
         noise,

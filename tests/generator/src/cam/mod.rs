@@ -1,11 +1,12 @@
 //! Cams that a polar grinder interpolates, in blocks of equal length. What the wheel leaves is looked for
-//! position by position ([`motion`]). Follower's lifts, other divisions, blocks that begin and end at rest,
-//! shifted ends and a pass before are not made.
+//! position by position ([`motion`]). Follower's lifts, other divisions, blocks that begin and end at rest and
+//! shifted ends are not made.
 
 pub mod catalogue;
 pub mod design;
 pub mod motion;
 pub mod profile;
+pub mod scenes;
 pub mod writing;
 
 use std::f64::consts::{PI, TAU};
@@ -25,6 +26,9 @@ pub const CAM: Process = Process {
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     never_together: &[],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 /// Structure outside the catalogue.
@@ -48,6 +52,17 @@ pub struct Pass {
     pub reverse: bool,
 }
 
+/// The pass before, forwards at the speed of the model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Before {
+    /// Of a block, mm.
+    pub step: f64,
+    /// Radius of its wheel, mm.
+    pub wheel: f64,
+    /// Layer that it took off, um.
+    pub stock: f64,
+}
+
 /// A grinder with the cams that were measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
@@ -61,6 +76,8 @@ pub struct Job {
     pub speed: f64,
     /// Layer (um) and force per rate of removal (N/(mm²/s)).
     pub cut: Option<(f64, f64)>,
+    /// What ground the cams before, if that was another programme.
+    pub before: Option<Before>,
     /// The cams.
     pub passes: Vec<Pass>,
     /// Readings in their order.
@@ -102,14 +119,25 @@ impl crate::job::Job for Job {
             height: 1e-3 * size("centre-height", "height"),
             loss: 1e-3 * size("wheel-wear", "loss"),
         };
-        let ends = motion::programme(&self.profile, self.wheel, self.step);
-        let turn = |pass: &Pass| Motion::new(&ends, self.wheel, &machine, TAU / 60.0 * pass.speed, pass.reverse);
-        let turns: Vec<Motion> = self.passes.iter().map(turn).collect();
+        let turn = |step: f64, wheel: f64, pass: &Pass| {
+            let ends = motion::programme(&self.profile, wheel, step);
+            Motion::new(&ends, wheel, &machine, TAU / 60.0 * pass.speed, pass.reverse)
+        };
+        let turns: Vec<Motion> = self.passes.iter().map(|pass| turn(self.step, self.wheel, pass)).collect();
+        let forwards = Pass { speed: self.speed, reverse: false };
+        let before = self.before.map(|b| (b, turn(b.step, b.wheel, &forwards)));
         let gives = value(causes, "grinding-deflection", "stiffness").map_or(0.0, |k| 1.0 / k);
         let one = |row: &Row| {
             let place = self.profile.at(row.angle);
-            let force = if gives > 0.0 { self.force(&place, &self.passes[row.pass]) } else { 0.0 };
-            1e3 * turns[row.pass].leaves(&place) + gives * force
+            // Of the layer the wheel gives way by so much.
+            let part = |wheel: f64, pass: &Pass| if gives > 0.0 { gives * self.rate(&place, wheel, pass) } else { 0.0 };
+            let (pass, left) = (&self.passes[row.pass], 1e3 * turns[row.pass].leaves(&place));
+            let (part_here, stock) = (part(self.wheel, pass), self.cut.map_or(0.0, |cut| cut.0));
+            let Some((before, turn)) = &before else { return left + part_here * stock };
+            let found = 1e3 * turn.leaves(&place) + part(before.wheel, &forwards) * before.stock;
+            // d = left + part·layer and layer = stock + found − d; where none is left the old surface stays.
+            let layer = (stock + found - left) / (1.0 + part_here);
+            if layer > 0.0 { left + part_here * layer } else { stock + found }
         };
         self.rows.iter().map(one).collect()
     }
@@ -143,13 +171,14 @@ impl crate::job::Job for Job {
 }
 
 impl Job {
-    /// Force of the cut where the grinding point goes along the profile as it is programmed, N.
-    fn force(&self, place: &Place, pass: &Pass) -> f64 {
-        let Some((stock, per_rate)) = self.cut else { return 0.0 };
+    /// Force of the cut for each um of the layer where the grinding point goes along the profile as it is
+    /// programmed, N/um.
+    fn rate(&self, place: &Place, wheel: f64, pass: &Pass) -> f64 {
+        let Some((_, per_rate)) = self.cut else { return 0.0 };
         // The cam turns by dφ = W × dW/W², and the centre goes by dW = (1 + κR)·ds along the profile.
-        let [x, y] = place.centre(self.wheel);
+        let [x, y] = place.centre(wheel);
         let (sine, cosine) = place.normal.sin_cos();
-        let turned = (1.0 + place.curvature * self.wheel) * (x * cosine + y * sine) / (x * x + y * y);
-        per_rate * 1e-3 * stock * (TAU / 60.0 * pass.speed) / turned
+        let turned = (1.0 + place.curvature * wheel) * (x * cosine + y * sine) / (x * x + y * y);
+        per_rate * 1e-3 * (TAU / 60.0 * pass.speed) / turned
     }
 }

@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::Job;
+use super::{Before, Job};
 use crate::job::NoiseKind;
+use crate::writing::observed as shown;
 
 /// The tables of the model file but `[effects]`.
 pub fn tables(job: &Job) -> String {
@@ -30,6 +31,10 @@ pub fn tables(job: &Job) -> String {
     if let Some((stock, per_rate)) = job.cut {
         let _ = write!(text, "\n[cut]\nstock = \"{stock} um\"\nforce_per_rate = \"{per_rate} N/(mm^2/s)\"\n");
     }
+    if let Some(Before { step, wheel, stock }) = job.before {
+        let _ =
+            write!(text, "\n[before]\nstep = \"{step} mm\"\nwheel_radius = \"{wheel} mm\"\nstock = \"{stock} um\"\n");
+    }
     text
 }
 
@@ -41,7 +46,7 @@ pub fn data(job: &Job, observed: &[f64], sigma: f64) -> String {
     for (row, value) in job.rows.iter().zip(observed) {
         let pass = &job.passes[row.pass];
         let way = if pass.reverse { "reverse" } else { "forward" };
-        let _ = write!(text, "{},{way},{},{value:.6}", pass.speed, row.angle);
+        let _ = write!(text, "{},{way},{},{}", pass.speed, row.angle, shown(*value, 6, sigma));
         text += &if has_u { format!(",{sigma}\n") } else { "\n".into() };
     }
     text

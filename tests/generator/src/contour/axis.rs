@@ -1,7 +1,13 @@
-//! One axis on a lap. Behind its servo it moves as A·cos ψ, and play and what friction winds up are told in
-//! closed form from the end at which it last turned round.
+//! One axis on a lap, in the steady state. Its drive follows the command through the servo; the slide is dragged
+//! by the drive step by step, as far as play and what friction winds up leave it behind.
 
 use std::f64::consts::PI;
+
+/// Steps from one turn of the drive to the next. The drive goes one way between them, so that few would do.
+const STEPS: usize = 48;
+/// How often a step looks anew how wide the lost motion is where the slide then stands: 1e-5 of what is off is
+/// left each time.
+const LOOKS: usize = 4;
 
 /// An axis on its lap in the steady state.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +18,8 @@ pub struct Axis {
     pub speed: f64,
     /// Kv, 1/s.
     pub gain: f64,
+    /// By what part the gain grows with the speed of the axis, s/mm.
+    pub change: f64,
     /// Lost motion.
     pub lost: Lost,
 }
@@ -23,7 +31,7 @@ pub struct Lost {
     pub half: f64,
     /// Friction over EA of the screw.
     pub growth: f64,
-    /// Place of the fixed bearing, beyond either end of the travel, mm.
+    /// Place of the fixed bearing, mm.
     pub bearing: f64,
 }
 
@@ -42,24 +50,35 @@ impl Axis {
     /// Where it is when its command stands at radius·cos(`phase`), the phase rising.
     pub fn at(&self, phase: f64) -> State {
         // The steady state of 1/(1 + s/Kv).
-        let ratio = self.speed / self.gain;
-        let (most, behind) = (self.radius / ratio.hypot(1.0), phase - ratio.atan());
-        let drive = most * behind.cos();
-        let place = if behind.sin() > 0.0 {
-            self.lost.slide(most, 1.0).min(self.lost.slide(drive, -1.0))
-        } else {
-            self.lost.slide(-most, -1.0).max(self.lost.slide(drive, 1.0))
-        };
-        let since = behind.rem_euclid(PI) / self.speed;
-        State { place, velocity: -most * self.speed * behind.sin(), since }
+        let behind = phase - (self.speed / self.gain).atan();
+        let turned = (behind / PI).floor() * PI;
+        // Over the half turn before the last turn the slide has come to lie behind its drive.
+        let mut slide = self.drive(turned - PI).0;
+        let way = |from: f64, to: f64| (1..=STEPS).map(move |k| from + (to - from) * k as f64 / STEPS as f64);
+        for angle in way(turned - PI, turned).chain(way(turned, behind)) {
+            slide = self.lost.dragged(slide, self.drive(angle).0);
+        }
+        State { place: slide, velocity: self.drive(behind).1, since: (behind - turned) / self.speed }
+    }
+
+    /// Place (mm) and speed (mm/s) of a drive that lags by `behind`. A gain that changes with the speed v changes
+    /// the lag v/Kv.
+    fn drive(&self, behind: f64) -> (f64, f64) {
+        let most = self.radius / (self.speed / self.gain).hypot(1.0);
+        let velocity = -most * self.speed * behind.sin();
+        let less = velocity / self.gain * (1.0 / (1.0 + self.change * velocity.abs()) - 1.0);
+        (most * behind.cos() - less, velocity)
     }
 }
 
 impl Lost {
-    /// Place of a slide that the drive at `drive` pushes the way of `way`: s + way·(half + growth·|s − bearing|)
-    /// = drive, straight in s as the bearing lies beyond the travel.
-    fn slide(&self, drive: f64, way: f64) -> f64 {
-        let side = if self.bearing < drive { way } else { -way };
-        (drive - way * self.half + side * self.growth * self.bearing) / (1.0 + side * self.growth)
+    /// Where a slide comes to stand from where it stood when the drive goes to `drive`.
+    fn dragged(&self, slide: f64, drive: f64) -> f64 {
+        let mut stands = slide;
+        for _ in 0..LOOKS {
+            let reach = self.half + self.growth * (stands - self.bearing).abs();
+            stands = slide.clamp(drive - reach, drive + reach);
+        }
+        stands
     }
 }

@@ -16,6 +16,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
     let screw = |random: &mut Random| Screw {
         diameter: decimals(random.uniform(20.0, 40.0), 0),
         fixed_at: decimals(random.sign() * (radius + random.uniform(50.0, 500.0)), 0),
+        nut: None,
     };
     let has_lead = asked(&["cyclic-error-x", "cyclic-error-y"]) || random.chance(0.8);
     let has_frequency = asked(&["stick-slip-x", "stick-slip-y"]) || random.chance(0.3);

@@ -1,9 +1,10 @@
-//! Circular tests of two axes. Servo, play and winding have closed forms on a circle ([`axis`]); what follows
-//! on a machine is written down once more here, in mm and um. Rectangles are not made.
+//! Circular tests of two axes. Slides are followed behind their drives step by step ([`axis`]); what comes behind
+//! them on a machine is written down once more here, in mm and um. Rectangles and polygons are not made.
 
 pub mod axis;
 pub mod catalogue;
 pub mod design;
+pub mod scenes;
 pub mod writing;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -14,6 +15,7 @@ use catalogue::LAWS;
 use crate::Process;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
+use crate::preload::Side;
 use crate::random::Random;
 
 /// Deviations (um) of circles.
@@ -22,6 +24,9 @@ pub const CONTOUR: Process = Process {
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     never_together: &[],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 /// Young's modulus of the screws, N/mm².
@@ -51,6 +56,8 @@ pub struct Screw {
     pub diameter: f64,
     /// From the centre of the circle, mm.
     pub fixed_at: f64,
+    /// A nut of two halves: what each is, and with what they press on each other, N.
+    pub nut: Option<(Side, f64)>,
 }
 
 /// Two axes with their test.
@@ -146,19 +153,25 @@ impl Job {
     pub fn axes(&self, causes: &[Cause], row: &Row) -> [Axis; 2] {
         let size = |effect: &str, parameter: &str| value(causes, effect, parameter).unwrap_or(0.0);
         let mismatch = size("servo-mismatch", "mismatch");
-        let names = [("backlash-x", "elastic-lost-motion-x"), ("backlash-y", "elastic-lost-motion-y")];
+        let names = [
+            ["backlash-x", "elastic-lost-motion-x", "gain-with-feed-x"],
+            ["backlash-y", "elastic-lost-motion-y", "gain-with-feed-y"],
+        ];
         [0, 1].map(|i| {
-            let (play, winding) = names[i];
+            let [play, winding, changes] = names[i];
             let friction = size(winding, "friction");
             let seat = value(causes, winding, "stiffness").map_or(0.0, |k| 1.0 / k);
             let screw = self.screws.map(|screws| screws[i]);
+            let nut = screw.and_then(|s| s.nut).map_or(0.0, |(side, preload)| side.pair_moves(preload, friction));
             let lost = Lost {
-                half: 1e-3 * (0.5 * size(play, "gap") + friction * seat),
+                // Play and what friction winds up stand in series: one joint, crossed where the drive turns round.
+                half: 1e-3 * (0.5 * size(play, "gap") + friction * seat + nut),
                 growth: screw.map_or(0.0, |s| friction / (YOUNGS_MODULUS * 0.25 * PI * s.diameter * s.diameter)),
-                bearing: screw.map_or(-f64::MAX, |s| s.fixed_at),
+                bearing: screw.map_or(0.0, |s| s.fixed_at),
             };
+            let change = size(changes, "change") / (self.feed / 60.0);
             let gain = self.gain * (1.0 + [0.5, -0.5][i] * mismatch);
-            Axis { radius: self.radius, speed: row.feed / 60.0 / self.radius, gain, lost }
+            Axis { radius: self.radius, speed: row.feed / 60.0 / self.radius, gain, change, lost }
         })
     }
 
@@ -174,16 +187,15 @@ impl Job {
         let [x, y] = [axes[0].at(turned), axes[1].at(turned - round * FRAC_PI_2)];
         let time = turned / axes[0].speed;
         let wave = |effect: &str, at: f64| size(effect, "amplitude") * (at + size(effect, "phase").to_radians()).sin();
-        let own = |state: State, gain: f64, [cyclic, stick, change]: [&str; 3]| {
+        // What the screw is wrong by where the slide has come to, and how the drive jerks.
+        let own = |state: State, [cyclic, stick]: [&str; 2]| {
             let turns = self.lead.map_or(0.0, |lead| TAU * state.place / lead);
             let jerks = self.frequency.map_or(0.0, |f| TAU * f * time);
-            let part = size(change, "change") * state.velocity.abs() / (self.feed / 60.0);
-            let lag = state.velocity / gain * (1.0 / (1.0 + part) - 1.0);
-            state.place - lag + 1e-3 * (wave(cyclic, turns) + wave(stick, jerks))
+            state.place + 1e-3 * (wave(cyclic, turns) + wave(stick, jerks))
         };
         let half = 0.5e-6 * size("scale-mismatch", "mismatch");
-        let x_at = (1.0 + half) * own(x, axes[0].gain, ["cyclic-error-x", "stick-slip-x", "gain-with-feed-x"]);
-        let y_at = (1.0 - half) * own(y, axes[1].gain, ["cyclic-error-y", "stick-slip-y", "gain-with-feed-y"]);
+        let x_at = (1.0 + half) * own(x, ["cyclic-error-x", "stick-slip-x"]);
+        let y_at = (1.0 - half) * own(y, ["cyclic-error-y", "stick-slip-y"]);
         let [across, along] = self.cut.unwrap_or_default();
         // um from N and N/um.
         let gives = |parameter, force: f64| value(causes, "cutting-deflection", parameter).map_or(0.0, |k| force / k);

@@ -18,6 +18,10 @@ pub const LAWS: &[Law] = &[
         "spindle-error",
         &[Parameter("amplitude", "um", 1.0, 8.0, Role::Amplitude), Parameter("phase", "deg", -89.0, 89.0, Role::Shape)],
     ),
+    (
+        "chuck-runout",
+        &[Parameter("runout", "um", 4.0, 40.0, Role::Amplitude), Parameter("phase", "deg", -179.0, 179.0, Role::Shape)],
+    ),
     ("cutting-heat", &[Parameter("temperature_rise", "K", 2.0, 20.0, Role::Amplitude)]),
     ("copying", &[Parameter("stiffness", "N/um", 3.0, 40.0, Role::Stiffness)]),
 ];

@@ -49,7 +49,7 @@ fn ring(hidden: &[&str], random: &mut Random) -> Job {
         force: 0.0,
         speed: random.uniform(250.0, 900.0).round(),
         force_per_depth: decimals(random.uniform(0.5, 2.0), 2),
-        absolute: hidden.contains(&"cutting-heat") || random.chance(0.65),
+        absolute: ["cutting-heat", "chuck-runout"].iter().any(|effect| hidden.contains(effect)) || random.chance(0.65),
         set_ups: Vec::new(),
         rows: Vec::new(),
         noise: random.pick(&[NoiseKind::Column, NoiseKind::Column, NoiseKind::Repeats, NoiseKind::Neither]),

@@ -6,6 +6,7 @@ pub mod catalogue;
 pub mod design;
 pub mod elastic;
 pub mod job;
+pub mod scenes;
 pub mod writing;
 
 use std::f64::consts::TAU;
@@ -24,6 +25,9 @@ pub const RING: Process = Process {
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     never_together: &[],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 /// Structure outside the catalogue.
@@ -81,7 +85,7 @@ impl crate::job::Job for Job {
     fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
         match effect {
             "jaw-position" => self.jaws == 3,
-            "cutting-heat" => self.absolute,
+            "cutting-heat" | "chuck-runout" => self.absolute,
             _ => true,
         }
     }
@@ -92,7 +96,7 @@ impl crate::job::Job for Job {
 
     fn draws(&self, effect: &str) -> usize {
         match effect {
-            "residual-stress" | "spindle-error" | "jaw-position" => 20,
+            "residual-stress" | "spindle-error" | "jaw-position" | "chuck-runout" => 20,
             _ => 6,
         }
     }
@@ -168,26 +172,34 @@ impl Job {
         self.rows.iter().map(at).collect()
     }
 
-    /// What a row shows without noise, um.
+    /// What a row shows without noise, um. The nose is set to s outwards and finds the bore where it is while the
+    /// ring is cut, at b = blank + squeezed + hot + aside; it yields by k·(s − b), k = C/(C + j), and leaves
+    /// s − k·(s − b), which then goes back to the ring let go, cold, and on its own axis. What stresses that
+    /// lasted do when they are let go comes after all of that.
     fn deviation(&self, causes: &[Cause], row: &Row, unit: f64) -> f64 {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
         let set_up = &self.set_ups[row.set_up];
         if set_up.clamped {
+            // At standstill, before the cut: the jaws alone.
             return unit * set_up.force;
         }
         let speed = set_up.speed * TAU / 60.0;
         let force = (set_up.force - 1e-3 * size("centrifugal-unloading", "jaw_moment") * speed * speed).max(0.0);
         let angle = row.angle.to_radians();
-        let oval = |effect, turned: f64| {
-            size(effect, "amplitude") * (2.0 * (angle - turned - size(effect, "phase").to_radians())).cos()
+        let wave = |effect, amplitude: f64, lobes: f64, turned: f64| {
+            amplitude * (lobes * (angle - turned - size(effect, "phase").to_radians())).cos()
         };
-        let copied = value(causes, "copying", "stiffness").map_or(0.0, |stiffness| {
-            // N/um from kN/mm: the same number.
-            self.force_per_depth / (self.force_per_depth + stiffness) * row.blank
-        });
-        let shrunk = self.expansion * 1e-6 * self.inner * 1e3 * size("cutting-heat", "temperature_rise");
-        -unit * force + oval("residual-stress", set_up.orientation.to_radians()) + oval("spindle-error", 0.0) + copied
-            - shrunk
+        let squeezed = unit * force;
+        let hot = self.expansion * 1e-6 * self.inner * 1e3 * size("cutting-heat", "temperature_rise");
+        let aside = wave("chuck-runout", 0.5 * size("chuck-runout", "runout"), 1.0, 0.0);
+        let moved = squeezed + hot + aside;
+        let set = wave("spindle-error", size("spindle-error", "amplitude"), 2.0, 0.0);
+        // N/um from kN/mm: the same number.
+        let copies =
+            value(causes, "copying", "stiffness").map_or(0.0, |j| self.force_per_depth / (self.force_per_depth + j));
+        let bored = set - copies * (set - (row.blank + moved));
+        let stress = size("residual-stress", "amplitude");
+        bored - moved + wave("residual-stress", stress, 2.0, set_up.orientation.to_radians())
     }
 }
 

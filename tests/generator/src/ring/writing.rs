@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::job::Job;
 use crate::job::NoiseKind;
+use crate::writing::observed as shown;
 
 /// The tables of the model file but `[effects]`.
 pub fn tables(job: &Job) -> String {
@@ -49,7 +50,7 @@ pub fn data(job: &Job, observed: &[f64], sigma: f64) -> String {
         if has_blank {
             let _ = write!(text, ",{:.3}", row.blank);
         }
-        let _ = write!(text, ",{deviation:.5}");
+        text += &format!(",{}", shown(*deviation, 5, sigma));
         if has_u {
             let _ = write!(text, ",{sigma}");
         }

@@ -1,6 +1,6 @@
 //! Draws the jobs: joints and the forces under which they are read.
 
-use super::{Job, Row};
+use super::{Job, Loading, Row};
 use crate::job::{NoiseKind, Shown};
 use crate::random::{Random, figures};
 
@@ -20,6 +20,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
     Some(Job {
         stiffness: figures(random.uniform(40.0, 160.0), 3),
         max_force,
+        loading: Loading::FromZero,
         rows,
         noise,
         shown: shown(hidden, random),

@@ -1,8 +1,9 @@
-//! Joints under a load that rises and falls. The displacement is followed step by step along the force, as
-//! the joint itself goes, where the program has closed forms of each branch.
+//! Joints under a load that rises and falls. The force that a joint transmits is followed along the way of the
+//! load, as the joint itself goes, where the program has closed forms of each branch.
 
 pub mod catalogue;
 pub mod design;
+pub mod scenes;
 pub mod writing;
 
 use std::f64::consts::TAU;
@@ -12,6 +13,7 @@ use catalogue::LAWS;
 use crate::Process;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
+use crate::preload::Side;
 use crate::random::Random;
 
 /// Displacements (um) of joints.
@@ -20,13 +22,13 @@ pub const STIFFNESS: Process = Process {
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     never_together: &[["gap", "preload"]],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 /// Structure outside the catalogue.
 const SHAPES: &[&str] = &["ripple over the force", "a slip", "a slip back", "a drift of the gauge", "one reading"];
-
-/// Halves to nothing that a gauge would show.
-const HALVES: usize = 40;
 
 /// One reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +39,16 @@ pub struct Row {
     pub unload: bool,
 }
 
+/// How the force goes before it is read.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Loading {
+    /// From nothing, for the first time.
+    #[default]
+    FromZero,
+    /// Between both signs of the largest, which it has done before.
+    Reversed,
+}
+
 /// A joint with its test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
@@ -44,6 +56,8 @@ pub struct Job {
     pub stiffness: f64,
     /// N.
     pub max_force: f64,
+    /// From where the force rises.
+    pub loading: Loading,
     /// Readings in their order.
     pub rows: Vec<Row>,
     /// Where the noise is to be learnt from.
@@ -59,8 +73,9 @@ impl crate::job::Job for Job {
         (0.02, 1.5)
     }
 
-    fn admits(&self, _effect: &str, _causes: &[Cause]) -> bool {
-        true
+    fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
+        // In a loop that has been gone through before nothing settles.
+        effect != "settling" || self.loading == Loading::FromZero
     }
 
     fn length(&self) -> f64 {
@@ -73,23 +88,7 @@ impl crate::job::Job for Job {
 
     fn predict(&self, causes: &[Cause]) -> Vec<f64> {
         let joint = Joint::of(self, causes);
-        // Forces on the spring over the whole loop, from what friction leaves of each rise and fall.
-        let mut spring: f64 = 0.0;
-        let mut settled: f64 = 0.0;
-        let mut seen = Vec::with_capacity(self.rows.len());
-        for (row, top) in self.rows.iter().map(|row| (row, self.max_force)) {
-            if row.unload && seen.iter().all(|(was, _): &(bool, f64)| !was) {
-                // The turn is at the largest force, read or not.
-                spring = spring.max(top - joint.friction);
-                settled = settled.max(joint.depth * spring / self.max_force);
-            }
-            // Friction lets the spring go no further than f on either side of the force.
-            spring = spring.clamp(row.force - joint.friction, row.force + joint.friction).max(0.0);
-            settled = settled.max(joint.depth * spring / self.max_force);
-            let open = if row.force > 0.0 && joint.preload == 0.0 { joint.gap } else { 0.0 };
-            seen.push((row.unload, joint.spring(spring) + settled + open + joint.offset));
-        }
-        seen.into_iter().map(|(_, y)| y).collect()
+        self.rows.iter().map(|row| joint.moves(&self.way_to(row), self.max_force)).collect()
     }
 
     fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {
@@ -118,13 +117,24 @@ impl crate::job::Job for Job {
     }
 }
 
+impl Job {
+    /// Forces between which the force has gone straight, up to a reading; the first from a joint at rest.
+    fn way_to(&self, row: &Row) -> Vec<f64> {
+        let most = self.max_force;
+        let mut way = if self.loading == Loading::Reversed { vec![most, -most] } else { Vec::new() };
+        // The turn is at the largest force, read or not.
+        way.extend(row.unload.then_some(most));
+        way.push(row.force);
+        way
+    }
+}
+
 /// What the causes make of a joint, N and um.
 struct Joint {
-    stiffness: f64,
+    side: Side,
     friction: f64,
     gap: f64,
     preload: f64,
-    contact: Option<(f64, f64)>,
     depth: f64,
     offset: f64,
 }
@@ -134,45 +144,30 @@ impl Joint {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
         let exponent = value(causes, "contact-joint", "n");
         Self {
-            stiffness: job.stiffness,
+            side: Side { stiffness: Some(job.stiffness), contact: exponent.map(|n| (size("contact-joint", "c"), n)) },
             friction: size("dry-friction", "force"),
             gap: size("gap", "gap"),
             preload: size("preload", "force"),
-            contact: exponent.map(|n| (size("contact-joint", "c"), n)),
             depth: size("settling", "depth"),
             offset: size("datum-offset", "offset"),
         }
     }
 
-    /// How far the joint gives way under a force. Pressed by a preload against its like, it moves to where the
-    /// force that closes the one side less the force that is left on the other is the outer force: looked for
-    /// by halving along the movement.
-    fn spring(&self, force: f64) -> f64 {
-        if self.preload == 0.0 {
-            return self.approach(force);
+    /// Where the joint stands at the end of a way of the force. Friction comes first: what the joint transmits
+    /// lags behind the force by no more than f. What is transmitted bends spring and contact, settles them, and
+    /// crosses the gap where it changes its sign.
+    fn moves(&self, way: &[f64], most: f64) -> f64 {
+        let (mut transmitted, mut settled): (f64, f64) = (0.0, 0.0);
+        for force in way {
+            transmitted = transmitted.clamp(force - self.friction, force + self.friction);
+            settled = settled.max(self.depth * transmitted / most);
         }
-        let pressed = self.approach(self.preload);
-        halved(self.approach(force), |y| self.closing(pressed + y) - self.closing(pressed - y) > force)
+        let crossed = if transmitted > 0.0 && self.preload == 0.0 { self.gap } else { 0.0 };
+        transmitted.signum() * self.gives(transmitted.abs()) + settled + crossed + self.offset
     }
 
-    /// What one side approaches under a force.
-    fn approach(&self, force: f64) -> f64 {
-        let contact = self.contact.map_or(0.0, |(c, n)| if force > 0.0 { c * (n * force.ln()).exp() } else { 0.0 });
-        force / self.stiffness + contact
+    /// How far the joint gives way under a force, alone or pressed against its like.
+    fn gives(&self, force: f64) -> f64 {
+        if self.preload == 0.0 { self.side.approach(force) } else { self.side.pair_moves(self.preload, force) }
     }
-
-    /// The force under which one side approaches by so much, nothing where it is open.
-    fn closing(&self, approach: f64) -> f64 {
-        halved((self.stiffness * approach).max(0.0), |force| self.approach(force) > approach)
-    }
-}
-
-/// Where `is_beyond` begins between zero and `high`.
-fn halved(mut high: f64, is_beyond: impl Fn(f64) -> bool) -> f64 {
-    let mut low = 0.0;
-    for _ in 0..HALVES {
-        let middle = 0.5 * (low + high);
-        if is_beyond(middle) { high = middle } else { low = middle }
-    }
-    0.5 * (low + high)
 }

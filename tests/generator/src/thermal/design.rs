@@ -1,6 +1,6 @@
 //! Draws the jobs: rods, sources, sensors and times.
 
-use super::job::{Job, Row, Seen};
+use super::job::{Job, Row, Seen, SetUp};
 use crate::job::{Job as _, NoiseKind, Shown};
 use crate::random::{Random, decimals, figures};
 
@@ -52,6 +52,7 @@ fn rod(random: &mut Random) -> Job {
         kelvin: random.pick(&[0.02, 0.05, 0.05, 0.1]),
         noise: random.pick(&[NoiseKind::Column, NoiseKind::Column, NoiseKind::Repeats, NoiseKind::Neither]),
         shown: Vec::new(),
+        set_up: SetUp::default(),
     }
 }
 

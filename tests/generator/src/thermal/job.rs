@@ -41,4 +41,17 @@ pub struct Job {
     pub noise: NoiseKind,
     /// What the model shows with `+-`.
     pub shown: Vec<Shown>,
+    /// What not every rod has.
+    pub set_up: SetUp,
+}
+
+/// What not every rod has.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SetUp {
+    /// Further sources, as the first.
+    pub sources: Vec<(f64, f64, f64, f64)>,
+    /// Of the rod at the start where it is not that of the surroundings, degC.
+    pub start: Option<f64>,
+    /// Longest step (s) and element (mm) of the model, where they are not the usual ones.
+    pub fine: Option<(f64, f64)>,
 }

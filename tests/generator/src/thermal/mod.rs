@@ -5,6 +5,7 @@ pub mod catalogue;
 pub mod design;
 pub mod job;
 pub mod rod;
+pub mod scenes;
 pub mod writing;
 
 use std::f64::consts::TAU;
@@ -24,6 +25,9 @@ pub const THERMAL: Process = Process {
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     never_together: &[],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 /// Structure outside the catalogue.
@@ -93,7 +97,7 @@ impl crate::job::Job for Job {
         let row = |row: &Row| {
             let i = times.iter().position(|t| (t - 60.0 * row.time).abs() < 1e-6).unwrap_or(0);
             match row.seen {
-                Seen::Temperature(sensor) => self.ambient + found[i].0[sensor],
+                Seen::Temperature(sensor) => self.set_up.start.unwrap_or(self.ambient) + found[i].0[sensor],
                 Seen::Elongation => 1e6 * 11.5e-6 * found[i].1,
             }
         };
@@ -143,13 +147,11 @@ impl Job {
 
     fn rod(&self, causes: &[Cause]) -> Rod {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
-        let (at, power, from, to) = self.source;
-        let mut sources = vec![(1e-3 * at, power, 60.0 * from, 60.0 * to)];
+        let source = |(at, power, from, to): &(f64, f64, f64, f64)| (1e-3 * at, *power, 60.0 * from, 60.0 * to);
+        let sources = std::iter::once(&self.source).chain(&self.set_up.sources).map(source).collect();
         let heater = value(causes, "heater-capacity", "contact")
             .map(|contact| Heater { capacity: size("heater-capacity", "heat_capacity"), contact });
-        if let Some(at) = value(causes, "extra-source", "at") {
-            sources.push((1e-3 * at, size("extra-source", "power"), 0.0, f64::INFINITY));
-        }
+        let friction = value(causes, "extra-source", "at").map(|at| (1e-3 * at, size("extra-source", "power")));
         let joint = value(causes, "contact-resistance", "at");
         let period = value(causes, "ambient-drift", "period").map_or(1.0, |hours| 3600.0 * hours);
         let surroundings =
@@ -163,7 +165,9 @@ impl Job {
             joint: joint.map(|at| (1e-3 * at, size("contact-resistance", "conductance"))),
             sources,
             heater,
+            friction: friction.into_iter().collect(),
             surroundings,
+            apart: self.set_up.start.map_or(0.0, |start| self.ambient - start),
         }
     }
 }

@@ -1,10 +1,11 @@
 //! A heated rod by finite volumes in space and a diagonally implicit Runge-Kutta method (Alexander's,
 //! second order, L-stable) in time.
 //!
-//! ρ c A T' = (k A T_x)_x − h p (T − T_a) + Σ Q δ(x − x_Q): cells end where the section changes and where a
-//! joint is, and steps end where a source is switched.
+//! ρ c A T' = (k A T_x)_x − h p (T − T_a) + Σ Q δ(x − x_Q): nodes stand at both ends, where the section changes,
+//! where heat comes in and where it is measured, and two on either side of a joint; steps end where a source is
+//! switched, and begin short.
 
-/// What is heated and how. SI units; temperatures are rises over that of the start.
+/// What is heated and how. SI units; temperatures are rises over that of the rod at the start.
 #[derive(Debug, Clone)]
 pub struct Rod {
     /// (length, diameter) from the base, m.
@@ -21,10 +22,14 @@ pub struct Rod {
     pub joint: Option<(f64, f64)>,
     /// (x, W, from, to) in m and s.
     pub sources: Vec<(f64, f64, f64, f64)>,
-    /// What the first source warms before it warms the rod.
+    /// What each of the sources warms before it warms the rod.
     pub heater: Option<Heater>,
+    /// Further heat, (x, W), from the start on: of bearings, which store none.
+    pub friction: Vec<(f64, f64)>,
     /// Rise of the surroundings: amplitude K, angular frequency 1/s, phase.
     pub surroundings: (f64, f64, f64),
+    /// Of the surroundings over the rod at the start, K.
+    pub apart: f64,
 }
 
 /// A body at one temperature between a source and the rod.
@@ -37,17 +42,19 @@ pub struct Heater {
 }
 
 /// Cells along the whole rod, about.
-const CELLS: f64 = 110.0;
-/// Longest time step, s.
-const STEP: f64 = 12.0;
+const CELLS: f64 = 140.0;
+/// Longest and shortest time step, s, and a step's part of the time since something was switched.
+const STEP: f64 = 10.0;
+const FIRST: f64 = 0.5;
+const GROWS: f64 = 0.1;
 /// Alexander's γ = 1 − 1/√2.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
 /// The discretised rod.
-struct Cells {
-    /// Middles, m.
+struct Nodes {
+    /// Places, m; that of a joint twice.
     x: Vec<f64>,
-    /// Sizes, m.
+    /// Length of rod that belongs to each, m.
     size: Vec<f64>,
     /// Heat capacities, J/K.
     capacity: Vec<f64>,
@@ -55,38 +62,31 @@ struct Cells {
     between: Vec<f64>,
     /// To the surroundings, W/K.
     loss: Vec<f64>,
-    /// Beside the rod; its own rise stands behind those of the cells.
-    heater: Option<Held>,
-}
-
-/// A heater and where it sits.
-struct Held {
-    capacity: f64,
-    /// To the middle of a cell at an end, or to a place between two middles.
-    contact: f64,
-    /// Cells about its place, with their shares.
-    about: Vec<(usize, f64)>,
+    /// Nodes at which heaters sit, whose own rises stand behind those of the nodes.
+    heaters: Vec<usize>,
 }
 
 /// Rises at every place `at` (m) and the integral of the rise over the rod (K m), at each of the rising
 /// `times` (s).
 pub fn histories(rod: &Rod, at: &[f64], times: &[f64]) -> Vec<(Vec<f64>, f64)> {
-    let cells = Cells::of(rod);
-    let heat = |t: f64| cells.heat(rod, t);
-    let mut stops: Vec<f64> = rod.sources.iter().flat_map(|s| [s.2, s.3]).chain(times.iter().copied()).collect();
+    let nodes = Nodes::of(rod, at);
+    let places: Vec<usize> = at.iter().map(|x| nodes.nearest(*x)).collect();
+    let switched: Vec<f64> = rod.sources.iter().flat_map(|s| [s.2, s.3]).collect();
+    let mut stops: Vec<f64> = switched.iter().chain(times).copied().filter(|s| *s >= 0.0).collect();
     stops.sort_by(f64::total_cmp);
-    let unknowns = cells.x.len() + usize::from(cells.heater.is_some());
-    let (mut rises, mut now, mut found) = (vec![0.0; unknowns], 0.0, Vec::new());
-    for stop in stops.into_iter().filter(|s| *s >= 0.0) {
-        let steps = ((stop - now) / STEP).ceil();
-        for k in 0..steps as usize {
-            let step = (stop - now) / steps;
-            cells.step(&mut rises, now + k as f64 * step, step, &heat);
+    let (mut rises, mut now) = (vec![0.0; nodes.x.len() + nodes.heaters.len()], 0.0);
+    let mut found = Vec::new();
+    for stop in stops {
+        while stop - now > 1e-9 {
+            let last = switched.iter().filter(|t| **t <= now + 1e-9).copied().fold(0.0, f64::max);
+            let longest = (GROWS * (now - last)).clamp(FIRST, STEP);
+            let step = (stop - now) / ((stop - now) / longest).ceil();
+            nodes.step(rod, &mut rises, now, step);
+            now += step;
         }
-        now = now.max(stop);
-        while found.len() < times.len() && times[found.len()] <= now {
-            let places = at.iter().map(|x| cells.at(&rises, *x)).collect();
-            found.push((places, rises.iter().zip(&cells.size).map(|(r, s)| r * s).sum()));
+        while found.len() < times.len() && times[found.len()] <= now + 1e-9 {
+            let integral = rises.iter().zip(&nodes.size).map(|(r, s)| r * s).sum();
+            found.push((places.iter().map(|i| rises[*i]).collect(), integral));
         }
         if found.len() == times.len() {
             break;
@@ -95,85 +95,106 @@ pub fn histories(rod: &Rod, at: &[f64], times: &[f64]) -> Vec<(Vec<f64>, f64)> {
     found
 }
 
-impl Cells {
-    fn of(rod: &Rod) -> Self {
+fn area(diameter: f64) -> f64 {
+    0.25 * std::f64::consts::PI * diameter * diameter
+}
+
+impl Nodes {
+    fn of(rod: &Rod, at: &[f64]) -> Self {
         let whole: f64 = rod.segments.iter().map(|s| s.0).sum();
-        let (mut x, mut size, mut diameters, mut borders) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut from = 0.0;
-        for (length, diameter) in &rod.segments {
-            let joint = rod.joint.map(|j| j.0).filter(|j| *j > from && *j < from + length);
-            let mut ends = vec![from];
-            ends.extend(joint);
-            ends.push(from + length);
-            for pair in ends.windows(2) {
-                let count = ((pair[1] - pair[0]) / whole * CELLS).ceil().max(2.0);
-                let own = (pair[1] - pair[0]) / count;
-                for k in 0..count as usize {
-                    x.push(pair[0] + (k as f64 + 0.5) * own);
-                    size.push(own);
-                    diameters.push(*diameter);
-                    borders.push(pair[0] + (k as f64 + 1.0) * own);
-                }
+        let mut breaks: Vec<f64> = at.iter().copied().chain(rod.sources.iter().map(|s| s.0)).collect();
+        breaks.extend(rod.friction.iter().map(|f| f.0).chain(rod.joint.map(|j| j.0)));
+        let mut end = 0.0;
+        for (length, _) in &rod.segments {
+            end += length;
+            breaks.push(end);
+        }
+        breaks.push(0.0);
+        breaks.retain(|x| (0.0..=whole * (1.0 + 1e-9)).contains(x));
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * whole);
+        let mut nodes = Self {
+            x: vec![0.0],
+            size: vec![0.0],
+            capacity: vec![0.0],
+            between: Vec::new(),
+            loss: vec![rod.base],
+            heaters: Vec::new(),
+        };
+        for pair in breaks.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let diameter = rod.diameter(0.5 * (from + to));
+            if let Some((_, conductance)) = rod.joint.filter(|j| from > 0.0 && (j.0 - from).abs() < 1e-9 * whole) {
+                // At a step the narrower section is what touches.
+                let touching = area(diameter.min(rod.diameter(from - 1e-6 * whole)));
+                nodes.push(from, conductance * touching);
             }
-            from += length;
+            let count = ((to - from) / whole * CELLS).ceil().max(1.0);
+            let cell = (to - from) / count;
+            for k in 1..=count as usize {
+                nodes.half_cell(rod, cell, diameter);
+                nodes.push(from + k as f64 * cell, rod.conductivity * area(diameter) / cell);
+                nodes.half_cell(rod, cell, diameter);
+            }
         }
-        let area = |d: f64| 0.25 * std::f64::consts::PI * d * d;
-        let half = |i: usize| 0.5 * size[i] / (rod.conductivity * area(diameters[i]));
-        let between = (0..x.len() - 1).map(|i| {
-            let resists = rod.joint.filter(|j| (j.0 - borders[i]).abs() < 1e-9 * whole);
-            let joint = resists.map_or(0.0, |j| 1.0 / (j.1 * area(diameters[i].min(diameters[i + 1]))));
-            1.0 / (half(i) + half(i + 1) + joint)
-        });
-        let between = between.collect();
-        let capacity = (0..x.len()).map(|i| rod.capacity * area(diameters[i]) * size[i]).collect();
-        let mut loss: Vec<f64> =
-            (0..x.len()).map(|i| rod.convection * std::f64::consts::PI * diameters[i] * size[i]).collect();
-        // The base is half a cell away.
-        if rod.base > 0.0 {
-            loss[0] += 1.0 / (1.0 / rod.base + half(0));
+        if rod.heater.is_some() {
+            nodes.heaters = rod.sources.iter().map(|source| nodes.nearest(source.0)).collect();
         }
-        let heater = rod.heater.zip(rod.sources.first()).map(|(heater, source)| {
-            let about = shares(&x, source.0);
-            // At an end the face is half a cell away.
-            let apart = if about.len() == 1 { half(about[0].0) } else { 0.0 };
-            Held { capacity: heater.capacity, contact: 1.0 / (1.0 / heater.contact + apart), about }
-        });
-        Self { x, size, capacity, between, loss, heater }
+        nodes
     }
 
-    /// Heat into every cell at a time, W; a source is shared by the two cells about it, so that it stands
-    /// where it stands.
+    /// A further node, with its conductance to the last.
+    fn push(&mut self, x: f64, conductance: f64) {
+        self.x.push(x);
+        self.between.push(conductance);
+        for list in [&mut self.size, &mut self.capacity, &mut self.loss] {
+            list.push(0.0);
+        }
+    }
+
+    /// Gives half of a cell to the last node.
+    fn half_cell(&mut self, rod: &Rod, cell: f64, diameter: f64) {
+        let last = self.x.len() - 1;
+        self.size[last] += 0.5 * cell;
+        self.capacity[last] += rod.capacity * area(diameter) * 0.5 * cell;
+        self.loss[last] += rod.convection * std::f64::consts::PI * diameter * 0.5 * cell;
+    }
+
+    /// The node at a place; before a joint that stands there.
+    fn nearest(&self, x: f64) -> usize {
+        let off = |i: &usize| (self.x[*i] - x).abs();
+        (0..self.x.len()).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0)
+    }
+
+    /// Heat into every node and heater at a time, W.
     fn heat(&self, rod: &Rod, time: f64) -> Vec<f64> {
         let (amplitude, frequency, phase) = rod.surroundings;
-        let around = amplitude * ((frequency * time + phase).sin() - phase.sin());
+        let around = rod.apart + amplitude * ((frequency * time + phase).sin() - phase.sin());
         let mut heat: Vec<f64> = self.loss.iter().map(|loss| loss * around).collect();
-        heat.extend(self.heater.iter().map(|_| 0.0));
+        heat.resize(self.x.len() + self.heaters.len(), 0.0);
         for (number, (x, power, from, to)) in rod.sources.iter().enumerate() {
             // Steps begin and end at the switching, and stages lie inside them.
-            if time <= *from || time > *to + 1e-9 {
-                continue;
-            }
-            if number == 0 && self.heater.is_some() {
-                heat[self.x.len()] = *power;
-            } else {
-                shares(&self.x, *x).into_iter().for_each(|(cell, share)| heat[cell] += share * power);
+            if time > *from && time <= *to + 1e-9 {
+                let into = if self.heaters.is_empty() { self.nearest(*x) } else { self.x.len() + number };
+                heat[into] += power;
             }
         }
+        rod.friction.iter().for_each(|(x, power)| heat[self.nearest(*x)] += power);
         heat
     }
 
     /// C T' = −K T + q by two stages.
-    fn step(&self, rises: &mut [f64], time: f64, step: f64, heat: &dyn Fn(f64) -> Vec<f64>) {
-        let first = self.slope(rises, GAMMA * step, &heat(time + GAMMA * step));
+    fn step(&self, rod: &Rod, rises: &mut [f64], time: f64, step: f64) {
+        let first = self.slope(rod, rises, GAMMA * step, &self.heat(rod, time + GAMMA * step));
         let middle: Vec<f64> = rises.iter().zip(&first).map(|(r, k)| r + (1.0 - GAMMA) * step * k).collect();
-        let second = self.slope(&middle, GAMMA * step, &heat(time + step));
+        let second = self.slope(rod, &middle, GAMMA * step, &self.heat(rod, time + step));
         for ((rise, a), b) in rises.iter_mut().zip(first).zip(second) {
             *rise += step * ((1.0 - GAMMA) * a + GAMMA * b);
         }
     }
 
-    /// The slope k with C k = −K (T + g k) + q, by elimination along the rod, the heater eliminated first.
-    fn slope(&self, rises: &[f64], g: f64, heat: &[f64]) -> Vec<f64> {
+    /// The slope k with C k = −K (T + g k) + q, by elimination along the rod, heaters eliminated first.
+    fn slope(&self, rod: &Rod, rises: &[f64], g: f64, heat: &[f64]) -> Vec<f64> {
         let n = self.x.len();
         let stiff = |i: usize| {
             let below = if i > 0 { self.between[i - 1] } else { 0.0 };
@@ -187,54 +208,39 @@ impl Cells {
                 heat[i] - stiff(i) * rises[i] + below + above
             })
             .collect();
-        // Negative entries beside the diagonal.
-        let mut beside: Vec<f64> = self.between.iter().map(|between| g * between).collect();
-        let weighed = |held: &Held, values: &[f64]| held.about.iter().map(|(i, w)| w * values[*i]).sum::<f64>();
-        let whole = |held: &Held| held.capacity + g * held.contact;
-        if let Some(held) = &self.heater {
-            let flow = held.contact * (rises[n] - weighed(held, rises));
-            let comes = flow + g * held.contact * (heat[n] - flow) / whole(held);
-            let resists = g * held.contact * held.capacity / whole(held);
-            for (i, share) in &held.about {
-                right[*i] += share * comes;
-                diagonal[*i] += share * share * resists;
-            }
-            if let [(i, a), (_, b)] = held.about[..] {
-                beside[i] -= a * b * resists;
-            }
+        // C_h k_h = q − G (T_h − T) − g G (k_h − k), and as much comes into the node.
+        let flow = |number: usize, contact: f64| contact * (rises[n + number] - rises[self.heaters[number]]);
+        for (number, node) in self.heaters.iter().enumerate() {
+            let Some(Heater { capacity, contact }) = rod.heater else { continue };
+            let (flow, whole) = (flow(number, contact), capacity + g * contact);
+            right[*node] += flow + g * contact * (heat[n + number] - flow) / whole;
+            diagonal[*node] += g * contact * capacity / whole;
         }
         for i in 1..n {
-            let factor = beside[i - 1] / diagonal[i - 1];
-            diagonal[i] -= factor * beside[i - 1];
+            let factor = g * self.between[i - 1] / diagonal[i - 1];
+            diagonal[i] -= factor * g * self.between[i - 1];
             right[i] += factor * right[i - 1];
         }
         right[n - 1] /= diagonal[n - 1];
         for i in (0..n - 1).rev() {
-            right[i] = (right[i] + beside[i] * right[i + 1]) / diagonal[i];
+            right[i] = (right[i] + g * self.between[i] * right[i + 1]) / diagonal[i];
         }
-        if let Some(held) = &self.heater {
-            let flow = held.contact * (rises[n] - weighed(held, rises));
-            right.push((heat[n] - flow + g * held.contact * weighed(held, &right)) / whole(held));
+        for (number, node) in self.heaters.iter().enumerate() {
+            let Some(Heater { capacity, contact }) = rod.heater else { continue };
+            let comes = heat[n + number] - flow(number, contact) + g * contact * right[*node];
+            right.push(comes / (capacity + g * contact));
         }
         right
     }
-
-    /// The rise at a place, between the middles of cells along a line.
-    fn at(&self, rises: &[f64], x: f64) -> f64 {
-        let above = self.x.partition_point(|own| own < &x).clamp(1, self.x.len() - 1);
-        let part = ((x - self.x[above - 1]) / (self.x[above] - self.x[above - 1])).clamp(0.0, 1.0);
-        (1.0 - part) * rises[above - 1] + part * rises[above]
-    }
 }
 
-/// The cells about a place with their shares of what happens there; one at an end.
-fn shares(middles: &[f64], x: f64) -> Vec<(usize, f64)> {
-    match middles.partition_point(|own| *own < x) {
-        0 => vec![(0, 1.0)],
-        a if a == middles.len() => vec![(a - 1, 1.0)],
-        a => {
-            let part = (x - middles[a - 1]) / (middles[a] - middles[a - 1]);
-            vec![(a - 1, 1.0 - part), (a, part)]
-        }
+impl Rod {
+    fn diameter(&self, x: f64) -> f64 {
+        let mut end = 0.0;
+        let here = self.segments.iter().find(|(length, _)| {
+            end += length;
+            x < end
+        });
+        here.or(self.segments.last()).map_or(0.0, |(_, diameter)| *diameter)
     }
 }

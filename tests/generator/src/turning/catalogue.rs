@@ -1,4 +1,4 @@
-//! The 21 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
+//! The 22 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
 
 use super::job::{Holding, Job};
 use crate::law::{Law, Parameter, Role};
@@ -47,6 +47,9 @@ const FRONT: &[Parameter] = &[
 ];
 const TWIST: &[Parameter] = &[Parameter("twist", "um/m/m", 10.0, 120.0, Role::Signed)];
 
+const SAG: &[Parameter] =
+    &[Parameter("front", "um", 5.0, 60.0, Role::Signed), Parameter("rear", "um", 5.0, 60.0, Role::Signed)];
+
 /// All of them, those of a surveyed lathe last.
 pub const LAWS: &[Law] = &[
     ("headstock-compliance", STIFFNESS),
@@ -70,6 +73,7 @@ pub const LAWS: &[Law] = &[
     ("wear-land", LAND),
     ("front-guideway-wear", FRONT),
     ("bed-twist", TWIST),
+    ("bed-sag", SAG),
 ];
 /// How many any lathe has.
 const USUAL: usize = 18;
@@ -77,24 +81,6 @@ const USUAL: usize = 18;
 pub const OF_ANY: &[Law] = LAWS.split_at(USUAL).0;
 /// Those of which nothing is known unless edge and bed were measured.
 pub const OF_SURVEYED: &[Law] = LAWS.split_at(USUAL).1;
-
-/// The laws that meet in the force equilibrium; the others add.
-const IN_EQUILIBRIUM: &[&str] = &[
-    "headstock-compliance",
-    "tailstock-compliance",
-    "carriage-compliance",
-    "headstock-contact",
-    "tailstock-contact",
-    "carriage-contact",
-    "chuck-tilt",
-    "force-feedback",
-];
-
-/// Whether the effect acts through the equilibrium (springs, contacts, tilt, feedback) and not by adding to
-/// the diameter.
-pub fn in_equilibrium(effect: &str) -> bool {
-    IN_EQUILIBRIUM.contains(&effect)
-}
 
 /// "tailstock-* and tailstock-offset not in `chuck`; chuck-tilt not in `centres`; the others all".
 /// Those of a surveyed lathe need its survey.

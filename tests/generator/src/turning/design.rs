@@ -2,6 +2,7 @@
 
 use super::catalogue::holds;
 use super::job::{Holding, Job, Row, Survey};
+use super::set_up::SetUp;
 use super::shaft::{Material, Segment, Shaft};
 use crate::job::{NoiseKind, Shown};
 use crate::random::{Random, decimals, figures};
@@ -45,7 +46,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
         let mut job = skeleton(holding, random);
         job.shown = shown(holding, hidden, random);
         measure(&mut job, random);
-        let bends = super::equilibrium::force_error(&job, &[]).into_iter().fold(0.0, f64::max);
+        let bends = super::equilibrium::errors(&job, &[]).into_iter().fold(0.0, f64::max);
         // Slimmer than this nobody would turn it, and the finish cut would vanish under force-feedback.
         if bends < 0.35e3 * job.depth.min(0.6) && (60..=300).contains(&job.rows.len()) {
             return Some(job);
@@ -96,6 +97,7 @@ fn skeleton(holding: Holding, random: &mut Random) -> Job {
         noise: random.pick(&[NoiseKind::Column, NoiseKind::Column, NoiseKind::Repeats, NoiseKind::Neither]),
         shown: Vec::new(),
         survey: None,
+        set_up: SetUp::default(),
     };
     job.cycle = decimals(job.cutting_time() * random.uniform(1.15, 1.6) + random.uniform(0.5, 2.5), 2);
     let pauses = random.pick(&[0, 1, 1, 1, 1, 2]);
@@ -123,6 +125,7 @@ fn shaft(random: &mut Random) -> Shaft {
     let segment = |(share, factor): (&f64, &f64)| Segment {
         length: decimals(length * share, 1),
         diameter: decimals(diameter * factor, 1),
+        bore: 0.0,
     };
     let segments = shares.iter().zip(&factors).map(segment).collect();
     let material = random.pick(&[STEEL, STEEL, STEEL, STEEL, STEEL, STEEL, STEEL, ALUMINIUM, CAST_IRON]);
@@ -175,7 +178,7 @@ fn measure(job: &mut Job, random: &mut Random) {
             let x = decimals(share * length, 1);
             let left =
                 |b: &Blanks| decimals(job.shaft.diameter(x) + 2.0 * job.depth * (1.0 + b.excess(part, share)), 4);
-            let row = Row { part, x, force, blank: blank.as_ref().map(left) };
+            let row = Row { part, x, force, blank: blank.as_ref().map(left), ..Row::default() };
             job.rows.extend(std::iter::repeat_n(row, copies));
         }
     }

@@ -1,117 +1,144 @@
-//! Where the tool, the joints and the shaft come to rest: the one place where causes do not simply add.
+//! Where nose, work, supports and blank come to rest, row by row, in one equilibrium: what the shaft goes away
+//! under the cut and with its supports, what moves the nose across, and the depth that is left between nose
+//! and blank, which makes the force.
+//!
+//! ```text
+//!   across = y(P) + movers          R = √((D/2 + across)² + z²)
+//!   t_d = t_set − (R − D/2)         P = P0·(t_d/t_0)^exponent, 0 where t_d ≤ 0
+//! ```
 
+use super::held::{Held, Root, Support};
 use super::job::{Holding, Job, Row};
+use super::movers::{Mover, movers};
+use super::set_up::Rest;
 use crate::dense::root;
 use crate::law::{Cause, value};
 
-/// A spring in series with a contact, either of which may be rigid: gap = q/k + c q^n, pressing only [002
-/// (29)].
-#[derive(Debug, Clone, Copy, Default)]
-struct Joint {
-    spring: f64,
-    c: f64,
-    n: f64,
-}
-
-impl Joint {
-    fn of(causes: &[Cause], compliance: &str, contact: &str) -> Self {
-        Self {
-            spring: value(causes, compliance, "stiffness").map_or(0.0, f64::recip),
-            c: value(causes, contact, "c").unwrap_or(0.0),
-            n: value(causes, contact, "n").unwrap_or(1.0),
-        }
-    }
-
-    fn gap(&self, q: f64) -> f64 {
-        if q <= 0.0 { 0.0 } else { q * self.spring + if self.c == 0.0 { 0.0 } else { self.c * q.powf(self.n) } }
-    }
-}
-
-/// Everything that yields, N and um; `tilt` in um/(N mm^2), that is 1e3 rad/(N mm).
+/// What presses on the nose gives way behind it: springs in series with a contact.
 #[derive(Debug, Clone, Copy)]
-struct Joints {
-    head: Joint,
-    tail: Joint,
-    carriage: Joint,
-    tilt: f64,
+struct Carriage {
+    compliance: f64,
+    contact: (f64, f64),
 }
 
-/// Unit-load compliances for a tool at one place, um/N.
-struct Place {
-    x: f64,
-    length: f64,
-    here: f64,
-    cross: f64,
-    end: f64,
-}
-
-impl Place {
-    fn new(job: &Job, x: f64) -> Self {
-        let length = job.shaft.length();
-        let shaft = &job.shaft;
-        match job.holding {
-            Holding::Centres => Self { x, length, here: shaft.between_pins(x), cross: 0.0, end: 0.0 },
-            Holding::Chuck => Self { x, length, here: shaft.cantilever(x, x), cross: 0.0, end: 0.0 },
-            Holding::ChuckAndCentre => Self {
-                x,
-                length,
-                here: shaft.cantilever(x, x),
-                cross: shaft.cantilever(x, length),
-                end: shaft.cantilever(length, length),
-            },
-        }
+impl Carriage {
+    fn gives(&self, force: f64) -> f64 {
+        let (c, n) = self.contact;
+        force * self.compliance + if force > 0.0 && c > 0.0 { c * force.powf(n) } else { 0.0 }
     }
 }
 
-/// Radial gap y at the tool under the force `p`, um.
-fn gap(holding: Holding, place: &Place, joints: &Joints, p: f64) -> f64 {
-    let Place { x, length, here, cross, end } = *place;
-    let Joints { head, tail, carriage, tilt } = joints;
-    let work = match holding {
-        Holding::Centres => {
-            let share = x / length;
-            p * here + (1.0 - share) * head.gap(p * (1.0 - share)) + share * tail.gap(p * share)
-        }
-        Holding::Chuck => p * here + head.gap(p) + tilt * p * x * x,
-        Holding::ChuckAndCentre => {
-            // Force method: the tailstock's reaction r closes what the cantilever would open at L.
-            let open =
-                |r: f64| p * cross - r * end + head.gap(p - r) + tilt * length * (p * x - r * length) - tail.gap(r);
-            let r = root(0.0, p, open);
-            p * here - r * cross + head.gap(p - r) + tilt * x * (p * x - r * length)
-        }
-    };
-    work + carriage.gap(p)
+/// Set depth (um), the depth to which a force belongs (um), that force (N) and its exponent, if it has one.
+#[derive(Debug, Clone, Copy)]
+struct Cut {
+    set: f64,
+    nominal: f64,
+    force: f64,
+    exponent: Option<f64>,
 }
 
-/// Force and gap of one row: P = P0 (t_d/t_0)^exponent with t_d = t_set - y >= 0 [002 (17)-(27)], or P0
-/// without force-feedback.
-fn balance(job: &Job, row: &Row, joints: &Joints, exponent: Option<f64>, place: &Place) -> f64 {
-    let y = |p: f64| gap(job.holding, place, joints, p);
-    let Some(exponent) = exponent else { return y(row.force) };
-    let set = row.blank.map_or(job.depth, |blank| 0.5 * (blank - job.shaft.diameter(row.x)));
-    let cut = |p: f64| row.force * ((set - 1e-3 * y(p)).max(0.0) / job.depth).powf(exponent);
-    let most = row.force * (set.max(0.0) / job.depth).powf(exponent);
-    y(root(0.0, most, |p| p - cut(p)))
+/// A row with all that moves in it but by force.
+struct At<'a> {
+    held: &'a Held,
+    carriage: &'a Carriage,
+    imposed: Vec<f64>,
+    mover: Mover,
 }
 
-/// Diameter error from the force deflection alone, 2y per row [002 (8)], um.
-pub fn force_error(job: &Job, causes: &[Cause]) -> Vec<f64> {
-    let joints = Joints {
-        head: Joint::of(causes, "headstock-compliance", "headstock-contact"),
-        tail: Joint::of(causes, "tailstock-compliance", "tailstock-contact"),
-        carriage: Joint::of(causes, "carriage-compliance", "carriage-contact"),
-        tilt: value(causes, "chuck-tilt", "stiffness").map_or(0.0, |k| 1e3 / (k * 1e6)),
+impl At<'_> {
+    /// Radius left less that of the diameter `d` to which the nose is set, um.
+    fn leaves(&self, force: f64, d: f64) -> f64 {
+        let across = self.held.goes(force, &self.imposed) + self.carriage.gives(force) + self.mover.across;
+        // R² − (D/2)² over R + D/2, which loses no digits.
+        let square = across * (d + across) + self.mover.up * self.mover.up;
+        square / ((0.5 * d + across).hypot(self.mover.up) + 0.5 * d)
+    }
+
+    /// Radius left less that of `d` after a cut, um; that of the blank where the nose does not reach it.
+    fn after(&self, cut: &Cut, d: f64) -> f64 {
+        let Some(exponent) = cut.exponent else { return self.leaves(cut.force, d) };
+        if cut.set - self.leaves(0.0, d) <= 0.0 {
+            return cut.set;
+        }
+        let makes = |force: f64| {
+            let depth = (cut.set - self.leaves(force, d)).max(0.0);
+            cut.force * (depth / cut.nominal).powf(exponent)
+        };
+        self.leaves(root(0.0, makes(0.0), |force| force - makes(force)), d)
+    }
+}
+
+/// Supports with what the causes make of them; the headstock first.
+fn supports(job: &Job, causes: &[Cause]) -> (Root, Vec<Support>) {
+    let spring = |effect: &str| value(causes, effect, "stiffness").map_or(0.0, f64::recip);
+    let contact = |effect: &str| value(causes, effect, "c").zip(value(causes, effect, "n"));
+    let support = |at: f64, compliance: &str, joint: &str| Support {
+        at,
+        compliance: spring(compliance),
+        contact: contact(joint),
     };
+    let mut supports = vec![support(0.0, "headstock-compliance", "headstock-contact")];
+    if job.holding != Holding::Chuck {
+        supports.push(support(job.shaft.length(), "tailstock-compliance", "tailstock-contact"));
+    }
+    let rest = |rest: &Rest| Support { at: rest.at, compliance: 1.0 / rest.stiffness, contact: None };
+    supports.extend(job.set_up.rests.iter().map(rest));
+    // kN·m/rad are 1e6 N·mm/rad, and um/mm 1e-3 rad.
+    let tilt = spring("chuck-tilt") * 1e-3;
+    let root = if job.holding == Holding::Centres { Root::Pin } else { Root::Clamp(tilt) };
+    (root, supports)
+}
+
+fn carriage(job: &Job, causes: &[Cause]) -> Carriage {
+    let spring = value(causes, "carriage-compliance", "stiffness").map_or(0.0, f64::recip);
+    let holder = job.set_up.holder.as_ref().map_or(0.0, |holder| holder.compliance(job.shaft.shear));
+    let of = |parameter| value(causes, "carriage-contact", parameter);
+    Carriage { compliance: spring + holder, contact: (of("c").unwrap_or(0.0), of("n").unwrap_or(1.0)) }
+}
+
+/// Diameter error of every row, um.
+pub fn errors(job: &Job, causes: &[Cause]) -> Vec<f64> {
+    let (root, supports) = supports(job, causes);
+    let carriage = carriage(job, causes);
     let exponent = value(causes, "force-feedback", "exponent");
-    let mut places: Vec<Place> = Vec::new();
+    let offset = value(causes, "tailstock-offset", "offset").unwrap_or(0.0);
+    let mut places: Vec<(f64, Held)> = Vec::new();
     let mut errors = Vec::with_capacity(job.rows.len());
-    for row in &job.rows {
-        let at = places.iter().position(|p| p.x == row.x).unwrap_or_else(|| {
-            places.push(Place::new(job, row.x));
+    for (row, mover) in job.rows.iter().zip(movers(job, causes)) {
+        let known = places.iter().position(|(x, _)| *x == row.x).unwrap_or_else(|| {
+            places.push((row.x, Held::new(&job.shaft, root, &supports, row.x)));
             places.len() - 1
         });
-        errors.push(2.0 * balance(job, row, &joints, exponent, &places[at]));
+        let mut imposed = vec![mover.headstock];
+        if job.holding != Holding::Chuck {
+            imposed.push(offset);
+        }
+        imposed.extend(job.set_up.rests.iter().map(|rest| rest.offset));
+        let at = At { held: &places[known].1, carriage: &carriage, imposed, mover };
+        // Across a diameter the radius is what two opposite angles leave.
+        let sides = if job.set_up.lobes.is_empty() { vec![0.0] } else { vec![0.0, 180.0] };
+        let count = sides.len() as f64;
+        let left: f64 = sides.iter().map(|turned| one_side(job, row, &at, exponent, row.angle + turned)).sum();
+        errors.push(2.0 * left / count);
     }
     errors
+}
+
+/// Radius left less the set one at an angle (deg) of the part, after all passes, um.
+fn one_side(job: &Job, row: &Row, at: &At, exponent: Option<f64>, angle: f64) -> f64 {
+    let finished = job.shaft.diameter(row.x);
+    let last = |set: f64| Cut { set, nominal: 1e3 * job.depth, force: row.force, exponent };
+    if let Some(blank) = row.blank {
+        return at.after(&last(1e3 * 0.5 * (blank - finished)), 1e3 * finished);
+    }
+    // By how much the radius is too large before a pass.
+    let mut left = job.set_up.blank_error(row.x, job.shaft.length(), angle);
+    let later = |from: usize| job.depth + job.set_up.passes[from..].iter().map(|pass| pass.depth).sum::<f64>();
+    for (number, pass) in job.set_up.passes.iter().enumerate() {
+        let depth = 1e3 * pass.depth;
+        let cut = Cut { set: depth + left, nominal: depth, force: pass.force, exponent };
+        left = at.after(&cut, 1e3 * (finished + 2.0 * later(number + 1)));
+    }
+    let set = row.depth.unwrap_or(job.depth);
+    at.after(&last(1e3 * set + left), 1e3 * finished)
 }

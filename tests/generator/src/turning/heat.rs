@@ -26,7 +26,7 @@ impl Grid {
             let cells = (length / size).ceil().max(1.0);
             let h = length / cells;
             let start = grid.x[grid.x.len() - 1];
-            let area = PI * d * d / 4.0;
+            let area = 1e-6 * segment.area();
             let (half_capacity, half_loss) =
                 (m.density * m.specific_heat * area * h / 2.0, convection * PI * d * h / 2.0);
             for i in 1..=cells as usize {

@@ -1,5 +1,6 @@
 //! The job: what is turned, how it is held, in what order, and where it is measured.
 
+use super::set_up::SetUp;
 use super::shaft::Shaft;
 use crate::job::{NoiseKind, Shown};
 
@@ -15,7 +16,7 @@ pub enum Holding {
 }
 
 /// One measured row's coordinates.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Row {
     /// Part number from 1.
     pub part: usize,
@@ -25,6 +26,10 @@ pub struct Row {
     pub force: f64,
     /// Diameter before the cut, mm, when the design measures it.
     pub blank: Option<f64>,
+    /// Depth to which the row's cut was set, mm, where it is not the model's.
+    pub depth: Option<f64>,
+    /// Around the part, deg.
+    pub angle: f64,
 }
 
 /// What was measured on the lathe itself.
@@ -82,6 +87,8 @@ pub struct Job {
     pub shown: Vec<Shown>,
     /// What is known of edge and bed, if they were measured.
     pub survey: Option<Survey>,
+    /// What not every job has.
+    pub set_up: SetUp,
 }
 
 impl Job {
@@ -101,7 +108,12 @@ impl Job {
         (part - 1) as f64 * self.cycle + paused
     }
 
-    /// Minutes since the part's start when the tool is at x.
+    /// Minutes that the passes before the last take on each part, at the same feed and speed.
+    pub fn before_last(&self) -> f64 {
+        self.set_up.passes.len() as f64 * self.cutting_time()
+    }
+
+    /// Minutes since the last pass on the part began when the tool is at x.
     pub fn into_cut(&self, x: f64) -> f64 {
         let travelled = if self.forward { x } else { self.shaft.length() - x };
         travelled / self.tool_speed()

@@ -2,24 +2,26 @@
 //! elements, the force method and a bracketing root search instead of a Newton iteration, a fine implicit
 //! finite-volume rod for the heat.
 
-pub mod additive;
 pub mod catalogue;
 pub mod design;
 pub mod equilibrium;
 pub mod heat;
+pub mod held;
 pub mod job;
+pub mod movers;
+pub mod scenes;
+pub mod set_up;
 pub mod shaft;
 pub mod shapes;
 pub mod story;
 pub mod writing;
 
-use additive::additive_error;
-use catalogue::{LAWS, OF_ANY, OF_SURVEYED, admits, in_equilibrium};
-use equilibrium::force_error;
+use catalogue::{LAWS, OF_ANY, OF_SURVEYED, admits};
+use equilibrium::errors;
 use job::Job;
 
 use crate::Process;
-use crate::job::{NoiseKind, Shown, difference};
+use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law};
 use crate::random::Random;
 
@@ -30,6 +32,9 @@ pub const TURNING: Process = Process {
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     // The same in diameters.
     never_together: &[["guideway-taper", "tailstock-offset"]],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 /// The same on a lathe whose edge and bed were measured, with the effects that need it.
@@ -38,6 +43,9 @@ pub const SURVEYED_TURNING: Process = Process {
     laws: OF_SURVEYED,
     draw_job: |hidden, random| Some(Box::new(design::draw_surveyed_job(hidden, random)?)),
     never_together: &[],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
 };
 
 impl crate::job::Job for Job {
@@ -90,26 +98,7 @@ impl crate::job::Job for Job {
     }
 
     fn predict(&self, causes: &[Cause]) -> Vec<f64> {
-        let (mut errors, added) = (force_error(self, causes), additive_error(self, causes));
-        errors.iter_mut().zip(added).for_each(|(e, a)| *e += a);
-        errors
-    }
-
-    /// Additive causes need no second equilibrium.
-    fn signature(&self, causes: &[Cause], index: usize) -> Vec<f64> {
-        if !in_equilibrium(causes[index].effect) {
-            return additive_error(self, &causes[index..=index]);
-        }
-        let mut without = causes.to_vec();
-        without.remove(index);
-        difference(&force_error(self, causes), &force_error(self, &without), 1.0)
-    }
-
-    fn moved(&self, causes: &[Cause], index: usize) -> Vec<f64> {
-        match in_equilibrium(causes[index].effect) {
-            true => force_error(self, causes),
-            false => additive_error(self, &causes[index..=index]),
-        }
+        errors(self, causes)
     }
 
     fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {

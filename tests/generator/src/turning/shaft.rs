@@ -21,12 +21,33 @@ pub struct Material {
 }
 
 /// One cylinder of the shaft, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Segment {
     /// Length along the axis, mm.
     pub length: f64,
     /// Set (finished) diameter, mm.
     pub diameter: f64,
+    /// Of a hollow one, mm; 0 of a solid one.
+    pub bore: f64,
+}
+
+impl Segment {
+    /// Of the section, mm².
+    pub fn area(&self) -> f64 {
+        0.25 * PI * (self.diameter.powi(2) - self.bore.powi(2))
+    }
+
+    /// Second moment of the section, mm⁴.
+    fn inertia(&self) -> f64 {
+        PI * (self.diameter.powi(4) - self.bore.powi(4)) / 64.0
+    }
+
+    /// Shear coefficient of a hollow round, 6(1+ν)(1+m²)²/[(7+6ν)(1+m²)² + (20+12ν)m²], m = bore/D.
+    fn kappa(&self, nu: f64) -> f64 {
+        let square = (self.bore / self.diameter).powi(2);
+        let whole = (1.0 + square).powi(2);
+        6.0 * (1.0 + nu) * whole / ((7.0 + 6.0 * nu) * whole + (20.0 + 12.0 * nu) * square)
+    }
 }
 
 /// Stepped round beam; x from the headstock, mm.
@@ -61,7 +82,10 @@ impl Shaft {
     /// Area of the turned surface's unrolling, the integral of pi D dx from `a` to `b`, mm^2: cutting path
     /// times feed.
     pub fn unrolled(&self, a: f64, b: f64) -> f64 {
-        self.pieces(&[]).iter().map(|&(from, to, d)| PI * d * (b.min(to) - a.max(from)).max(0.0)).sum()
+        self.pieces(&[])
+            .iter()
+            .map(|&(from, to, section)| PI * section.diameter * (b.min(to) - a.max(from)).max(0.0))
+            .sum()
     }
 
     /// Deflection at `z` from a unit force at `x`, clamped at 0 and free at L, um/N.
@@ -85,12 +109,11 @@ impl Shaft {
     /// integrate it exactly.
     fn virtual_work(&self, cuts: &[f64], loads: impl Fn(f64) -> ((f64, f64), (f64, f64))) -> f64 {
         let (e, nu) = (self.material.modulus * 1e3, self.material.poisson);
-        let kappa = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);
         let shear_modulus = e / (2.0 * (1.0 + nu));
         let mut sum = 0.0;
-        for (from, to, d) in self.pieces(cuts) {
-            let bending = 1.0 / (e * PI * d.powi(4) / 64.0);
-            let sliding = if self.shear { 1.0 / (kappa * shear_modulus * PI * d * d / 4.0) } else { 0.0 };
+        for (from, to, section) in self.pieces(cuts) {
+            let bending = 1.0 / (e * section.inertia());
+            let sliding = if self.shear { 1.0 / (section.kappa(nu) * shear_modulus * section.area()) } else { 0.0 };
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
             for s in [middle - half / 3_f64.sqrt(), middle + half / 3_f64.sqrt()] {
                 let ((m1, q1), (m2, q2)) = loads(s);
@@ -100,8 +123,8 @@ impl Shaft {
         1e3 * sum
     }
 
-    /// The shaft cut at its steps and at `cuts`: (from, to, diameter).
-    fn pieces(&self, cuts: &[f64]) -> Vec<(f64, f64, f64)> {
+    /// The shaft cut at its steps and at `cuts`: (from, to, section).
+    fn pieces(&self, cuts: &[f64]) -> Vec<(f64, f64, Segment)> {
         let mut pieces = Vec::new();
         let mut start = 0.0;
         for segment in &self.segments {
@@ -111,7 +134,7 @@ impl Shaft {
             ends.sort_by(f64::total_cmp);
             let mut from = start;
             for to in ends {
-                pieces.push((from, to, segment.diameter));
+                pieces.push((from, to, *segment));
                 from = to;
             }
             start = end;

@@ -3,6 +3,7 @@
 
 use super::design::STEEL;
 use super::job::{Holding, Job, Row};
+use super::set_up::SetUp;
 use super::shaft::{Segment, Shaft};
 use super::writing;
 use crate::job::{Job as _, NoiseKind};
@@ -24,10 +25,10 @@ pub fn causes() -> Vec<Cause> {
 /// Twelve shafts of 500 mm between centres, in turn with whole, half and a quarter of the force, each
 /// measured at nine places.
 pub fn job() -> Job {
-    let segments = vec![Segment { length: 500.0, diameter: 50.0 }];
+    let segments = vec![Segment { length: 500.0, diameter: 50.0, ..Segment::default() }];
     let row = |part: usize, i: usize| {
         let force = [450.0, 225.0, 112.0][(part - 1) % 3];
-        Row { part, x: 20.0 + 57.5 * i as f64, force, blank: None }
+        Row { part, x: 20.0 + 57.5 * i as f64, force, ..Row::default() }
     };
     Job {
         shaft: Shaft { material: STEEL, segments, shear: true },
@@ -45,6 +46,7 @@ pub fn job() -> Job {
         noise: NoiseKind::Column,
         shown: Vec::new(),
         survey: None,
+        set_up: SetUp::default(),
     }
 }
 
