@@ -1,7 +1,9 @@
 //! Joints: supports that yield, linearly and by the contact law y = c·Qⁿ; two of them that press on each other.
 
+mod clearance;
 mod pair;
 
+pub use clearance::{give_way, lost_motion};
 pub use pair::Pair;
 
 /// A yielding support: springs and contacts in series, y(Q) = Q·Σ1/k + Σ c·Qⁿ.

@@ -34,6 +34,7 @@ const UNITS: &[Named] = &[
     Named("°C", 1.0, [0, 0, 0, 1, 0], false),
     Named("ppm", 1e-6, [0, 0, 0, 0, 0], false),
     Named("in", 0.0254, [1, 0, 0, 0, 0], false),
+    Named("kgf", 9.806_65, [1, 1, -2, 0, 0], false),
     Named("lbf", 4.448_221_615_260_5, [1, 1, -2, 0, 0], false),
     Named("psi", 6_894.757_293_168_361, [-1, 1, -2, 0, 0], false),
 ];
@@ -267,6 +268,9 @@ mod tests {
             ("J/kg/K", 1.0, "m^2·s^-2·K^-1"),
             ("in", 0.0254, "m"),
             ("kcal", 4186.8, "m^2·kg·s^-2"),
+            ("kgf", 9.80665, "m·kg·s^-2"),
+            ("kgf/mm", 9806.65, "kg·s^-2"),
+            ("kgf/mm^2", 9.80665e6, "m^-1·kg·s^-2"),
         ];
         for (text, factor, dimension) in cases {
             let unit = Unit::parse(text).unwrap();

@@ -176,11 +176,14 @@ half_field = "0 N"
     let found = json(&place, "budget.toml");
     // Of all it meets, depth and all, a pass of C = 0.8 N/um against 2 N/um leaves 0.8/2.8.
     let left = 0.8 / 2.8;
-    let cut = left * (1000.0 + left * (2000.0 + 600.0)) + 2.0 * 20.0 * 0.5;
-    let form = 2.0 * 20.0 * 0.5;
+    // The taper takes as much off the depth of either pass, so that what it adds itself is copied back in part.
+    let taper = 2.0 * 20.0 * 0.5;
+    let before = taper + left * (2000.0 + 600.0 - taper);
+    let cut = taper + left * (1000.0 + before - taper);
+    let form = taper * (1.0 - left * left);
     // One blank varies in both figures: what it does to them adds up, not their squares.
     let blank = 2.0 * left * left * 150.0;
-    let wear = 2.0 * 6.0 * 1.5 * 0.5;
+    let wear = 2.0 * 6.0 * 1.5 * 0.5 * (1.0 - left * left);
     let expected =
         [("systematic", 2.0 * cut + form), ("random", 3.0 * f64::sqrt(blank * blank / 9.0 + 0.25 * wear * wear))];
     for (key, expected) in expected {

@@ -53,7 +53,8 @@ impl Trial {
     }
 
     fn shaft(&self) -> Shaft {
-        let rests = self.rests.iter().map(|&(node, stiffness)| Rest { at: self.at(node), stiffness, offset: 0.0 }).collect();
+        let rests =
+            self.rests.iter().map(|&(node, stiffness)| Rest { at: self.at(node), stiffness, offset: 0.0 }).collect();
         Shaft { pieces: self.pieces.clone(), hold: self.hold, tailstock: self.tailstock, rests }
     }
 

@@ -1,5 +1,8 @@
-//! Every two effects of every process, in every way of holding, against the generator, which puts each machine together
-//! as one equilibrium of its own.
+//! Every two effects of every process, in every way of holding, against the generator, which shares no code with the
+//! program and puts each machine together as one equilibrium of its own.
+//!
+//! A meeting is a small job of a scene (a way of holding, a blank, passes, a set-up), measured without noise. What the
+//! program predicts of it may be off by what either of the two leaves out of its own discretisation.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -10,52 +13,131 @@ use fem::model::{Data, Model};
 use generator::meeting::Meeting;
 use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING};
 
-/// How far the program is off the generator, as a part of the range of what is measured.
-fn apart(meeting: &Meeting) -> Result<f64, String> {
-    let model = Model::parse(Source::new("pair.toml", meeting.model.clone())).map_err(|e| format!("{e:?}"))?;
-    let source = Source::new("pair.csv", meeting.data.clone());
-    let measured = Measurements::parse(source, model.process).map_err(|e| format!("{e:?}"))?;
-    let data = Data::of(&model, measured).map_err(|e| format!("{e:?}"))?;
-    let compared = compare(&data).map_err(|e| e.to_string())?;
-    let largest = compared.residuals.iter().fold(0.0f64, |most, r| most.max(r.abs()));
-    let all = |of: fn(f64, f64) -> f64, start: f64| data.observed.iter().copied().fold(start, of);
-    Ok(largest / (all(f64::max, f64::NEG_INFINITY) - all(f64::min, f64::INFINITY)))
+/// Both compute to round-off, in 13 digits of the files.
+const ROUND_OFF: f64 = 1e-9;
+
+/// How far the program is off the generator, and off what would be without the two effects, as parts of the range of
+/// what is measured.
+fn apart(meeting: &Meeting) -> [f64; 2] {
+    let read = || -> Result<_, String> {
+        let model = Model::parse(Source::new("pair.toml", meeting.model.clone())).map_err(|e| format!("{e:?}"))?;
+        let source = Source::new("pair.csv", meeting.data.clone());
+        let measured = Measurements::parse(source, model.process).map_err(|e| format!("{e:?}"))?;
+        let data = Data::of(&model, measured).map_err(|e| format!("{e:?}"))?;
+        Ok((compare(&data).map_err(|e| e.to_string())?.residuals, data.observed.clone()))
+    };
+    let (residuals, observed) = read().unwrap_or_else(|error| panic!("{error}\n{}", meeting.model));
+    let range = |values: &[f64]| {
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        most - values.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |most, v| most.max(v.abs()));
+    let changes = largest(&mut meeting.exact.iter().zip(&meeting.without).map(|(with, without)| with - without));
+    let off = largest(&mut residuals.iter().copied());
+    [off / range(&observed), changes / range(&meeting.exact)]
 }
 
-#[test]
-fn measure() {
-    let only = std::env::var("FEM_PROCESS").unwrap_or_default();
-    let every: usize = std::env::var("FEM_EVERY").ok().and_then(|n| n.parse().ok()).unwrap_or(1);
-    for process in [&TURNING, &RING, &STIFFNESS, &AXIS, &CONTOUR, &FIXTURE, &THERMAL, &CAM] as [&Process; 8] {
-        if !only.is_empty() && process.name.trim() != only {
-            continue;
+/// Holds all meetings of a process to a tolerance.
+fn hold(process: &Process, tolerance: fn(&[&str; 2]) -> f64) {
+    let (mut wrong, mut seen, mut all) = (Vec::new(), 0, 0);
+    let mut never = Vec::new();
+    for pair in process.pairs() {
+        let meetings = (0..process.scenes.len()).filter_map(|scene| process.meeting(&pair, scene, 1));
+        let mut count = 0;
+        for meeting in meetings {
+            let ([off, changed], most) = (apart(&meeting), tolerance(&pair));
+            count += 1;
+            // Of what changes less than that nothing is learnt.
+            seen += usize::from(changed > 10.0 * most);
+            if off.is_nan() || off > most {
+                wrong.push(format!("{} and {} in {}: {off:.1e} of the range", pair[0], pair[1], meeting.scene));
+            }
         }
-        let start = std::time::Instant::now();
-        let (mut count, mut worst, mut bad) = (0, 0.0f64, 0);
-        let mut number = 0;
-        for pair in process.pairs() {
+        all += count;
+        if count == 0 {
+            never.push(pair);
+        }
+    }
+    println!("{}: {all} meetings, of which {seen} show what meets", process.name);
+    assert!(wrong.is_empty(), "{} of {all} meetings are wrong:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(20 * seen > 19 * all, "only {seen} of {all} meetings show anything");
+    assert!(never.is_empty(), "never met: {never:?}");
+}
+
+/// Where the generator has no place for an effect, the program refuses it, and says why; or it has nothing to act on.
+#[test]
+fn what_cannot_meet_is_refused_with_a_reason() {
+    let mut table = Vec::new();
+    for process in [&TURNING, &RING, &THERMAL, &AXIS, &STIFFNESS, &CONTOUR, &FIXTURE, &CAM] as [&Process; 8] {
+        for (effect, parameters) in process.catalogue {
             for scene in 0..process.scenes.len() {
-                number += 1;
-                if number % every != 0 {
+                if process.meeting(&[*effect], scene, 1).is_some() {
                     continue;
                 }
-                let Some(meeting) = process.meeting(&pair, scene, 1) else { continue };
-                count += 1;
-                match apart(&meeting) {
-                    Ok(off) => {
-                        worst = worst.max(off);
-                        if off > 2e-5 {
-                            bad += 1;
-                            println!("{off:.1e} {} {} in {}", pair[0], pair[1], meeting.scene);
-                        }
+                let Some(plain) = process.meeting(&[], scene, 1) else { continue };
+                let values: Vec<String> =
+                    parameters.iter().map(|p| format!("{} = \"{} {}\"\n", p.0, p.2, p.1)).collect();
+                let text = format!("{}\n[effects.{effect}]\n{}", plain.model, values.concat());
+                let line = match Model::parse(Source::new("pair.toml", text.clone())) {
+                    Ok(_) => {
+                        let [off, _] = apart(&Meeting { model: text, ..plain });
+                        assert!(off < 1e-4, "{effect} is taken in {scene} of {}, and changes {off}", process.name);
+                        format!("{effect}: taken, and changes nothing")
                     }
                     Err(error) => {
-                        bad += 1;
-                        println!("error {} {} in {}: {error}", pair[0], pair[1], meeting.scene);
+                        let reasons: Vec<&str> = error.problems.iter().map(|p| &*p.message).collect();
+                        format!("{effect}: {}", reasons.join("; "))
                     }
+                };
+                if !table.contains(&line) {
+                    table.push(line);
                 }
             }
         }
-        println!("== {}: {count} meetings, {bad} bad, worst {worst:.1e}, {:.1} s", process.name, start.elapsed().as_secs_f64());
     }
+    insta::assert_snapshot!("refused", table.join("\n"));
+}
+
+#[test]
+fn of_turning() {
+    // The generator's grid in a heated shaft is a ninth of the kink ahead of the tool: 4e-4 of the rise, and the range
+    // may be smaller than what the heat takes away from it.
+    hold(&TURNING, |pair| if pair.contains(&"workpiece-heating") { 1e-3 } else { ROUND_OFF });
+}
+
+#[test]
+fn of_ring() {
+    // 360 by 6 elements of second order are off by some 1e-5 beside a jaw that presses along a line.
+    hold(&RING, |_| 1e-4);
+}
+
+#[test]
+fn of_stiffness() {
+    hold(&STIFFNESS, |_| ROUND_OFF);
+}
+
+#[test]
+fn of_axis() {
+    hold(&AXIS, |_| ROUND_OFF);
+}
+
+#[test]
+fn of_contour() {
+    hold(&CONTOUR, |_| ROUND_OFF);
+}
+
+#[test]
+fn of_fixture() {
+    hold(&FIXTURE, |_| ROUND_OFF);
+}
+
+#[test]
+fn of_thermal() {
+    // Finite volumes of the generator beside finite elements: some 2 mK of some 20 K.
+    hold(&THERMAL, |_| 1e-4);
+}
+
+#[test]
+fn of_cam() {
+    hold(&CAM, |_| ROUND_OFF);
 }

@@ -1,8 +1,12 @@
 //! What every row would show: the slide behind its command after a reversal, and deviations that are the
 //! same from either side.
+//!
+//! The drive pushes the slide against its friction, forwards on the one flank and backwards on the other, and the slide
+//! stands behind by what gives way (`joint::give_way`), counted from the flank that drives it forwards.
 
 use super::machine::Machine;
 use super::rows::{TIME_OF_ROW, approach};
+use crate::joint::give_way;
 use crate::positioning::{Approach, Direction};
 use crate::process::Rows;
 
@@ -11,9 +15,10 @@ use crate::process::Rows;
 pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
     let one = |row: usize| {
         let Approach { position, direction, .. } = approach(rows, row);
+        let wound = machine.wind_up(position);
         let reversal = match direction {
-            Direction::Forward => -machine.wind_up(position),
-            Direction::Backward => machine.play(position) + machine.wind_up(position),
+            Direction::Forward => give_way(machine.play(position), -wound, -1.0),
+            Direction::Backward => give_way(machine.play(position), wound, 1.0),
         };
         let time = rows.columns[TIME_OF_ROW][row];
         let errors: f64 = machine.errors.iter().map(|error| error(position, time)).sum();

@@ -82,12 +82,14 @@ impl Axis {
         Self { motion, play, turns: held }
     }
 
-    /// Place of the slide at a time within the lap (m), and the time since the axis last turned round (s).
-    fn at(&self, time: f64) -> (f64, f64) {
+    /// Place of the slide at a time within the lap (m) whose drive is `late` by so much more (m), and the time since the
+    /// axis last turned round (s). Where it turns round it is not late.
+    fn at(&self, time: f64, late: f64) -> (f64, f64) {
+        let drive = self.motion.position(time) - late;
         let last = self.turns.iter().rev().find(|(turn, _)| turn.time <= time);
-        let Some((turn, held)) = last.or(self.turns.last()) else { return (self.motion.position(time), f64::INFINITY) };
+        let Some((turn, held)) = last.or(self.turns.last()) else { return (drive, f64::INFINITY) };
         let since = (time - turn.time).rem_euclid(self.motion.period());
-        (self.play.carry(*held, self.motion.position(time)), since)
+        (self.play.carry(*held, drive), since)
     }
 
     /// Whether the axis moves far enough to take up its play.
@@ -145,12 +147,12 @@ impl<'m> Lap<'m> {
     /// Place of the tool at a time within the lap (m), and the time since each axis turned round (s).
     pub fn position(&self, time: f64) -> ([f64; 2], [f64; 2]) {
         let machine = self.machine;
-        let reached = [0, 1].map(|axis| self.axes[axis].at(time));
+        let reached = [0, 1].map(|axis| self.axes[axis].at(time, self.further_lag(axis, time)));
         let [x, y] = [0, 1].map(|axis| {
             let (at, Cyclic { amplitude, phase }) = (reached[axis].0, machine.cyclic[axis]);
             let lead = machine.setup.drives[axis].lead.unwrap_or(f64::INFINITY);
             let wave = if amplitude == 0.0 { 0.0 } else { amplitude * (TAU * at / lead + phase).sin() };
-            (at + wave + self.jerks(axis, time) - self.further_lag(axis, time)) * machine.scales[axis]
+            (at + wave + self.jerks(axis, time)) * machine.scales[axis]
         });
         ([x + machine.squareness * y + machine.centre[0], y + machine.centre[1]], [0, 1].map(|axis| reached[axis].1))
     }

@@ -4,6 +4,7 @@
 //! friction, and is then carried along: the play operator with the half width h = δ/2 + F/C(x), 1/C(x) =
 //! 1/C_n + |x − x_b|/(EA) at the place x of the slide [seed 000, fig. 2, both in series].
 
+use crate::joint::lost_motion;
 use crate::process::Winding;
 
 /// The lost motion of an axis.
@@ -23,7 +24,7 @@ impl Play {
 
     /// Width where the slide stands at x (m), m.
     pub fn width(&self, x: f64) -> f64 {
-        self.gap + self.elastic(x)
+        lost_motion(self.gap, 0.5 * self.elastic(x))
     }
 
     /// Whether motion is lost at all.

@@ -50,7 +50,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         }
         let speed = value(SPEED).unwrap_or(setup.speed());
         let (orientation, blank) = (value(ORIENTATION).unwrap_or(0.0), value(BLANK).unwrap_or(0.0));
-        machine.marks_at(&BorePoint { angle, orientation, blank }) - unit * machine.force_at(force, speed)
+        machine.deviation(&BorePoint { angle, orientation, blank }, unit * machine.force_at(force, speed))
     };
     Ok((0..rows.len()).map(one).collect())
 }

@@ -20,11 +20,12 @@ pub struct BorePoint {
     pub blank: f64,
 }
 
-/// A radial deviation of the released bore that does not depend on the jaws, m.
+/// A radial movement or deviation that does not depend on the jaws, m.
 type Mark = Box<dyn Fn(&BorePoint) -> f64 + Send + Sync>;
 
 /// A chuck and a cut with their effects. Effects act by moving jaws, by spreading or taking away their
-/// force, by setting the chuck aside, or by leaving a mark on the bore.
+/// force, by setting the chuck aside, by warming the ring, by moving the tool's nose, by letting it yield, or by what
+/// is set free in the bored ring.
 pub struct Machine {
     /// The tables of the model.
     pub setup: Arc<Setup>,
@@ -36,8 +37,14 @@ pub struct Machine {
     pub jaw_moment: f64,
     /// Where the chuck's axis stands off the spindle's, towards jaw 1 and a quarter turn on, m.
     pub eccentricity: [f64; 2],
-    /// Deviations of the bored and released ring that add up.
-    marks: Vec<Mark>,
+    /// How much larger the bore is while it is warm, m.
+    pub warmth: f64,
+    /// Part of an uneven depth of cut by which the tool yields, C/(C + j).
+    pub copied: f64,
+    /// What moves the nose outwards while it cuts.
+    moves: Vec<Mark>,
+    /// What is set free when the ring is bored.
+    released: Vec<Mark>,
 }
 
 impl Machine {
@@ -45,21 +52,41 @@ impl Machine {
     /// a mesh says otherwise; the spindle true and cold.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         let (jaw_angles, arc) = (setup.jaw_angles.clone(), setup.arc);
-        Self { setup, jaw_angles, arc, jaw_moment: 0.0, eccentricity: [0.0; 2], marks: Vec::new() }
+        Self {
+            setup,
+            jaw_angles,
+            arc,
+            jaw_moment: 0.0,
+            eccentricity: [0.0; 2],
+            warmth: 0.0,
+            copied: 0.0,
+            moves: Vec::new(),
+            released: Vec::new(),
+        }
     }
 
-    /// Adds a deviation of the released bore, m.
-    pub fn mark(&mut self, mark: impl Fn(&BorePoint) -> f64 + Send + Sync + 'static) {
-        self.marks.push(Box::new(mark));
+    /// Moves the nose outwards while it cuts, m.
+    pub fn add_move(&mut self, by: impl Fn(&BorePoint) -> f64 + Send + Sync + 'static) {
+        self.moves.push(Box::new(by));
     }
 
-    /// Deviation of the released bore that does not depend on the jaws, m.
-    pub fn marks_at(&self, point: &BorePoint) -> f64 {
+    /// Adds what is set free when the ring is bored, m outwards.
+    pub fn add_released(&mut self, by: impl Fn(&BorePoint) -> f64 + Send + Sync + 'static) {
+        self.released.push(Box::new(by));
+    }
+
+    /// Deviation of a point of the bored, released and cold ring, where the jaws move it outwards by `squeeze` (m)
+    /// while it is bored.
+    ///
+    /// The nose goes round the spindle's axis. It finds the surface where the blank, the squeeze, the warmth and the
+    /// chuck that stands aside have it, b, and is itself moved to s; the tool yields by k·(s − b), so that s − k·(s −
+    /// b) is left. Then the ring is let go, cools down, and is measured about its own axis.
+    pub fn deviation(&self, point: &BorePoint, squeeze: f64) -> f64 {
+        let all = |marks: &[Mark]| marks.iter().map(|mark| mark(point)).sum::<f64>();
         let [x, y] = self.eccentricity;
-        let aside = x * point.angle.cos() + y * point.angle.sin();
-        // The bore is cut about the spindle's axis, and the tool finds the blank where that has it.
-        let found = BorePoint { blank: point.blank + aside, ..*point };
-        self.marks.iter().map(|mark| mark(&found)).sum::<f64>() - aside
+        let away = squeeze + self.warmth + x * point.angle.cos() + y * point.angle.sin();
+        let (nose, found) = (all(&self.moves), point.blank + away);
+        nose - self.copied * (nose - found) - away + all(&self.released)
     }
 
     /// The jaws with their forces in equilibrium.

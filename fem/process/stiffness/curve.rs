@@ -1,7 +1,7 @@
 //! The curve of a joint: how far it gives way under a force that rises, and under one that falls again.
 
 use super::setup::{Loading, Setup};
-use crate::joint::{Joint, Pair};
+use crate::joint::{Joint, Pair, give_way, lost_motion};
 
 /// The way the force goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +20,7 @@ impl Branch {
 }
 
 /// A joint. Friction comes first: of the force F it leaves S to the joint, and the laws of spring, contact,
-/// preload and settling are laws of S. Only clearance asks for F itself.
+/// preload, clearance and settling are laws of S.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// Force at which loading ends, N.
@@ -29,7 +29,7 @@ pub struct Curve {
     pub loading: Loading,
     /// Friction f, N.
     pub friction: f64,
-    /// Clearance, taken up as soon as a force acts, m; a preload has taken it up before.
+    /// Clearance, crossed where S changes its sign, m; a preload has taken it up before.
     pub gap: f64,
     /// Preload P with which two of the joint press on each other, N; 0 where there is one.
     pub preload: f64,
@@ -63,8 +63,8 @@ impl Curve {
 
     /// y under the force F, m.
     pub fn displacement(&self, force: f64, branch: Branch) -> f64 {
-        let clearance = if force > 0.0 { self.clearance() } else { 0.0 };
-        self.bend(self.spring_force(force, branch)) + self.settled(force, branch) + clearance + self.offset
+        let s = self.spring_force(force, branch);
+        give_way(self.clearance(), self.bend(s), s) + self.settled(force, branch) + self.offset
     }
 
     /// Clearance that is there to be taken up, m: none under a preload.
@@ -112,7 +112,7 @@ impl Curve {
     /// What the joint loses where a force changes its sign, m: clearance, and the friction that first lets go of
     /// the one side and then bends the other, 2·y(f).
     pub fn lost_motion(&self) -> f64 {
-        2.0 * self.bend(self.friction) + self.clearance()
+        lost_motion(self.clearance(), self.bend(self.friction))
     }
 
     /// The friction with which this joint would lose as much (m) by elasticity alone, N.
@@ -125,14 +125,21 @@ impl Curve {
     ///
     /// While the joint moves F = S ± f, so that the area is ∫(S + f)dy up to the largest S₁ less ∫(S − f)dy
     /// from what is left at no force, S₀, on. What settles moves on loading alone. A reversed force moves the
-    /// joint from −S₁ to S₁ and back against f: 4·f·y(S₁).
+    /// joint from −S₁ to S₁ and back against f: 4·f·y(S₁). Clearance is crossed under F = ±f, once where the force
+    /// is let go at zero and S is not, and twice where it is reversed.
     pub fn loop_area(&self) -> f64 {
         let (most, f) = (self.largest(), self.friction);
         if self.loading == Loading::Reversed {
-            return 4.0 * f * self.bend(most);
+            return f * (4.0 * self.bend(most) + 2.0 * self.crossed());
         }
         let left = self.spring_force(0.0, Branch::Unload);
-        self.pair().work(left) + 2.0 * f * self.bend(most) - f * self.bend(left) + self.work_of_settling()
+        let crossing = f * self.crossed();
+        self.pair().work(left) + 2.0 * f * self.bend(most) - f * self.bend(left) + crossing + self.work_of_settling()
+    }
+
+    /// Clearance that the test crosses, m: none where friction takes all of the force.
+    fn crossed(&self) -> f64 {
+        if self.largest() > 0.0 { self.clearance() } else { 0.0 }
     }
 
     /// Work put in while a force drives the joint away from the middle, ∫F dy, J; on both sides where the
@@ -142,9 +149,9 @@ impl Curve {
         if self.loading == Loading::Reversed {
             let left = self.spring_force(0.0, Branch::Unload);
             let stored = self.pair().work(most) - self.pair().work(left);
-            return 2.0 * (stored + f * (self.bend(most) + self.bend(left)));
+            return 2.0 * (stored + f * (self.bend(most) + self.bend(left) + self.crossed()));
         }
-        self.pair().work(most) + f * self.bend(most) + self.work_of_settling()
+        self.pair().work(most) + f * (self.bend(most) + self.crossed()) + self.work_of_settling()
     }
 
     /// Work ∫(S + f)dy that goes into what settles while loading, J.

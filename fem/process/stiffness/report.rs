@@ -146,14 +146,16 @@ fn friction(curve: &Curve) -> Figure {
     Figure::new("friction", "friction").quantity("force", FORCE, f).line(text)
 }
 
-/// What the two branches are apart under no force, as it would be read; of a force that is reversed with the clearance
-/// that lies between its two signs.
+/// What the two branches are apart under no force, as it would be read; of a force that is reversed without friction
+/// with the clearance that lies between its two signs.
 fn left(curve: &Curve, up: &[f64], down: &[f64]) -> Figure {
     let (width, label, words) = match curve.loading {
         Loading::FromZero => (down[down.len() - 1] - up[0], "left without force", "after unloading"),
         Loading::Reversed => {
             let middle = up.len() / 2;
-            (down[middle] - up[middle] + curve.clearance(), "lost motion", "where the force changes its sign")
+            // Friction holds the joint on either flank; without it the joint stands in between.
+            let between = if curve.friction > 0.0 { 0.0 } else { curve.clearance() };
+            (down[middle] - up[middle] + between, "lost motion", "where the force changes its sign")
         }
     };
     Figure::new("left", label).quantity("value", MICRO, width).line(format!("{:+.3} {words}", MICRO.shown(width)))

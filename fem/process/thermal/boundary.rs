@@ -13,6 +13,8 @@ pub struct Boundary {
     pub edge: String,
     /// Its condition.
     pub condition: Condition,
+    /// Whether what brings the heat covers the edge, so that it loses none to the surroundings.
+    pub is_covered: bool,
 }
 
 /// A condition on an edge.
@@ -42,7 +44,19 @@ impl Boundary {
             };
             t.problem("edge", format!("`{edge}` is no edge of the body"), help);
         }
-        Self { edge, condition: Condition::read(t, run) }
+        let condition = Condition::read(t, run);
+        let is_covered = t.flag("covered", "whether what brings the heat keeps the air off; false").unwrap_or(false);
+        if is_covered && !matches!(condition, Condition::Flux(_) | Condition::Moving { .. }) {
+            let help = "leave it out: an edge with a film or a temperature of its own loses by that alone";
+            t.problem("covered", "no heat is brought to this edge by a flux", help);
+        }
+        Self { edge, condition, is_covered }
+    }
+
+    /// Whether the film of the surroundings acts on the edge: not where it has a film or a temperature of its own, nor
+    /// where it is covered. Heat that is brought to it keeps no air off.
+    pub fn is_open(&self) -> bool {
+        !self.is_covered && matches!(self.condition, Condition::Flux(_) | Condition::Moving { .. })
     }
 
     /// Last time (s) up to which a record of it reaches; infinite without one.

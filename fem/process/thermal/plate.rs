@@ -15,7 +15,7 @@ use crate::solve::elastic::{ElasticSystem, Loads};
 use crate::solve::rod::{PointSource, Probe, Track};
 use crate::units::LENGTH;
 
-/// Name of the edges without a condition of their own.
+/// Name of the edges on which the film of the surroundings acts.
 const FREE: &str = "free";
 
 /// Follows a plane body.
@@ -25,7 +25,7 @@ const FREE: &str = "free";
 pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch: Watch) -> Result<Followed, Failure> {
     let setup = &*machine.setup;
     let mut mesh = Arc::unwrap_or_clone(plane.mesh(setup.element_size).map_err(|e| unsolvable(&e))?);
-    let taken: Vec<&str> = setup.boundaries.iter().map(|b| b.edge.as_str()).collect();
+    let taken: Vec<&str> = setup.boundaries.iter().filter(|b| !b.is_open()).map(|b| b.edge.as_str()).collect();
     mesh.name_rest(FREE, &taken).map_err(|e| unsolvable(&e))?;
     let law = Conduction {
         conductivity: setup.material.conductivity,

@@ -99,9 +99,8 @@ impl<'a> Elastic<'a> {
         // Half of a diameter is what the tool meets at one angle.
         let around = angle.map_or(0.0, |angle| 2.0 * blank.around(angle));
         let blank = blank.error(x, self.setup.length()) + around;
-        (0..self.setup.passes.len()).try_fold(blank, |error, number| {
-            Ok(self.deflect(i, &self.earlier(number, x, error, last))?.error)
-        })
+        (0..self.setup.passes.len())
+            .try_fold(blank, |error, number| Ok(self.deflect(i, &self.earlier(number, x, error, last))?.error))
     }
 
     /// The pass `number` before the last at x, where the work is too large by an error (m).
@@ -132,13 +131,7 @@ impl<'a> Elastic<'a> {
     }
 
     /// The equilibrium under a given force, from that under a similar one if there is one.
-    fn under(
-        &self,
-        i: usize,
-        force: f64,
-        at: &Cutting,
-        near: Option<&Deflection>,
-    ) -> Result<Deflection, JointsError> {
+    fn under(&self, i: usize, force: f64, at: &Cutting, near: Option<&Deflection>) -> Result<Deflection, JointsError> {
         let (influence, s, displaced) = (self.shaft.influence[i], &self.shaft.constraint, at.displacements);
         // A support that is moved leaves what it would take to move it back.
         let left = |k: usize| self.shaft.bent_forces[k] - s[k][0] * displaced[0] - s[k][1] * displaced[1];

@@ -87,7 +87,10 @@ impl<'a> Problem<'a> {
         let [a, b] = [self.supports[0].at, self.supports[1].at];
         let share = |from: f64, to: f64| self.loads.iter().map(|l| l.force * (l.at - from)).sum::<f64>() / (to - from);
         let forces = vec![share(b, a), share(a, b)];
-        let y = |i: usize| self.supports[i].joint.displacement(forces[i]) - self.bent_at(i, &forces);
+        let y = |i: usize| {
+            let support = self.supports[i];
+            support.lowered + support.joint.displacement(forces[i]) - self.bent_at(i, &forces)
+        };
         let slope = (y(1) - y(0)) / (b - a);
         let rigid = (y(0) - slope * a, slope);
         (forces, rigid)
@@ -130,7 +133,7 @@ impl<'a> Problem<'a> {
                 matrix[(i, j)] = self.influence[(i, j)];
             }
             matrix[(i, i)] += self.supports[i].joint.displacement(share) / share;
-            right[i] = self.bent[i];
+            right[i] = self.bent[i] - self.supports[i].lowered;
         }
         self.border(&mut matrix, |_| 1.0);
         right[count] = self.total;
@@ -166,8 +169,9 @@ impl<'a> Problem<'a> {
             let turn = rigid[1] * self.lever(self.supports[i].at);
             let held = states.iter().enumerate().map(|(j, s)| self.influence[(i, j)] * s.force);
             let (sum, sizes) = held.fold((0.0, 0.0), |(sum, sizes), term| (sum + term, sizes + f64::abs(term)));
-            residual[i] = states[i].displacement - rigid[0] - turn - self.bent[i] + sum;
-            let terms = states[i].displacement.abs() + rigid[0].abs() + turn.abs() + self.bent[i].abs() + sizes;
+            let (lowered, displacement) = (self.supports[i].lowered, states[i].displacement);
+            residual[i] = lowered + displacement - rigid[0] - turn - self.bent[i] + sum;
+            let terms = lowered.abs() + displacement.abs() + rigid[0].abs() + turn.abs() + self.bent[i].abs() + sizes;
             size = size.max(residual[i].abs() / terms.max(f64::MIN_POSITIVE));
         }
         let lever = |i: usize| self.lever(self.supports[i].at);

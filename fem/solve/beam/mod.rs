@@ -1,8 +1,8 @@
 //! A uniform beam that is pressed on supports and held by nothing else: how it bends, and which supports it
 //! leaves.
 //!
-//! Supports only press. Where one carries a force Q > 0 the beam sinks there by the support's y(Q); where it
-//! carries nothing the beam may lift off. All forces on the beam balance, and then
+//! Supports only press. Where one carries a force Q > 0 the beam sinks there by the support's y(Q), from where the
+//! support stands; where it carries nothing the beam may lift off. All forces on the beam balance, and then
 //!
 //! ```text
 //!     w(x) = a + b·x + Σ F·|x − s|³/(12 EI)        over loads F and reactions −Q, at s
@@ -27,6 +27,8 @@ use crate::joint::Joint;
 pub struct Support {
     /// Distance from the beam's end, m.
     pub at: f64,
+    /// How far it stands below its place, m; below zero where it stands high.
+    pub lowered: f64,
     /// The law by which it yields.
     pub joint: Joint,
 }
@@ -45,8 +47,8 @@ pub struct Load {
 pub struct Reaction {
     /// Force Q, N; zero where the beam has lifted off.
     pub force: f64,
-    /// Displacement of the beam there, m: what the support sinks by, or, below zero, how far the beam has
-    /// lifted off.
+    /// Displacement of the beam there from where the support stands, m: what it sinks by, or, below zero, how far the
+    /// beam has lifted off.
     pub displacement: f64,
 }
 

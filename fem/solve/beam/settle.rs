@@ -18,7 +18,7 @@ pub fn settle(rigidity: f64, supports: &[Support], loads: &[Load]) -> Result<Set
     let total: f64 = loads.iter().map(|l| l.force).sum();
     if total == 0.0 {
         let reactions = vec![Reaction { force: 0.0, displacement: 0.0 }; supports.len()];
-        return Ok(Settled { rigidity, forces: Vec::new(), rigid: (0.0, 0.0), reactions });
+        return Ok(Settled { rigidity, forces: Vec::new(), rigid: laid(supports), reactions });
     }
     let resultant = loads.iter().map(|l| l.force * l.at).sum::<f64>() / total;
     let from = supports.iter().map(|s| s.at).fold(f64::INFINITY, f64::min);
@@ -46,13 +46,23 @@ pub fn settle(rigidity: f64, supports: &[Support], loads: &[Load]) -> Result<Set
     Err(BeamError::NoEquilibrium { load: total })
 }
 
+/// The rigid displacement of a beam that nothing presses: as the first and the last support have it.
+fn laid(supports: &[Support]) -> (f64, f64) {
+    let by_place = |a: &&Support, b: &&Support| a.at.total_cmp(&b.at);
+    let (Some(first), Some(last)) = (supports.iter().min_by(by_place), supports.iter().max_by(by_place)) else {
+        return (0.0, 0.0);
+    };
+    let slope = if last.at > first.at { (last.lowered - first.lowered) / (last.at - first.at) } else { 0.0 };
+    (first.lowered - slope * first.at, slope)
+}
+
 /// Supports that pull, and supports that the beam sinks into though they carry nothing; each with how much,
 /// as a part of what acts.
 fn wrong(supports: &[Support], carrying: &[bool], carried: &Carried, total: f64) -> Vec<(usize, f64)> {
     let size = supports.iter().map(|s| carried.beam.deflection(s.at).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let of = |i: usize| match carrying[i] {
         true => -carried.forces[i] / total,
-        false => carried.beam.deflection(supports[i].at) / size,
+        false => (carried.beam.deflection(supports[i].at) - supports[i].lowered) / size,
     };
     (0..supports.len()).map(|i| (i, of(i))).filter(|(_, by)| *by > NOTHING).collect()
 }
@@ -73,7 +83,9 @@ fn finish(rigidity: f64, supports: &[Support], carrying: &[bool], loads: &[Load]
             let force = carried.forces[i].max(0.0);
             Reaction { force, displacement: support.joint.displacement(force) }
         }
-        false => Reaction { force: 0.0, displacement: carried.beam.deflection(support.at).min(0.0) },
+        false => {
+            Reaction { force: 0.0, displacement: (carried.beam.deflection(support.at) - support.lowered).min(0.0) }
+        }
     };
     let reactions: Vec<Reaction> = supports.iter().enumerate().map(reaction).collect();
     let pushed = loads.iter().map(|l| (l.at, l.force));

@@ -35,6 +35,8 @@ fn case(i: usize) -> (Vec<Support>, Vec<Load>) {
     let count = 2 + i % 7;
     let support = |k: usize, drawn: &mut Drawn| Support {
         at: (k as f64 + drawn.between(0.1, 0.9)) * 0.6 / count as f64,
+        // Half of the cases stand level.
+        lowered: if i.is_multiple_of(2) { 0.0 } else { drawn.between(-5e-5, 5e-5) },
         joint: joint(i + if i.is_multiple_of(3) { k } else { 0 }, drawn),
     };
     let supports = (0..count).map(|k| support(k, &mut drawn)).collect();
@@ -60,7 +62,7 @@ fn supports_press_or_stand_free_and_all_balances() {
         let size = supports.iter().map(|s| settled.deflection(s.at).abs()).fold(1e-9, f64::max);
         let (mut force, mut moment) = (-total, -loads.iter().map(|l| l.force * l.at).sum::<f64>());
         for (support, reaction) in supports.iter().zip(&settled.reactions) {
-            let w = settled.deflection(support.at);
+            let w = settled.deflection(support.at) - support.lowered;
             force += reaction.force;
             moment += reaction.force * support.at;
             assert!(reaction.force >= 0.0, "case {i}: a support pulls with {}", reaction.force);
@@ -97,7 +99,28 @@ fn slope_and_moment_are_those_of_the_deflection() {
 fn nothing_presses_nothing() {
     let (supports, _) = case(5);
     let settled = settle(RIGIDITY, &supports, &[Load { at: 0.2, force: 0.0 }]).unwrap();
-    assert_eq!((settled.deflection(0.4), settled.reactions[0].force), (0.0, 0.0));
+    let [first, .., last] = &supports[..] else { panic!("two supports") };
+    for support in [first, last] {
+        assert!((settled.deflection(support.at) - support.lowered).abs() < 1e-18);
+    }
+    assert_eq!(settled.reactions[0].force, 0.0);
+}
+
+#[test]
+fn a_high_support_in_the_middle_bends_what_two_clamps_hold_down() {
+    // Three-point bending: 48EI·h/L³ under the middle, and half of it at either end.
+    let (length, high, force) = (0.5, 30e-6, 4000.0);
+    let support = |at, lowered| Support { at, lowered, joint: Joint::default() };
+    let supports = [support(0.05, 0.0), support(0.05 + 0.5 * length, -high), support(0.05 + length, 0.0)];
+    let loads = [0.05, 0.05 + length].map(|at| Load { at, force });
+    let settled = settle(RIGIDITY, &supports, &loads).unwrap();
+    let middle = 48.0 * RIGIDITY * high / length.powi(3);
+    assert!((settled.reactions[1].force / middle - 1.0).abs() < 1e-9);
+    assert!((settled.reactions[0].force - (force - 0.5 * middle)).abs() < 1e-6);
+    // Clamps that are too weak for that leave the part on the middle and on one end, or tip it.
+    let weak = settle(RIGIDITY, &supports, &[Load { at: 0.05, force: 0.1 * middle }]).unwrap();
+    assert_eq!(weak.reactions[2].force, 0.0);
+    assert!(weak.reactions[2].displacement < 0.0);
 }
 
 #[test]

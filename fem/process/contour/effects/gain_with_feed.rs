@@ -6,7 +6,8 @@
 //! offset is v·(Kvx − Kvy)/(2KvxKvy)·sin 2β with these gains [seed 000: gains that change with the feed].
 //! Round a circle the further lag follows the speed from point to point; two axes that change alike leave
 //! four lobes. To the first order in ω/Kv, that is in the lag of the axis as an angle of the circle: what
-//! the change itself leaves behind is left out, and so are corners.
+//! the change itself leaves behind is left out, and so are corners. The drive is late, and the slide goes by it through
+//! its play.
 
 use super::super::machine::{Effect, Machine};
 use crate::process::{Belongs, Parameter, nothing};

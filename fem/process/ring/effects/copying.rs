@@ -3,8 +3,10 @@
 //! Where the blank's bore stands out by `blank`(θ) the depth of cut changes by as much, the force of the cut
 //! by C times that, and the tool of stiffness j gives way: of the error the part C/(C + j) is left
 //! [seed 002 (27)]. C is `force_per_depth` (N/m), j the stiffness of tool and spindle (N/m). Positive
-//! outwards: where the blank is wide, less is cut and the bore stays wide. Left out: several passes, which
-//! copy a copy.
+//! outwards: where the blank is wide, less is cut and the bore stays wide. The tool finds the blank as the jaws
+//! squeeze it, warm, and about the spindle's axis, and what moves the nose itself changes the depth as well: with k =
+//! C/(C + j) and the squeeze u the released ring shows k·blank − (1 − k)·u, and of an oval of the spindle 1 − k.
+//! Left out: several passes, which copy a copy.
 
 use super::super::machine::Effect;
 use crate::process::{Belongs, Parameter};
@@ -14,7 +16,7 @@ use crate::units::STIFFNESS;
 pub static COPYING: Effect<1> = Effect {
     name: "copying",
     about: "the tool yields to the uneven depth of cut, and the bore copies the blank",
-    law: "deviation += C/(C + stiffness)*blank(theta), C = cut.force_per_depth",
+    law: "k = C/(C + stiffness), C = cut.force_per_depth: of the blank as it is squeezed k is left, of all that moves the nose 1 - k",
     source: "seed 002 (27)",
     belongs: Belongs::Test,
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of tool and spindle", (2.0, 500.0))],
@@ -25,8 +27,7 @@ pub static COPYING: Effect<1> = Effect {
     },
     act: |[stiffness], machine| {
         let compliance = machine.setup.force_per_depth.unwrap_or(0.0) / stiffness;
-        let copied = compliance / (1.0 + compliance);
-        machine.mark(move |at| copied * at.blank);
+        machine.copied = compliance / (1.0 + compliance);
     },
 };
 

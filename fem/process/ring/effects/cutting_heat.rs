@@ -30,8 +30,7 @@ pub static CUTTING_HEAT: Effect<1> = Effect {
         }
     },
     act: |[rise], machine| {
-        let shrinkage = machine.setup.material.expansion * machine.setup.inner_radius * rise;
-        machine.mark(move |_| -shrinkage);
+        machine.warmth += machine.setup.material.expansion * machine.setup.inner_radius * rise;
     },
 };
 

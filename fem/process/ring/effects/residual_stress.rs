@@ -25,7 +25,7 @@ pub static RESIDUAL_STRESS: Effect<2> = Effect {
     ],
     needs: nothing,
     act: |[amplitude, phase], machine| {
-        machine.mark(move |at| amplitude * (2.0 * (at.angle - at.orientation - phase)).cos());
+        machine.add_released(move |at| amplitude * (2.0 * (at.angle - at.orientation - phase)).cos());
     },
 };
 

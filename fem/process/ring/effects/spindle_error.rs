@@ -26,7 +26,7 @@ pub static SPINDLE_ERROR: Effect<2> = Effect {
     ],
     needs: nothing,
     act: |[amplitude, phase], machine| {
-        machine.mark(move |at| amplitude * (2.0 * (at.angle - phase)).cos());
+        machine.add_move(move |at| amplitude * (2.0 * (at.angle - phase)).cos());
     },
 };
 

@@ -54,11 +54,29 @@ pub fn cases() -> Vec<Case> {
             source,
         ),
         part("half the jaw force", 0.5, at("", 0.3, &[(JAW_FORCE, 1500.0)]) / squeezed(0.3), "linear elasticity"),
+        part(
+            "tool of 19 N/um at 1 N/um finds a round blank as it is squeezed",
+            0.95,
+            at(copying, 0.7, &[]) / squeezed(0.7),
+            "seed 002 (27): k*(blank + u) - u",
+        ),
         added_row(
-            "tool of 19 N/um at 1 N/um, blank off by 40 um",
-            40e-6 / 20.0,
+            "the same, blank off by 40 um",
+            (40e-6 - squeezed(0.7)) / 20.0,
             added(copying, 0.7, &[(BLANK, 40e-6)]),
-            "seed 002 (27)",
+            "seed 002 (27): k*(blank + u) - u",
+        ),
+        added_row(
+            "the same, spindle's oval of 3 um: the tool yields to what it cuts deeper",
+            (3e-6 * (2.0 * degrees(95.0)).cos()) * 0.95 - squeezed(degrees(60.0)) / 20.0,
+            added(&format!("{spindle}\n{copying}"), degrees(60.0), &[]),
+            "s - k*(s - u) - u",
+        ),
+        added_row(
+            "the same, bored 10 K too warm",
+            -0.95 * 11.5e-6 * 0.042 * 10.0 - squeezed(1.0) / 20.0,
+            added(&format!("[cutting-heat]\ntemperature_rise = \"10 K\"\n{copying}"), 1.0, &[]),
+            "k*(u + heat) - u - heat",
         ),
         added_row(
             "ring bored 10 K too warm",
@@ -87,7 +105,7 @@ pub fn cases() -> Vec<Case> {
         // A tool that yields leaves a twentieth of what it finds: 40 um of the blank, and 15 um of the chuck's.
         added_row(
             "the same and a tool of 19 N/um, blank off by 40 um, at the crest",
-            -15e-6 + (40e-6 + 15e-6) / 20.0,
+            -15e-6 + (40e-6 + 15e-6 - squeezed(degrees(50.0))) / 20.0,
             added(&both, degrees(50.0), &[(BLANK, 40e-6)]),
             "two axes, and seed 002 (27) about the spindle's",
         ),

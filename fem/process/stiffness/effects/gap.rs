@@ -1,8 +1,10 @@
 //! Clearance is taken up before anything resists.
 //!
-//! y += gap as soon as a force acts, F > 0, on loading and unloading alike; without force the joint stands
-//! where it stood [seed 000, fig. 2 a and fig. 5 a]. A preload has taken the clearance up before any force acts: there
-//! is none left [fig. 5 b]. A force that is reversed runs through it once on either way. gap in m.
+//! y += gap as soon as the joint transmits a force, S > 0, on loading and unloading alike; where it transmits none
+//! it stands where it stood [seed 000, fig. 2 a and fig. 5 a]. Without friction S is the force F; friction beside it
+//! holds the first of the load, and the clearance open while it is let go: it is crossed where S changes its sign. A
+//! preload has taken the clearance up before any force acts: there is none left [fig. 5 b]. A force that is reversed
+//! runs through it once on either way. gap in m.
 
 use super::super::machine::Effect;
 use crate::process::{Belongs, Parameter, UnitRole, nothing};
@@ -12,7 +14,7 @@ use crate::units::MICRO;
 pub static GAP: Effect<1> = Effect {
     name: "gap",
     about: "clearance is taken up as soon as a force acts",
-    law: "y += gap for F > 0, where no preload has taken it up",
+    law: "y += gap for S > 0, S the force that friction leaves to the joint; none where a preload has taken it up",
     source: "seed 000, fig. 5",
     belongs: Belongs::Tested(UnitRole::Gap),
     parameters: [Parameter::amplitude("gap", MICRO, "clearance of the joint", (0.5, 100.0))],

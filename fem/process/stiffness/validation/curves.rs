@@ -7,6 +7,7 @@ use crate::process::{Case, Tolerance};
 pub const GAP: &str = "[gap]\ngap = \"5 um\"\n";
 pub const CONTACT: &str = "[contact-joint]\nc = \"0.2 um/N^n\"\nn = 0.5\n";
 pub const FRICTION: &str = "[dry-friction]\nforce = \"80 N\"\n";
+const PLAY: &str = "[gap]\ngap = \"3 um\"\n[dry-friction]\nforce = \"60 N\"\n";
 pub const PRELOAD: &str = "[preload]\nforce = \"200 N\"\n";
 
 pub const SETTLING: &str = "[settling]\ndepth = \"4 um\"\n";
@@ -59,15 +60,20 @@ fn alone() -> Vec<Case> {
     cases
 }
 
-/// Friction comes first: S replaces F in spring, preload and contact, but not in the gap, which a preload has taken up.
+/// Friction comes first: S replaces F in spring, preload, contact and gap, which a preload has taken up.
 fn together() -> Vec<Case> {
     let all = [GAP, CONTACT, FRICTION, PRELOAD].concat();
     // 200 N have taken the clearance up, and press both contacts.
     let expected = |s: f64| pressed(0.2, s, 200.0);
     vec![
-        // At 50 N the clearance is taken up though friction still holds the spring.
-        displacement("gap and friction", &[GAP, FRICTION].concat(), false, 50.0, 5.0),
-        displacement("gap and friction", &[GAP, FRICTION].concat(), true, 0.0, 1.0),
+        // Nothing moves up to 80 N, and 80 N still press on the far flank when the force is gone.
+        displacement("gap and friction", &[GAP, FRICTION].concat(), false, 50.0, 0.0),
+        displacement("gap and friction", &[GAP, FRICTION].concat(), false, 80.0, 0.0),
+        displacement("gap and friction", &[GAP, FRICTION].concat(), false, 160.0, 1.0 + 5.0),
+        displacement("gap and friction", &[GAP, FRICTION].concat(), true, 0.0, 1.0 + 5.0),
+        displacement("gap of 3 um, friction of 60 N", PLAY, false, 50.0, 0.0),
+        displacement("gap of 3 um, friction of 60 N", PLAY, true, 0.0, 0.75 + 3.0),
+        displacement("gap, contact and friction", &[GAP, CONTACT, FRICTION].concat(), true, 20.0, 1.25 + 2.0 + 5.0),
         displacement("contact and friction", &[CONTACT, FRICTION].concat(), false, 480.0, 5.0 + 4.0),
         displacement("contact and friction", &[CONTACT, FRICTION].concat(), true, 320.0, 5.0 + 4.0),
         // u(900 N) = 17.25 um is beyond 2·u(200 N): one side alone, less by what the preload has pressed.

@@ -34,6 +34,8 @@ fn polygons() -> Vec<Case> {
         )
     };
     let soft = [(0.0, 0.0), (0.0, 80.0), (11.5, 1000.0), (11.5, 840.0), (1.0, 0.0)];
+    // Friction holds until 80 N, which then cross the clearance; they still press when the force is gone.
+    let played = [(0.0, 0.0), (0.0, 80.0), (5.0, 80.0), (16.5, 1000.0), (16.5, 840.0), (6.0, 0.0)];
     // 2k up to S = 400 N.
     let preloaded = [(0.0, 0.0), (0.0, 80.0), (2.5, 480.0), (9.0, 1000.0), (9.0, 840.0), (2.5, 320.0), (0.5, 0.0)];
     let held = [(0.0, 0.0), (0.0, 600.0), (5.0, 1000.0), (5.0, 0.0)];
@@ -50,7 +52,7 @@ fn polygons() -> Vec<Case> {
     };
     vec![
         case("friction", FRICTION, &soft),
-        case("friction and gap", &[FRICTION, GAP].concat(), &soft),
+        case("friction and gap", &[FRICTION, GAP].concat(), &played),
         case("friction and preload", &[FRICTION, PRELOAD].concat(), &preloaded),
         case("friction of 600 N, which holds all", "[dry-friction]\nforce = \"600 N\"", &held),
         case("settling, and a gauge off zero", &[SETTLING, OFFSET].concat(), &settled),
@@ -93,15 +95,16 @@ fn reversals() -> Vec<Case> {
     let lost = |effects: &str| reversed(effects).map_or(f64::NAN, |j| 1e6 * j.machine().curve.loop_area());
     let put_in = |effects: &str| reversed(effects).map_or(f64::NAN, |j| 1e6 * j.machine().curve.work_of_loading());
     let corners = [(-11.5, -1000.0), (-11.5, -840.0), (11.5, 1000.0), (11.5, 840.0)];
+    // Under 80 N of either sign nothing is transmitted, and the clearance is crossed.
     let open = [
         (-11.5, -1000.0),
         (-11.5, -840.0),
-        (-1.0, 0.0),
-        (4.0, 0.0),
+        (0.0, 80.0),
+        (5.0, 80.0),
         (16.5, 1000.0),
         (16.5, 840.0),
-        (6.0, 0.0),
-        (1.0, 0.0),
+        (5.0, -80.0),
+        (0.0, -80.0),
     ];
     let polygon = |name: &str, corners: &[(f64, f64)], effects: &str| {
         let both = (shoelace(corners), lost(effects), "uJ");

@@ -56,8 +56,8 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
 mod bench {
     //! A lathe to try effects on.
 
-    use super::super::machine::Moment;
     pub use super::super::forward::unloaded;
+    use super::super::machine::Moment;
     use super::super::{Turning, condense, deflections};
     use crate::process::{Assembled, with_effect};
 

@@ -13,7 +13,7 @@ use crate::units::MICRO;
 /// `tailstock-offset`.
 pub static TAILSTOCK_OFFSET: Effect<1> = Effect {
     name: "tailstock-offset",
-    about: "the tailstock stands off the spindle axis; between centres the work turns about a tilted line, in a chuck it bends",
+    about: "the tailstock stands off the spindle axis, and tilts the work or bends it",
     law: "between centres dD += 2*offset*x/L; in a stiff chuck an even shaft dD += offset*(3*xi^2 - xi^3), xi = x/L",
     source: "statics; cf. seed 002 (6)",
     belongs: Belongs::Test,

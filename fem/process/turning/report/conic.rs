@@ -18,7 +18,8 @@ pub fn figure(machine: &Machine) -> Option<Figure> {
     // Of the first diameter, before the first cut, where nothing is worn and nothing warm.
     let begin = |x: f64| Moment { x, diameter, time: 0.0, path: 0.0 };
     let is_lifted = machine.lifts.iter().any(|lift| lift(&begin(length)) != 0.0);
-    let squared = |part: f64| (0.5 * (diameter + machine.nose_at(&begin(part * length)).error(diameter, 0.0).0)).powi(2);
+    let squared =
+        |part: f64| (0.5 * (diameter + machine.nose_at(&begin(part * length)).error(diameter, 0.0).0)).powi(2);
     let (first, middle, last) = (squared(0.0), squared(0.5), squared(1.0));
     let (bend, rise) = (2.0 * (last - 2.0 * middle + first), 4.0 * middle - 3.0 * first - last);
     let leaves = |part: f64| (squared(part) - first - rise * part - bend * part * part).abs();

@@ -95,8 +95,9 @@ fn passes(machine: &Machine, forward: &Forward, tools: &[f64]) -> Result<Vec<Pas
     let last = |x| Cutting::new(machine, &machine.moment_on(1, x), setup.conditions(x, 0.0));
     for (number, earlier) in setup.passes.iter().enumerate() {
         let before = ordered(&errors);
-        let found: Result<Vec<Deflection>, _> =
-            (0..tools.len()).map(|i| elastic.deflect(i, &elastic.earlier(number, tools[i], errors[i], &last(tools[i])))).collect();
+        let found: Result<Vec<Deflection>, _> = (0..tools.len())
+            .map(|i| elastic.deflect(i, &elastic.earlier(number, tools[i], errors[i], &last(tools[i]))))
+            .collect();
         let deflections = found?;
         errors = deflections.iter().map(|d| d.error).collect();
         let duration = earlier.duration(travel);
@@ -218,7 +219,9 @@ impl Scene {
         let deflection = &pass.deflections[tool];
         let [head, tail] = deflection.ends();
         let (unit, shaft) = (self.shaft.shape(tool), &self.shaft);
-        let at = |i: usize| unit[i] * deflection.force + shaft.bent[i] + shaft.influence[i][0] * head + shaft.influence[i][1] * tail;
+        let at = |i: usize| {
+            unit[i] * deflection.force + shaft.bent[i] + shaft.influence[i][0] * head + shaft.influence[i][1] * tail
+        };
         (self.tools.len()..self.tools.len() + self.nodes.len()).map(at).collect()
     }
 

@@ -5,7 +5,7 @@ use crate::element::Round;
 use crate::process::{Case, Tolerance, figure_of};
 
 pub fn cases() -> Vec<Case> {
-    [slender(), handbook(), shear(), springs(), compliance(), rests(), sections()].concat()
+    [slender(), handbook(), shear(), holder(), springs(), compliance(), rests(), sections()].concat()
 }
 
 /// P a³ b² (4L − a)/(12 E I L³): a propped cantilever, the load at a from the clamp.
@@ -147,7 +147,6 @@ fn springs() -> Vec<Case> {
             (free(0.3) - centre * reach(0.3), gap(&uniform("chuck-and-centre", tilting), 0.3)),
             "force method",
         ),
-        holder(),
     ]
 }
 
@@ -191,13 +190,18 @@ fn compliance() -> Vec<Case> {
     ]
 }
 
-fn holder() -> Case {
-    let text = UNIFORM.replace("HELD", "centres")
+fn holder() -> Vec<Case> {
+    let text = UNIFORM.replace("HELD", "centres").replace("euler-bernoulli", "timoshenko")
         + "tool = { overhang = \"40 mm\", width = \"20 mm\", height = \"25 mm\", material = \"steel\" }";
     let (e, nu, l) = (210e9, 0.3, 0.04f64);
     let kappa_ga = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu) * e / (2.0 * (1.0 + nu)) * 0.02 * 0.025;
     let expected = 400.0 * (l.powi(3) / (3.0 * e * 0.02 * 0.025f64.powi(3) / 12.0) + l / kappa_ga);
-    deflection("tool holder alone, at a centre", (expected, gap(&lathe(&text, ""), 0.0)), "cantilever with shear")
+    let slender = text.replace("timoshenko", "euler-bernoulli");
+    let without = 400.0 * l.powi(3) / (3.0 * e * 0.02 * 0.025f64.powi(3) / 12.0);
+    vec![
+        deflection("tool holder alone, at a centre", (expected, gap(&lathe(&text, ""), 0.0)), "cantilever with shear"),
+        deflection("the same as a slender beam", (without, gap(&lathe(&slender, ""), 0.0)), "cantilever: P*l^3/3EI"),
+    ]
 }
 
 fn rests() -> Vec<Case> {

@@ -8,6 +8,7 @@ mod feedback;
 mod geometry;
 mod heating;
 mod joints;
+mod meetings;
 mod passes;
 mod rig;
 mod time;
@@ -23,6 +24,7 @@ pub fn cases() -> Vec<Case> {
         feedback::cases(),
         passes::cases(),
         geometry::cases(),
+        meetings::cases(),
         time::cases(),
         heating::cases(),
         cross_check::cases(),
