@@ -4,6 +4,9 @@ use fem::input::Source;
 use fem::model::Model;
 use fem::process::Process;
 
+/// What stands under a shaft.
+const REST: &str = "steady_rests = [{ at = \"150 mm\", stiffness = \"40 N/um\" }]";
+
 /// The model that `fem new` writes, and variants of it with what further effects need.
 pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputError> {
     let start = process.starting_model();
@@ -11,6 +14,7 @@ pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputErro
         "turning" => vec![
             start.replace("\"centres\"", "\"chuck-and-centre\""),
             start.replace("type = \"centres\"", "type = \"centres\"\nguideway_spacing = \"300 mm\""),
+            start.replace("type = \"centres\"", &format!("type = \"centres\"\n{REST}")),
             format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
         ],
         "ring" => vec![start.replace("\"least-squares-circle\"", "\"absolute\"")],

@@ -1,6 +1,7 @@
 //! How writing fails.
 
-use std::path::PathBuf;
+use std::io;
+use std::path::{Path, PathBuf};
 
 use super::vtk::VtkError;
 
@@ -13,7 +14,7 @@ pub enum OutputError {
         /// Which file.
         path: PathBuf,
         /// Why.
-        error: std::io::Error,
+        error: io::Error,
     },
     /// A shape cannot be written as VTK.
     #[error("{} cannot be written: {error}", path.display())]
@@ -49,4 +50,15 @@ pub enum OutputError {
         /// Which file.
         path: PathBuf,
     },
+}
+
+impl OutputError {
+    /// What the file system says of a path, in its own words: names of partial files stay out of them.
+    pub fn at(path: &Path) -> impl Fn(io::Error) -> Self + use<> {
+        let path = path.to_path_buf();
+        move |error| {
+            let error = error.raw_os_error().map_or(error, io::Error::from_raw_os_error);
+            Self::File { path: path.clone(), error }
+        }
+    }
 }

@@ -113,19 +113,25 @@ fn play_beside_a_curve_that_no_law_has_is_no_zero() {
 }
 
 /// Joints with nothing hidden, and a trouble of the measurement which two effects of the machine, or one by chance,
-/// would make up as well: a step of the zero two rows after the force turns, zeros of both branches beside a row
-/// that is wrong, and noise of which a row shares 0.6 with the row before it.
+/// would make up as well: zeros of both branches beside a row that is wrong, and noise of which a row shares 0.6 with
+/// the row before it. A step of the zero two rows after the force turns is, to a joint, friction of a step of the force
+/// and the clearance that it crosses: then the step stands beside them.
 #[test]
 fn what_the_measurement_explains_as_well_blames_no_joint() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/trouble/joint");
-    for (name, told) in
-        [("jump", &["jump"][..]), ("zeros", &["outliers", "zero-shift"]), ("memory", &["correlated-noise"])]
-    {
+    let diagnosed = |name: &str| {
         let model = Model::load(&folder.join(name).join("model.toml")).unwrap();
         let measurements = Measurements::load(&folder.join(name).join("measured.csv"), model.process).unwrap();
         let diagnosis = of(&model, measurements);
-        let names: Vec<&str> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
-        assert_eq!(names, told, "{name}");
         assert_eq!(diagnosis.verdict_after, Verdict::Adequate, "{name}");
+        diagnosis
+    };
+    for (name, told) in [("zeros", &["outliers", "zero-shift"][..]), ("memory", &["correlated-noise"])] {
+        let names: Vec<&str> = diagnosed(name).missing.iter().map(|m| m.effect.name).collect();
+        assert_eq!(names, told, "{name}");
     }
+    let step = diagnosed("jump").missing;
+    let classes: Vec<&str> =
+        step.iter().flat_map(|m| std::iter::once(&m.effect).chain(&m.indistinguishable_from)).map(|e| e.name).collect();
+    assert!(classes.contains(&"jump"), "{classes:?}");
 }

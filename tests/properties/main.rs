@@ -21,6 +21,7 @@ fn models(process: &dyn Process) -> Vec<Model> {
             start.to_string(),
             start.replace("\"centres\"", "\"chuck-and-centre\""),
             start.replace("type = \"centres\"", "type = \"centres\"\nguideway_spacing = \"300 mm\""),
+            start.replace("type = \"centres\"", &format!("type = \"centres\"\n{REST}")),
             format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
         ],
         "ring" => vec![start.to_string(), start.replace("\"least-squares-circle\"", "\"absolute\"")],
@@ -32,6 +33,9 @@ fn models(process: &dyn Process) -> Vec<Model> {
     };
     variants.into_iter().map(|text| Model::parse(Source::new("model.toml", text)).unwrap()).collect()
 }
+
+/// What stands under a shaft.
+const REST: &str = "steady_rests = [{ at = \"150 mm\", stiffness = \"40 N/um\" }]";
 
 /// A contour with what some effects need: screws, a frequency, and the force of a cut.
 fn equipped(start: &str) -> String {

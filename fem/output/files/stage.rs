@@ -10,10 +10,11 @@ use cap_std::fs::Dir;
 
 use super::account::Account;
 use super::beside::{Beside, undisturbed};
+use super::guard::Guard;
 use super::replace::{self, Move, Over, Plan};
 use super::way::{self, Way, below, reader};
+use super::work;
 use super::written::{self, Entry, LIST};
-use super::{Guard, failed, work};
 use crate::output::OutputError;
 
 /// Files on their way into a directory: all of them appear in the place of the earlier ones, or none, none
@@ -49,7 +50,7 @@ impl<'a> Stage<'a> {
     /// # Errors
     /// The directory cannot be made or written, or the way to it leads over a link that others may have put there.
     pub fn new(directory: &Path, of: &'static str, guard: Guard<'a>) -> Result<Self, OutputError> {
-        let failed = failed(directory);
+        let failed = OutputError::at(directory);
         let way = Way::to(directory, guard.reads)?;
         // Without a state folder nothing is known to be the program's own.
         let account = Account::open().ok();
@@ -77,7 +78,7 @@ impl<'a> Stage<'a> {
     /// It is a file that was read, or it cannot be written.
     pub fn write(&self, name: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         self.guard.check_reads(&self.directory.join(name))?;
-        let failed = failed(&self.directory.join(name));
+        let failed = OutputError::at(&self.directory.join(name));
         let (inside, file) = below(self.beside.dir(), name, true).map_err(&failed)?;
         inside.write(file, bytes).map_err(failed)?;
         let entry = Entry::new(name, self.of, bytes);
@@ -119,7 +120,7 @@ impl<'a> Stage<'a> {
     /// Puts the folder where none was; `false` where another program has put one there in the meantime, whose files are
     /// to be looked at under lock.
     fn appear(&mut self) -> Result<bool, OutputError> {
-        let failed = failed(&self.directory);
+        let failed = OutputError::at(&self.directory);
         let Some((above, name)) = &self.above else { return Ok(false) };
         if !self.is_beside {
             return above.create_dir(name).map(|()| false).map_err(failed);
@@ -144,7 +145,7 @@ impl<'a> Stage<'a> {
             let _ = work.places(&self.directory, &placing.plan);
         }
         let done = placing.plan.carry_out(self.beside.dir(), into);
-        done.map_err(|(path, error)| failed(&self.directory.join(path))(error))
+        done.map_err(|(path, error)| OutputError::at(&self.directory.join(path))(error))
     }
 
     /// What comes into the directory and what leaves it, with the list of what stands there then.
@@ -200,7 +201,7 @@ impl<'a> Stage<'a> {
         };
         let Ok(there) = inside.symlink_metadata(name) else { return Ok(Over::Nothing) };
         if there.is_dir() {
-            return Err(failed(&path)(std::io::ErrorKind::IsADirectory.into()));
+            return Err(OutputError::at(&path)(std::io::ErrorKind::IsADirectory.into()));
         }
         let Some(over) = Over::at(into, &entry.name) else { return Err(OutputError::Special { path }) };
         let new = self.beside.dir().symlink_metadata(&entry.name);
@@ -222,7 +223,9 @@ impl<'a> Stage<'a> {
                 Ok(there) if there.is_symlink() => {
                     return Err(OutputError::Link { target: path.canonicalize().ok(), path });
                 }
-                Ok(there) if !there.is_dir() => return Err(failed(&path)(std::io::ErrorKind::NotADirectory.into())),
+                Ok(there) if !there.is_dir() => {
+                    return Err(OutputError::at(&path)(std::io::ErrorKind::NotADirectory.into()));
+                }
                 _ => {}
             }
         }
@@ -237,7 +240,7 @@ impl<'a> Stage<'a> {
     fn list<'e>(&self, entries: impl Iterator<Item = &'e Entry>) -> Result<Option<Entry>, OutputError> {
         let Some(account) = &self.account else { return Ok(None) };
         let text = written::text(&entries.cloned().collect::<Vec<_>>(), account);
-        self.beside.dir().write(LIST, &text).map_err(failed(&self.directory.join(LIST)))?;
+        self.beside.dir().write(LIST, &text).map_err(OutputError::at(&self.directory.join(LIST)))?;
         Ok(Some(Entry::new(Path::new(LIST), "", text.as_bytes())))
     }
 }

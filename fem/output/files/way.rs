@@ -28,7 +28,7 @@ impl Way {
     /// Something else than a folder stands on it, such as a link that others may have put there; or it cannot be
     /// entered.
     pub fn to(directory: &Path, reads: &[PathBuf]) -> Result<Self, OutputError> {
-        let failed = super::failed(directory);
+        let failed = OutputError::at(directory);
         let here = std::env::current_dir().and_then(|here| here.canonicalize()).map_err(&failed)?;
         let folder_of = |file: &PathBuf| Some(file.canonicalize().ok()?.parent()?.to_path_buf());
         let open_to_others: Vec<PathBuf> = reads.iter().filter_map(folder_of).chain([here.clone()]).collect();
@@ -134,4 +134,9 @@ pub fn below<'a>(folder: &Dir, name: &'a Path, makes: bool) -> io::Result<(Dir, 
         inside = if makes { make_in(&inside, part)? } else { inside.open_dir_nofollow(part)? };
     }
     Ok((inside, file))
+}
+
+/// The folder of a file.
+pub fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

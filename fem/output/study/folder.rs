@@ -76,7 +76,7 @@ impl StudyFolder {
         reads: &[PathBuf],
     ) -> Result<Self, StudyError> {
         let at = |name: &str| directory.join(name);
-        let failed = |name: &str| failed(&at(name));
+        let failed = |name: &str| OutputError::at(&at(name));
         let dir = Way::to(directory, reads)?.make().map_err(failed(""))?;
         let lock = lock(&dir, directory)?;
         for name in [ROWS, PARTIAL, layout::FILE] {
@@ -139,7 +139,7 @@ impl StudyFolder {
     /// # Errors
     /// It cannot be written.
     pub fn append(&mut self, line: &[u8]) -> Result<(), OutputError> {
-        let failed = failed(&self.directory.join(PARTIAL));
+        let failed = OutputError::at(&self.directory.join(PARTIAL));
         let Some(out) = &mut self.out else { return Ok(()) };
         out.write_all(line).map_err(&failed)?;
         self.next += 1;
@@ -162,7 +162,7 @@ impl StudyFolder {
         let (rows, partial) = (self.directory.join(ROWS), self.directory.join(PARTIAL));
         let mut path = rows.clone();
         if let Some(mut out) = self.out.take() {
-            let failed = failed(&partial);
+            let failed = OutputError::at(&partial);
             out.flush().and_then(|()| out.get_ref().sync_all()).map_err(&failed)?;
             drop(out);
             match self.next == self.jobs.end {
@@ -171,7 +171,7 @@ impl StudyFolder {
                 false => path = partial,
             }
         }
-        let summary = rows::summary(&path, &self.layout).map_err(failed(&path))?;
+        let summary = rows::summary(&path, &self.layout).map_err(OutputError::at(&path))?;
         Ok((path, summary))
     }
 }
@@ -190,11 +190,6 @@ pub fn finished(directory: &Path) -> Option<(PathBuf, BufReader<File>)> {
     let mut reader = BufReader::with_capacity(1 << 16, File::open(&path).ok()?);
     reader.read_until(b'\n', &mut Vec::new()).ok()?;
     Some((path, reader))
-}
-
-pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> OutputError + use<> {
-    let path = path.to_path_buf();
-    move |error| OutputError::File { path: path.clone(), error }
 }
 
 /// Refuses what was begun with another plan.

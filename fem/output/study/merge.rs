@@ -4,9 +4,10 @@ use std::io::BufRead;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::folder::{Earlier, StudyError, StudyFolder, failed, finished, known};
+use super::folder::{Earlier, StudyError, StudyFolder, finished, known};
 use super::rows;
 use crate::input::Problem;
+use crate::output::OutputError;
 use crate::study::{Layout, Shard, Summary};
 
 /// Writes the rows of all shards into one folder, as if the study had been done there, and says what they say.
@@ -45,7 +46,7 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(Layout, PathBuf, Sum
         let Some((path, mut reader)) = finished(folder) else { continue };
         for job in jobs {
             line.clear();
-            reader.read_until(b'\n', &mut line).map_err(failed(&path))?;
+            reader.read_until(b'\n', &mut line).map_err(OutputError::at(&path))?;
             if rows::job_of(&line) != Some(job + 1) {
                 let message = format!("row {} of shard {shard} in {} is not there", job + 1, path.display());
                 return refused(message, "the file was changed: run the shard again with --restart");

@@ -163,6 +163,11 @@ impl Setup {
         self.ends.last().copied().unwrap_or(0.0)
     }
 
+    /// Whether a segment ends at x (m).
+    pub fn is_step(&self, x: f64) -> bool {
+        self.ends.iter().any(|end| (x - end).abs() <= 1e-9 * end)
+    }
+
     /// The section at x; on a step that of the segment toward the tailstock.
     pub fn section(&self, x: f64) -> Round {
         let i = self.ends.partition_point(|end| x >= end * (1.0 - 1e-12));

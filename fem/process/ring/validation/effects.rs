@@ -55,7 +55,7 @@ pub fn cases() -> Vec<Case> {
         ),
         part("half the jaw force", 0.5, at("", 0.3, &[(JAW_FORCE, 1500.0)]) / squeezed(0.3), "linear elasticity"),
         part(
-            "tool of 19 N/um at 1 N/um finds a round blank as it is squeezed",
+            "tool of 19 N/um at 1 N/um, round blank as it is squeezed",
             0.95,
             at(copying, 0.7, &[]) / squeezed(0.7),
             "seed 002 (27): k*(blank + u) - u",
@@ -67,7 +67,7 @@ pub fn cases() -> Vec<Case> {
             "seed 002 (27): k*(blank + u) - u",
         ),
         added_row(
-            "the same, spindle's oval of 3 um: the tool yields to what it cuts deeper",
+            "the same, oval of the spindle of 3 um",
             (3e-6 * (2.0 * degrees(95.0)).cos()) * 0.95 - squeezed(degrees(60.0)) / 20.0,
             added(&format!("{spindle}\n{copying}"), degrees(60.0), &[]),
             "s - k*(s - u) - u",

@@ -10,6 +10,7 @@ mod guideway_height;
 mod guideway_taper;
 mod guideway_wear;
 mod joint_contact;
+mod rest_offset;
 mod setting_error;
 mod spindle_thermal_drift;
 mod support_compliance;
@@ -49,11 +50,12 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &front_guideway_wear::FRONT_GUIDEWAY_WEAR,
     &bed_sag::BED_SAG,
     &tailstock_offset::TAILSTOCK_OFFSET,
+    &rest_offset::REST_OFFSET,
     &setting_error::SETTING_ERROR,
 ];
 
 #[cfg(test)]
-mod bench {
+pub(super) mod bench {
     //! A lathe to try effects on.
 
     pub use super::super::forward::unloaded;

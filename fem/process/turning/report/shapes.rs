@@ -163,7 +163,7 @@ impl Scene {
         let mut grid = Grid::default();
         let (mut displacement, mut force) = (Vec::new(), Vec::new());
         let (mut diameter, mut moment, mut stress, mut error) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        for (&x, w) in self.nodes.iter().zip(self.line(pass, tool)) {
+        for (x, w) in self.line(pass, tool) {
             let bending = self.bending_moment(pass, tool, x);
             let section = self.setup.section(x);
             grid.points.push([x, 0.0, 0.0]);
@@ -214,15 +214,29 @@ impl Scene {
         }
     }
 
-    /// Deflection of every node, m.
-    fn line(&self, pass: &Pass, tool: usize) -> Vec<f64> {
+    /// Places of the nodes and their deflections, m. One of them stands under the tool, where the line has its kink.
+    fn line(&self, pass: &Pass, tool: usize) -> Vec<(f64, f64)> {
         let deflection = &pass.deflections[tool];
         let [head, tail] = deflection.ends();
         let (unit, shaft) = (self.shaft.shape(tool), &self.shaft);
         let at = |i: usize| {
             unit[i] * deflection.force + shaft.bent[i] + shaft.influence[i][0] * head + shaft.influence[i][1] * tail
         };
-        (self.tools.len()..self.tools.len() + self.nodes.len()).map(at).collect()
+        let (x, first) = (self.tools[tool], self.tools.len());
+        let mut line: Vec<(f64, f64)> = self.nodes.iter().enumerate().map(|(i, x)| (*x, at(first + i))).collect();
+        if let Some(node) = self.node_for(x) {
+            line[node] = (x, at(tool));
+        }
+        line
+    }
+
+    /// The node that is moved under a tool at x (m): the nearest one beside it, unless that ends a segment.
+    fn node_for(&self, x: f64) -> Option<usize> {
+        let after = self.nodes.partition_point(|node| *node < x);
+        let is_free = |i: &usize| *i > 0 && *i + 1 < self.nodes.len() && !self.setup.is_step(self.nodes[*i]);
+        let distance = |i: &usize| (self.nodes[*i] - x).abs();
+        let beside = [after.checked_sub(1), Some(after)].into_iter().flatten().filter(|i| *i < self.nodes.len());
+        beside.filter(is_free).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
     fn markers(&self, pass: &Pass, tool: usize) -> Vec<Marker> {
@@ -253,5 +267,28 @@ impl Scene {
         let chuck = tail * self.setup.length() + rests().map(|(at, r)| at * r).sum::<f64>() - deflection.force * x;
         let ahead = |at: f64, force: f64| force * (s - at).max(0.0);
         chuck + head * s + rests().map(|(at, r)| ahead(at, r)).sum::<f64>() - ahead(x, deflection.force)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::effects::bench::{gap, lathe};
+    use super::*;
+    use crate::process::ForwardModel;
+
+    #[test]
+    fn the_line_reaches_the_deflection_under_the_tool() {
+        let lathe = lathe("centres", "headstock-compliance", &[60.0]);
+        let report = lathe.report(lathe.predict(&Progress::default()).unwrap()).unwrap();
+        let animation = report.animation.unwrap();
+        for i in [1, 7, 50, 93] {
+            let frame = (animation.frame)(i);
+            let nose = frame.grid.points[frame.grid.points.len() - 1][0];
+            let node = frame.grid.points.iter().position(|p| p[0] == nose && p[1] == 0.0).expect("a node at the tool");
+            let Some(field) = frame.grid.point_fields.iter().find(|f| f.name == "displacement") else { panic!() };
+            let deflected = 1e6 * field.values[3 * node + 1];
+            assert!((deflected / gap(&lathe, nose) - 1.0).abs() < 1e-9, "{deflected} at {nose}");
+            assert!(frame.grid.points[..node + 1].is_sorted_by(|a, b| a[0] <= b[0]));
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! The 22 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
+//! The 23 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
 
 use super::job::{Holding, Job};
 use crate::law::{Law, Parameter, Role};
@@ -50,7 +50,9 @@ const TWIST: &[Parameter] = &[Parameter("twist", "um/m/m", 10.0, 120.0, Role::Si
 const SAG: &[Parameter] =
     &[Parameter("front", "um", 5.0, 60.0, Role::Signed), Parameter("rear", "um", 5.0, 60.0, Role::Signed)];
 
-/// All of them, those of a surveyed lathe last.
+const REST: &[Parameter] = &[Parameter("offset", "um", 5.0, 30.0, Role::Signed)];
+
+/// All of them: those of any lathe, those of a surveyed one, and that of rests.
 pub const LAWS: &[Law] = &[
     ("headstock-compliance", STIFFNESS),
     ("tailstock-compliance", STIFFNESS),
@@ -74,19 +76,23 @@ pub const LAWS: &[Law] = &[
     ("front-guideway-wear", FRONT),
     ("bed-twist", TWIST),
     ("bed-sag", SAG),
+    ("rest-offset", REST),
 ];
 /// How many any lathe has.
 const USUAL: usize = 18;
 /// Those that any lathe has.
 pub const OF_ANY: &[Law] = LAWS.split_at(USUAL).0;
 /// Those of which nothing is known unless edge and bed were measured.
-pub const OF_SURVEYED: &[Law] = LAWS.split_at(USUAL).1;
+pub const OF_SURVEYED: &[Law] = LAWS.split_at(LAWS.len() - 1).0.split_at(USUAL).1;
 
 /// "tailstock-* and tailstock-offset not in `chuck`; chuck-tilt not in `centres`; the others all".
-/// Those of a surveyed lathe need its survey.
+/// Those of a surveyed lathe need its survey, and that of rests a rest.
 pub fn admits(job: &Job, effect: &str) -> bool {
     let is_known = job.survey.is_some() || OF_ANY.iter().any(|law| law.0 == effect);
-    is_known && holds(job.holding, effect)
+    match effect {
+        "rest-offset" => !job.set_up.rests.is_empty(),
+        _ => is_known && holds(job.holding, effect),
+    }
 }
 
 /// Whether a workholding admits the effect.

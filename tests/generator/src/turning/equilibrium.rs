@@ -102,6 +102,7 @@ pub fn errors(job: &Job, causes: &[Cause]) -> Vec<f64> {
     let carriage = carriage(job, causes);
     let exponent = value(causes, "force-feedback", "exponent");
     let offset = value(causes, "tailstock-offset", "offset").unwrap_or(0.0);
+    let out_of_line = value(causes, "rest-offset", "offset").unwrap_or(0.0);
     let mut places: Vec<(f64, Held)> = Vec::new();
     let mut errors = Vec::with_capacity(job.rows.len());
     for (row, mover) in job.rows.iter().zip(movers(job, causes)) {
@@ -113,7 +114,7 @@ pub fn errors(job: &Job, causes: &[Cause]) -> Vec<f64> {
         if job.holding != Holding::Chuck {
             imposed.push(offset);
         }
-        imposed.extend(job.set_up.rests.iter().map(|rest| rest.offset));
+        imposed.extend(job.set_up.rests.iter().map(|rest| rest.offset + out_of_line));
         let at = At { held: &places[known].1, carriage: &carriage, imposed, mover };
         // Across a diameter the radius is what two opposite angles leave.
         let sides = if job.set_up.lobes.is_empty() { vec![0.0] } else { vec![0.0, 180.0] };

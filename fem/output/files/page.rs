@@ -1,0 +1,27 @@
+//! Pages that this account knows again.
+
+use std::path::Path;
+
+use super::account::Account;
+use super::way::{self, folder_of};
+use super::written::read_plain;
+
+/// What stands around the seal of a page, in its last line.
+const SEAL: (&str, &str) = ("<!-- sealed ", " -->\n");
+const OF_PAGE: &str = "page";
+
+/// A page with a last line by which this account knows it again; as it is where there is no key.
+pub fn sealed(page: &str) -> String {
+    let seal = |account: Account| format!("{page}{}{}{}", SEAL.0, account.seal(OF_PAGE, page.as_bytes()), SEAL.1);
+    Account::open().map_or_else(|_| page.to_string(), seal)
+}
+
+/// Whether a file is a page that this account has sealed, as it was written.
+pub fn is_sealed(path: &Path) -> bool {
+    let is_own = || {
+        let bytes = read_plain(&way::open(folder_of(path)).ok()?, Path::new(path.file_name()?), u64::MAX).ok()?;
+        let (page, seal) = std::str::from_utf8(&bytes).ok()?.rsplit_once(SEAL.0)?;
+        Some(Account::open().ok()?.has_sealed(OF_PAGE, page.as_bytes(), seal.strip_suffix(SEAL.1)?))
+    };
+    is_own().unwrap_or(false)
+}
