@@ -23,7 +23,7 @@ use crate::noise::{Acts, Term, beyond_f};
 use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Steps, Table, Target, Tolerance};
 use crate::process::{Failure, ForwardModel, Positioning, System};
 use crate::progress::Progress;
-use crate::units::Knowledge;
+use crate::units::{Knowledge, MICRO};
 use std::sync::Arc;
 
 /// Evaluation of an axis and of its compensation. SI units.
@@ -142,12 +142,18 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     let out = wrong::stated(&weighed);
     let kept: Vec<usize> = (0..data.len()).filter(|row| !out.contains(row)).collect();
     let approaches: Vec<Approach> = kept.iter().map(|row| all[*row]).collect();
-    let observed: Vec<f64> = kept.iter().map(|row| data.observed[*row]).collect();
+    if axis.reading_at_zero().is_none() {
+        asked(&data.observed)?;
+    }
+    let zero = axis.reading_at_zero().unwrap_or(0.0);
+    let deviations_of = |readings: Vec<f64>| readings.into_iter().map(|reading| reading - zero).collect::<Vec<f64>>();
+    let observed = deviations_of(kept.iter().map(|row| data.observed[*row]).collect());
     let evaluation = Evaluation::of(&approaches, &observed);
     let (tolerance, resolution, active) = (axis.tolerance(), axis.resolution(), axis.active());
     let alone = active.map(|active| Evaluation::of(&approaches, &active.removed(&approaches, &observed)));
     let between = axis.between(&data.rows);
-    let course = Course { approaches: axis.approaches(&between), deviations: forward.observe(&between)? };
+    let course =
+        Course { approaches: axis.approaches(&between), deviations: deviations_of(forward.observe(&between)?) };
     let scheme = |key, name, table: Table| {
         let after = Evaluation::of(&approaches, &table.applied(&approaches, &observed));
         let deviations = table.applied(&course.approaches, &course.deviations);
@@ -197,6 +203,28 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
         before,
         schemes,
         feasibility,
+    })
+}
+
+/// Readings that lie this many times their own span from zero are hardly deviations.
+const FAR: f64 = 3.0;
+
+/// Refuses readings that all lie far beyond their scatter on one side: of such a zero a table would be made too.
+fn asked(readings: &[f64]) -> Result<(), Failure> {
+    let (low, high) = readings.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), r| (l.min(*r), h.max(*r)));
+    let (middle, span) = (0.5 * (low + high), high - low);
+    if middle.abs() <= FAR * span.max(MICRO.to_si(1.0)) {
+        return Ok(());
+    }
+    let [middle, span] = [middle, span].map(|reading| MICRO.told(reading));
+    Err(Failure {
+        message: format!(
+            "all readings lie about {middle}, and differ by {span}: is the axis so far off, or the gauge?"
+        ),
+        help: format!(
+            "say in [test] what the instrument shows where the axis stands right: reading_at_zero = \"{middle}\"; or \
+             reading_at_zero = \"0 um\", if these are deviations"
+        ),
     })
 }
 

@@ -24,6 +24,9 @@ pub trait Positioning {
     /// Points at which the controller takes increments, where they are told.
     fn steps(&self) -> Option<Steps>;
 
+    /// What readings are where the axis stands right, m; `None` where nothing is said of it.
+    fn reading_at_zero(&self) -> Option<f64>;
+
     /// How far the drive gives way at a position by its own length, m/N: the part of elastic lost motion
     /// that varies along the travel.
     fn screw_compliance(&self, position: f64) -> f64;

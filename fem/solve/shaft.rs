@@ -111,7 +111,7 @@ impl Shaft {
     /// # Errors
     /// A position is off the shaft, or the shaft is loose.
     pub fn condense(&self, positions: &[f64]) -> Result<Condensed, ShaftError> {
-        let (links, cuts, rests) = self.cut(positions)?;
+        let Cuts { links, positions: cuts, rests } = self.cut(positions)?;
         let tail = if self.tailstock { HalfPlane::held(Turning::FREE) } else { HalfPlane::FREE };
         let ahead = || planes_ahead(HalfPlane::held(self.turning()), &links);
         let behind = || planes_behind(tail, &links);
@@ -142,9 +142,8 @@ impl Shaft {
         Ok(condensed)
     }
 
-    /// Splits the pieces at positions and rests: links from cut to cut, the cut of each position and that of each
-    /// rest.
-    fn cut(&self, positions: &[f64]) -> Result<(Vec<Link>, Vec<u32>, Vec<u32>), ShaftError> {
+    /// Splits the pieces at positions and rests.
+    fn cut(&self, positions: &[f64]) -> Result<Cuts, ShaftError> {
         let length = self.length();
         let on_shaft = |at: f64| match (-1e-12 * length..=length * (1.0 + 1e-12)).contains(&at) {
             true => Ok(()),
@@ -171,8 +170,18 @@ impl Shaft {
             }
         }
         cutter.advance(length);
-        Ok((cutter.links, cuts, rests))
+        Ok(Cuts { links: cutter.links, positions: cuts, rests })
     }
+}
+
+/// Where a shaft is cut.
+struct Cuts {
+    /// From cut to cut.
+    links: Vec<Link>,
+    /// The cut of each position.
+    positions: Vec<u32>,
+    /// The cut of each rest.
+    rests: Vec<u32>,
 }
 
 /// A sum that is rounded once and not at every step (Neumaier): the last of many short elements is short

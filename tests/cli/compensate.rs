@@ -382,3 +382,49 @@ fn controls_that_are_named_get_their_files() {
         place.fem(&["compensate", "stage.toml", "--with", "m.csv", "-o", "out", "--for", "mach4", "--axis", "a]b"]);
     assert!(answer.status == 2 && answer.err.contains("1 to 16 letters"), "{}", answer.err);
 }
+
+/// Readings of a gauge that shows 50 um where the axis stands right, as they stand on its dial [seed 001, fig. 1].
+#[test]
+fn what_a_gauge_shows_at_zero_is_asked_for_and_taken_off() {
+    let place = Place::new();
+    let deviation = |x: f64, sign: f64, run: usize| 6.0 * x - 3.25 * (sign - 1.0) + noise(run);
+    let right = compensated(&place, &test(deviation));
+    place.write("raw.csv", test(|x, sign, run| 50.0 + deviation(x, sign, run)));
+    let asked = place.fem(&["compensate", "axis.toml", "--with", "raw.csv"]);
+    assert!(
+        asked.err.contains("all readings lie about") && asked.err.contains("reading_at_zero = \"0 um\""),
+        "{}",
+        asked.err
+    );
+    assert_eq!(asked.status, 1);
+    let said = |zero: &str| -> Json {
+        place.write("said.toml", format!("{AXIS}test = {{ reading_at_zero = \"{zero}\" }}\n"));
+        let answer = place.fem(&["compensate", "said.toml", "--with", "raw.csv", "--json"]);
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        serde_json::from_str(&answer.out).unwrap()
+    };
+    let numbers = |json: &Json| -> Vec<f64> {
+        let mut found = Vec::new();
+        let mut open = vec![json.clone()];
+        while let Some(value) = open.pop() {
+            match value {
+                Json::Number(number) => found.push(number.as_f64().unwrap()),
+                Json::Array(all) => open.extend(all),
+                Json::Object(all) => open.extend(all.into_iter().map(|(_, value)| value)),
+                _ => {}
+            }
+        }
+        found
+    };
+    let tables = |json: &Json| -> Vec<f64> {
+        json["schemes"].as_array().unwrap().iter().flat_map(|scheme| numbers(&scheme["entries"])).collect()
+    };
+    let (a, b) = (tables(&right), tables(&said("50 um")));
+    assert!(a.len() > 20 && a.len() == b.len());
+    assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-9), "{a:?}\n{b:?}");
+    // Who says that these are deviations has them compensated.
+    assert_ne!(tables(&said("0 um")), a);
+    // A prediction is what the gauge shows, and reads back as such.
+    let run = place.fem(&["run", "said.toml"]);
+    assert!(run.status == 0 && run.out.contains("largest deviation        +0.000 um"), "{}", run.out);
+}

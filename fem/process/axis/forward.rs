@@ -10,7 +10,7 @@ use crate::joint::give_way;
 use crate::positioning::{Approach, Direction};
 use crate::process::Rows;
 
-/// The deviation of every row, m: forwards the slide hangs back by the drive's wind-up; backwards too, and
+/// What every row shows, m, deviations from what the instrument shows where the axis stands right: forwards the slide hangs back by the drive's wind-up; backwards too, and
 /// by the play besides.
 pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
     let one = |row: usize| {
@@ -22,7 +22,8 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
         };
         let time = rows.columns[TIME_OF_ROW][row];
         let errors: f64 = machine.errors.iter().map(|error| error(position, time)).sum();
-        reversal + machine.setup.growth(position, time) + errors
+        let zero = machine.setup.test.reading_at_zero.unwrap_or(0.0);
+        zero + reversal + machine.setup.growth(position, time) + errors
     };
     (0..rows.len()).map(one).collect()
 }

@@ -216,6 +216,10 @@ impl Positioning for Setup {
         self.controller.steps
     }
 
+    fn reading_at_zero(&self) -> Option<f64> {
+        self.test.reading_at_zero
+    }
+
     fn screw_compliance(&self, position: f64) -> f64 {
         self.screw().compliance(position)
     }

@@ -13,7 +13,8 @@ use crate::units::{LENGTH, TEMPERATURE, TIME};
 /// Most rows of a test: more than any test has.
 const MOST_ROWS: usize = 1_000_000;
 /// The test where the model does not say.
-const USUAL: Test = Test { positions: 11, runs: 5, spacing: Spacing::Even, reading: 20.0, pause: 0.0 };
+const USUAL: Test =
+    Test { positions: 11, runs: 5, spacing: Spacing::Even, reading: 20.0, pause: 0.0, reading_at_zero: None };
 
 /// How the targets of the model's own test stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +39,8 @@ pub struct Test {
     pub reading: f64,
     /// Time between runs, s.
     pub pause: f64,
+    /// What the instrument shows where the axis stands right, m, if the model says it.
+    pub reading_at_zero: Option<f64>,
 }
 
 /// How warm the screw is over time.
@@ -220,6 +223,9 @@ fn read_test(t: &Reader) -> Test {
         spacing: t.choice("spacing", "how the targets stand", Spacing::WORDS).or_first(USUAL.spacing),
         reading: t.quantity("reading", TIME, "from one reading to the next").not_negative().or(USUAL.reading),
         pause: t.quantity("pause", TIME, "between runs").not_negative().or(USUAL.pause),
+        reading_at_zero: t
+            .quantity("reading_at_zero", LENGTH, "what the instrument shows where the axis stands right; 0 if left out")
+            .optional(),
     }
 }
 

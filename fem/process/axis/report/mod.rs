@@ -17,8 +17,12 @@ const NONE: f64 = 1e-10;
 
 /// Everything that a run reports.
 pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
-    let (setup, rows, deviations) = (&machine.setup, forward.programme, forward.prediction);
-    let evaluation = Evaluation::of(&setup.approaches(rows), deviations);
+    let (setup, rows, readings) = (&machine.setup, forward.programme, forward.prediction);
+    // Figures are of deviations, the profile of what the instrument shows.
+    let zero = setup.test.reading_at_zero.unwrap_or(0.0);
+    let deviations: Vec<f64> = readings.iter().map(|reading| reading - zero).collect();
+    let forward = &Forward { prediction: &deviations, ..*forward };
+    let evaluation = Evaluation::of(&setup.approaches(rows), &deviations);
     let quantities = evaluation.quantities();
     let mut figures = vec![
         extreme("largest", "largest deviation", f64::gt, forward),
@@ -30,7 +34,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
     figures.extend(setup.nut.as_ref().map(Nut::figure));
     let told = (COORDINATES, &[RUN, POSITION, DIRECTION, TIME_OF_ROW][..]);
     RunReport {
-        profile: Table::of_rows(told, rows, &OBSERVABLES[0], deviations),
+        profile: Table::of_rows(told, rows, &OBSERVABLES[0], readings),
         figures,
         plots: Direction::BOTH.map(|direction| plot(&evaluation, direction)).into(),
         warnings: warnings(setup),

@@ -284,7 +284,7 @@ mod tests {
         for i in [1, 7, 50, 93] {
             let frame = (animation.frame)(i);
             let nose = frame.grid.points[frame.grid.points.len() - 1][0];
-            let node = frame.grid.points.iter().position(|p| p[0] == nose && p[1] == 0.0).expect("a node at the tool");
+            let node = frame.grid.points.iter().position(|p| p[0] == nose && p[1] == 0.0).unwrap();
             let Some(field) = frame.grid.point_fields.iter().find(|f| f.name == "displacement") else { panic!() };
             let deflected = 1e6 * field.values[3 * node + 1];
             assert!((deflected / gap(&lathe, nose) - 1.0).abs() < 1e-9, "{deflected} at {nose}");
