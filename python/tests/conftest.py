@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sysconfig
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,9 @@ import pytest
 import fem
 
 matplotlib.use("agg")
+
+# What the program keeps of what it wrote is of the tests alone.
+os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="fem-state-")
 
 ROOT = Path(__file__).parents[2]
 
