@@ -19,6 +19,8 @@ pub fn run(args: &args::Report) -> Result<(), Error> {
     Guard { reads: &named, force }.check(output)?;
     let progress = args.limit.progress();
     let made = watched(&progress, || written(args, Depth::Diagnosed, None, &progress))?;
+    // What has come there meanwhile is looked at anew.
+    let force = args.force || files::is_sealed(output);
     files::write(output, files::sealed(&made.html).as_bytes(), Guard { reads: &made.files, force })?;
     notes(&made.notes);
     print(&format!("written {}\n", output.display()))

@@ -37,5 +37,6 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
 
 /// Directory `out/<model name>`.
 fn default_directory(model: &Path) -> PathBuf {
-    Path::new("out").join(model.file_stem().unwrap_or(model.as_os_str()))
+    let stem = model.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
+    Path::new("out").join(stem.unwrap_or("model".as_ref()))
 }

@@ -77,7 +77,8 @@ fn told(
 
 /// Folder `out/<plan name>`, of a shard with its number.
 fn default_directory(plan: &Path, shard: Shard) -> PathBuf {
-    let stem = plan.file_stem().unwrap_or(plan.as_os_str()).to_string_lossy();
+    let stem = plan.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
+    let stem = stem.unwrap_or("plan".as_ref()).to_string_lossy();
     match shard {
         Shard::ALL => Path::new("out").join(&*stem),
         Shard { number, of } => Path::new("out").join(format!("{stem}-{number}-of-{of}")),

@@ -369,3 +369,44 @@ fn a_page_is_replaced_by_a_newer_one_alone() {
         assert_eq!((report(), place.read("page.html")), (2, changed));
     }
 }
+
+#[test]
+fn what_is_read_is_not_written_over_by_a_way_that_is_made() {
+    let place = Place::new();
+    place.write("model.toml", MODEL);
+    let answer = place.fem(&["add", "model.toml", "gap", "gap=3 um", "-o", "missing/../model.toml", "--force"]);
+    assert!(answer.status == 2 && answer.err.contains("is itself what is read"), "{}", answer.err);
+    assert_eq!(place.read("model.toml"), MODEL);
+}
+
+#[test]
+fn links_beside_a_linked_model_and_in_its_checkout_are_not_followed() {
+    let place = Place::new();
+    for folder in ["repo/sub", "repo/.git", "home", "here"] {
+        fs::create_dir_all(place.path(folder)).unwrap();
+    }
+    place.write("repo/sub/real.toml", MODEL);
+    symlink("sub/real.toml", place.path("repo/m.toml")).unwrap();
+    symlink("../home", place.path("repo/out")).unwrap();
+    let fem = |from: &str, args: &[&str]| {
+        super::fem::answer(place.command(args).current_dir(place.path(from)).output().unwrap())
+    };
+    for (from, args) in [
+        ("here", &["run", "../repo/m.toml", "-o", "../repo/out"][..]),
+        ("repo/sub", &["run", "real.toml", "-o", "../out"]),
+    ] {
+        let answer = fem(from, args);
+        assert!(answer.status == 2 && answer.err.contains("is a link to"), "{args:?}: {}", answer.err);
+    }
+    assert_eq!(fs::read_dir(place.path("home")).unwrap().count(), 0);
+}
+
+#[test]
+fn a_state_folder_of_others_is_none() {
+    let place = Place::new();
+    place.write("model.toml", MODEL);
+    assert_eq!(place.fem(&["run", "model.toml"]).status, 0);
+    fs::set_permissions(place.state(), fs::Permissions::from_mode(0o777)).unwrap();
+    let answer = place.fem(&["run", "model.toml"]);
+    assert!(answer.status == 2 && answer.err.contains("is there already"), "{}", answer.err);
+}

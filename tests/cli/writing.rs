@@ -191,7 +191,13 @@ fn note(place: &Place, name: &str, hidden: &str, placing: Option<serde_json::Val
 fn what_dead_runs_left_is_swept_and_what_lives_is_not() {
     let place = Place::new();
     two_models(&place);
-    let folders = [".fem-a.partial", ".fem-b.partial", "out/.fem-c.partial", ".fem-1-0.partial", ".fem-x"];
+    let folders = [
+        ".fem-aaaaaaaaaaaaaaaaaaaaaaaa.partial",
+        ".fem-bbbbbbbbbbbbbbbbbbbbbbbb.partial",
+        "out/.fem-cccccccccccccccccccccccc.partial",
+        ".fem-1-0.partial",
+        ".fem-x",
+    ];
     for name in folders {
         std::fs::create_dir_all(place.path(name)).unwrap();
         place.write(&format!("{name}/profile.csv"), "half");
@@ -232,10 +238,11 @@ fn a_run_that_died_between_two_files_is_brought_to_its_end() {
     let placing = serde_json::json!({
         "folder": place.path("out").canonicalize().unwrap(), "moves": moves, "leave": old.values().collect::<Vec<_>>()
     });
-    std::fs::rename(place.path("short"), place.path("out/.fem-a.partial")).unwrap();
-    note(&place, "a.jsonl", "out/.fem-a.partial", Some(placing.clone()));
+    std::fs::rename(place.path("short"), place.path("out/.fem-aaaaaaaaaaaaaaaaaaaaaaaa.partial")).unwrap();
+    note(&place, "a.jsonl", "out/.fem-aaaaaaaaaaaaaaaaaaaaaaaa.partial", Some(placing.clone()));
     // The first file has gone into place, and another one was changed by its user since.
-    std::fs::rename(place.path("out/.fem-a.partial/profile.csv"), place.path("out/profile.csv")).unwrap();
+    std::fs::rename(place.path("out/.fem-aaaaaaaaaaaaaaaaaaaaaaaa.partial/profile.csv"), place.path("out/profile.csv"))
+        .unwrap();
     place.write("out/map.svg", "mine");
     assert_eq!(places(&place, "out"), None);
     // Whatever writes next ends it, here another command into another folder.

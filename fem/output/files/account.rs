@@ -31,14 +31,21 @@ impl Account {
     pub fn open() -> io::Result<Self> {
         let base = etcetera::choose_base_strategy().map_err(|_| io::Error::from(io::ErrorKind::NotFound))?;
         let folder = base.state_dir().unwrap_or_else(|| base.data_dir()).join("fem");
-        std::fs::create_dir_all(&folder)?;
+        // One that depends on where the program was started may have come with the files of others.
+        if !folder.is_absolute() {
+            return Err(io::ErrorKind::InvalidInput.into());
+        }
+        make_folder(&folder)?;
         let path = folder.join(KEY);
-        if !path.is_file() {
+        if path.symlink_metadata().is_err() {
             make(&folder, &path)?;
         }
-        let key = std::fs::read(&path)?.try_into();
-        let key =
-            key.map_err(|_| io::Error::new(io::ErrorKind::InvalidData, format!("{} is no key", path.display())))?;
+        let no_key = || io::Error::new(io::ErrorKind::InvalidData, format!("{} is no key", path.display()));
+        let about = path.symlink_metadata()?;
+        if !(about.is_file() && about.len() == LENGTH as u64 && is_ours(&about) && is_ours(&folder.metadata()?)) {
+            return Err(no_key());
+        }
+        let key = std::fs::read(&path)?.try_into().map_err(|_| no_key())?;
         Ok(Self { folder, key })
     }
 
@@ -83,6 +90,30 @@ impl Account {
         mac.update(content);
         mac
     }
+}
+
+/// The state folder, which nobody else may look into.
+#[cfg(unix)]
+fn make_folder(folder: &Path) -> io::Result<()> {
+    use std::os::unix::fs::DirBuilderExt;
+    std::fs::DirBuilder::new().recursive(true).mode(0o700).create(folder)
+}
+
+#[cfg(not(unix))]
+fn make_folder(folder: &Path) -> io::Result<()> {
+    std::fs::create_dir_all(folder)
+}
+
+/// Whether something belongs to the account that runs the program, and nobody else may change it.
+#[cfg(unix)]
+fn is_ours(about: &std::fs::Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    about.uid() == rustix::process::geteuid().as_raw() && about.mode() & 0o022 == 0
+}
+
+#[cfg(not(unix))]
+fn is_ours(_: &std::fs::Metadata) -> bool {
+    true
 }
 
 /// Random digits for a name that nobody can have used before.

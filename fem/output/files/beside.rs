@@ -5,18 +5,28 @@ use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use cap_fs_ext::DirExt;
 use cap_std::fs::Dir;
 
-use super::account::{Account, digits};
-use super::work::Work;
+use super::account::Account;
+use super::work::{Work, hidden};
 
 /// What is being written, for [`abandon`]: folders by their names, with the folder in which each stands and its note.
 /// Whoever makes a hidden folder holds the lock until it stands here, so that none can be made behind the back of a
 /// program that is ending.
 static PARTIAL: Mutex<BTreeMap<String, (Dir, Option<PathBuf>)>> = Mutex::new(BTreeMap::new());
+
+/// Whether the program is ending, and nothing more is to be written.
+static IS_ENDING: AtomicBool = AtomicBool::new(false);
+
+/// Whether the program is ending, and nothing more is to be written.
+pub fn is_ending() -> bool {
+    IS_ENDING.load(Ordering::SeqCst)
+}
 
 fn partial() -> MutexGuard<'static, BTreeMap<String, (Dir, Option<PathBuf>)>> {
     // A panic while the map was held leaves it whole: entries are added and removed in one step each.
@@ -40,7 +50,7 @@ impl Beside {
     /// # Errors
     /// The folder cannot be written.
     pub fn new_in(above: &Dir, path: &Path, account: Option<&Account>) -> io::Result<Self> {
-        let name = format!(".fem-{}.partial", digits()?);
+        let name = hidden()?;
         let mut partial = partial();
         let work = account.and_then(|account| Work::begin(account, &path.join(&name)).ok());
         above.create_dir(&name)?;
@@ -84,12 +94,17 @@ impl Drop for Beside {
 /// Removes what is being written. Nothing more can be begun afterwards: for a program that ends.
 pub fn abandon() {
     let partial = partial();
+    IS_ENDING.store(true, Ordering::SeqCst);
     for (name, (above, note)) in partial.iter() {
-        // Another thread may be writing into it: once more catches the file it had open.
-        for _ in 0..2 {
-            let _ = above.remove_dir_all(name);
+        let is_gone = || above.remove_dir_all(name).is_ok() || above.symlink_metadata(name).is_err();
+        // Other threads may still be writing the files that they had begun.
+        for _ in 0..200 {
+            if is_gone() {
+                let _ = note.as_ref().map(std::fs::remove_file);
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(2));
         }
-        let _ = note.as_ref().map(std::fs::remove_file);
     }
     std::mem::forget(partial);
 }

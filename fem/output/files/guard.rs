@@ -21,9 +21,10 @@ impl Guard<'_> {
     /// # Errors
     /// It is one, one stands there, or it does.
     pub fn check(&self, path: &Path) -> Result<(), OutputError> {
-        self.check_reads(path)?;
-        Way::to(folder_of(path), self.reads)?;
-        match path.symlink_metadata() {
+        // By where the way leads: `missing/../model.toml` is the model once `missing` is made.
+        let place = Way::to(folder_of(path), self.reads)?.path().join(path.file_name().unwrap_or_default());
+        self.check_reads(&place)?;
+        match place.symlink_metadata() {
             Ok(there) if !there.is_dir() && !self.force => Err(OutputError::Exists { path: path.to_path_buf() }),
             Ok(there) if !(there.is_dir() || there.is_file() || there.is_symlink()) => {
                 Err(OutputError::Special { path: path.to_path_buf() })

@@ -9,6 +9,8 @@ use super::written::read_plain;
 /// What stands around the seal of a page, in its last line.
 const SEAL: (&str, &str) = ("<!-- sealed ", " -->\n");
 const OF_PAGE: &str = "page";
+/// A file that is longer is no page.
+const LONGEST: u64 = 1 << 29;
 
 /// A page with a last line by which this account knows it again; as it is where there is no key.
 pub fn sealed(page: &str) -> String {
@@ -19,7 +21,11 @@ pub fn sealed(page: &str) -> String {
 /// Whether a file is a page that this account has sealed, as it was written.
 pub fn is_sealed(path: &Path) -> bool {
     let is_own = || {
-        let bytes = read_plain(&way::open(folder_of(path)).ok()?, Path::new(path.file_name()?), u64::MAX).ok()?;
+        // One that was locked is to stay.
+        if path.symlink_metadata().ok()?.permissions().readonly() {
+            return None;
+        }
+        let bytes = read_plain(&way::open(folder_of(path)).ok()?, Path::new(path.file_name()?), LONGEST).ok()?;
         let (page, seal) = std::str::from_utf8(&bytes).ok()?.rsplit_once(SEAL.0)?;
         Some(Account::open().ok()?.has_sealed(OF_PAGE, page.as_bytes(), seal.strip_suffix(SEAL.1)?))
     };

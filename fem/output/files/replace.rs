@@ -1,7 +1,7 @@
 //! Putting a set of files into the place of another: a folder that is wholly the program's own in one step, where the
 //! system can do that; into any other file by file, so that what belongs to others stays as it is.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use cap_fs_ext::DirExt;
 use cap_std::fs::{Dir, Metadata};
 
+use super::account::digits;
 use super::way::below;
 use super::written::{Entry, LIST};
 
@@ -66,17 +67,40 @@ impl Plan {
     /// # Errors
     /// Something else stands in a place, or it cannot be written; the rest has been done.
     pub fn carry_out(&self, new: &Dir, folder: &Dir) -> Result<(), (PathBuf, io::Error)> {
+        self.try_folders(new, folder)?;
+        let (mut result, mut is_stopped) = (Ok(()), false);
+        for one in &self.moves {
+            if let Err(error) = one.carry_out(new, folder) {
+                // What somebody has put there meanwhile stays, and the rest goes on.
+                is_stopped |= error.kind() != io::ErrorKind::AlreadyExists;
+                result = Err((one.new.name.clone(), error));
+            }
+        }
+        if is_stopped {
+            return result;
+        }
         for entry in self.leave.iter().filter(|entry| entry.is_untouched(folder)) {
             // What is left over does no harm.
             let _ = below(folder, &entry.name, false).and_then(|(inside, name)| inside.remove_file(name));
         }
-        let mut result = Ok(());
-        for one in &self.moves {
-            if let Err(error) = one.carry_out(new, folder) {
-                result = Err((one.new.name.clone(), error));
-            }
-        }
         result
+    }
+
+    /// Moves an empty file into every folder that files come into, and away again: what cannot be moved there shows
+    /// before anything is changed.
+    fn try_folders(&self, new: &Dir, folder: &Dir) -> Result<(), (PathBuf, io::Error)> {
+        let folders: BTreeSet<&Path> = self.moves.iter().filter_map(|one| one.new.name.parent()).collect();
+        for inside in folders {
+            let tried = || {
+                let name = format!(".fem-{}", digits()?);
+                let (to, _) = below(folder, &inside.join(&name), true)?;
+                new.write(&name, "")?;
+                new.rename(&name, &to, &name)?;
+                to.remove_file(&name)
+            };
+            tried().map_err(|error| (inside.to_path_buf(), error))?;
+        }
+        Ok(())
     }
 }
 

@@ -44,7 +44,12 @@ fn put(folder: &Dir, path: &Path, name: &OsStr, bytes: &[u8], force: bool) -> io
     match linked {
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(error),
         // No file system has to know links.
-        Err(_) => beside.dir().rename(name, folder, name),
+        Err(_) => {
+            if let Some(there) = folder.symlink_metadata(name).ok().filter(cap_std::fs::Metadata::is_file) {
+                beside.dir().set_permissions(name, there.permissions())?;
+            }
+            beside.dir().rename(name, folder, name)
+        }
         Ok(()) => Ok(()),
     }
 }

@@ -9,7 +9,7 @@ use cap_fs_ext::{DirExt, MetadataExt};
 use cap_std::fs::Dir;
 
 use super::account::Account;
-use super::beside::{Beside, undisturbed};
+use super::beside::{Beside, is_ending, undisturbed};
 use super::guard::Guard;
 use super::replace::{self, Move, Over, Plan};
 use super::way::{self, Way, below, reader};
@@ -63,6 +63,8 @@ impl<'a> Stage<'a> {
                 .as_ref()
                 .is_none_or(|into| written::read(into, account.as_ref()).is_some() && is_one_device(into, above));
             beside = if is_own { Beside::new_in(above, parent, account.as_ref()).ok() } else { None };
+            // A folder with a group or a mode of its own has its files made within it.
+            beside = beside.filter(|beside| into.as_ref().is_none_or(|into| is_made_alike(beside.dir(), into)));
         }
         let is_beside = beside.is_some();
         let beside = match beside {
@@ -79,6 +81,9 @@ impl<'a> Stage<'a> {
     pub fn write(&self, name: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         self.guard.check_reads(&self.directory.join(name))?;
         let failed = OutputError::at(&self.directory.join(name));
+        if is_ending() {
+            return Err(failed(std::io::ErrorKind::Interrupted.into()));
+        }
         let (inside, file) = below(self.beside.dir(), name, true).map_err(&failed)?;
         inside.write(file, bytes).map_err(failed)?;
         let entry = Entry::new(name, self.of, bytes);
@@ -203,14 +208,16 @@ impl<'a> Stage<'a> {
         if there.is_dir() {
             return Err(OutputError::at(&path)(std::io::ErrorKind::IsADirectory.into()));
         }
-        let Some(over) = Over::at(into, &entry.name) else { return Err(OutputError::Special { path }) };
+        if !there.is_file() && !there.is_symlink() {
+            return Err(OutputError::Special { path });
+        }
         let new = self.beside.dir().symlink_metadata(&entry.name);
         let is_own = |o: &Entry| o.name == entry.name && o.is_untouched(into);
         let is_own = old.iter().any(is_own) && new.is_ok_and(|new| replace::belong_together(&new, &there));
-        match self.guard.force || is_own {
-            true => Ok(over),
-            false => Err(OutputError::Exists { path }),
+        if !self.guard.force && !is_own {
+            return Err(OutputError::Exists { path });
         }
+        Over::at(into, &entry.name).ok_or(OutputError::Special { path })
     }
 
     /// Refuses to make the folders of a file where something else than folders stands in their place.
@@ -243,6 +250,11 @@ impl<'a> Stage<'a> {
         self.beside.dir().write(LIST, &text).map_err(OutputError::at(&self.directory.join(LIST)))?;
         Ok(Some(Entry::new(Path::new(LIST), "", text.as_bytes())))
     }
+}
+
+/// Whether two folders have one owner, group and mode.
+fn is_made_alike(a: &Dir, b: &Dir) -> bool {
+    matches!((a.dir_metadata(), b.dir_metadata()), (Ok(a), Ok(b)) if replace::is_alike(&a, &b))
 }
 
 /// Whether two are one folder.

@@ -30,8 +30,8 @@ impl Way {
     pub fn to(directory: &Path, reads: &[PathBuf]) -> Result<Self, OutputError> {
         let failed = OutputError::at(directory);
         let here = std::env::current_dir().and_then(|here| here.canonicalize()).map_err(&failed)?;
-        let folder_of = |file: &PathBuf| Some(file.canonicalize().ok()?.parent()?.to_path_buf());
-        let open_to_others: Vec<PathBuf> = reads.iter().filter_map(folder_of).chain([here.clone()]).collect();
+        let folders = reads.iter().flat_map(|file| folders_to(file)).chain([here.clone()]);
+        let open_to_others: Vec<PathBuf> = folders.map(|folder| checkout_of(&folder)).collect();
         let mut way = Self { path: here, missing: Vec::new() };
         for part in directory.components() {
             match part {
@@ -96,6 +96,25 @@ impl Way {
             _ => Ok(None),
         }
     }
+}
+
+/// The folders in which a file stands: that of its name, and of everything that links on the way to it name.
+fn folders_to(file: &Path) -> Vec<PathBuf> {
+    let (mut found, mut file) = (Vec::new(), file.to_path_buf());
+    // Longer chains of links are not followed by any system.
+    for _ in 0..40 {
+        let Ok(folder) = folder_of(&file).canonicalize() else { break };
+        found.push(folder.clone());
+        let Ok(next) = std::fs::read_link(&file) else { break };
+        file = folder.join(next);
+    }
+    found
+}
+
+/// The checkout to which a folder belongs, all of which comes from others; the folder itself where there is none.
+fn checkout_of(folder: &Path) -> PathBuf {
+    let root = folder.ancestors().find(|folder| folder.join(".git").symlink_metadata().is_ok());
+    root.unwrap_or(folder).to_path_buf()
 }
 
 /// The folder at a path without links.

@@ -15,6 +15,9 @@ use super::way;
 use super::written::Entry;
 
 const SCHEMA: &str = "fem-work/1";
+/// What stands around the digits of a hidden folder's name.
+const PREFIX: &str = ".fem-";
+const SUFFIX: &str = ".partial";
 /// Where a link stands in place of a file.
 const LINK: &str = "link";
 
@@ -77,6 +80,17 @@ impl Drop for Work {
     }
 }
 
+/// Name of a hidden folder.
+pub fn hidden() -> io::Result<String> {
+    Ok(format!("{PREFIX}{}{SUFFIX}", digits()?))
+}
+
+/// Whether a name is one of a hidden folder.
+fn is_hidden(name: &str) -> bool {
+    let digits = name.strip_prefix(PREFIX).and_then(|rest| rest.strip_suffix(SUFFIX));
+    digits.is_some_and(|digits| digits.len() == 24 && digits.bytes().all(|byte| byte.is_ascii_hexdigit()))
+}
+
 /// This computer: a state folder may be shared with others, whose folders are not to be found here.
 fn host() -> String {
     #[cfg(unix)]
@@ -90,6 +104,9 @@ pub fn sweep(account: &Account) {
     let Ok(notes) = std::fs::read_dir(account.works()) else { return };
     for note in notes.flatten() {
         let path = note.path();
+        if !note.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
         let Ok(mut file) = File::open(&path) else { continue };
         // Held by a program that lives, or by none that locks can tell of.
         if file.try_lock().is_err() {
@@ -105,18 +122,22 @@ pub fn sweep(account: &Account) {
         if begun["schema"] != SCHEMA || begun["host"] != host() {
             continue;
         }
-        if let Some(hidden) = begun["hidden"].as_str() {
-            end(Path::new(hidden), lines.next().flatten().as_ref());
+        let placing = lines.next().flatten();
+        if begun["hidden"].as_str().is_some_and(|hidden| end(Path::new(hidden), placing.as_ref())) {
+            let _ = std::fs::remove_file(path);
         }
-        let _ = std::fs::remove_file(path);
     }
 }
 
-/// Ends what stands in a hidden folder. Where it cannot be ended, nobody is left to be told.
-fn end(hidden: &Path, placing: Option<&Value>) {
-    let (Some(above), Some(name)) = (hidden.parent(), hidden.file_name()) else { return };
-    let Ok(above) = way::open(above) else { return };
-    let Ok(new) = above.open_dir_nofollow(name) else { return };
+/// Ends what stands in a hidden folder, and tells whether nothing is left of it. Where it cannot be reached, such as on a
+/// disk that is not there now, it stays noted.
+fn end(hidden: &Path, placing: Option<&Value>) -> bool {
+    let (Some(above), Some(name)) = (hidden.parent(), hidden.file_name()) else { return true };
+    if !name.to_str().is_some_and(is_hidden) {
+        return true;
+    }
+    let Ok(above) = way::open(above) else { return false };
+    let Ok(new) = above.open_dir_nofollow(name) else { return above.symlink_metadata(name).is_err() };
     if let Some((folder, plan)) = placing.and_then(plan_of) {
         let into =
             folder.parent().zip(folder.file_name()).map(|(above, name)| way::open(above)?.open_dir_nofollow(name));
@@ -124,7 +145,7 @@ fn end(hidden: &Path, placing: Option<&Value>) {
             let _ = plan.carry_out(&new, &into);
         }
     }
-    let _ = above.remove_dir_all(name);
+    above.remove_dir_all(name).is_ok()
 }
 
 fn plan_of(placing: &Value) -> Option<(PathBuf, Plan)> {

@@ -37,7 +37,19 @@ impl Entry {
 
     /// What stands in a folder under a name; `None` where no plain file does.
     pub fn of_file(folder: &Dir, name: &Path) -> Option<Self> {
-        Some(Self::new(name, "", &read_plain(folder, name, u64::MAX).ok()?))
+        let mut file = open_plain(folder, name, u64::MAX).ok()?;
+        let (mut hash, mut bytes, mut part) = (Sha256::new(), 0, vec![0; 1 << 16]);
+        loop {
+            match file.read(&mut part).ok()? {
+                0 => break,
+                read => {
+                    hash.update(&part[..read]);
+                    bytes += read as u64;
+                }
+            }
+        }
+        let sha256 = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        Some(Self { name: name.to_path_buf(), of: String::new(), bytes, sha256 })
     }
 
     /// Whether the file in `folder` is still what was written, and may be written.
@@ -77,16 +89,20 @@ fn digest(bytes: &[u8]) -> String {
 /// # Errors
 /// It is no plain file, longer than `most`, or cannot be read.
 pub fn read_plain(folder: &Dir, name: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    open_plain(folder, name, most)?.take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// A plain file of at most so many bytes.
+fn open_plain(folder: &Dir, name: &Path, most: u64) -> io::Result<cap_std::fs::File> {
     let (inside, name) = below(folder, name, false)?;
     // A pipe would be waited for when it is opened.
     let is_plain = |about: Metadata| about.is_file() && about.len() <= most;
     if !is_plain(inside.symlink_metadata(name)?) {
         return Err(io::ErrorKind::InvalidInput.into());
     }
-    let mut file = inside.open_with(name, OpenOptions::new().read(true).follow(FollowSymlinks::No))?;
-    let mut bytes = Vec::new();
-    file.by_ref().take(most).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    inside.open_with(name, OpenOptions::new().read(true).follow(FollowSymlinks::No))
 }
 
 /// The list of a folder; `None` where there is none that this account has sealed.

@@ -18,6 +18,8 @@ use crate::study::{Layout, Shard, Summary};
 /// Names of the rows, finished and not.
 const ROWS: &str = "rows.csv";
 const PARTIAL: &str = "rows.partial.csv";
+/// What a finished study is read from.
+pub(super) const FILES: [&str; 2] = [ROWS, layout::FILE];
 /// Times after which rows are handed to the system, and to the disk.
 const WRITTEN_AFTER: Duration = Duration::from_millis(20);
 const SYNCED_AFTER: Duration = Duration::from_secs(5);
@@ -84,6 +86,10 @@ impl StudyFolder {
         }
         let account = Account::open().ok();
         let stands = |name: &&&str| stands_in(&dir, name);
+        let is_file = |name: &str| dir.symlink_metadata(name).is_ok_and(|about| about.is_file());
+        if let Some(name) = [ROWS, PARTIAL].iter().find(|name| stands_in(&dir, name) && !is_file(name)) {
+            return Err(OutputError::Special { path: at(name) }.into());
+        }
         let text = read_plain(&dir, Path::new(layout::FILE), layout::LONGEST).unwrap_or_default();
         let is_own = earlier.force || account.as_ref().is_some_and(|account| layout::is_own(&text, account));
         match layout::parse(&text).filter(|_| is_own) {
@@ -179,14 +185,15 @@ impl StudyFolder {
 /// Layout and shard of the rows of a folder.
 pub fn known(directory: &Path) -> Option<(Layout, Shard)> {
     let path = directory.join(layout::FILE);
-    layout::parse(&std::fs::read(path.metadata().ok().filter(|about| about.is_file()).map(|_| path)?).ok()?)
+    let is_sound = |about: &std::fs::Metadata| about.is_file() && about.len() <= layout::LONGEST;
+    layout::parse(&std::fs::read(path.symlink_metadata().ok().filter(is_sound).map(|_| path)?).ok()?)
 }
 
 /// The finished rows of a folder, behind their header; `None` where they are not finished.
 pub fn finished(directory: &Path) -> Option<(PathBuf, BufReader<File>)> {
     let path = directory.join(ROWS);
     // A pipe would be waited for.
-    let path = path.is_file().then_some(path)?;
+    let path = path.symlink_metadata().is_ok_and(|about| about.is_file()).then_some(path)?;
     let mut reader = BufReader::with_capacity(1 << 16, File::open(&path).ok()?);
     reader.read_until(b'\n', &mut Vec::new()).ok()?;
     Some((path, reader))
@@ -259,6 +266,10 @@ fn resume(dir: &Dir, layout: &Layout, first: u64) -> io::Result<(File, u64)> {
         }
     }
     drop(reader);
+    // What does not begin as rows do is not torn rows, but somebody's.
+    if end == 0 && !line.is_empty() && !header.as_bytes().starts_with(&line) {
+        return Err(io::Error::new(io::ErrorKind::AlreadyExists, "it does not begin as the rows of this study do"));
+    }
     file.set_len(end)?;
     file.seek(SeekFrom::Start(end))?;
     if end == 0 {

@@ -82,5 +82,5 @@ pub fn parse(text: &[u8]) -> Option<(Layout, Shard)> {
         results: all["results"].as_array()?.iter().map(result).collect::<Option<_>>()?,
     };
     let shard = Shard { number: all["shard"][0].as_u64()?, of: all["shard"][1].as_u64()? };
-    Some((layout, shard))
+    (1..=shard.of).contains(&shard.number).then_some((layout, shard))
 }

@@ -4,7 +4,7 @@ use std::io::BufRead;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::folder::{Earlier, StudyError, StudyFolder, finished, known};
+use super::folder::{Earlier, FILES, StudyError, StudyFolder, finished, known};
 use super::rows;
 use crate::input::Problem;
 use crate::output::OutputError;
@@ -40,7 +40,8 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(Layout, PathBuf, Sum
     let Some((layout, _)) = layout else { return refused("nothing is to be merged".into(), "name folders") };
     shards.sort_by_key(|(jobs, _, _)| (jobs.start, jobs.end));
     covers(&layout, &shards)?;
-    let mut target = StudyFolder::open(output, &layout, Shard::ALL, Earlier::default(), &[])?;
+    let reads: Vec<PathBuf> = folders.iter().flat_map(|folder| FILES.map(|name| folder.join(name))).collect();
+    let mut target = StudyFolder::open(output, &layout, Shard::ALL, Earlier::default(), &reads)?;
     let mut line = Vec::new();
     for (jobs, folder, shard) in shards {
         let Some((path, mut reader)) = finished(folder) else { continue };

@@ -29,7 +29,8 @@ impl Drag {
             t.problem("drag_points", "the places do not rise", "give them from the smallest position on, each once");
         }
         let ends = points.first().zip(points.last());
-        if ends.is_some_and(|(first, last)| first[0] > from || last[0] < to) {
+        let slack = 1e-9 * (to - from).abs();
+        if ends.is_some_and(|(first, last)| first[0] > from + slack || last[0] < to - slack) {
             let [from, to] = [from, to].map(|x| LENGTH.told(x));
             let help = format!("the axis travels from {from} to {to}: begin and end there, or beyond");
             t.problem("drag_points", "they do not reach over the travel", help);

@@ -12,7 +12,7 @@ use crate::units::MICRO;
 pub static ABBE_ERROR: Effect<1> = Effect {
     name: "abbe-error",
     about: "the slide pitches on its guideway, away from the scale",
-    law: "deviation += 4*height*s*(1 - s), s = position/travel",
+    law: "deviation += 4*height*s*(1 - s), s = (position - from)/travel",
     source: "Abbe's principle, with a pitch that changes quadratically",
     belongs: Belongs::Test,
     parameters: [Parameter::signed("height", MICRO, "at the middle of the travel", (-100.0, 100.0))],

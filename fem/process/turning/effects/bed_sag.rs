@@ -17,7 +17,7 @@ use crate::units::MICRO;
 pub static BED_SAG: Effect<2> = Effect {
     name: "bed-sag",
     about: "the bed sags between its feet, one guideway more than the other, and the carriage tilts and falls",
-    law: "dD += 2*(front - rear)*H/b*4*xi*(1 - xi), dz = (front + rear)/2*4*xi*(1 - xi), xi = x/L",
+    law: "dD += 2*(front - rear)*H/b*4*xi*(1 - xi), dz -= (front + rear)/2*4*xi*(1 - xi), xi = x/L",
     source: "geometry, ours; cf. seed 002, deformation of machines that are not loaded, (2)",
     belongs: Belongs::Test,
     parameters: [

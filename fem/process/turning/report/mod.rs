@@ -157,7 +157,7 @@ fn warnings(machine: &Machine, positions: &[f64], deflections: &[Deflection]) ->
         if let Some((x, force)) = worst.filter(|w| w.1 < -1e-4 * load) {
             warnings.push(format!(
                 "{who} would have to pull with {:.1} while the tool is at x = {:.1}; it can only press, and the shaft \
-                 would lift off there",
+                 would lift off there: set it into line, or hold the shaft otherwise",
                 FORCE.shown(-force),
                 LENGTH.shown(*x)
             ));
