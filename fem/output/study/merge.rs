@@ -40,7 +40,9 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(Layout, PathBuf, Sum
     let Some((layout, _)) = layout else { return refused("nothing is to be merged".into(), "name folders") };
     shards.sort_by_key(|(jobs, _, _)| (jobs.start, jobs.end));
     covers(&layout, &shards)?;
-    let reads: Vec<PathBuf> = folders.iter().flat_map(|folder| FILES.map(|name| folder.join(name))).collect();
+    // A link that stands beside a shard came with it.
+    let files = |folder: &PathBuf| FILES.map(|name| folder.join(name));
+    let reads: Vec<PathBuf> = folders.iter().flat_map(files).chain(folders.iter().cloned()).collect();
     let mut target = StudyFolder::open(output, &layout, Shard::ALL, Earlier::default(), &reads)?;
     let mut line = Vec::new();
     for (jobs, folder, shard) in shards {
