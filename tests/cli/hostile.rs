@@ -312,6 +312,7 @@ fn a_folder_with_other_things_in_it_stays_the_folder_that_it_is() {
     assert_eq!(place.path("o/profile.csv").metadata().unwrap().mode() & 0o777, 0o600);
 }
 
+#[cfg(target_os = "linux")]
 #[test]
 fn a_folder_in_which_somebody_stands_is_not_exchanged() {
     let place = Place::new();
