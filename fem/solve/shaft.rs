@@ -335,6 +335,12 @@ impl Condensed {
         deflections
     }
 
+    /// Deflection at position number `i` without a force, m: by rests out of line, and by headstock and tailstock that are
+    /// moved (m).
+    pub fn moved(&self, i: usize, ends: [f64; 2]) -> f64 {
+        self.bent[i] + self.influence[i][0] * ends[0] + self.influence[i][1] * ends[1]
+    }
+
     /// Deflection at every position while a unit force stands at position number `tool`, on rigid supports;
     /// m/N.
     pub fn shape(&self, tool: usize) -> Vec<f64> {

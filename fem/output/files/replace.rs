@@ -122,8 +122,8 @@ impl Move {
     }
 }
 
-/// Whether a folder holds the files of `listed` and nothing else, all as they were written, and is itself as the program makes
-/// folders: `new` is such a one, with its list.
+/// Whether a folder holds the files of `listed` and nothing else, all as they were written, and is itself as the program
+/// makes folders: `new` is such a one, with its list.
 pub fn is_wholly_own(folder: &Dir, listed: &BTreeMap<&Path, &Entry>, new: &Dir) -> bool {
     let (Ok(as_folder), Ok(as_file)) = (new.dir_metadata(), new.symlink_metadata(LIST)) else { return false };
     let is_own = |inside: &Path| {

@@ -6,7 +6,6 @@ use std::path::Path;
 
 use cap_std::fs::Dir;
 
-use super::account::Account;
 use super::beside::Beside;
 use super::guard::Guard;
 use super::way::{Way, folder_of};
@@ -34,8 +33,7 @@ pub fn write(path: &Path, bytes: &[u8], guard: Guard) -> Result<(), OutputError>
 
 /// Writes a file in a folder, whose path is `path`.
 fn put(folder: &Dir, path: &Path, name: &OsStr, bytes: &[u8], force: bool) -> io::Result<()> {
-    let account = Account::open().ok();
-    account.as_ref().inspect(|account| work::sweep(account));
+    let account = work::account();
     let beside = Beside::new_in(folder, path, account.as_ref())?;
     beside.dir().write(name, bytes)?;
     // A link, unlike a rename, never replaces what has appeared in the meantime.

@@ -52,9 +52,7 @@ impl<'a> Stage<'a> {
     pub fn new(directory: &Path, of: &'static str, guard: Guard<'a>) -> Result<Self, OutputError> {
         let failed = OutputError::at(directory);
         let way = Way::to(directory, guard.reads)?;
-        // Without a state folder nothing is known to be the program's own.
-        let account = Account::open().ok();
-        account.as_ref().inspect(|account| work::sweep(account));
+        let account = work::account();
         let (path, above) = (way.path(), way.make_above().map_err(&failed)?);
         let into = if way.is_whole() { Some(way.make().map_err(&failed)?) } else { None };
         let mut beside = None;

@@ -99,8 +99,16 @@ fn host() -> String {
     std::env::var("COMPUTERNAME").unwrap_or_default()
 }
 
+/// The account of whoever runs the program, once what dead programs left is swept; `None` where there is no state folder,
+/// and nothing is known to be the program's own.
+pub fn account() -> Option<Account> {
+    let account = Account::open().ok()?;
+    sweep(&account);
+    Some(account)
+}
+
 /// Brings to the end what dead programs have begun to put into place, and removes their hidden folders.
-pub fn sweep(account: &Account) {
+fn sweep(account: &Account) {
     let Ok(notes) = std::fs::read_dir(account.works()) else { return };
     for note in notes.flatten() {
         let path = note.path();

@@ -31,6 +31,11 @@ impl Cutting {
         Self { conditions, diameter: moment.diameter, nose, displacements }
     }
 
+    /// The last pass on a part at x (m), by the schedule and the settings of the model, where the work is as it is meant.
+    pub fn on_part(machine: &Machine, part: usize, x: f64) -> Self {
+        Self::new(machine, &machine.moment_on(part, x), machine.setup.conditions(x, 0.0))
+    }
+
     /// The same where the work is larger by an error of the diameter (m).
     #[must_use]
     pub fn meeting(mut self, error: f64) -> Self {
@@ -140,8 +145,7 @@ impl<'a> Elastic<'a> {
         let shaft = self.shaft.compliance[i] * force;
         let (carriage, carriage_rate) = self.carriage.yield_under(force);
         let [y, rates] = [supports.displacements, supports.displacement_rates];
-        let moved = influence[0] * (y[0] + displaced[0]) + influence[1] * (y[1] + displaced[1]);
-        let total = shaft + self.shaft.bent[i] + moved + carriage;
+        let total = shaft + self.shaft.moved(i, [y[0] + displaced[0], y[1] + displaced[1]]) + carriage;
         let rate = self.shaft.compliance[i] + influence[0] * rates[0] + influence[1] * rates[1] + carriage_rate;
         let error = at.nose.error(at.diameter, total).0;
         Ok(Deflection { force, supports, displaced, shaft, carriage, total, rate, error })

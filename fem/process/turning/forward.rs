@@ -30,7 +30,7 @@ pub fn condense(machine: &Machine, positions: &[f64]) -> Result<Condensed, Failu
 /// # Errors
 /// No equilibrium.
 pub fn last_pass(machine: &Machine, elastic: &Elastic, i: usize, x: f64, part: usize) -> Result<Cutting, JointsError> {
-    let last = Cutting::new(machine, &machine.moment_on(part, x), machine.setup.conditions(x, 0.0));
+    let last = Cutting::on_part(machine, part, x);
     Ok(last.meeting(elastic.before(i, x, None, &last)?))
 }
 
@@ -171,10 +171,9 @@ pub fn rest_forces(machine: &Machine, positions: &[f64], deflections: &[Deflecti
     let all: Vec<f64> = positions.iter().copied().chain(rests.iter().map(|r| r.at)).collect();
     let shaft = condense(machine, &all)?;
     let forces = |(number, rest): (usize, Rest)| {
-        let ([head, tail], shape, bent) = (shaft.influence[number], shaft.shape(number), shaft.bent[number]);
+        let shape = shaft.shape(number);
         let force = |(d, unit): (&Deflection, f64)| {
-            let ends = d.ends();
-            rest.stiffness * (unit * d.force + bent + head * ends[0] + tail * ends[1] - rest.offset)
+            rest.stiffness * (unit * d.force + shaft.moved(number, d.ends()) - rest.offset)
         };
         deflections.iter().zip(shape).map(force).collect()
     };

@@ -57,7 +57,7 @@ impl Refinement {
         for number in 0..=setup.passes.len() {
             let pass = |i: usize, error: f64| {
                 let x = positions[i];
-                let last = Cutting::new(machine, &machine.moment_on(1, x), setup.conditions(x, 0.0));
+                let last = Cutting::on_part(machine, 1, x);
                 let is_last = number == setup.passes.len();
                 let at = if is_last { last.meeting(error) } else { elastic.earlier(number, x, error, &last) };
                 elastic.deflect(i, &at)

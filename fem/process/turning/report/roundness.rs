@@ -39,7 +39,7 @@ impl Roundness {
         let shaft = condense(machine, positions)?;
         let elastic = Elastic::new(machine, &shaft);
         let section = |(i, x): (usize, &f64)| -> Result<f64, Failure> {
-            let last = Cutting::new(machine, &machine.moment_on(1, *x), setup.conditions(*x, 0.0));
+            let last = Cutting::on_part(machine, 1, *x);
             let radii = angles.iter().map(|angle| -> Result<f64, Failure> {
                 let met = elastic.before(i, *x, Some(*angle), &last)?;
                 Ok(0.5 * elastic.deflect(i, &last.meeting(met))?.error)

@@ -92,11 +92,13 @@ fn passes(machine: &Machine, forward: &Forward, tools: &[f64]) -> Result<Vec<Pas
     let blank = |x: &f64| if copies { setup.blank.error(*x, setup.length()) } else { 0.0 };
     let mut errors: Vec<f64> = tools.iter().map(blank).collect();
     let (mut passes, mut begin) = (Vec::new(), 0.0);
-    let last = |x| Cutting::new(machine, &machine.moment_on(1, x), setup.conditions(x, 0.0));
     for (number, earlier) in setup.passes.iter().enumerate() {
         let before = ordered(&errors);
         let found: Result<Vec<Deflection>, _> = (0..tools.len())
-            .map(|i| elastic.deflect(i, &elastic.earlier(number, tools[i], errors[i], &last(tools[i]))))
+            .map(|i| {
+                elastic
+                    .deflect(i, &elastic.earlier(number, tools[i], errors[i], &Cutting::on_part(machine, 1, tools[i])))
+            })
             .collect();
         let deflections = found?;
         errors = deflections.iter().map(|d| d.error).collect();
@@ -217,11 +219,8 @@ impl Scene {
     /// Places of the nodes and their deflections, m. One of them stands under the tool, where the line has its kink.
     fn line(&self, pass: &Pass, tool: usize) -> Vec<(f64, f64)> {
         let deflection = &pass.deflections[tool];
-        let [head, tail] = deflection.ends();
-        let (unit, shaft) = (self.shaft.shape(tool), &self.shaft);
-        let at = |i: usize| {
-            unit[i] * deflection.force + shaft.bent[i] + shaft.influence[i][0] * head + shaft.influence[i][1] * tail
-        };
+        let unit = self.shaft.shape(tool);
+        let at = |i: usize| unit[i] * deflection.force + self.shaft.moved(i, deflection.ends());
         let (x, first) = (self.tools[tool], self.tools.len());
         let mut line: Vec<(f64, f64)> = self.nodes.iter().enumerate().map(|(i, x)| (*x, at(first + i))).collect();
         if let Some(node) = self.node_for(x) {
