@@ -56,7 +56,8 @@ pub struct Comparison {
     /// Effects of the measurement that the residuals ask for though the noise seems to explain them: repeats
     /// that differ from run to run are no noise.
     pub suspects: Vec<Term>,
-    /// Cautions about the effects of the measurement that the model states.
+    /// Cautions about the effects of the measurement that the model states, and about what its prediction asks of the
+    /// machine.
     pub cautions: Vec<String>,
 }
 
@@ -109,8 +110,10 @@ impl Comparison {
 /// # Errors
 /// The model could not be computed.
 pub fn compare(data: &Data) -> Result<Comparison, Failure> {
-    let predicted = data.model.forward().observe(&data.rows)?;
-    Ok(judged(data, &data.terms, predicted))
+    let forward = data.model.forward();
+    let mut comparison = judged(data, &data.terms, forward.observe(&data.rows)?);
+    comparison.cautions.extend(forward.doubts(&data.rows)?);
+    Ok(comparison)
 }
 
 /// Judges a prediction of every row, with the effects of the measurement that are at work in it.

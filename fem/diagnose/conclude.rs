@@ -118,7 +118,7 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     };
     Ok(Diagnosis {
         rows: found.base.objective.data.len(),
-        cautions: cautions(&found, repeats, verdict, conflicts),
+        cautions: cautions(&found, (repeats, &fit), verdict, conflicts),
         noise: found.base.objective.noise.level(found.base.objective.data),
         before,
         features,
@@ -138,7 +138,12 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
 }
 
 /// Cautions about the limits of these data.
-fn cautions(found: &SearchResult, repeats: &Repeats, verdict: Verdict, conflicts: &[PriorConflict]) -> Vec<String> {
+fn cautions(
+    found: &SearchResult,
+    (repeats, fit): (&Repeats, &Fit),
+    verdict: Verdict,
+    conflicts: &[PriorConflict],
+) -> Vec<String> {
     let base = &found.base;
     let measurements = base.objective.data;
     let coordinates = base.objective.data.model.process.coordinates();
@@ -150,7 +155,7 @@ fn cautions(found: &SearchResult, repeats: &Repeats, verdict: Verdict, conflicts
     if measurements.progress.is_over() {
         cautions.push("the time was over before the search was: the verdict is about what was tried by then".into());
     }
-    cautions.extend(measurements.cautions.iter().cloned());
+    cautions.extend(measurements.cautions.iter().chain(&fit.doubts).cloned());
     if !measurements.given.iter().any(varies) {
         cautions
             .push("every row stands at the same place under the same conditions: causes cannot be told apart".into());

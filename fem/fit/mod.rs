@@ -54,6 +54,8 @@ pub struct Fit {
     pub p_value: Option<f64>,
     /// Pairs of parameters (by position) with their correlation, where it is strong.
     pub correlated: Vec<(usize, usize, f64)>,
+    /// What the fitted model's prediction asks of the machine that no such machine can do, in sentences.
+    pub doubts: Vec<String>,
     /// Number of evaluations at which the model could not be computed.
     pub failures: usize,
     /// Number of evaluations of the model.
@@ -129,7 +131,9 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
+    let doubts = objective.forward(&solution.position).and_then(|forward| forward.doubts(&objective.data.rows));
     Fit {
+        doubts: doubts.unwrap_or_default(),
         correlated: strong.collect(),
         estimates,
         sizes: Vec::new(),

@@ -11,7 +11,7 @@ use crate::input::Parameter;
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource};
-use crate::process::{self, Active, Description, Failure, Holds, Rows};
+use crate::process::{self, Active, Description, Failure, ForwardModel, Holds, Rows};
 use crate::units::{Knowledge, Quantity};
 
 /// χ² as a function of the search variables: the parameters that the model does not know exactly, and every
@@ -210,6 +210,22 @@ impl<'a> Objective<'a> {
         self.variables.iter().zip(position.iter()).map(|(a, s)| a.value(*s)).collect()
     }
 
+    /// The model with the effects that are added and all parameters there.
+    ///
+    /// # Errors
+    /// The values make no model.
+    pub fn forward(&self, position: &DVector<f64>) -> Result<Box<dyn ForwardModel>, Failure> {
+        let values = self.values(position);
+        let (own, mut rest) = values.split_at(self.data.model.parameters.len());
+        let active = |description: &Description| {
+            let (values, others) = rest.split_at(description.parameters.len());
+            rest = others;
+            description.with(values.to_vec())
+        };
+        let added: Vec<Active> = self.added.iter().map(active).collect();
+        self.data.model.forward_with(own, &added)
+    }
+
     /// Prediction of every measured row, if the model can be computed there.
     pub fn predict(&self, position: &DVector<f64>) -> Option<Vec<f64>> {
         self.predict_rows(position, &self.data.rows)
@@ -222,15 +238,7 @@ impl<'a> Objective<'a> {
         }
         self.trials.evaluations.fetch_add(1, Ordering::Relaxed);
         self.data.progress.evaluated();
-        let values = self.values(position);
-        let (own, mut rest) = values.split_at(self.data.model.parameters.len());
-        let active = |description: &Description| {
-            let (values, others) = rest.split_at(description.parameters.len());
-            rest = others;
-            description.with(values.to_vec())
-        };
-        let added: Vec<Active> = self.added.iter().map(active).collect();
-        let observed = self.data.model.forward_with(own, &added).and_then(|job| job.observe(rows));
+        let observed = self.forward(position).and_then(|job| job.observe(rows));
         let predicted = observed.ok().filter(|p| p.iter().all(|v| v.is_finite()));
         self.trials.failures.fetch_add(usize::from(predicted.is_none()), Ordering::Relaxed);
         predicted

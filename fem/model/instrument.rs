@@ -73,6 +73,10 @@ impl ForwardModel for Instrument {
         Ok(values)
     }
 
+    fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure> {
+        self.part.doubts(&at_true_times(rows, &self.terms, self.time))
+    }
+
     fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure> {
         self.part.report(prediction)
     }

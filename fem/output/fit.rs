@@ -55,7 +55,7 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
         "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
         "failed_trials": fit.failures,
         "evaluations": fit.evaluations,
-        "cautions": data.cautions,
+        "cautions": data.cautions.iter().chain(&fit.doubts).collect::<Vec<_>>(),
     })
 }
 
@@ -75,7 +75,7 @@ pub fn text(data: &Data, fit: &Fit) -> String {
         super::comparison::noise_text(&fit.noise.level(data), data),
         super::measurement::at_work(&data.model.source.name, &fit.noise.terms, data.model.process, Some(data)),
     );
-    for caution in &data.cautions {
+    for caution in data.cautions.iter().chain(&fit.doubts) {
         text.push_str(&format!("caution: {caution}\n\n"));
     }
     let sizes = fit.sizes.iter().map(|s| (&s.estimate, true));

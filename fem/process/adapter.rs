@@ -217,6 +217,11 @@ impl<D: Definition> ForwardModel for Assembled<D> {
         self.completed(D::observe(&self.machine, rows)?, rows)
     }
 
+    fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure> {
+        self.possible()?;
+        D::doubts(&self.machine, rows)
+    }
+
     fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure> {
         self.possible()?;
         let forward = Forward {

@@ -102,7 +102,15 @@ pub trait Definition: Sync + Sized + 'static {
     /// The computation failed.
     fn observe(machine: &Self::Machine, rows: &Rows) -> Result<Vec<f64>, Failure>;
 
-    /// The same for the rows of the programme, where their order saves work.
+    /// What the prediction of these rows asks of the machine that no such machine can do, in sentences.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn doubts(_machine: &Self::Machine, _rows: &Rows) -> Result<Vec<String>, Failure> {
+        Ok(Vec::new())
+    }
+
+    /// The same as [`observe`](Self::observe) for the rows of the programme, where their order saves work.
     ///
     /// # Errors
     /// The computation failed.

@@ -99,6 +99,12 @@ pub trait ForwardModel: Send + Sync {
     /// The computation failed, or a value is not believable.
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure>;
 
+    /// What the prediction of these rows asks of the machine that no such machine can do, in sentences.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure>;
+
     /// Everything a run reports, given the prediction of the programme.
     ///
     /// # Errors

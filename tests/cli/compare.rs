@@ -41,6 +41,24 @@ fn bad_measurements_are_refused_at_their_line() {
     }
 }
 
+/// A machine that cannot be is told of wherever it predicts, not by a run alone.
+#[test]
+fn a_support_that_would_pull_is_told_beside_measurements() {
+    let place = Place::new();
+    let rest = "steady_rests = [{ at = \"300 mm\", stiffness = \"20 N/um\", offset = \"200 um\" }]";
+    let text = model("lathe.toml").replacen("[workholding]", &format!("[workholding]\n{rest}"), 1);
+    place.write("lathe.toml", &text);
+    place.write("measured.csv", GOOD);
+    let warned = place.fem(&["run", "lathe.toml"]).err;
+    assert!(warned.contains("the steady rest at 300.0 mm would have to pull"), "{warned}");
+    for command in ["compare", "fit", "diagnose"] {
+        let answer = place.fem(&[command, "lathe.toml", "--with", "measured.csv", "--json"]);
+        let told: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+        let cautions = if command == "compare" { &told["models"][0]["cautions"] } else { &told["cautions"] };
+        assert!(cautions.to_string().contains("the steady rest at 300.0 mm would have to pull"), "{command}: {told}");
+    }
+}
+
 /// A screen shows two thousand places at most, and a file of a million rows made 800 MB of shapes.
 #[test]
 fn shapes_mark_some_of_many_rows_and_the_table_has_all() {

@@ -25,6 +25,36 @@ fn a_profile_is_a_measurement_of_its_own_model() {
     }
 }
 
+/// The scatter over a batch is the largest less the smallest of what the model predicts under the ends of its ranges, with
+/// the cutter on the part.
+#[test]
+fn the_scatter_is_that_of_milled_parts() {
+    let place = Place::new();
+    // On two supports heights fall all along with the force, so that the ends of its range decide.
+    let text = model("fixture.toml").replacen("[[support]]\nat = \"300 mm\"\n", "", 1);
+    let run = |text: String| -> serde_json::Value {
+        place.write("fixture.toml", text);
+        serde_json::from_str(&place.fem(&["run", "fixture.toml", "--json"]).out).unwrap()
+    };
+    let told = run(text.clone())["findings"]["scatter"]["height"].as_f64().unwrap();
+    let heights = |force: &str, coefficient: &str| {
+        run(text.replace("\"4 kN\"", force).replace("\"0.2 +- 0.05 um/N^n\"", coefficient));
+        let profile = place.read("out/fixture/profile.csv");
+        let column =
+            profile.lines().next().unwrap().split(',').position(|name| name.starts_with("height_error")).unwrap();
+        let value = |line: &str| line.split(',').nth(column).unwrap().parse::<f64>().unwrap();
+        profile.lines().skip(1 + 121).map(value).collect::<Vec<f64>>()
+    };
+    let forces = ["\"3.5 kN\"", "\"4.5 kN\""];
+    let ends = forces.map(|force| ["\"0.15 um/N^n\"", "\"0.25 um/N^n\""].map(|c| heights(force, c))).concat();
+    let spread = |x: usize| {
+        let at = |end: &Vec<f64>| end[x];
+        ends.iter().map(at).fold(f64::MIN, f64::max) - ends.iter().map(at).fold(f64::MAX, f64::min)
+    };
+    let widest = (0..121).map(spread).fold(0.0, f64::max);
+    assert!((told - widest).abs() < 1e-9, "{told} um, by its own predictions {widest} um");
+}
+
 /// (in the model, replaced by, part of the message, part of the remedy)
 const CASES: &[Mistake] = &[
     ("height = \"40 mm\"", "hight = \"40 mm\"", "`hight` is no key of `workpiece`", "did you mean `height`?"),

@@ -56,6 +56,39 @@ fn what_the_tool_does_not_reach_is_left() {
     assert!(json["models"][0]["rms"].as_f64().unwrap() < 1e-9, "{compared}");
 }
 
+/// P = P₀·t_d/t₀ and t_d = t + Δ·cos(2θ) − y with y = P/j: the force runs between 2000·(1 ± 0.25)/1.02 N; lobes that are
+/// deeper than the cut leave the tool in the air.
+#[test]
+fn forces_are_told_all_around_a_lobed_blank() {
+    let place = Place::new();
+    let lathe = |amplitude: f64| {
+        format!(
+            "process = \"turning\"\n[workpiece]\nmaterial = \"steel\"\n\
+             segments = [{{ length = \"300 mm\", diameter = \"2000 mm\" }}]\n\
+             lobes = [{{ lobes = 2, amplitude = \"{amplitude} mm\" }}]\n[workholding]\ntype = \"centres\"\n\
+             [cut]\ndepth = \"1 mm\"\nfeed = \"0.2 mm/rev\"\nspindle_speed = \"600 rpm\"\nradial_force = \"2 kN\"\n\
+             [effects.force-feedback]\nexponent = 1.0\n[effects.carriage-compliance]\nstiffness = \"100 N/um\"\n"
+        )
+    };
+    let run = |amplitude: f64| {
+        place.write("lobed.toml", lathe(amplitude));
+        let answer = place.fem(&["run", "lobed.toml", "--json"]);
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        serde_json::from_str::<Json>(&answer.out).unwrap()
+    };
+    let told = run(0.25);
+    let force = |key: &str| told["findings"]["radial_force"][key].as_f64().unwrap();
+    for (key, depth) in [("smallest", 0.75), ("largest", 1.25)] {
+        // The shaft is a disc: what it yields is some 1e-4 of what the carriage does.
+        let expected = 2000.0 * depth / 1.02;
+        assert!((force(key) / expected - 1.0).abs() < 1e-4, "{key}: {} N, not {expected} N", force(key));
+    }
+    assert_eq!(told["warnings"], serde_json::json!([]));
+    let deep = run(1.25);
+    let warning = deep["warnings"][0].as_str().unwrap();
+    assert!(warning.contains("does not touch the work at 101 of 101 positions"), "{warning}");
+}
+
 #[test]
 fn what_copies_nothing_is_warned_of() {
     let place = Place::new();

@@ -30,6 +30,14 @@ impl ForwardModel for Together {
         Ok(values)
     }
 
+    fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure> {
+        let mut doubts = Vec::new();
+        for (number, part) in self.parts.iter().enumerate() {
+            doubts.extend(part.doubts(&self.layout.own(number, rows).1)?);
+        }
+        Ok(doubts)
+    }
+
     fn report(&self, _prediction: Vec<f64>) -> Result<RunReport, Failure> {
         Err(Failure {
             message: "several tests have no report together".into(),

@@ -92,6 +92,10 @@ impl Definition for Ring {
         forward::observe(machine, rows)
     }
 
+    fn doubts(machine: &Machine, _rows: &Rows) -> Result<Vec<String>, Failure> {
+        Ok(report::let_go(machine).into_iter().collect())
+    }
+
     fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
         report::report(machine, forward)
     }

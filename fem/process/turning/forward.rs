@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::cut::Conditions;
 use super::elastic::{Cutting, Deflection, Elastic};
+use super::lift_off::LiftOff;
 use super::machine::{Machine, Moment};
 use super::rows::{self, ANGLE, BLANK, DIAMETER, X};
 use crate::process::{Failure, Rows};
@@ -125,28 +126,11 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
 
 fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Vec<f64>, Failure> {
     let setup = &*machine.setup;
-    let length = setup.length();
-    let at = |row: usize| rows.get(X, row).unwrap_or(0.0).clamp(0.0, length);
-    let mut positions: Vec<f64> = some.clone().map(at).collect();
-    positions.sort_unstable_by(f64::total_cmp);
-    positions.dedup();
-    let shaft = condense(machine, &positions)?;
-    let elastic = Elastic::new(machine, &shaft);
+    let standing = Standing::of(machine, rows, some.clone())?;
+    let elastic = Elastic::new(machine, &standing.shaft);
     let one = |row: usize| {
-        let x = at(row);
-        let diameter = setup.diameter(x);
-        let i = positions.partition_point(|p| *p < x);
-        let (time, path) = rows::moment(setup, rows, row, rows::part(rows, row), x);
-        let conditions = rows::conditions(setup, rows, row, diameter);
-        let last = Cutting::new(machine, &Moment { x, diameter, time, path }, conditions);
-        let left = |angle: Option<f64>| -> Result<f64, Failure> {
-            let met = match rows.get(BLANK, row) {
-                Some(_) => 0.0,
-                None => elastic.before(i, x, angle, &last)?,
-            };
-            Ok(elastic.deflect(i, &last.meeting(met))?.error)
-        };
-        let set = if rows.observable[row] == DIAMETER { diameter } else { 0.0 };
+        let left = |angle: Option<f64>| standing.deflection(&elastic, row, angle).map(|d| d.error);
+        let set = if rows.observable[row] == DIAMETER { setup.diameter(standing.at(row)) } else { 0.0 };
         // A diameter reaches from one side to the other.
         let angle = rows.get(ANGLE, row).unwrap_or(0.0);
         let error = match setup.blank.is_round() {
@@ -156,6 +140,68 @@ fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Ve
         Ok(set + error)
     };
     some.into_par_iter().with_min_len(256).map(one).collect()
+}
+
+/// Where parts would leave each other at these rows.
+///
+/// # Errors
+/// As [`observe`].
+pub fn lift_off(machine: &Machine, rows: &Rows) -> Result<LiftOff, Failure> {
+    let mut all = LiftOff::default();
+    for first in (0..rows.len()).step_by(BLOCK) {
+        let some = first..rows.len().min(first + BLOCK);
+        let standing = Standing::of(machine, rows, some.clone())?;
+        let elastic = Elastic::new(machine, &standing.shaft);
+        let angle = |row| (!machine.setup.blank.is_round()).then(|| rows.get(ANGLE, row).unwrap_or(0.0));
+        let deflect = |row| standing.deflection(&elastic, row, angle(row));
+        let deflections = some.clone().into_par_iter().with_min_len(256).map(deflect).collect::<Result<Vec<_>, _>>()?;
+        let positions: Vec<f64> = some.map(|row| standing.at(row)).collect();
+        all.and(LiftOff::of(machine, &positions, &deflections)?);
+    }
+    Ok(all)
+}
+
+/// Rows under the tool, with the shaft condensed to where they stand.
+struct Standing<'a> {
+    machine: &'a Machine,
+    rows: &'a Rows,
+    /// Sorted, m.
+    positions: Vec<f64>,
+    shaft: Condensed,
+}
+
+impl<'a> Standing<'a> {
+    fn of(machine: &'a Machine, rows: &'a Rows, some: Range<usize>) -> Result<Self, Failure> {
+        let mut positions: Vec<f64> = some.map(|row| place(machine, rows, row)).collect();
+        positions.sort_unstable_by(f64::total_cmp);
+        positions.dedup();
+        let shaft = condense(machine, &positions)?;
+        Ok(Self { machine, rows, positions, shaft })
+    }
+
+    fn at(&self, row: usize) -> f64 {
+        place(self.machine, self.rows, row)
+    }
+
+    /// The last pass at a row, at an angle (rad) around the part or on the mean.
+    fn deflection(&self, elastic: &Elastic, row: usize, angle: Option<f64>) -> Result<Deflection, Failure> {
+        let (setup, rows, x) = (&*self.machine.setup, self.rows, self.at(row));
+        let i = self.positions.partition_point(|p| *p < x);
+        let diameter = setup.diameter(x);
+        let (time, path) = rows::moment(setup, rows, row, rows::part(rows, row), x);
+        let conditions = rows::conditions(setup, rows, row, diameter);
+        let last = Cutting::new(self.machine, &Moment { x, diameter, time, path }, conditions);
+        let met = match rows.get(BLANK, row) {
+            Some(_) => 0.0,
+            None => elastic.before(i, x, angle, &last)?,
+        };
+        Ok(elastic.deflect(i, &last.meeting(met))?)
+    }
+}
+
+/// Where the tool stands at a row, m.
+fn place(machine: &Machine, rows: &Rows, row: usize) -> f64 {
+    rows.get(X, row).unwrap_or(0.0).clamp(0.0, machine.setup.length())
 }
 
 /// Force of each steady rest at every tool position, N. By reciprocity the deflection at a rest while the

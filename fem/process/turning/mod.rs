@@ -9,6 +9,7 @@ mod effects;
 mod elastic;
 mod forward;
 mod heating;
+mod lift_off;
 mod machine;
 mod passes;
 mod refinement;
@@ -89,6 +90,10 @@ impl Definition for Turning {
 
     fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         forward::observe(machine, rows)
+    }
+
+    fn doubts(machine: &Machine, rows: &Rows) -> Result<Vec<String>, Failure> {
+        Ok(forward::lift_off(machine, rows)?.told("rows"))
     }
 
     fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {

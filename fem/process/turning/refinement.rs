@@ -199,10 +199,15 @@ impl Refinement {
     }
 }
 
+/// The smallest and the largest.
+pub fn ends(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)))
+}
+
 /// The largest less the smallest.
 pub fn spread(errors: &[f64]) -> f64 {
-    let high = errors.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    high - errors.iter().copied().fold(f64::INFINITY, f64::min)
+    let (low, high) = ends(errors);
+    high - low
 }
 
 /// `None` where there is nothing to divide by.

@@ -19,7 +19,7 @@ const SPRING: (f64, f64) = (20.0, 2000.0);
 pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
     name: "elastic-lost-motion",
     about: "friction winds up screw, nut and bearing before the slide moves",
-    law: "deviation += sign*friction*(1/stiffness + |position - fixed_at|/(E*A)), sign -1 in +, +1 in -; friction goes as axis.drag",
+    law: "deviation += sign*friction*(1/stiffness + a/(E*A)), a = |position - fixed_at|, or a*b/(a + b) with b = |position - also_fixed_at|; sign -1 in +, +1 in -; friction goes as axis.drag",
     source: "seed 000, fig. 2b",
     belongs: Belongs::Test,
     parameters: [

@@ -196,19 +196,22 @@ fn stress(scene: &shapes::Scene) -> Figure {
 }
 
 fn warnings(machine: &Machine) -> Vec<String> {
-    let setup = &machine.setup;
-    let mut warnings = Vec::new();
-    if setup.jaw_force > 0.0 && machine.boring_force() == 0.0 {
-        let [speed, let_go] = [setup.speed(), machine.let_go()].map(|s| SPINDLE_SPEED.shown(s));
-        warnings.push(format!("at {speed:.0} the jaws no longer press: above {let_go:.0} the ring is let go"));
-    }
-    warnings.extend(stiffened(setup).filter(|by| *by > STIFFENED).map(|by| {
+    let stiffened = stiffened(&machine.setup).filter(|by| *by > STIFFENED).map(|by| {
         let percent = 100.0 * by;
         format!(
             "elements of order 1 are some {percent:.0} % too stiff in bending here: take order = 2, or shorter ones"
         )
-    }));
-    warnings
+    });
+    let_go(machine).into_iter().chain(stiffened).collect()
+}
+
+/// Says that the turning chuck holds nothing, where it does not.
+pub fn let_go(machine: &Machine) -> Option<String> {
+    let setup = &machine.setup;
+    (setup.jaw_force > 0.0 && machine.boring_force() == 0.0).then(|| {
+        let [speed, let_go] = [setup.speed(), machine.let_go()].map(|s| SPINDLE_SPEED.shown(s));
+        format!("at {speed:.0} the jaws no longer press: above {let_go:.0} the ring is let go")
+    })
 }
 
 /// Part by which elements of first order are too stiff in bending, for they shear where they should bend:

@@ -14,7 +14,7 @@ use crate::units::{CONDUCTANCE, HEAT_CAPACITY};
 /// `heater-capacity`.
 pub static HEATER_CAPACITY: Effect<2> = Effect {
     name: "heater-capacity",
-    about: "a heater stores heat of its own, and passes it on late",
+    about: "the heaters of the sources in the model store heat of their own, and pass it on late",
     law: "heat_capacity*dT_h/dt = P - contact*(T_h - T), contact*(T_h - T) comes into the body",
     source: "lumped heat balance of the heater",
     belongs: Belongs::Test,

@@ -12,11 +12,12 @@ mod sketch;
 use self::compliance::Compliance;
 use self::roundness::Roundness;
 use super::elastic::Deflection;
-use super::forward::{condense, deflections, rest_forces};
+use super::forward::{condense, deflections};
+use super::lift_off::LiftOff;
 use super::machine::Machine;
-use super::refinement::Refinement;
+use super::refinement::{Refinement, ends};
 use super::rows::{COORDINATES, OBSERVABLES, PART, PATH_OF_ROW, TIME_OF_ROW, X};
-use super::setup::{Setup, Workholding};
+use super::setup::Setup;
 use crate::process::{Column, Datum, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
 use crate::progress::Progress;
 use crate::units::{FORCE, LENGTH, MICRO, PATH, TIME};
@@ -39,7 +40,8 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     ];
     figures.extend(conic::figure(machine));
     figures.extend(batch(setup, &part_means(positions.len(), errors)));
-    figures.push(forces(deflections));
+    let roundness = Roundness::of(machine, positions)?;
+    figures.push(forces(deflections, roundness.as_ref()));
     let compliance = Compliance::of(machine, &shaft, deflections);
     figures.extend(compliance.as_ref().and_then(|c| c.figure(positions)));
     figures.push(schedule(setup));
@@ -47,7 +49,6 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     figures.extend(worn);
     let refinement = Refinement::of(machine, positions)?;
     figures.extend(refinement.iter().map(Refinement::figure));
-    let roundness = Roundness::of(machine, positions)?;
     figures.extend(roundness.iter().map(|r| r.figure(positions)));
     Ok(RunReport {
         profile: profile(setup, rows, errors),
@@ -57,7 +58,12 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
             .collect(),
         figures,
         plots: plots(positions, errors),
-        warnings: [warnings(machine, positions, deflections)?, nearly_worn.flatten().into_iter().collect()].concat(),
+        warnings: [
+            warnings(machine, positions, deflections)?,
+            roundness.iter().filter_map(Roundness::warning).collect(),
+            nearly_worn.flatten().into_iter().collect(),
+        ]
+        .concat(),
         sketch: Some(sketch::sketch(machine, positions, deflections)?),
         animation: Some(shapes::animation(machine, forward)?),
         ..RunReport::default()
@@ -101,9 +107,10 @@ fn part_means(per_part: usize, errors: &[f64]) -> Vec<f64> {
     errors.chunks(per_part).map(|part| part.iter().sum::<f64>() / part.len() as f64).collect()
 }
 
-fn forces(deflections: &[Deflection]) -> Figure {
-    let low = deflections.iter().map(|d| d.force).fold(f64::INFINITY, f64::min);
-    let high = deflections.iter().map(|d| d.force).fold(0.0, f64::max);
+/// All around the part, where it is not round.
+fn forces(deflections: &[Deflection], roundness: Option<&Roundness>) -> Figure {
+    let mean = || ends(&deflections.iter().map(|d| d.force).collect::<Vec<_>>());
+    let (low, high) = roundness.map_or_else(mean, Roundness::force_range);
     let shown = FORCE.shown(high);
     let line = match high - low < 1e-9 * high {
         true => format!("{shown:.1}"),
@@ -150,33 +157,7 @@ fn plots(positions: &[f64], errors: &[f64]) -> Vec<Plot> {
 
 fn warnings(machine: &Machine, positions: &[f64], deflections: &[Deflection]) -> Result<Vec<String>, Failure> {
     let setup = &machine.setup;
-    let mut warnings = Vec::new();
-    let mut pulls = |who: &str, forces: &mut dyn Iterator<Item = f64>| {
-        let worst = positions.iter().zip(forces).min_by(|a, b| a.1.total_cmp(&b.1));
-        let load = deflections.iter().map(|d| d.force).fold(0.0, f64::max);
-        if let Some((x, force)) = worst.filter(|w| w.1 < -1e-4 * load) {
-            warnings.push(format!(
-                "{who} would have to pull with {:.1} while the tool is at x = {:.1}; it can only press, and the shaft \
-                 would lift off there: set it into line, or hold the shaft otherwise",
-                FORCE.shown(-force),
-                LENGTH.shown(*x)
-            ));
-        }
-    };
-    // A chuck can pull, unless its joint is a contact.
-    if setup.workholding == Workholding::Centres || !machine.headstock.contacts.is_empty() {
-        pulls("the headstock", &mut deflections.iter().map(|d| d.supports.forces[0]));
-    }
-    if setup.workholding.has_tailstock() {
-        pulls("the tailstock", &mut deflections.iter().map(|d| d.supports.forces[1]));
-    }
-    for (rest, forces) in setup.steady_rests.iter().zip(rest_forces(machine, positions, deflections)?) {
-        pulls(&format!("the steady rest at {:.1}", LENGTH.shown(rest.at)), &mut forces.into_iter());
-    }
-    let idle = deflections.iter().filter(|d| d.force <= 0.0).count();
-    if idle > 0 && positions.iter().any(|x| setup.nominal_force(*x) > 0.0) {
-        warnings.push(format!("the tool does not touch the work at {idle} of {} positions", deflections.len()));
-    }
+    let mut warnings = LiftOff::of(machine, positions, deflections)?.told("positions");
     let is_told = !setup.passes.is_empty() || !setup.blank.is_true();
     if is_told && !machine.feeds_back() {
         warnings.push(

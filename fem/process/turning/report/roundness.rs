@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::super::elastic::{Cutting, Elastic};
 use super::super::forward::condense;
 use super::super::machine::Machine;
-use super::super::refinement::spread;
+use super::super::refinement::{ends, spread};
 use crate::process::{Column, Failure, Figure, Table, first_extreme};
 use crate::units::{LENGTH, MICRO};
 
@@ -22,6 +22,8 @@ pub struct Roundness {
     blank: f64,
     /// The same of the turned section at every place: Δ = t_rest,max − t_rest,min [seed 002 (24)].
     sections: Vec<f64>,
+    /// At every place the smallest and the largest radial force around the part, N.
+    forces: Vec<(f64, f64)>,
 }
 
 impl Roundness {
@@ -38,17 +40,35 @@ impl Roundness {
         let angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
         let shaft = condense(machine, positions)?;
         let elastic = Elastic::new(machine, &shaft);
-        let section = |(i, x): (usize, &f64)| -> Result<f64, Failure> {
+        let section = |(i, x): (usize, &f64)| -> Result<(f64, (f64, f64)), Failure> {
             let last = Cutting::on_part(machine, 1, *x);
-            let radii = angles.iter().map(|angle| -> Result<f64, Failure> {
+            let around = angles.iter().map(|angle| -> Result<(f64, f64), Failure> {
                 let met = elastic.before(i, *x, Some(*angle), &last)?;
-                Ok(0.5 * elastic.deflect(i, &last.meeting(met))?.error)
+                let deflection = elastic.deflect(i, &last.meeting(met))?;
+                Ok((0.5 * deflection.error, deflection.force))
             });
-            Ok(spread(&radii.collect::<Result<Vec<f64>, Failure>>()?))
+            let (radii, forces): (Vec<f64>, Vec<f64>) =
+                around.collect::<Result<Vec<_>, Failure>>()?.into_iter().unzip();
+            Ok((spread(&radii), ends(&forces)))
         };
-        let sections = positions.par_iter().enumerate().map(section).collect::<Result<_, Failure>>()?;
+        let all = positions.par_iter().enumerate().map(section).collect::<Result<Vec<_>, Failure>>()?;
+        let (sections, forces) = all.into_iter().unzip();
         let blank: Vec<f64> = angles.iter().map(|angle| setup.blank.around(*angle)).collect();
-        Ok(Some(Self { blank: spread(&blank), sections }))
+        Ok(Some(Self { blank: spread(&blank), sections, forces }))
+    }
+
+    /// Says where the tool leaves the work on some side, which keeps the blank there.
+    pub fn warning(&self) -> Option<String> {
+        let left = self.forces.iter().filter(|forces| forces.0 <= 0.0).count();
+        (left > 0).then(|| {
+            let all = self.forces.len();
+            format!("on some side the tool does not touch the work at {left} of {all} positions: there the blank stays")
+        })
+    }
+
+    /// The smallest and the largest radial force at any angle of any section, N.
+    pub fn force_range(&self) -> (f64, f64) {
+        self.forces.iter().fold((f64::INFINITY, 0.0), |(low, high), f| (f64::min(low, f.0), f64::max(high, f.1)))
     }
 
     /// The worst section.
