@@ -8,7 +8,6 @@ use rayon::prelude::*;
 
 use super::cut::Conditions;
 use super::elastic::{Cutting, Deflection, Elastic};
-use super::lift_off::LiftOff;
 use super::machine::{Machine, Moment};
 use super::rows::{self, ANGLE, BLANK, DIAMETER, X};
 use crate::process::{Failure, Rows};
@@ -142,23 +141,23 @@ fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Ve
     some.into_par_iter().with_min_len(256).map(one).collect()
 }
 
-/// Where parts would leave each other at these rows.
+/// Where the tool stands at each row (m), and the equilibrium of its last pass there.
 ///
 /// # Errors
 /// As [`observe`].
-pub fn lift_off(machine: &Machine, rows: &Rows) -> Result<LiftOff, Failure> {
-    let mut all = LiftOff::default();
+pub fn standing(machine: &Machine, rows: &Rows) -> Result<(Vec<f64>, Vec<Deflection>), Failure> {
+    let (mut positions, mut deflections) = (Vec::new(), Vec::new());
     for first in (0..rows.len()).step_by(BLOCK) {
         let some = first..rows.len().min(first + BLOCK);
         let standing = Standing::of(machine, rows, some.clone())?;
         let elastic = Elastic::new(machine, &standing.shaft);
         let angle = |row| (!machine.setup.blank.is_round()).then(|| rows.get(ANGLE, row).unwrap_or(0.0));
         let deflect = |row| standing.deflection(&elastic, row, angle(row));
-        let deflections = some.clone().into_par_iter().with_min_len(256).map(deflect).collect::<Result<Vec<_>, _>>()?;
-        let positions: Vec<f64> = some.map(|row| standing.at(row)).collect();
-        all.and(LiftOff::of(machine, &positions, &deflections)?);
+        let own = some.clone().into_par_iter().with_min_len(256).map(deflect);
+        deflections.extend(own.collect::<Result<Vec<_>, Failure>>()?);
+        positions.extend(some.map(|row| standing.at(row)));
     }
-    Ok(all)
+    Ok((positions, deflections))
 }
 
 /// Rows under the tool, with the shaft condensed to where they stand.

@@ -26,6 +26,7 @@ pub use validation::cases;
 
 use std::sync::Arc;
 
+use self::lift_off::LiftOff;
 use super::{
     Active, CandidateExperiment, CatalogueEffect, Contradiction, Coordinate, Definition, Failure, Forward, Limit,
     Misplaced, Observable, Places, Rows, RunReport,
@@ -93,7 +94,8 @@ impl Definition for Turning {
     }
 
     fn doubts(machine: &Machine, rows: &Rows) -> Result<Vec<String>, Failure> {
-        Ok(forward::lift_off(machine, rows)?.told("rows"))
+        let (positions, deflections) = forward::standing(machine, rows)?;
+        Ok(LiftOff::of(machine, &positions, &deflections)?.told("rows"))
     }
 
     fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {
