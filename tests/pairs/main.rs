@@ -17,24 +17,36 @@ use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, 
 const ROUND_OFF: f64 = 1e-9;
 
 /// How far the program is off the generator, and off what would be without the two effects, as parts of the range of
-/// what is measured.
+/// what is measured: the worst of all observables, each by its own range.
 fn apart(meeting: &Meeting) -> [f64; 2] {
     let read = || -> Result<_, String> {
         let model = Model::parse(Source::new("pair.toml", meeting.model.clone())).map_err(|e| format!("{e:?}"))?;
         let source = Source::new("pair.csv", meeting.data.clone());
         let measured = Measurements::parse(source, model.process).map_err(|e| format!("{e:?}"))?;
         let data = Data::of(&model, measured).map_err(|e| format!("{e:?}"))?;
-        Ok((compare(&data).map_err(|e| e.to_string())?.residuals, data.observed.clone()))
+        let residuals = compare(&data).map_err(|e| e.to_string())?.residuals;
+        Ok((residuals, data.observed.clone(), data.rows.observable.to_vec()))
     };
-    let (residuals, observed) = read().unwrap_or_else(|error| panic!("{error}\n{}", meeting.model));
+    let (residuals, observed, observable) = read().unwrap_or_else(|error| panic!("{error}\n{}", meeting.model));
+    assert_eq!(observable.len(), meeting.exact.len(), "{}", meeting.model);
     let range = |values: &[f64]| {
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         most - values.iter().copied().fold(f64::INFINITY, f64::min)
     };
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |most, v| most.max(v.abs()));
-    let changes = largest(&mut meeting.exact.iter().zip(&meeting.without).map(|(with, without)| with - without));
-    let off = largest(&mut residuals.iter().copied());
-    [off / range(&observed), changes / range(&meeting.exact)]
+    let largest = |values: &[f64]| values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+    let difference: Vec<f64> =
+        meeting.exact.iter().zip(&meeting.without).map(|(with, without)| with - without).collect();
+    let mut kinds = observable.clone();
+    kinds.sort_unstable();
+    kinds.dedup();
+    let of_kind = |kind: &usize| {
+        let own = |values: &[f64]| -> Vec<f64> {
+            values.iter().zip(&observable).filter(|(_, own)| *own == kind).map(|(v, _)| *v).collect()
+        };
+        let part = |values: &[f64], of: &[f64]| largest(&own(values)) / range(&own(of));
+        [part(&residuals, &observed), part(&difference, &meeting.exact)]
+    };
+    kinds.iter().map(of_kind).fold([0.0, 0.0], |[off, changes], own| [off.max(own[0]), changes.max(own[1])])
 }
 
 /// Holds all meetings of a process to a tolerance.

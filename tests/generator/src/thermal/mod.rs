@@ -1,9 +1,10 @@
 //! Heated rods, by other numerics than the program under test: finite volumes instead of finite elements,
-//! another implicit method in time, the sensors' lag through the recorded history.
+//! another implicit method in time, the sensors' lag through the recorded history. Heated [plates](plate) by series.
 
 pub mod catalogue;
 pub mod design;
 pub mod job;
+pub mod plate;
 pub mod rod;
 pub mod scenes;
 pub mod writing;
@@ -27,7 +28,7 @@ pub const THERMAL: Process = Process {
     never_together: &[],
     catalogue: LAWS,
     scenes: scenes::NAMES,
-    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
+    draw_scene: scenes::draw,
 };
 
 /// Structure outside the catalogue.

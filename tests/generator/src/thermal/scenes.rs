@@ -1,12 +1,29 @@
 //! Small rods in which any two effects may meet: alone, losing heat to the room and the base, stepped, with two
-//! sources, and warm at the start.
+//! sources, and warm at the start. Behind them stand [plates].
 
 use super::job::{Job, Row, Seen, SetUp};
+use super::plate::scenes as plates;
 use crate::job::{Job as _, NoiseKind, Shown};
 use crate::random::{Random, decimals};
 
-/// Their names.
-pub const NAMES: &[&str] = &["insulated", "in a room", "stepped", "two sources", "warm at the start"];
+/// Their names, and those of the plates.
+pub const NAMES: &[&str] = &[
+    "insulated",
+    "in a room",
+    "stepped",
+    "two sources",
+    "warm at the start",
+    "plate, insulated",
+    "plate, flux and film",
+    "plate, covered",
+    "plate, held from below",
+    "plate, held at the base",
+    "plate, under a strip",
+    "plate, under strips that move",
+    "plate, warm at the start",
+];
+/// How many of them are rods.
+const RODS: usize = 5;
 
 const fn known(effect: &'static str, parameter: &'static str, written: f64) -> Shown {
     Shown { effect, parameter, written, std: 0.1 }
@@ -16,7 +33,14 @@ const fn known(effect: &'static str, parameter: &'static str, written: f64) -> S
 const COMPANY: &[Shown] = &[known("convection", "coefficient", 18.0), known("base-conductance", "conductance", 0.2)];
 
 /// A job of a scene; None where it does not admit an effect.
-pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Option<Job> {
+pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Option<Box<dyn crate::job::Job>> {
+    match scene.checked_sub(RODS) {
+        Some(plate) => Some(Box::new(plates::draw(plate, effects, random)?)),
+        None => Some(Box::new(rod(scene, effects, random)?)),
+    }
+}
+
+fn rod(scene: usize, effects: &[&'static str], random: &mut Random) -> Option<Job> {
     let length = decimals(random.uniform(160.0, 260.0), 0);
     let diameter = decimals(random.uniform(18.0, 32.0), 1);
     let step = decimals(0.45 * length, 0);
