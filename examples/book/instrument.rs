@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use fem::model::{Key, measurement_keys};
-use fem::noise::{MeasurementEffect, effects};
+use fem::noise::{Key, MeasurementEffect, effects};
 
 use super::chapters::Chapter;
 use super::effect::cited;
@@ -12,16 +11,16 @@ use super::{Made, Pages};
 
 /// A page for each of them.
 pub fn all(deep: usize) -> Pages {
-    let page = |effect: &&MeasurementEffect| {
+    let page = |effect: &'static MeasurementEffect| {
         let path = PathBuf::from(format!("docs/effects/measurement/{}.md", effect.name));
         (Chapter::new(effect.name, &path, deep), vec![Made { path, text: page(effect) }])
     };
-    effects::ALL.iter().map(page).collect()
+    effects::all().map(page).collect()
 }
 
 fn page(effect: &MeasurementEffect) -> String {
     let MeasurementEffect { name, about, law, source, separates, .. } = effect;
-    let keys = measurement_keys(effect);
+    let keys = effect.all_keys();
     let row = |key: &Key| [code(key.name), plain(key.about), code(key.example)];
     [
         format!(

@@ -49,7 +49,7 @@ fn the_book_is_whole() {
             assert!(files.contains_key(&page.with_extension("svg")), "{} has no picture", effect.name);
         }
     }
-    for effect in effects::ALL {
+    for effect in effects::all() {
         assert!(once.contains(&effect::path("measurement", effect.name)), "{} has no page", effect.name);
     }
 

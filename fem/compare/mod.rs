@@ -2,29 +2,24 @@
 //! structure.
 
 mod binning;
-mod contradiction;
 mod features;
 mod rng;
-mod scan;
 mod sentence;
 mod significance;
-mod suspicion;
 mod trend;
 mod waves;
 
 pub use binning::Along;
-pub use contradiction::contradictions;
 pub use features::{Feature, find as features};
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
-pub use suspicion::{PROMISING, Suspicion, is_rough, is_round_off, own_observables, price};
 pub use trend::Trend;
 
 use nalgebra::DMatrix;
 
 use crate::measure::{MeasuredObservable, Measurements, Repeats};
 use crate::model::{Data, Model};
-use crate::noise::{Noise, NoiseSource, Term, beyond_chi2, beyond_f};
+use crate::noise::{Noise, NoiseSource, Term, beyond_chi2, beyond_f, suspects};
 use crate::process::Failure;
 
 /// Comparison of one model with one file of measurements. SI units.
@@ -122,13 +117,13 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
     let residuals = measurements.residuals(&predicted);
     let nothing = DMatrix::zeros(measurements.len(), 0);
     let (noise, repeats) = Noise::stated(terms, measurements, data.repeats(), &residuals, &nothing);
-    let suspicion = Suspicion { data, noise: &noise, repeats: data.repeats(), residuals: &residuals, mean: &nothing };
+    let evidence = data.evidence(&noise, data.repeats(), &residuals, &nothing);
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
     let (reduced_chi2, p_value) = reduced_chi2(&residuals, &noise, &repeats, data.datum_directions.len());
     let features = features::find(model.process, measurements, &residuals, &noise);
     let is_explained = p_value.is_none_or(|p| p >= SIGNIFICANCE) && features.is_empty();
-    let suspects = if is_explained { suspicion.suspects() } else { Vec::new() };
+    let suspects = if is_explained { suspects(&evidence) } else { Vec::new() };
     Comparison {
         model: model.source.name.to_string(),
         rms: rms(&errors),

@@ -324,7 +324,7 @@ fn feasibility(
 /// Cautions about the effects of the measurement that the model states.
 fn of_instrument(data: &Data) -> Vec<String> {
     let mut cautions = data.cautions.clone();
-    let is_in_readings = |t: &&Term| matches!(t.effect.acts, Acts::Reads | Acts::Shared(_));
+    let is_in_readings = |t: &&Term| t.effect.acts.is_reading() || matches!(t.effect.acts, Acts::Shared(_));
     let names: Vec<&str> = data.terms.iter().filter(is_in_readings).map(|t| t.effect.name).collect();
     if !names.is_empty() {
         let names = names.join(", ");

@@ -1,8 +1,7 @@
 //! Readings that are wrong: they are left out of means and tables, and told.
 
-use crate::compare::contradictions;
 use crate::model::Data;
-use crate::noise::{Acts, Term, effects};
+use crate::noise::{Acts, contradictions, effects};
 use crate::positioning::Approach;
 
 /// Targets nearer than this (m) are one.
@@ -31,7 +30,7 @@ pub fn weighed<'m>(data: &Data<'m>, approaches: &[Approach]) -> Data<'m> {
     let stated = stated(data);
     let new: Vec<usize> =
         contradictions(&sides(approaches), &data.observed).into_iter().filter(|row| !stated.contains(row)).collect();
-    let term = Term { rows: new, size: effects::OUTLYING, ..Term::new(&effects::OUTLIERS) };
+    let term = effects::outlying(new);
     if term.rows.is_empty() { data.clone() } else { data.clone().and_term(term) }
 }
 

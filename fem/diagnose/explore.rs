@@ -10,10 +10,10 @@ use super::null_distribution::variance;
 use super::search::{Breadth, Extent, SIGNIFICANCE, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
 use super::verdict::is_explained;
-use crate::compare::{PROMISING, is_round_off};
 use crate::fit::{Objective, Solution};
 use crate::measure::Repeats;
 use crate::noise::MeasurementEffect;
+use crate::noise::{PROMISING, is_round_off};
 use crate::process::{Description, Failure, Holds};
 use crate::progress::Progress;
 

@@ -7,7 +7,7 @@ use super::search::SearchResult;
 use super::verdict::{is_explained, will_be_adequate};
 use super::{bent_law, instrument, lead};
 use crate::measure::Repeats;
-use crate::noise::{Acts, Term, effects};
+use crate::noise::{Acts, Shape, Term};
 use crate::process::Holds;
 
 /// Ratio of held-out errors from which an effect misleads.
@@ -93,8 +93,7 @@ impl<'a> Hypothesis<'a> {
         // What goes with a condition, a force or a place, follows a law rather than a hand that sets a zero.
         let is_label =
             |i: &usize| coordinates.get(*i).is_none_or(|c| matches!(c.holds, Holds::Number(_) | Holds::Word(_)));
-        let of_zero =
-            |t: &Term| [&effects::ZERO_SHIFT, &effects::JUMP].contains(&t.effect) && t.by.iter().all(is_label);
+        let of_zero = |t: &Term| t.effect.sets_zero && t.by.iter().all(is_label);
         let is_of_zero = own.objective.noise.terms.last().is_some_and(of_zero);
         let causes = |trial: &CandidateModel| trial.members.len() + trial.objective.noise.terms.len();
         let is_less = own.members.len() < others.members.len() && causes(own) <= causes(others);
@@ -137,5 +136,5 @@ pub fn is_greedy(terms: &[Term]) -> bool {
 /// Whether one of these terms is believed only where nothing is left beside it: what could swallow what a model lacks,
 /// and a wave, of which several make any curve.
 pub fn stands_or_falls(terms: &[Term]) -> bool {
-    is_greedy(terms) || terms.iter().any(|t| *t.effect == effects::WAVE)
+    is_greedy(terms) || terms.iter().any(|t| t.effect.shape == Some(Shape::Wave))
 }

@@ -4,11 +4,13 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
-use crate::compare::{Suspicion, is_rough, own_observables, price};
 use crate::fit::{StoppingCriterion, minimise};
 use crate::measure::Repeats;
-use crate::model::{Data, time_of};
-use crate::noise::{Acts, MEASUREMENT, MeasurementEffect, Noise, Restricted, Size, Term, effects};
+use crate::model::Data;
+use crate::noise::{
+    Acts, Evidence, MEASUREMENT, MeasurementEffect, Noise, Restricted, Size, Term, effects, is_rough, own_observables,
+    time_of,
+};
 use crate::process::{self, Belongs, Description};
 
 /// Stopping criterion that is enough to rank terms.
@@ -20,7 +22,7 @@ pub fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Nois
 
 /// −2 ln L of a fitted model with penalties on its parameters and on the terms of its noise.
 pub fn criterion(trial: &CandidateModel) -> f64 {
-    minus_two_log(trial) + trial.penalty() + price(&trial.objective.noise, trial.objective.data)
+    minus_two_log(trial) + trial.penalty() + trial.objective.noise.price()
 }
 
 /// −2 ln L of a fitted model, less a constant. Repeats that happen to scatter more than what is left do not tell the
@@ -46,26 +48,26 @@ pub struct Proposal {
 
 /// Every term that the residuals of a model may ask for, the most promising first.
 pub fn proposals(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
-    proposed(trial, repeats, |suspicion| suspicion.terms())
+    proposed(trial, repeats, |evidence| effects::sought(evidence, false))
 }
 
 /// Every curve over places that the residuals of a model may ask for, the most promising first.
 pub fn curves(trial: &CandidateModel, repeats: &Repeats) -> Vec<Proposal> {
-    proposed(trial, repeats, |suspicion| suspicion.curves())
+    proposed(trial, repeats, |evidence| effects::sought(evidence, true))
 }
 
 /// Outlying rows that contradict the rows that they repeat, as a term; `None` where there are none, or too
 /// many to be single mistakes.
 pub fn contradictions(trial: &CandidateModel, repeats: &Repeats) -> Option<Proposal> {
-    proposed(trial, repeats, |suspicion| suspicion.contradictions().into_iter().collect()).pop()
+    proposed(trial, repeats, |evidence| effects::contradictions(evidence).into_iter().collect()).pop()
 }
 
 /// Estimates the sizes of the terms that `seek` finds beside a model, and fits it again under each.
-fn proposed(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Suspicion) -> Vec<Vec<Term>>) -> Vec<Proposal> {
+fn proposed(trial: &CandidateModel, repeats: &Repeats, seek: impl Fn(&Evidence) -> Vec<Vec<Term>>) -> Vec<Proposal> {
     let Some(mean) = trial.objective.mean(&trial.solution) else { return Vec::new() };
     let (data, noise, residuals) = (trial.objective.data, &trial.objective.noise, trial.residuals());
     let mut all = data.progress.stretch("terms of the noise", || {
-        let sets = seek(&Suspicion { data, noise, repeats, residuals: &residuals, mean: &mean });
+        let sets = seek(&data.evidence(noise, repeats, &residuals, &mean));
         judged(trial, repeats, &mean, sets)
     });
     all.retain(|p| is_rough(&p.noise, &residuals));
@@ -126,10 +128,10 @@ pub fn resized<'a>(trial: &CandidateModel<'a>, repeats: &Repeats) -> Option<Cand
 /// What the instrument may do to these readings that the model does not say, to be sought like the effects of the
 /// machine: a scale for each thing that is observed, and a clock where there are times.
 pub fn absent_readings(data: &Data) -> Vec<Description> {
-    let of_reading = effects::ALL.iter().copied().filter(|e| matches!(e.acts, Acts::Reads));
+    let of_reading = effects::all().filter(|e| e.acts.is_reading());
     let is_absent = |effect: &MeasurementEffect| data.model.measurement.iter().all(|term| term.effect != effect);
-    let of = |effect: &'static MeasurementEffect| match effect {
-        clock if *clock == effects::CLOCK => {
+    let of = |effect: &'static MeasurementEffect| match effect.acts {
+        Acts::Times(_) => {
             let time = time_of(data.model.process).filter(|time| data.given.contains(time));
             time.map_or(Vec::new(), |_| vec![Term::new(effect)])
         }

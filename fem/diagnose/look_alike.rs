@@ -16,7 +16,7 @@ use super::search::SearchResult;
 use super::sensitivity;
 use crate::fit::{StoppingCriterion, minimise, resume};
 use crate::measure::Repeats;
-use crate::noise::{Acts, Noise, Term, effects};
+use crate::noise::{Acts, Noise, Shape, Term};
 use crate::process::Description;
 
 /// Rise of −2 ln L to first order beyond which an effect is not fitted in the place of a term.
@@ -43,7 +43,7 @@ pub fn look_alikes<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, repe
     for (number, term) in best.objective.noise.terms.iter().enumerate() {
         if !term.is_among(&data.terms)
             && matches!(term.effect.acts, Acts::Shared(_))
-            && *term.effect != effects::DISCREPANCY
+            && term.effect.shape != Some(Shape::Curve)
         {
             all.extend(effects_instead(found, best, number, repeats));
         }

@@ -7,7 +7,7 @@ use super::verdict::GoodnessOfFit;
 use crate::fit::{StoppingCriterion, minimise, size_estimate};
 use crate::measure::{Repeats, grouping_name};
 use crate::model::Data;
-use crate::noise::{Acts, MEASUREMENT, Restricted, Term, beyond_chi2, effects};
+use crate::noise::{Acts, FROM, MEASUREMENT, Restricted, Term, beyond_chi2, effects};
 use crate::process::Description;
 
 /// The rows that are weighed down.
@@ -59,8 +59,8 @@ pub fn told(
                 by: term.by.iter().map(|i| grouping_name(data.model.process, *i)).collect(),
                 observable: term.observable.map(|o| data.model.process.observables()[o].name),
                 records: records(term, data),
-                from: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.place(*r))).flatten(),
-                from_line: (*term.effect == effects::JUMP).then(|| term.rows.first().map(|r| data.line(*r))).flatten(),
+                from: term.effect.has(FROM).then(|| term.rows.first().map(|r| data.place(*r))).flatten(),
+                from_line: term.effect.has(FROM).then(|| term.rows.first().map(|r| data.line(*r))).flatten(),
             },
             effect: instrument::description(term, data),
             goodness: GoodnessOfFit::of(&grown, repeats, None),
@@ -77,7 +77,7 @@ pub fn told(
 
 /// Whose an effect is that was found among the candidates.
 pub fn cause(effect: &Description) -> Cause {
-    match effects::ALL.iter().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
+    match effects::all().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
         Some(entry) => Cause::of(entry, effect.observable),
         None => Cause::Physical,
     }

@@ -2,9 +2,9 @@
 
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use super::{Model, effect_of, measurement};
+use super::{Model, effect_of};
 use crate::input::{Problem, Source, did_you_mean};
-use crate::noise::{Acts, MeasurementEffect, Size};
+use crate::noise::{Acts, MeasurementEffect, Size, effects, observed, size};
 use crate::process::Description;
 use crate::units::{Kind, Quantity};
 
@@ -33,7 +33,7 @@ impl std::str::FromStr for Setting {
 /// # Errors
 /// The effect is unknown, present already, or does not fit; a setting is unknown or wrong.
 pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Model, Problem> {
-    let text = match measurement::effect_named(name) {
+    let text = match effects::named(name) {
         Some(effect) => with_measurement_effect(model, name, effect, settings)?,
         None => with_physical_effect(model, name, settings)?,
     };
@@ -75,14 +75,14 @@ fn with_measurement_effect(
     }
     let set = |key: &str| settings.iter().find(|s| s.key == key).map(|s| &s.value);
     let only = set("observable").and_then(|o| model.process.observables().iter().position(|own| own.name == o));
-    let observed = measurement::observed(model.process, only);
-    let keys = measurement::keys(effect);
+    let of = observed(model.process, only);
+    let keys = effect.all_keys();
     let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
-    let sizes = measurement::size_keys(effect);
+    let sizes = effect.size_keys();
     let is_file = matches!(effect.size, Size::File(..));
     let is_size = |key: &str| !is_file && sizes.contains(&key);
     check_settings(name, &names, settings, |Setting { key, value }| match is_size(key) {
-        true => measurement::size(effect, &observed, value).map(drop),
+        true => size(effect, &of, value).map(drop),
         false => Ok(()),
     })?;
     let is_number = match effect.size {
@@ -93,7 +93,7 @@ fn with_measurement_effect(
     // Of a quantity of its own kind the unit is known.
     let own = match effect.size {
         Size::Quantity(parameter) => vec![(0, parameter.kind)],
-        _ => observed.clone(),
+        _ => of.clone(),
     };
     with_table(&model.source.text, "measurement", name, |table| {
         for key in names {

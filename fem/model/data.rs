@@ -3,10 +3,12 @@
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
-use super::{Model, instrument, measurement, terms};
+use nalgebra::DMatrix;
+
+use super::{Model, terms};
 use crate::input::{InputError, Problem, Source};
 use crate::measure::{Measurements, Repeats, repeats};
-use crate::noise::{Acts, Term};
+use crate::noise::{Acts, Evidence, Noise, Term, at_true_times, time_of};
 use crate::process::{Absent, Coordinate, DatumDirection, Misplaced, Rows, Values};
 use crate::progress::Progress;
 
@@ -43,8 +45,8 @@ impl<'m> Data<'m> {
     /// # Errors
     /// Rows lie off the model's body or beyond its programme; each is named with its line.
     pub fn of(model: &'m Model, measurements: Measurements) -> Result<Self, InputError> {
-        let time = measurement::time_of(model.process);
-        let rows = instrument::at_true_times(&measurements.rows, &model.measurement, time);
+        let time = time_of(model.process);
+        let rows = at_true_times(&measurements.rows, &model.measurement, time);
         let misplaced = model.system.misplaced(&rows);
         if misplaced.is_empty() {
             let data = Self::within(model, measurements);
@@ -148,6 +150,19 @@ impl<'m> Data<'m> {
         let terms = self.terms.iter().map(of).collect();
         let (cautions, progress) = (self.cautions.clone(), self.progress.clone());
         Self { terms, cautions, progress, ..Self::within(self.model, some) }
+    }
+
+    /// Residuals of a model of these data, with the noise by which they are judged and the derivatives of what was
+    /// fitted, for effects of the measurement to be sought in them.
+    pub fn evidence<'a>(
+        &'a self,
+        noise: &'a Noise,
+        repeats: &'a Repeats,
+        residuals: &'a [f64],
+        mean: &'a DMatrix<f64>,
+    ) -> Evidence<'a> {
+        let (process, measurements, as_read) = (self.model.process, &self.measurements, self.as_read());
+        Evidence { process, measurements, as_read, noise, repeats, residuals, mean, scan: OnceLock::new() }
     }
 
     /// The data with one effect of the measurement more at work.

@@ -4,9 +4,7 @@ mod add;
 mod campaign;
 mod data;
 mod formula_effect;
-mod instrument;
 mod machine;
-mod measurement;
 mod named;
 mod require;
 mod run;
@@ -18,9 +16,6 @@ pub use add::{Setting, add_effect};
 pub use campaign::{Acting, Campaign, Shared, Test};
 pub use data::Data;
 pub use machine::Machine;
-pub use measurement::{
-    Key, effect_named as measurement_effect, keys as measurement_keys, size_keys as measurement_size_keys, time_of,
-};
 pub use run::{Contribution, Run};
 pub use schema::schema;
 
@@ -124,7 +119,7 @@ impl Model {
 
     /// A forward model as the instrument of these terms shows it.
     fn behind(&self, part: Box<dyn ForwardModel>, terms: &[Term]) -> Box<dyn ForwardModel> {
-        instrument::behind(part, terms, self.process, measurement::time_of(self.process))
+        noise::behind(part, terms, self.process, noise::time_of(self.process))
     }
 
     /// Forward model as it is written, with what its instrument shows of measured rows.
@@ -227,7 +222,7 @@ fn read(
     let system: Option<Arc<dyn System>> = process.read(model).map(Arc::from);
     let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
-    (title, machine, system, effects, measurement::read(model, process))
+    (title, machine, system, effects, noise::read(model, process))
 }
 
 fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&dyn System>) -> Vec<Active> {
@@ -264,12 +259,12 @@ fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> 
         let message = format!("`{name}` is an effect of `{}`, not of `{}`", owner.name(), process.name());
         return Problem::new(message).help(format!("`fem effects {}` lists those that fit", process.name()));
     }
-    if measurement::effect_named(name).is_some() {
+    if noise::effects::named(name).is_some() {
         let message = format!("`{name}` is an effect of the measurement, not of `{}`", process.name());
         return Problem::new(message).help(format!("write [measurement.{name}]"));
     }
     let problem = Problem::new(format!("`{name}` is no effect known here"));
-    match nearest(name, names.iter().copied().chain(noise::effects::ALL.iter().map(|e| e.name))) {
+    match nearest(name, names.iter().copied().chain(noise::effects::all().map(|e| e.name))) {
         Some(near) => problem.help(format!("did you mean `{near}`? `fem effects {}` lists all", process.name())),
         None => problem.help(format!(
             "`fem effects {}` lists those that are; an effect of your own has a `formula`",

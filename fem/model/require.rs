@@ -1,7 +1,8 @@
 //! What must be known of a model before it predicts.
 
-use super::{Model, instrument};
+use super::Model;
 use crate::input::{InputError, Parameter, Problem};
+use crate::noise::is_size_of;
 use crate::units::Knowledge;
 
 impl Model {
@@ -18,7 +19,7 @@ impl Model {
     /// # Errors
     /// Parameters are unknown; the error names each of them.
     pub fn require_part(&self) -> Result<(), InputError> {
-        self.require(|parameter| self.measurement.iter().all(|t| !instrument::is_of(&parameter.path, t)))
+        self.require(|parameter| self.measurement.iter().all(|t| !is_size_of(&parameter.path, t)))
     }
 
     fn require(&self, is_needed: impl Fn(&Parameter) -> bool) -> Result<(), InputError> {

@@ -5,13 +5,10 @@ use std::path::Path;
 
 use toml_edit::Item;
 
-use super::{Model, measurement};
+use super::Model;
 use crate::input::Problem;
-use crate::measure::{FILE, Measurements, grouping_name};
-use crate::noise::{Acts, MeasurementEffect, Size, Term, effects, step_of};
-
-/// Largest part of the rows that can be single mistakes.
-const FEW: f64 = 0.2;
+use crate::measure::Measurements;
+use crate::noise::{Acts, FROM, Size, Term, caution, step_of};
 
 impl Model {
     /// Whether the size of an effect of the measurement is left to be estimated from every file.
@@ -55,7 +52,7 @@ fn place(model: &Model, table: &str, key: Option<&str>) -> Option<Range<usize>> 
 fn resolve(model: &Model, term: &Term, measurements: &Measurements, observed: &[f64]) -> Result<Term, Problem> {
     let (name, file) = (format!("measurement.{}", term.table), &measurements.name);
     let several = measurements.observables.len() > 1;
-    let is_of_one = matches!(term.effect.size, Size::OfObservable(..)) || *term.effect == effects::GAIN;
+    let is_of_one = matches!(term.effect.size, Size::OfObservable(..)) || matches!(term.effect.acts, Acts::Shows(_));
     let refuse = |message: String, help: String| Problem::new(message).help(help).at(place(model, &term.table, None));
     if several && term.observable.is_none() && is_of_one {
         let names: Vec<&str> = measurements.observables.iter().map(|s| s.name).collect();
@@ -68,9 +65,10 @@ fn resolve(model: &Model, term: &Term, measurements: &Measurements, observed: &[
             let found = format!("`{name}` has the covariance of {} rows, and {file} has {rows}", given.rows());
             return Err(refuse(found, "give it one row and one column for each row, of one observable".into()));
         }
-        if model.measurement.iter().any(|t| *t.effect == effects::CORRELATED_NOISE) {
+        if let Some(other) = model.measurement.iter().find(|t| matches!(t.effect.acts, Acts::Neighbours)) {
             let help = "leave one of the tables out".into();
-            return Err(refuse(format!("`{name}` and `measurement.correlated-noise` both say what rows share"), help));
+            let both = format!("`{name}` and `measurement.{}` both say what rows share", other.table);
+            return Err(refuse(both, help));
         }
     }
     let counted = file_of(term, measurements).map_err(|problem| problem.at(place(model, &term.table, None)))?;
@@ -119,7 +117,7 @@ fn rows_of(term: &Term, measurements: &Measurements, counted: Option<usize>) -> 
     let before = counted.map_or(0, |number| measurements.files[number].first_record);
     let mut rows = Vec::new();
     for record in &term.rows {
-        let is_first = *term.effect == effects::JUMP;
+        let is_first = term.effect.has(FROM);
         let is_meant = |row: &usize| {
             let own = measurements.record(*row);
             let is_there = counted.is_none_or(|number| measurements.file_number(*row) == number);
@@ -138,10 +136,9 @@ fn rows_of(term: &Term, measurements: &Measurements, counted: Option<usize>) -> 
 /// The effects of a model that would be at work in rows that are only proposed: those of known size that name
 /// no rows of a file.
 pub fn of_design(model: &Model, measurements: &Measurements) -> Vec<Term> {
-    let is_row =
-        |effect: &MeasurementEffect| matches!(effect.acts, Acts::Weighs | Acts::Given) || *effect == effects::JUMP;
-    let is_told = |t: &Term| !t.size.is_nan() || matches!(t.effect.acts, Acts::Reads);
-    let of = |t: &&Term| !is_row(t.effect) && is_told(t) && is_in_file(t, measurements);
+    let is_of_rows = |t: &Term| t.covariance.is_some() || !t.rows.is_empty();
+    let is_told = |t: &Term| !t.size.is_nan() || t.effect.acts.is_reading();
+    let of = |t: &&Term| !is_of_rows(t) && is_told(t) && is_in_file(t, measurements);
     model.measurement.iter().filter(of).cloned().collect()
 }
 
@@ -152,44 +149,7 @@ pub fn cautions(model: &Model, terms: &[Term], measurements: &Measurements) -> V
         format!("`measurement.{}` has no effect: {} has no {name}", t.table, measurements.name)
     });
     let own = terms.iter().filter_map(|term| {
-        caution(model, term, measurements).map(|text| format!("`measurement.{}` {text}", term.table))
+        caution(model.process, term, measurements).map(|text| format!("`measurement.{}` {text}", term.table))
     });
     absent.chain(own).collect()
-}
-
-fn caution(model: &Model, term: &Term, measurements: &Measurements) -> Option<String> {
-    let (rows, file) = (measurements.len(), &measurements.name);
-    let coordinate = |i: usize| grouping_name(model.process, i);
-    let absent = |i: &&usize| **i != FILE && !measurements.given.contains(i);
-    match term.effect.acts {
-        Acts::Weighs if term.rows.len() as f64 > FEW * rows as f64 => {
-            let count = term.rows.len();
-            Some(format!("weighs down {count} of {rows} rows: more than a fifth are no single mistakes"))
-        }
-        Acts::Neighbours if term.size > rows as f64 => Some(format!(
-            "has a length beyond the {rows} rows of {file}: they share one error, which nothing here tells"
-        )),
-        Acts::Scales if measurements.uncertainty.is_none() => {
-            Some(format!("has no effect: {file} has no column u for it to multiply"))
-        }
-        Acts::Given if measurements.uncertainty.is_some() => {
-            Some(format!("takes the place of the column u of {file}, which is not used"))
-        }
-        Acts::Reads if *term.effect == effects::CLOCK => {
-            let time = measurement::time_of(model.process).filter(|time| measurements.given.contains(time));
-            time.is_none().then(|| format!("has no effect: {file} has no column of times"))
-        }
-        Acts::Shared(columns) => {
-            let columns = columns(term, measurements);
-            let is_steady = |column: &[(usize, f64)]| column.len() == rows && column.iter().all(|c| c.1 == column[0].1);
-            if columns.is_empty() {
-                return Some(format!("has no effect: nothing in {file} differs in what it acts along"));
-            }
-            let by = term.by.iter().find(absent).map(|i| format!("{file} has no column `{}`", coordinate(*i)));
-            let same = || format!("they are all of one group in {file}");
-            let is_one = columns.len() == 1 && is_steady(&columns[0]) && !(term.by.is_empty() && term.rows.is_empty());
-            is_one.then(|| format!("gives all rows one zero: {}", by.unwrap_or_else(same)))
-        }
-        _ => None,
-    }
 }

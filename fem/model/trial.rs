@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{Model, instrument, read};
+use super::{Model, read};
 use crate::input::{Instead, Reader};
-use crate::noise::{MEASUREMENT, Term};
+use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{Active, Failure, ForwardModel, System};
 
 impl Model {
@@ -84,7 +84,7 @@ impl Model {
     fn assembled(&self, system: &dyn System, effects: Vec<Active>, mut terms: Vec<Term>) -> Box<dyn ForwardModel> {
         let (readings, effects): (Vec<_>, Vec<_>) =
             effects.into_iter().partition(|e| e.description.table == MEASUREMENT);
-        terms.extend(readings.iter().filter_map(|reading| instrument::term(reading, self.process)));
+        terms.extend(readings.iter().filter_map(|reading| noise::reading(reading, self.process)));
         self.behind(system.with_effects(&effects), &terms)
     }
 
@@ -140,7 +140,7 @@ impl Model {
     fn effects_at(&self, values: &[f64]) -> Option<(Vec<Active>, Vec<Term>)> {
         let (mut effects, mut terms) = (self.effects.clone(), self.measurement.clone());
         for (parameter, value) in self.parameters.iter().zip(values) {
-            if let Some(term) = self.measurement.iter().position(|t| instrument::is_of(&parameter.path, t)) {
+            if let Some(term) = self.measurement.iter().position(|t| noise::is_size_of(&parameter.path, t)) {
                 terms[term].size = *value;
                 continue;
             }

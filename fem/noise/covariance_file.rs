@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
+use super::given::GivenCovariance;
 use crate::input::{NamedFile, Problem, number};
-use crate::noise::GivenCovariance;
 
 /// Largest file, bytes.
 pub const LARGEST: u64 = 200_000_000;

@@ -1,29 +1,31 @@
-//! What an instrument shows of a prediction: its scale may be off, and its clock late.
+//! Readings of a prediction: the scale of an instrument may be off, and its clock late.
 
-use crate::noise::{Acts, Term, effects};
+use super::effects;
+use super::term::{Acts, Term};
 use crate::process::{Active, Failure, ForwardModel, Process, Rows, RunReport};
 use crate::progress::Progress;
+use crate::units::TIME;
 
 /// A forward model behind an instrument. What is measured passes through the instrument; what a run predicts
 /// is the part itself.
 struct Instrument {
     part: Box<dyn ForwardModel>,
     process: &'static dyn Process,
-    /// Gains and clocks, with their values.
+    /// Effects that change readings, with their values.
     terms: Vec<Term>,
     /// The coordinate that is a time, by its position.
     time: Option<usize>,
 }
 
 /// Whether a parameter, by its path, is the size of an effect of the measurement.
-pub fn is_of(path: &str, term: &Term) -> bool {
+pub fn is_size_of(path: &str, term: &Term) -> bool {
     let own = path.strip_prefix("measurement.").and_then(|rest| rest.split_once('.'));
     own == Some((&term.table, term.effect.size.key()))
 }
 
 /// The term that an effect of the measurement makes which a search has added.
-pub fn term(reading: &Active, process: &dyn Process) -> Option<Term> {
-    let effect = effects::ALL.iter().find(|e| e.name == reading.description.name)?;
+pub fn reading(reading: &Active, process: &dyn Process) -> Option<Term> {
+    let effect = effects::all().find(|e| e.name == reading.description.name)?;
     let observable = process.observables().iter().position(|o| Some(o.name) == reading.description.observable);
     Some(Term { observable, size: *reading.values.first()?, ..Term::new(effect) })
 }
@@ -35,20 +37,25 @@ pub fn behind(
     process: &'static dyn Process,
     time: Option<usize>,
 ) -> Box<dyn ForwardModel> {
-    let terms: Vec<Term> = terms.iter().filter(|t| matches!(t.effect.acts, Acts::Reads)).cloned().collect();
+    let terms: Vec<Term> = terms.iter().filter(|t| t.effect.acts.is_reading()).cloned().collect();
     if terms.is_empty() { part } else { Box::new(Instrument { part, process, terms, time }) }
 }
 
-/// The rows at the times at which they were really taken, by a clock of the model; before the start nothing
-/// changes.
+/// The coordinate that is a time, by its position in the process's list.
+pub fn time_of(process: &dyn Process) -> Option<usize> {
+    process.coordinates().iter().position(|c| c.holds.kind() == Some(TIME))
+}
+
+/// The rows at the times at which they were really taken.
 pub fn at_true_times(rows: &Rows, terms: &[Term], time: Option<usize>) -> Rows {
     let mut rows = rows.clone();
     let Some(times) = time.and_then(|time| rows.columns.get_mut(time)) else { return rows };
-    for clock in terms.iter().filter(|t| *t.effect == effects::CLOCK && t.size.is_finite()) {
+    for clock in terms.iter().filter(|t| t.size.is_finite()) {
+        let Acts::Times(true_time) = clock.effect.acts else { continue };
         let is_own = |row: &usize| clock.observable.is_none_or(|own| own == rows.observable[*row]);
         for row in (0..times.len()).filter(is_own) {
             if times[row].is_finite() {
-                times.set(row, (times[row] - clock.size).max(times[row].min(0.0)));
+                times.set(row, true_time(clock.size, times[row]));
             }
         }
     }
@@ -62,12 +69,13 @@ impl ForwardModel for Instrument {
 
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let mut values = self.part.observe(&at_true_times(rows, &self.terms, self.time))?;
-        for gain in self.terms.iter().filter(|t| *t.effect == effects::GAIN) {
+        for gain in &self.terms {
+            let Acts::Shows(shown) = gain.effect.acts else { continue };
             let own = values.iter_mut().zip(rows.observable.iter());
             for (value, observable) in own.filter(|(_, o)| gain.observable.is_none_or(|own| own == **o)) {
                 // The scale of a thermometer begins at 0 degC.
                 let zero = self.process.observables()[*observable].kind.to_si(0.0);
-                *value = zero + gain.size * (*value - zero);
+                *value = zero + shown(gain.size, *value - zero);
             }
         }
         Ok(values)

@@ -1,7 +1,5 @@
 //! The keys of the tables `[measurement.NAME]`.
 
-use crate::noise::{Acts, MeasurementEffect, Size, effects};
-
 /// A key of such a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Key {
@@ -25,7 +23,7 @@ pub const ALONG: Key = Key {
     about: "the coordinate along which it lies askew or a wave runs, or the angle around it",
     example: "position",
 };
-/// The period of a wave.
+/// The period of a wave, in the unit of the coordinate that it runs along.
 pub const PERIOD: Key =
     Key { name: "period", about: "length of one wave, in a unit of that coordinate", example: "90 mm" };
 /// The observable on which an effect acts.
@@ -44,49 +42,3 @@ pub const IN_FILE: Key = Key {
 };
 /// The unit of a file of covariances.
 pub const UNIT: Key = Key { name: "unit", about: "the unit whose square the entries of the file have", example: "um" };
-
-/// The key of the size of an effect.
-pub fn size_key(effect: &MeasurementEffect) -> Key {
-    let example = match (effect.size, effect.acts) {
-        (Size::OfObservable(..), Acts::Rounds) => "1 um",
-        (Size::OfObservable(..), _) => "0.7 um",
-        (Size::Number(..), Acts::Weighs) => "10",
-        (Size::Number(..), _) => "2",
-        (Size::Quantity(parameter), _) if parameter.kind.unit.is_empty() => "1.02",
-        (Size::Quantity(..), _) => "30 s",
-        (Size::File(..), _) => "covariance.csv",
-    };
-    Key { name: effect.size.key(), about: effect.size.about(), example }
-}
-
-/// The keys of an effect's table, those of sizes last.
-pub fn keys(effect: &MeasurementEffect) -> Vec<Key> {
-    let is = |other: &MeasurementEffect| effect == other;
-    let is_shared = matches!(effect.acts, Acts::Shared(_));
-    let groups = is(&effects::ZERO_SHIFT) || is(&effects::DISCREPANCY) || is(&effects::ALIGNMENT);
-    let of_one = is_shared || matches!(effect.acts, Acts::Weighs | Acts::Rounds | Acts::Reads);
-    let mut keys = Vec::new();
-    for (has, key) in [
-        (groups, BY),
-        (is(&effects::ALIGNMENT) || is(&effects::WAVE), ALONG),
-        (is(&effects::WAVE), PERIOD),
-        (of_one, OBSERVABLE),
-        (matches!(effect.acts, Acts::Weighs), ROWS),
-        (is(&effects::JUMP), FROM),
-        (matches!(effect.acts, Acts::Weighs) || is(&effects::JUMP), IN_FILE),
-        (is(&effects::ALIGNMENT), size_key(&effects::ALIGNMENT_OFFSET)),
-        (true, size_key(effect)),
-        (matches!(effect.acts, Acts::Given), UNIT),
-    ] {
-        if has {
-            keys.push(key);
-        }
-    }
-    keys
-}
-
-/// The keys of an effect's table that hold a size.
-pub fn size_keys(effect: &MeasurementEffect) -> Vec<&'static str> {
-    let offset = (*effect == effects::ALIGNMENT).then(|| effects::ALIGNMENT_OFFSET.size.key());
-    offset.into_iter().chain([effect.size.key()]).collect()
-}

@@ -77,7 +77,7 @@ impl Restricted<'_> {
                     // Correlations from e^-5 to 0.95 between neighbours.
                     Acts::Neighbours => (0.2, 20.0),
                     Acts::Scales => (0.1, 100.0),
-                    Acts::Weighs | Acts::Rounds | Acts::Reads | Acts::Given => continue,
+                    _ => continue,
                 };
                 let size = match self.size_profile(own, &terms, i, first) {
                     Some(profile) => golden(low.ln(), high.ln(), |log_size| profile.minus_two_log(log_size.exp())),

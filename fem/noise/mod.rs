@@ -1,25 +1,43 @@
 //! Noise of the measurements: from their own column, from repeats, or estimated from the residuals; and what
 //! the rows share of it, by effects of the measurement itself.
 
+mod caution;
 mod chance;
+mod contradiction;
 mod covariance;
+mod covariance_file;
 pub mod effects;
+mod evidence;
 mod flat;
 mod given;
 mod grid;
+mod instrument;
+mod key;
 mod level;
 mod likelihood;
 mod mean;
+mod scan;
+mod size;
 mod size_profile;
+mod suspects;
+mod table;
 mod term;
 
+pub use caution::caution;
 pub use chance::{beyond_chi2, beyond_f};
+pub use contradiction::contradictions;
 pub use effects::MEASUREMENT;
+pub use evidence::{Evidence, own_observables};
 pub use given::GivenCovariance;
 pub use grid::step_of;
+pub use instrument::{at_true_times, behind, is_size_of, reading, time_of};
+pub use key::{FROM, Key};
 pub use level::NoiseLevel;
 pub use likelihood::Restricted;
-pub use term::{Acts, Along, Column, MeasurementEffect, Size, Term};
+pub use size::{observed, size};
+pub use suspects::{PROMISING, is_rough, is_round_off, suspects};
+pub use table::read;
+pub use term::{Acts, Along, Column, MeasurementEffect, Shape, Size, Term};
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -172,6 +190,11 @@ impl Noise {
         }
     }
 
+    /// Price of its terms in −2 ln L: ln n for every parameter, and what rows were chosen from.
+    pub fn price(&self) -> f64 {
+        self.terms.iter().map(|term| term.price(self.sigma.len())).sum()
+    }
+
     /// Source of the level of the standard uncertainties: those that were scaled by the residuals do not tell it.
     pub fn source_of_level(&self) -> NoiseSource {
         let is_scaled = self.terms.iter().any(|t| matches!(t.effect.acts, Acts::Scales));
@@ -205,7 +228,7 @@ impl Noise {
             Acts::Neighbours => own.is_like(other) && own.size == other.size,
             Acts::Given => false,
             // What these change stands in sigma.
-            Acts::Scales | Acts::Weighs | Acts::Rounds | Acts::Reads => own.is_like(other),
+            Acts::Scales | Acts::Weighs | Acts::Rounds | Acts::Shows(_) | Acts::Times(_) => own.is_like(other),
         };
         self.terms.len() == other.terms.len()
             && self.sigma.iter().zip(other.sigma.iter()).all(|(own, other)| is_scaled(*own, *other))

@@ -3,8 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
+use super::Noise;
+use super::term::{Acts, Term};
 use crate::measure::Measurements;
-use crate::noise::{Acts, Noise, Term};
 
 /// Places at which a step of the zero is looked for.
 const STEPS: usize = 240;

@@ -1,8 +1,7 @@
 //! The sizes of effects of the measurement, as a model writes them.
 
-use super::keys::size_key;
+use super::term::{Acts, MeasurementEffect, Size};
 use crate::input::Problem;
-use crate::noise::{Acts, MeasurementEffect, Size, effects};
 use crate::process::Process;
 use crate::units::{Kind, Knowledge, NUMBER, Quantity};
 
@@ -39,7 +38,7 @@ pub fn size(effect: &MeasurementEffect, observed: &[(usize, Kind)], text: &str) 
     let Some((_, quantity)) = read.first() else {
         let error = wrong.into_iter().find_map(Result::err);
         let (message, hint) = error.map_or((String::new(), None), |e| (e.message, e.hint));
-        let example = size_key(effect).example;
+        let example = effect.example;
         return Err(Problem::new(message).help(hint.unwrap_or_else(|| format!("write \"{example}\""))));
     };
     let of = read.iter().map(|(position, _)| *position).collect();
@@ -49,18 +48,19 @@ pub fn size(effect: &MeasurementEffect, observed: &[(usize, Kind)], text: &str) 
 /// The value of a size, if it can be meant.
 fn meant(effect: &MeasurementEffect, quantity: &Quantity) -> Result<f64, Problem> {
     let is_weight = matches!(effect.acts, Acts::Weighs);
-    let is_of_alignment = *effect == effects::ALIGNMENT;
     match quantity.knowledge {
         Knowledge::Free if is_weight => {
             Err(Problem::new("it cannot be estimated from single rows").help("leave it out, and it is 10"))
         }
         Knowledge::Free => Ok(f64::NAN),
-        Knowledge::Rough(_) if !matches!(effect.acts, Acts::Reads) => {
+        Knowledge::Rough(_) if !effect.acts.is_reading() => {
             let problem = Problem::new("the size of a scatter has no `+-`");
             Err(problem.help("write the value alone, or \"?\" to have it estimated"))
         }
-        // A clock may be early, and a part may lie askew without being off.
-        _ if *effect == effects::CLOCK || is_of_alignment && quantity.value == 0.0 => Ok(quantity.value),
+        // A clock may be early, and of two sizes in a table one may be at work alone.
+        _ if matches!(effect.acts, Acts::Times(_)) || effect.is_one_of_two && quantity.value == 0.0 => {
+            Ok(quantity.value)
+        }
         _ if quantity.value > 0.0 => Ok(quantity.value),
         _ if is_weight => Err(Problem::new("it must be above zero").help("leave it out, and it is 10")),
         _ => Err(Problem::new("it must be above zero").help("leave the table out, or write \"?\"")),

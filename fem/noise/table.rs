@@ -1,82 +1,88 @@
-//! The tables `[measurement.NAME]`: what the model says of its instrument, datum and surroundings.
-
-mod covariance;
-mod keys;
-mod size;
-
-pub use keys::{Key, keys, size_keys};
-pub(super) use size::{observed, size};
+//! Reads the tables `[measurement.NAME]`: what a model says of its instrument, datum and surroundings.
 
 use std::path::PathBuf;
 
-use crate::input::{Cache, Reader, did_you_mean, is_one_of};
+use super::given::GivenCovariance;
+use super::instrument::time_of;
+use super::key::{ALONG, BY, FROM, IN_FILE, Key, OBSERVABLE, PERIOD, ROWS, UNIT};
+use super::size::{observed, size};
+use super::term::{Acts, Along, MeasurementEffect, Size, Term};
+use super::{covariance_file, effects};
+use crate::input::{Cache, Reader, did_you_mean};
 use crate::measure::{FILE, FILE_WORD};
-use crate::noise::{Acts, Along, GivenCovariance, MeasurementEffect, Size, Term, effects};
 use crate::process::{Coordinate, Holds, Parameter, Process};
-use crate::units::{ANGLE, Kind, Knowledge, LENGTH, Quantity, TIME, Unit};
-use keys::{ALONG, BY, FROM, IN_FILE, OBSERVABLE, PERIOD, ROWS, UNIT};
+use crate::units::{ANGLE, Kind, Knowledge, LENGTH, Quantity, Unit};
 
 /// The covariances of a model, by their files and the factors of their units.
 type Covariances = Cache<(PathBuf, u64), GivenCovariance, 4>;
 
-/// Finds an effect of the measurement by the name of its table, which may be a further one: `zero-shift-2`.
-pub fn effect_named(name: &str) -> Option<&'static MeasurementEffect> {
-    effects::ALL.iter().copied().find(|e| is_one_of(name, e.name))
-}
-
 /// Reads every measurement effect of a model. A size that is unknown (`?`) is not a number; rows are records
 /// of the file, counted from 1.
 pub fn read(model: &Reader, process: &'static dyn Process) -> Vec<Term> {
-    let names: Vec<&'static str> = effects::ALL.iter().map(|e| e.name).collect();
+    let names: Vec<&'static str> = effects::all().map(|e| e.name).collect();
     let about = "what instrument, datum or surroundings do to the measurements";
-    let read = |known: &'static str, name: &str, table: &Reader| match effect_named(known) {
+    let read = |known: &'static str, name: &str, table: &Reader| match effects::named(known) {
         Some(effect) => terms(effect, name, table, process),
         None => Vec::new(),
     };
-    model.tables_within("measurement", about, &names, read).into_iter().flatten().collect()
+    model.tables_within(effects::MEASUREMENT, about, &names, read).into_iter().flatten().collect()
 }
 
-/// The terms of a table: one, but for an alignment, which has an offset and a slope.
+/// The terms of a table: one, or two where two sizes stand in it.
 fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
     let mut term = Term { table: name.to_string(), ..Term::new(effect) };
-    let keys = keys(effect);
-    if keys.contains(&BY) {
+    if effect.has(BY) {
         term.by = coordinates(table, process);
     }
-    if keys.contains(&OBSERVABLE) {
+    if effect.has(OBSERVABLE) {
         term.observable = observable(table, process);
     }
-    if keys.contains(&ROWS) {
+    if effect.has(ROWS) {
         term.rows = numbers(table, &ROWS);
         if !table.has(ROWS.name) {
             table.problem(ROWS.name, "the rows that are wrong are not listed", "add rows = \"12, 40\"");
         }
     }
-    if keys.contains(&FROM) {
+    if effect.has(FROM) {
         term.rows = numbers(table, &FROM);
         if !table.has(FROM.name) || term.rows.len() > 1 {
             table.problem(FROM.name, "a step begins at one row", "add from = \"46\"");
         }
     }
-    if keys.contains(&IN_FILE) {
+    if effect.has(IN_FILE) {
         term.file = table.text(IN_FILE.name, IN_FILE.about);
     }
-    if *effect == effects::ALIGNMENT {
-        return alignment(term, table, process);
+    if effect.has(ALONG) {
+        let along = along(table, process, effect);
+        if effect.has(PERIOD) {
+            term.period = period(table, along.map_or(LENGTH, |(_, kind)| kind));
+        }
+        term.along = along.map(|(along, _)| along);
     }
-    if *effect == effects::WAVE {
-        return wave(term, table, process);
-    }
-    match (effect.acts, effect.size) {
-        (Acts::Reads, Size::Quantity(Parameter { name, kind, about, .. })) => {
+    match (effect.acts, effect.size, effect.beside) {
+        (_, Size::Quantity(Parameter { name, kind, about, .. }), _) => {
             let field = table.quantity(name, *kind, about);
             let field = if kind.unit.is_empty() { field.positive() } else { field };
             check_time(effect, table, process);
             vec![Term { size: field.required(), ..term }]
         }
-        (Acts::Given, _) => given(term, table).into_iter().collect(),
+        (Acts::Given, ..) => given(term, table).into_iter().collect(),
+        (.., Some(other)) => two(term, other, table, process),
         _ => sized(term, table, process).into_iter().collect(),
     }
+}
+
+/// Both terms of a table with two sizes; one that is zero is left out.
+fn two(term: Term, other: &'static MeasurementEffect, table: &Reader, process: &dyn Process) -> Vec<Term> {
+    let first = sized(Term { effect: other, along: None, ..term.clone() }, table, process);
+    let second = sized(term.clone(), table, process);
+    let all: Vec<Term> = first.into_iter().chain(second).filter(|t| t.size != 0.0).collect();
+    if all.is_empty() && !table.is_described() && table.is_sound() {
+        let [first, second] = [other.size.key(), term.effect.size.key()];
+        let message = format!("neither `{first}` nor `{second}` is at work");
+        table.problem(second, message, "leave the table out, or write \"?\"");
+    }
+    all
 }
 
 /// The term with the size that its table says.
@@ -84,7 +90,7 @@ fn sized(mut term: Term, table: &Reader, process: &dyn Process) -> Option<Term> 
     let effect = term.effect;
     let key = effect.size.key();
     let Some(text) = table.text_or_number(key, effect.size.about()) else {
-        term.size = if matches!(effect.acts, Acts::Weighs) { effects::OUTLYING } else { f64::NAN };
+        term.size = effect.usual;
         return Some(term);
     };
     match size(effect, &observed(process, term.observable), &text) {
@@ -104,20 +110,8 @@ fn sized(mut term: Term, table: &Reader, process: &dyn Process) -> Option<Term> 
     }
 }
 
-/// Offset and slope of an alignment; one that is zero is left out.
-fn alignment(term: Term, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
-    let along = along(table, process, "the part lies askew").map(|(along, _)| along);
-    let offset = sized(Term { effect: &effects::ALIGNMENT_OFFSET, ..term.clone() }, table, process);
-    let slope = sized(Term { along, ..term }, table, process);
-    let all: Vec<Term> = offset.into_iter().chain(slope).filter(|t| t.size != 0.0).collect();
-    if all.is_empty() && !table.is_described() && table.is_sound() {
-        table.problem("slope", "neither an offset nor a slope is at work", "leave the table out, or write \"?\"");
-    }
-    all
-}
-
-/// The coordinate along which something `happens`, with its kind; `None` where none is said, and the problem is noted.
-fn along(table: &Reader, process: &dyn Process, happens: &str) -> Option<(Along, Kind)> {
+/// The coordinate along which an effect changes, with its kind; `None` where none is said, and the problem is noted.
+fn along(table: &Reader, process: &dyn Process, effect: &MeasurementEffect) -> Option<(Along, Kind)> {
     let names = || process.coordinates().iter().map(|c| c.name);
     let said = table.text(ALONG.name, ALONG.about);
     let listed = || {
@@ -126,7 +120,7 @@ fn along(table: &Reader, process: &dyn Process, happens: &str) -> Option<(Along,
         format!("known are {}", all.collect::<Vec<_>>().join(", "))
     };
     let Some(said) = said else {
-        let message = format!("it is not said along what {happens}");
+        let message = format!("it is not said along what `{}` changes", effect.name);
         table.problem(ALONG.name, message, format!("add along; {}", listed()));
         return None;
     };
@@ -140,15 +134,6 @@ fn along(table: &Reader, process: &dyn Process, happens: &str) -> Option<(Along,
         return None;
     };
     Some((Along { coordinate, is_angle: kind == ANGLE }, kind))
-}
-
-/// A wave with the coordinate along which it runs.
-fn wave(term: Term, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
-    let along = along(table, process, "the wave runs");
-    let kind = along.map_or(LENGTH, |(_, kind)| kind);
-    let period = period(table, kind);
-    let along = along.map(|(along, _)| along);
-    sized(Term { along, period, ..term }, table, process).into_iter().collect()
 }
 
 /// The period of a wave; `None` where it is not known, and the problem is noted.
@@ -172,7 +157,7 @@ fn period(table: &Reader, kind: Kind) -> Option<f64> {
 /// The covariance that a file gives; `None` where there is none, and the problem is noted.
 fn given(term: Term, table: &Reader) -> Option<Term> {
     let key = term.effect.size.key();
-    let file = table.required_file(key, term.effect.size.about(), covariance::LARGEST);
+    let file = table.required_file(key, term.effect.size.about(), covariance_file::LARGEST);
     let unit = table.text(UNIT.name, UNIT.about);
     if !table.has(UNIT.name) {
         table.problem(UNIT.name, "the unit of the covariance is not said", "add unit = \"um\": its square is meant");
@@ -186,7 +171,7 @@ fn given(term: Term, table: &Reader) -> Option<Term> {
         }
     };
     let asked = (file.path.clone(), factor.to_bits());
-    match table.kept::<Covariances>().get_or(asked, |_| covariance::read(&file, factor)) {
+    match table.kept::<Covariances>().get_or(asked, |_| covariance_file::read(&file, factor)) {
         Ok(covariance) => Some(Term { covariance: Some(covariance), size: f64::NAN, ..term }),
         Err(problem) => {
             let message = format!("{}: {}", file.path.display(), problem.message);
@@ -198,15 +183,10 @@ fn given(term: Term, table: &Reader) -> Option<Term> {
 
 /// Refuses a clock where nothing has a time.
 fn check_time(effect: &MeasurementEffect, table: &Reader, process: &dyn Process) {
-    if *effect == effects::CLOCK && time_of(process).is_none() && !table.is_described() {
+    if matches!(effect.acts, Acts::Times(_)) && time_of(process).is_none() && !table.is_described() {
         let message = format!("nothing in `{}` has a time", process.name());
         table.problem("", message, "leave the table out");
     }
-}
-
-/// The coordinate that is a time, by its position in the process's list.
-pub fn time_of(process: &dyn Process) -> Option<usize> {
-    process.coordinates().iter().position(|c| c.holds.kind() == Some(TIME))
 }
 
 fn coordinates(table: &Reader, process: &dyn Process) -> Vec<usize> {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::given::GivenCovariance;
+use super::key::{Key, UNIT};
 use crate::measure::Measurements;
 use crate::process::Parameter;
 use crate::units::{Kind, NUMBER};
@@ -10,7 +11,7 @@ use crate::units::{Kind, NUMBER};
 /// Entries of a column: rows with their weights.
 pub type Column = Vec<(usize, f64)>;
 
-/// What instrument, datum or surroundings do to data: a row of the catalogue.
+/// What instrument, datum or surroundings do to data: all of it but how the residuals ask for it.
 #[derive(Debug)]
 pub struct MeasurementEffect {
     /// The word in `[measurement.NAME]`.
@@ -23,10 +24,86 @@ pub struct MeasurementEffect {
     pub source: &'static str,
     /// What tells it from effects of the machine.
     pub separates: &'static str,
+    /// Keys of its table beside those of sizes.
+    pub keys: &'static [Key],
     /// Its parameter.
     pub size: Size,
+    /// How the size is written, without quotes.
+    pub example: &'static str,
+    /// The size where its key is left out; not a number where it is then estimated.
+    pub usual: f64,
+    /// An effect whose size stands in the same table.
+    pub beside: Option<&'static MeasurementEffect>,
+    /// Whether another size stands in its table; then either may be zero, and is left out.
+    pub is_one_of_two: bool,
     /// How it enters the covariance.
     pub acts: Acts,
+    /// Its price in −2 ln L as a number of parameters, each of which costs ln n; the odds against a row that it names
+    /// are added.
+    pub parameters: f64,
+    /// Prior odds against every row that it names, in −2 ln L.
+    pub odds: f64,
+    /// The shape that it describes, where no law here has it: it explains nothing.
+    pub shape: Option<Shape>,
+    /// Whether a hand that sets a zero anew makes it.
+    pub sets_zero: bool,
+}
+
+impl MeasurementEffect {
+    /// What most effects are, for those that differ from it to be written in short.
+    pub const USUAL: Self = Self {
+        name: "",
+        about: "",
+        law: "",
+        source: "",
+        separates: "",
+        keys: &[],
+        size: Size::Number("", ""),
+        example: "",
+        usual: f64::NAN,
+        beside: None,
+        is_one_of_two: false,
+        acts: Acts::Scales,
+        parameters: 1.0,
+        odds: 0.0,
+        shape: None,
+        sets_zero: false,
+    };
+
+    /// The keys of its table, those of sizes last but for what says of what the size is.
+    pub fn all_keys(&self) -> Vec<Key> {
+        let (before, after): (Vec<Key>, Vec<Key>) = self.keys.iter().partition(|key| **key != UNIT);
+        before.into_iter().chain(self.beside.map(Self::size_key)).chain([self.size_key()]).chain(after).collect()
+    }
+
+    /// The key of its size.
+    pub fn size_key(&self) -> Key {
+        Key { name: self.size.key(), about: self.size.about(), example: self.example }
+    }
+
+    /// The keys of its table that hold a size.
+    pub fn size_keys(&self) -> Vec<&'static str> {
+        self.beside.iter().map(|other| other.size.key()).chain([self.size.key()]).collect()
+    }
+
+    /// Whether it only describes what no law here has.
+    pub fn describes(&self) -> bool {
+        self.shape.is_some()
+    }
+
+    /// Whether its table has a key.
+    pub fn has(&self, key: Key) -> bool {
+        self.keys.contains(&key)
+    }
+}
+
+/// What a law that nobody has looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A wave; several of them make any curve.
+    Wave,
+    /// Any curve.
+    Curve,
 }
 
 impl PartialEq for MeasurementEffect {
@@ -80,8 +157,10 @@ pub enum Acts {
     Weighs,
     /// Adds size²/12 to the variance of every row where it is stated, and is a floor of it where it is not.
     Rounds,
-    /// Changes what the instrument shows of a prediction; it is no noise.
-    Reads,
+    /// Changes what the instrument shows of a value above the zero of its scale, by its size; it is no noise.
+    Shows(fn(f64, f64) -> f64),
+    /// Changes the time at which a row was taken, by its size; it is no noise.
+    Times(fn(f64, f64) -> f64),
     /// Takes the place of the standard uncertainties: the covariance is known.
     Given,
 }
@@ -90,6 +169,11 @@ impl Acts {
     /// Whether its size follows from the likelihood of the residuals.
     pub fn is_estimated(self) -> bool {
         matches!(self, Self::Shared(_) | Self::Neighbours | Self::Scales)
+    }
+
+    /// Whether it changes what is read, and is no noise.
+    pub fn is_reading(self) -> bool {
+        matches!(self, Self::Shows(_) | Self::Times(_))
     }
 }
 
@@ -143,6 +227,11 @@ impl Term {
             size: 0.0,
             covariance: None,
         }
+    }
+
+    /// Its price in −2 ln L among so many rows.
+    pub fn price(&self, rows: usize) -> f64 {
+        self.effect.parameters * (rows as f64).ln() + self.effect.odds * self.rows.len() as f64
     }
 
     /// Whether it acts on a row.

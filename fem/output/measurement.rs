@@ -5,8 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value as Json, json};
 
 use crate::measure::{Measurements, grouping_name};
-use crate::model::{Key, measurement_keys, measurement_size_keys};
-use crate::noise::{MEASUREMENT, MeasurementEffect, Size, Term, effects};
+use crate::noise::{Key, MEASUREMENT, MeasurementEffect, Shape, Size, Term, effects};
 use crate::process::Process;
 use crate::units::{Kind, NUMBER};
 
@@ -24,7 +23,7 @@ pub fn catalogue(effects: &[&MeasurementEffect]) -> String {
 pub fn page(effect: &MeasurementEffect) -> String {
     let MeasurementEffect { name, about, law, source, separates, .. } = effect;
     let mut text = format!("{name} ({MEASUREMENT})\n  {about}\n\n  law     {law}\n  source  {source}\n\n");
-    let keys = measurement_keys(effect);
+    let keys = effect.all_keys();
     for key in &keys {
         let _ = writeln!(text, "  {:<14} {}", key.name, described(effect, key));
     }
@@ -38,7 +37,7 @@ pub fn page(effect: &MeasurementEffect) -> String {
 }
 
 fn is_size(effect: &MeasurementEffect, key: &Key) -> bool {
-    measurement_size_keys(effect).contains(&key.name)
+    effect.size_keys().contains(&key.name)
 }
 
 /// Unit of a key, where it is known without a file.
@@ -75,7 +74,7 @@ pub fn entry(effect: &MeasurementEffect) -> Json {
         "about": effect.about,
         "law": effect.law,
         "source": effect.source,
-        "parameters": measurement_keys(effect).iter().map(parameter).collect::<Vec<_>>(),
+        "parameters": effect.all_keys().iter().map(parameter).collect::<Vec<_>>(),
         "look_alikes": [],
         "separated_by": [effect.separates],
     })
@@ -144,7 +143,7 @@ pub fn grouped(by: &[&str]) -> String {
 /// What a curve along these coordinates that no law has is called in the field, and what that is.
 pub fn curve(effect: &MeasurementEffect, by: &[&str], process: &dyn Process) -> Option<(&'static str, &'static str)> {
     let own = process.coordinates().iter().filter(|c| by.contains(&c.name));
-    own.filter_map(|c| c.curve).next().filter(|_| *effect == effects::DISCREPANCY)
+    own.filter_map(|c| c.curve).next().filter(|_| effect.shape == Some(Shape::Curve))
 }
 
 fn coordinates(term: &Term, process: &dyn Process) -> Vec<&'static str> {
@@ -183,5 +182,5 @@ pub fn json(terms: &[Term], process: &dyn Process, measurements: Option<&Measure
 
 /// The entry of the catalogue by its name, if it is one of the measurement.
 pub fn entry_named(name: &str) -> Option<&'static MeasurementEffect> {
-    effects::ALL.iter().copied().find(|effect| effect.name == name)
+    effects::all().find(|effect| effect.name == name)
 }

@@ -133,7 +133,7 @@ fn what_cannot_be_added_is_refused() {
         (AXIS, &["alignment", "by=run"], "not said along what", "add along"),
         (AXIS, &["alignment", "along=direction"], "is no length, angle or time", "position"),
         (AXIS, &["alignment", "along=positon"], "`positon` is no coordinate", "did you mean \"position\"?"),
-        (AXIS, &["alignment", "along=position", "offset=0 um", "slope=0 um"], "neither an offset nor a slope", "leave"),
+        (AXIS, &["alignment", "along=position", "offset=0 um", "slope=0 um"], "neither `offset` nor `slope`", "leave"),
         (AXIS, &["covariance", "unit=um"], "`file` is missing", "add file ="),
         (AXIS, &["covariance", "file=none.csv", "unit=um"], "none.csv", "relative to the folder"),
         ("shifted.toml", &["zero-shift"], "has the effect `zero-shift` already", "`zero-shift-2`"),
@@ -397,7 +397,7 @@ fn the_schema_has_the_tables() {
     let schema = parsed(&Place::new().fem(&["schema"]).out);
     for process in schema["oneOf"].as_array().unwrap() {
         let tables = &process["properties"]["measurement"]["properties"];
-        for effect in fem::noise::effects::ALL {
+        for effect in fem::noise::effects::all() {
             assert!(tables[effect.name]["properties"][effect.size.key()].is_object(), "{}: {tables}", effect.name);
         }
     }

@@ -1,11 +1,13 @@
 //! The part lies askew in the instrument.
 
-use super::super::term::{Acts, Column, MeasurementEffect, Size, Term};
+use super::super::evidence::Evidence;
+use super::super::key::{ALONG, BY, OBSERVABLE};
+use super::super::term::{Acts, Along, Column, MeasurementEffect, Size, Term};
 use super::zero_shift;
 use crate::measure::Measurements;
 
 /// An offset and a slope of the part in the instrument, anew for every group; its slopes.
-pub static ALIGNMENT: MeasurementEffect = SLOPES;
+pub static ALIGNMENT: MeasurementEffect = MeasurementEffect { beside: Some(&OFFSETS), ..SLOPES };
 
 const SLOPES: MeasurementEffect = MeasurementEffect {
     name: "alignment",
@@ -13,16 +15,40 @@ const SLOPES: MeasurementEffect = MeasurementEffect {
     law: "y = prediction + a + b*(x - middle)/(half of the range of x); around an angle a + b*cos + c*sin",
     source: "ISO 1101:2017, 3.7: datum; ISO 12181-1:2011: the least-squares circle takes the same directions out",
     separates: "take the part out, turn it end for end and measure it again: what lies askew turns with it",
+    keys: &[BY, ALONG, OBSERVABLE],
+    is_one_of_two: true,
+    example: "0.7 um",
     size: Size::OfObservable("slope", "standard deviation of what the slopes add at the ends of the range"),
     acts: Acts::Shared(columns),
+    ..MeasurementEffect::USUAL
 };
 
 /// The offsets of an alignment; they stand in the same table.
-pub static ALIGNMENT_OFFSET: MeasurementEffect = MeasurementEffect {
+static OFFSETS: MeasurementEffect = MeasurementEffect {
     size: Size::OfObservable("offset", "standard deviation of the offsets"),
     acts: Acts::Shared(zero_shift::columns),
     ..SLOPES
 };
+
+/// Fewest groups that are seen to lie askew each in its own way.
+const LEAST_ASKEW: usize = 3;
+
+/// Slopes along places, anew for every part, run or file: how it was put into the instrument. The slope that all of
+/// them share is the machine's as well as the instrument's, and is told by neither.
+pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
+    let is_place = |a: &Along| {
+        let is_label = evidence.is_label(a.coordinate);
+        !is_label && !evidence.is_time(a.coordinate) && evidence.has_places(a.coordinate)
+    };
+    let places: Vec<Along> = evidence.places().filter(is_place).collect();
+    let is_askew = |by: &Vec<usize>| by.iter().all(|i| evidence.is_label(*i)) && evidence.count(by) >= LEAST_ASKEW;
+    let groups = evidence.groupings().into_iter().filter(is_askew);
+    let placed = groups.flat_map(|by| places.iter().map(move |place| (by.clone(), *place)).collect::<Vec<_>>());
+    placed
+        .map(|(by, place)| Term { by, along: Some(place), ..Term::new(&ALIGNMENT) })
+        .flat_map(|term| evidence.each_new(term))
+        .collect()
+}
 
 /// One column a level, rising along the coordinate from −1 to 1 over its range in the file; around an angle a
 /// cosine and a sine.
@@ -65,7 +91,7 @@ mod tests {
         let angles: Vec<f64> = (0..8).map(|i| f64::from(i) * std::f64::consts::FRAC_PI_4).collect();
         let along = Some(Along { coordinate: 0, is_angle: true });
         let term = |effect| Term { along, size: f64::INFINITY, ..Term::new(effect) };
-        let terms = [term(&effects::ALIGNMENT), Term { along: None, ..term(&effects::ALIGNMENT_OFFSET) }];
+        let terms = [term(&effects::ALIGNMENT), Term { along: None, ..term(&super::OFFSETS) }];
         // An offset and an eccentricity leave nothing; two lobes stay whole: the sum of cos² over eight is four.
         let off: Vec<f64> = angles.iter().map(|a| 3.0 + 5.0 * a.cos() - 2.0 * a.sin()).collect();
         assert!(whitened_square(&measured(&angles), &terms, &off).0 < 1e-20);

@@ -1,5 +1,6 @@
 //! The times of the file are late.
 
+use super::super::key::OBSERVABLE;
 use super::super::term::{Acts, MeasurementEffect, Size};
 use crate::process::Parameter;
 use crate::units::SECONDS;
@@ -20,5 +21,10 @@ pub static CLOCK: MeasurementEffect = MeasurementEffect {
     source: "a shift of the time axis; Box, Jenkins & Reinsel, Time Series Analysis, 1994, ch. 10 (dead time)",
     separates: "switch something that both clocks see",
     size: Size::Quantity(&DELAY),
-    acts: Acts::Reads,
+    keys: &[OBSERVABLE],
+    example: "30 s",
+    parameters: 0.0,
+    // Before the start nothing changes.
+    acts: Acts::Times(|delay, time| (time - delay).max(time.min(0.0))),
+    ..MeasurementEffect::USUAL
 };

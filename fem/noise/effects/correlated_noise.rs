@@ -1,6 +1,7 @@
 //! Neighbouring rows share noise.
 
-use super::super::term::{Acts, MeasurementEffect, Size};
+use super::super::evidence::Evidence;
+use super::super::term::{Acts, MeasurementEffect, Size, Term};
 
 /// What a row is off by is shared with its neighbours.
 pub static CORRELATED_NOISE: MeasurementEffect = MeasurementEffect {
@@ -10,8 +11,16 @@ pub static CORRELATED_NOISE: MeasurementEffect = MeasurementEffect {
     source: "Box, Jenkins & Reinsel, Time Series Analysis, 1994, ch. 3 (AR(1): coefficient exp(-1/length))",
     separates: "measure the rows in another order, or more slowly",
     size: Size::Number("length", "rows over which the correlation falls to 1/e"),
+    example: "2",
     acts: Acts::Neighbours,
+    ..MeasurementEffect::USUAL
 };
+
+/// Once, where the covariance of the rows is not known.
+pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
+    let is_known = evidence.has(|acts| matches!(acts, Acts::Neighbours | Acts::Given));
+    if is_known { Vec::new() } else { vec![evidence.and(Term::new(&CORRELATED_NOISE))] }
+}
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,6 @@
 //! The covariance of the rows is known.
 
+use super::super::key::UNIT;
 use super::super::term::{Acts, MeasurementEffect, Size};
 
 /// The covariance of the rows stands in a file.
@@ -10,7 +11,11 @@ pub static COVARIANCE: MeasurementEffect = MeasurementEffect {
     source: "Aitken, On least squares and linear combinations of observations, Proc. R. Soc. Edinb. 55, 1936",
     separates: "repeat the measurement: the scatter of all rows together is their covariance",
     size: Size::File("file", "CSV: a matrix of numbers, or a header `row,column,covariance` and the entries"),
+    keys: &[UNIT],
+    example: "covariance.csv",
+    parameters: 0.0,
     acts: Acts::Given,
+    ..MeasurementEffect::USUAL
 };
 
 #[cfg(test)]

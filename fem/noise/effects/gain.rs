@@ -1,5 +1,6 @@
 //! The instrument's scale is off.
 
+use super::super::key::OBSERVABLE;
 use super::super::term::{Acts, MeasurementEffect, Size};
 use crate::process::Parameter;
 use crate::units::Kind;
@@ -18,5 +19,9 @@ pub static GAIN: MeasurementEffect = MeasurementEffect {
     source: "JCGM 200:2012 (VIM), 4.12 and 4.20: sensitivity and systematic error of a measuring system",
     separates: "measure a master of known size with the same instrument",
     size: Size::Quantity(&OFF),
-    acts: Acts::Reads,
+    keys: &[OBSERVABLE],
+    example: "1.02",
+    parameters: 0.0,
+    acts: Acts::Shows(|factor, value| factor * value),
+    ..MeasurementEffect::USUAL
 };

@@ -1,6 +1,9 @@
 //! Single rows are wrong.
 
-use super::super::term::{Acts, MeasurementEffect, Size};
+use super::super::contradiction::{FEW, contradicting, contradictions as contradictory};
+use super::super::evidence::Evidence;
+use super::super::key::{IN_FILE, OBSERVABLE, ROWS};
+use super::super::term::{Acts, MeasurementEffect, Size, Term};
 
 /// Factor by which the noise of an outlying row exceeds that of the others, where nothing else is said: its
 /// weight is then a hundredth, and no likelihood of single rows could tell it.
@@ -14,8 +17,56 @@ pub static OUTLIERS: MeasurementEffect = MeasurementEffect {
     source: "Hogg, Bovy & Lang, Data analysis recipes: fitting a model to data, 2010, sec. 3 (mixture)",
     separates: "measure these rows again",
     size: Size::Number("factor", "by which the noise of an outlying row exceeds that of the others"),
+    keys: &[OBSERVABLE, ROWS, IN_FILE],
+    example: "10",
+    usual: OUTLYING,
+    parameters: 0.0,
+    // 2·ln(0.99/0.01)
+    odds: 9.2,
     acts: Acts::Weighs,
+    ..MeasurementEffect::USUAL
 };
+
+/// The term of these rows.
+pub fn of(rows: Vec<usize>) -> Term {
+    Term { rows, size: OUTLYING, ..Term::new(&OUTLIERS) }
+}
+
+/// The terms with outlying rows that contradict the rows that they repeat; `None` where there are none, or
+/// too many to be single mistakes.
+pub fn contradictions(evidence: &Evidence) -> Option<Vec<Term>> {
+    let noise = evidence.noise;
+    let z: Vec<f64> = evidence.residuals.iter().zip(noise.sigma.iter()).map(|(r, s)| r / s).collect();
+    let rows = contradictory(&evidence.repeats.groups_of_rows(), &z);
+    let is_new = rows.iter().any(|row| !noise.is_weighed_down(*row));
+    is_new.then(|| instead(evidence, rows))
+}
+
+/// Rows that lie far outside of what the others scatter; none where they are too many to be single mistakes.
+pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
+    let noise = evidence.noise;
+    let present: Vec<usize> = (0..noise.sigma.len()).filter(|row| noise.is_weighed_down(*row)).collect();
+    let left = noise.unshared(evidence.residuals);
+    let z: Vec<f64> = left.iter().zip(noise.sigma.iter()).map(|(r, s)| r / s).collect();
+    let mut sizes: Vec<f64> = z.iter().map(|z| z.abs()).collect();
+    sizes.sort_unstable_by(f64::total_cmp);
+    // The median of |z| is 0.6745 of a standard deviation.
+    let usual = sizes[sizes.len() / 2] / 0.6745;
+    let usual = if noise.source.is_known() { usual.max(1.0) } else { usual };
+    let threshold = ((2.0 * (z.len() as f64).ln()).sqrt() + 1.0) * usual;
+    let contradicts = contradicting(&evidence.repeats.groups_of_rows(), &z);
+    let is_out = |row: &usize| z[*row].abs() > threshold || contradicts[*row];
+    let new: Vec<usize> = (0..z.len()).filter(|row| is_out(row) && !present.contains(row)).collect();
+    let mut rows = [present, new.clone()].concat();
+    rows.sort_unstable();
+    let are_few = !new.is_empty() && rows.len() as f64 <= FEW * z.len() as f64;
+    if are_few { vec![instead(evidence, rows)] } else { Vec::new() }
+}
+
+/// The terms at work with these outlying rows in the place of any others.
+fn instead(evidence: &Evidence, rows: Vec<usize>) -> Vec<Term> {
+    evidence.noise.terms.iter().filter(|t| *t.effect != OUTLIERS).cloned().chain([of(rows)]).collect()
+}
 
 #[cfg(test)]
 mod tests {

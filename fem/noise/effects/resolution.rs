@@ -1,6 +1,9 @@
 //! The instrument shows steps.
 
-use super::super::term::{Acts, MeasurementEffect, Size};
+use super::super::evidence::Evidence;
+use super::super::grid::step_of;
+use super::super::key::OBSERVABLE;
+use super::super::term::{Acts, MeasurementEffect, Size, Term};
 
 /// Readings are rounded to the instrument's step.
 pub static RESOLUTION: MeasurementEffect = MeasurementEffect {
@@ -10,8 +13,28 @@ pub static RESOLUTION: MeasurementEffect = MeasurementEffect {
     source: "JCGM 100:2008 (GUM), F.2.2.1: resolution of a digital indication",
     separates: "read the same rows with a finer instrument",
     size: Size::OfObservable("step", "step of the instrument; `?` reads it off the values of the file"),
+    keys: &[OBSERVABLE],
+    example: "1 um",
+    // Read off the values, and not chosen by the residuals.
+    parameters: 0.0,
     acts: Acts::Rounds,
+    ..MeasurementEffect::USUAL
 };
+
+/// The step of the instrument where the values of the file show one that is coarse beside their noise.
+pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
+    /// Standard deviation of rounding, over the noise, from which a step is coarse.
+    const COARSE: f64 = 0.5;
+    let (rows, noise) = (evidence.measurements, evidence.noise);
+    let is_at_work = |own: Option<usize>| noise.terms.iter().any(|t| *t.effect == RESOLUTION && t.observable == own);
+    let term = |(number, term): (usize, Term)| {
+        let size = step_of(rows, evidence.as_read, number)?;
+        let is_coarse = size / 12f64.sqrt() > COARSE * noise.usual(rows, rows.observables[number].position);
+        is_coarse.then_some(Term { size, ..term })
+    };
+    let own = evidence.each(Term::new(&RESOLUTION)).enumerate().filter(|(_, term)| !is_at_work(term.observable));
+    own.filter_map(term).map(|term| evidence.and(term)).collect()
+}
 
 #[cfg(test)]
 mod tests {

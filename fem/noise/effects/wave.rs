@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
-use super::super::term::{Acts, Column, MeasurementEffect, Size, Term};
+use super::super::evidence::Evidence;
+use super::super::key::{ALONG, OBSERVABLE, PERIOD};
+use super::super::term::{Acts, Column, MeasurementEffect, Shape, Size, Term};
 use crate::measure::Measurements;
 
 /// A wave of any phase along a coordinate. It describes, as a curve does: what made it, it does not say.
@@ -13,8 +15,24 @@ pub static WAVE: MeasurementEffect = MeasurementEffect {
     source: "a sinusoid of unknown period: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, ch. 2",
     separates: "look for what turns or repeats once in a period: a screw, a gear, a roller, a heater that switches",
     size: Size::OfObservable("size", "amplitude of the wave"),
+    keys: &[ALONG, PERIOD, OBSERVABLE],
+    example: "0.7 um",
+    // A period among all counts as two parameters, as a place does.
+    parameters: 3.0,
+    shape: Some(Shape::Wave),
     acts: Acts::Shared(columns),
+    ..MeasurementEffect::USUAL
 };
+
+/// One for each observable along every place, of the period that gains most. Several waves make any curve, and none of
+/// them is there.
+pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
+    let present = &evidence.noise.terms;
+    let is_at_work = |own: Option<usize>| present.iter().any(|t| *t.effect == WAVE && t.observable == own);
+    let free = evidence.each(Term::new(&WAVE)).filter(|term| !is_at_work(term.observable));
+    let along = free.flat_map(|term| evidence.places().map(move |along| Term { along: Some(along), ..term.clone() }));
+    along.filter_map(|term| evidence.scan().wave(&term)).map(|term| evidence.and(term)).collect()
+}
 
 /// Cosine and sine, which share the square of the amplitude.
 fn columns(term: &Term, measurements: &Measurements) -> Vec<Column> {

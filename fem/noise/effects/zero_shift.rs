@@ -1,5 +1,7 @@
 //! Every part, run or direction was measured from a zero of its own.
 
+use super::super::evidence::Evidence;
+use super::super::key::{BY, OBSERVABLE};
 use super::super::term::{Acts, Column, MeasurementEffect, Size, Term};
 use crate::measure::Measurements;
 
@@ -11,8 +13,18 @@ pub static ZERO_SHIFT: MeasurementEffect = MeasurementEffect {
     source: "Searle, Casella & McCulloch, Variance Components, 1992, ch. 3",
     separates: "measure a master between the groups, or set the zero once for all of them",
     size: Size::OfObservable("size", "standard deviation of the zeros"),
+    keys: &[BY, OBSERVABLE],
+    example: "0.7 um",
+    sets_zero: true,
     acts: Acts::Shared(columns),
+    ..MeasurementEffect::USUAL
 };
+
+/// One for each observable by everything that groups the rows.
+pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
+    let grouped = evidence.groupings().into_iter().map(|by| Term { by, ..Term::new(&ZERO_SHIFT) });
+    grouped.flat_map(|term| evidence.each_new(term)).collect()
+}
 
 /// One column a level: the rows that share its zero.
 pub fn columns(term: &Term, measurements: &Measurements) -> Vec<Column> {

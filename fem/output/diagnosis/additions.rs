@@ -6,7 +6,6 @@ use std::path::Path;
 use crate::diagnose::{Cause, Diagnosis, Missing};
 use crate::fit::{Estimate, Fit};
 use crate::model::{Data, Setting};
-use crate::noise::{Acts, effects};
 use crate::output::fit::Short;
 
 /// Name of a parameter of an effect.
@@ -40,13 +39,12 @@ pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     let rows = if from_line.is_some() { "from" } else { "rows" };
     let rows = (!records.is_empty()).then(|| text(rows, listed));
     let along = along.map(|name| text("along", name.into()));
-    let is_askew = **effect == effects::ALIGNMENT;
-    let level = is_askew.then(|| text(effects::ALIGNMENT_OFFSET.size.key(), "0 um".into()));
+    let level = effect.beside.map(|other| text(other.size.key(), "0 um".into()));
     let period = period.map(|(si, kind)| text("period", format!("{:.6} {}", Short(kind.from_si(si)), kind.unit)));
     let texts = [by, along, period, observable, rows, level].into_iter().flatten();
-    let sizes = match effect.acts {
-        Acts::Reads => fitted_settings(missing, fit),
-        _ => missing.estimates.iter().map(size).collect(),
+    let sizes = match effect.acts.is_reading() {
+        true => fitted_settings(missing, fit),
+        false => missing.estimates.iter().map(size).collect(),
     };
     texts.chain(sizes).collect()
 }

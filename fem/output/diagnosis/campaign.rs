@@ -9,8 +9,8 @@ use serde_json::{Value as Json, json};
 use super::additions::{add, quoted, settings};
 use crate::compare::rms;
 use crate::diagnose::{Cause, Diagnosis, Missing, thinned};
-use crate::model::{Acting, Campaign, Data, Setting, time_of};
-use crate::noise::effects;
+use crate::model::{Acting, Campaign, Data, Setting};
+use crate::noise::{Acts, time_of};
 use crate::units::Kind;
 
 /// How well an observable of a test fits, in its kind.
@@ -81,7 +81,7 @@ fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usiz
         Cause::Measurement { effect, records, .. } => {
             let has_time = |test: usize| time_of(campaign.tests[test].model.process).is_some();
             let all = (0..campaign.tests.len()).filter(|test| match records[..] {
-                [] => **effect != effects::CLOCK || has_time(*test),
+                [] => !matches!(effect.acts, Acts::Times(_)) || has_time(*test),
                 _ => records.iter().any(|record| file_of(data, *record).0 == *test),
             });
             all.map(|test| (test, None)).collect()
