@@ -37,6 +37,70 @@ fn a_profile_is_a_measurement_of_its_own_model() {
     }
 }
 
+const PLATE: &str = "process = \"thermal\"\n[body]\n\
+    material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\", \
+    expansion = \"11.5e-6 /K\", conductivity = \"50 W/m/K\", specific_heat = \"470 J/kg/K\" }\n\
+    rectangle = { length = \"80 mm\", height = \"36 mm\", width = \"12 mm\" }\n\
+    [environment]\ntemperature = \"20 degC\"\n[mesh]\nelement_size = \"5 mm\"\n\
+    [effects.base-conductance]\nconductance = \"0.3 W/K\"\n";
+
+/// Predictions of some rows of the plate with these tables besides, degC.
+fn plate(tables: &str, rows: &[&str]) -> Vec<f64> {
+    let place = Place::new();
+    place.write("plate.toml", format!("{PLATE}{tables}"));
+    let lines: String = rows.iter().map(|row| format!("{row},30\n")).collect();
+    place.write("m.csv", format!("time [min],x [mm],y [mm],temperature [degC]\n{lines}"));
+    let answer = place.fem(&["compare", "plate.toml", "--with", "m.csv", "-o", "c"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let predicted = |line: &str| line.split(',').nth(4).unwrap().parse().unwrap();
+    place.read("c/residuals.csv").lines().skip(1).map(predicted).collect()
+}
+
+/// In the long run T = 20 degC + P/G + P·min(x, at)/(k·A): straight up to the section where the heat comes in, wherever
+/// elements would end.
+#[test]
+fn a_plate_has_a_border_of_elements_where_heat_comes_in() {
+    let tables =
+        "[effects.extra-source]\nat = \"52.5 mm\"\npower = \"2 W\"\n[time]\nend = \"400 min\"\nstep = \"60 s\"\n";
+    let rows = ["400,40,15", "400,51,15", "400,52.5,15", "400,60,15"];
+    for (temperature, x) in plate(tables, &rows).into_iter().zip([40.0, 51.0, 52.5, 52.5]) {
+        let expected = 20.0 + 2.0 / 0.3 + 2.0 * 1e-3 * x / (50.0 * 36e-3 * 12e-3);
+        assert!((temperature - expected).abs() < 1e-6, "x = {x} mm: {temperature}, not {expected}");
+    }
+}
+
+/// Six seconds after a flux stops, at the edge that it heated, the programme of the model does not look.
+#[test]
+fn chosen_steps_keep_their_tolerance_at_the_rows_that_are_measured() {
+    for lag in ["", "[effects.sensor-lag]\ntime_constant = \"20 s\"\n"] {
+        let heated = |time: &str| {
+            let flux = "[[boundary]]\nedge = \"top\"\nflux = \"6 kW/m^2\"\non = [[\"0 min\", \"12.5 min\"]]\n";
+            let rows = ["0.5,30,36", "12.6,30,36", "13,30,36"];
+            plate(&format!("{flux}{lag}[time]\nend = \"40 min\"\n{time}\n"), &rows)
+        };
+        let (chosen, fine) = (heated("tolerance = \"0.01 K\""), heated("step = \"0.12 s\""));
+        for (chosen, fine) in chosen.iter().zip(&fine) {
+            assert!((chosen - fine).abs() < 0.01, "{chosen} and {fine}");
+        }
+    }
+}
+
+#[test]
+fn conditions_that_cannot_hold_on_one_edge_are_refused() {
+    let held = "[[boundary]]\nedge = \"top\"\ntemperature = \"30 degC\"\n";
+    let covered = "[[boundary]]\nedge = \"top\"\nflux = \"6 kW/m^2\"\ncovered = true\n";
+    let film = "[[boundary]]\nedge = \"top\"\nconvection = \"10 W/m^2/K\"\n";
+    for (edges, message) in [
+        ([held, held], "edge `top` is held at two temperatures"),
+        ([covered, film], "edge `top` is covered, and loses"),
+    ] {
+        let place = Place::new();
+        place.write("plate.toml", format!("{PLATE}[time]\nend = \"1 min\"\n{}", edges.concat()));
+        let answer = place.fem(&["run", "plate.toml"]);
+        assert!(answer.status == 2 && answer.err.contains(message), "{}", answer.err);
+    }
+}
+
 /// Temperatures half a kelvin too high with u = 0.25 K, elongations 3 um too low with u = 1 um.
 #[test]
 fn two_observables_are_judged_each_by_its_own_noise_and_told_together() {

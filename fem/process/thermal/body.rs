@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::element::plane::Quad8;
 use crate::input::Reader;
-use crate::mesh::{Mesh, RectangleMesh};
+use crate::mesh::{Grading, Mesh, RectangleMesh};
 use crate::process::Segment;
 use crate::units::LENGTH;
 
@@ -139,17 +139,20 @@ impl Plane {
         0.5 * (low + high)
     }
 
-    /// Its mesh: from the file, or 8-node quadrilaterals no longer than `size` (m).
+    /// Its mesh: from the file, or 8-node quadrilaterals no longer than `size` (m), with borders of elements at these
+    /// sections (m), where heat comes in and the temperature has a kink.
     ///
     /// # Errors
     /// The rectangle cannot be meshed.
-    pub fn mesh(&self, size: f64) -> Result<Arc<Mesh>, String> {
+    pub fn mesh(&self, size: f64, sections: &[f64]) -> Result<Arc<Mesh>, String> {
         if let Some(mesh) = &self.mesh {
             return Ok(mesh.clone());
         }
         let [length, height] = self.size.unwrap_or([f64::NAN; 2]);
         let cells = |extent: f64, least: usize| ((extent / size - 1e-9).ceil() as usize).max(least);
-        let rectangle = RectangleMesh::uniform([length, height], [cells(length, 1), cells(height, ACROSS)], &Quad8);
-        rectangle.build().map(Arc::new).map_err(|error| error.to_string())
+        let columns = cells(length, 1).max(sections.len() + 1);
+        let uniform = RectangleMesh::uniform([length, height], [columns, cells(height, ACROSS)], &Quad8);
+        let along = Grading { toward: sections.to_vec(), ..Grading::uniform() };
+        RectangleMesh { along, ..uniform }.build().map(Arc::new).map_err(|error| error.to_string())
     }
 }

@@ -100,6 +100,24 @@ impl Condition {
     }
 }
 
+/// Refuses conditions that cannot hold on one edge together: two temperatures, and a film where it is covered.
+pub fn refuse_contradictions(model: &Reader, boundaries: &[Boundary]) {
+    for (i, own) in boundaries.iter().enumerate() {
+        let others = || boundaries[..i].iter().chain(&boundaries[i + 1..]).filter(|other| other.edge == own.edge);
+        let is_held = |b: &Boundary| matches!(b.condition, Condition::Temperature(_));
+        let loses = |b: &Boundary| matches!(b.condition, Condition::Convection { .. });
+        let edge = &own.edge;
+        if is_held(own) && boundaries[..i].iter().any(|other| other.edge == *edge && is_held(other)) {
+            let message = format!("edge `{edge}` is held at two temperatures");
+            model.problem("boundary", message, "keep one of them, or part the edge in a mesh of your own");
+        }
+        if own.is_covered && others().any(loses) {
+            let message = format!("edge `{edge}` is covered, and loses heat by a film of its own");
+            model.problem("boundary", message, "leave out `covered`, or the film");
+        }
+    }
+}
+
 /// A temperature (K) of an edge or beside it, constant or recorded.
 fn temperature(t: &Reader, key: &'static str, about: &'static str, run: Along) -> Option<History> {
     let given = t.quantity(key, TEMPERATURE, about).optional_varying(run)?;

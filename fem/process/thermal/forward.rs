@@ -5,10 +5,11 @@ use super::follow::{Followed, Look, Watch};
 use super::machine::Machine;
 use super::rows::{ELONGATION, TIME_OF_ROW, X, Y};
 use super::setup::{MOST_STEPS, Time};
+use super::steps::Reading;
 use super::{plate, rod};
 use crate::process::{Failure, Rows};
 use crate::solve::conduction::Run;
-use crate::units::{TEMPERATURE_RISE, TIME};
+use crate::units::TIME;
 
 /// The elongation (m) or the temperature (K) of every row.
 ///
@@ -29,9 +30,9 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     };
     let of_row: Vec<usize> = (0..rows.len()).map(position).collect();
     let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
-    let run = Run { end, ..run(machine)? };
-    refuse_too_many_steps(&run)?;
     let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
+    let run = Run { end, ..run_for(machine, &looks, &readings)? };
+    refuse_too_many_steps(&run)?;
     let mut values = read(machine, &looks, &readings, &run)?;
     for (value, observable) in values.iter_mut().zip(rows.observable.iter()) {
         *value += if *observable == ELONGATION { 0.0 } else { machine.setup.start };
@@ -78,46 +79,39 @@ pub fn follow(machine: &Machine, looks: &[Look], run: &Run, watch: Watch) -> Res
 /// # Errors
 /// No step can be chosen.
 pub fn run(machine: &Machine) -> Result<Run, Failure> {
-    let Time { scheme, end, .. } = machine.setup.time;
-    Ok(Run { scheme, step: step(machine)?, end })
+    run_for(machine, &[], &[])
 }
 
-/// The longest step, s: that which the model gives, or one that is halved until what its own error changes
-/// with the next halving, by the order of the scheme, is no more than the model's tolerance at any time and
-/// place of the programme. It is chosen once, for the machine that is followed first: a fit sees the same
-/// steps at all its trial values.
-///
-/// # Errors
-/// The body cannot be computed, or no step is short enough.
-fn step(machine: &Machine) -> Result<f64, Failure> {
-    /// The first is this part of the run, the last the first halved so often.
-    const FIRST: f64 = 1.0 / 50.0;
-    const HALVINGS: i32 = 12;
+/// The run of the model in steps that serve these readings too, each by the position of its look and its time (s).
+fn run_for(machine: &Machine, looks: &[Look], readings: &[(usize, f64)]) -> Result<Run, Failure> {
     let setup = &machine.setup;
-    if let Some(step) = setup.time.step {
-        return Ok(step);
+    let Time { scheme, end, tolerance, step, .. } = setup.time;
+    if let Some(step) = step {
+        return Ok(Run { scheme, step, end });
     }
-    let choose = || {
-        let looks: Vec<Look> = setup.places.iter().map(|x| Look::Rise { x: *x, y: None }).collect();
-        let Time { scheme, end, tolerance, .. } = setup.time;
+    let mut wanted: Vec<Reading> = Vec::new();
+    for time in &setup.times {
+        wanted.extend(setup.places.iter().map(|x| Reading::new(Look::Rise { x: *x, y: None }, *time, 0.0)));
+    }
+    // Of a shape no tolerance is said: it follows the temperatures.
+    let rises = readings.iter().filter(|(look, _)| matches!(looks[*look], Look::Rise { .. }));
+    wanted.extend(rises.map(|(look, time)| Reading::new(looks[*look], *time, machine.lag_of(looks[*look]))));
+    let last = wanted.iter().map(Reading::time).fold(end, f64::max);
+    let order = setup.time.order();
+    let seen = |step: f64, wanted: &[Reading]| {
         let instant = Machine { lag: 0.0, ..machine.clone() };
-        let at = |time: &f64| (0..looks.len()).map(|look| (look, *time)).collect::<Vec<_>>();
-        let readings: Vec<(usize, f64)> = setup.times.iter().flat_map(at).collect();
-        let seen = |step: f64| read(&instant, &looks, &readings, &Run { scheme, step, end });
-        let mut coarse = seen(FIRST * end)?;
-        for halved in 1..=HALVINGS {
-            let step = FIRST * end * 0.5f64.powi(halved);
-            let fine = seen(step)?;
-            let apart = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            if apart <= f64::from((1 << setup.time.order()) - 1) * tolerance {
-                return Ok(step);
+        let mut values = vec![0.0; wanted.len()];
+        for (machine, is_late) in [(&instant, false), (machine, true)] {
+            let own: Vec<usize> = (0..wanted.len()).filter(|i| wanted[*i].is_late() == is_late).collect();
+            let looks: Vec<Look> = own.iter().map(|i| wanted[*i].look()).collect();
+            let readings: Vec<(usize, f64)> = own.iter().enumerate().map(|(k, i)| (k, wanted[*i].time())).collect();
+            if !own.is_empty() {
+                let read = read(machine, &looks, &readings, &Run { scheme, step, end: last })?;
+                own.into_iter().zip(read).for_each(|(i, value)| values[i] = value);
             }
-            coarse = fine;
         }
-        Err(Failure {
-            message: format!("no time step leaves temperatures within {}", TEMPERATURE_RISE.told(tolerance)),
-            help: "give a larger tolerance in [time], another scheme, or the step itself".into(),
-        })
+        Ok(values)
     };
-    setup.chosen.get_or_init(choose).clone()
+    let step = setup.steps.chosen(wanted, (end, tolerance, order), seen)?;
+    Ok(Run { scheme, step, end })
 }

@@ -19,6 +19,7 @@ mod rod;
 mod rows;
 mod setup;
 mod source;
+mod steps;
 mod validation;
 
 pub use machine::Machine;

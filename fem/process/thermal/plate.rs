@@ -24,7 +24,8 @@ const FREE: &str = "free";
 /// It cannot be computed, or a place is not on it.
 pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch: Watch) -> Result<Followed, Failure> {
     let setup = &*machine.setup;
-    let mut mesh = Arc::unwrap_or_clone(plane.mesh(setup.element_size).map_err(|e| unsolvable(&e))?);
+    let mesh = plane.mesh(setup.element_size, &sections(machine)).map_err(|e| unsolvable(&e))?;
+    let mut mesh = Arc::unwrap_or_clone(mesh);
     let taken: Vec<&str> = setup.boundaries.iter().filter(|b| !b.is_open()).map(|b| b.edge.as_str()).collect();
     mesh.name_rest(FREE, &taken).map_err(|e| unsolvable(&e))?;
     let law = Conduction {
@@ -80,6 +81,11 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
         all.push(Condition::Source { shares: section(mesh, *at), power: power.clone() });
     }
     all
+}
+
+/// Where heat comes in over a whole section, m.
+pub fn sections(machine: &Machine) -> Vec<f64> {
+    machine.sources.iter().map(|source| source.at).collect()
 }
 
 /// The section of a rectangle at x (m) as shares of its nodes, which sum to one: along it every element is

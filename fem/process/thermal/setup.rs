@@ -1,13 +1,13 @@
 //! The tables of a thermal model.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use super::body::{Body, MOST_CELLS};
-use super::boundary::{Boundary, refuse_impossible};
+use super::boundary::{self, Boundary, refuse_impossible};
 use super::source;
+use super::steps::Steps;
 use crate::input::{Along, Reader};
 use crate::material::Material;
-use crate::process::Failure;
 use crate::solve::conduction::Scheme;
 use crate::solve::rod::{History, Known, PointSource};
 use crate::units::{LENGTH, TEMPERATURE, TEMPERATURE_RISE, TIME};
@@ -56,8 +56,8 @@ pub struct Setup {
     pub places: Vec<f64>,
     /// Times at which it looks, s.
     pub times: Vec<f64>,
-    /// Step that was chosen by the tolerance, once it has been, s.
-    pub chosen: OnceLock<Result<f64, Failure>>,
+    /// Steps that are chosen by the tolerance.
+    pub steps: Arc<Steps>,
     /// Runs of rods that are known, kept by the model.
     pub rods: Arc<Known>,
 }
@@ -84,6 +84,7 @@ impl Setup {
             model.list("source", "a source of heat, spread over the section", |t, _| source::read(t, &body, run));
         let boundaries =
             model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body, run));
+        boundary::refuse_contradictions(model, &boundaries);
         let ambient = model.table("environment", "what is around the body", |t| {
             let about = "of the surroundings, and of a body that has none of its own at the start";
             let ambient = t.quantity("temperature", TEMPERATURE, about).varying(run);
@@ -114,7 +115,7 @@ impl Setup {
         let (places, times) = model
             .optional_table("measurement", "where and when a run looks", |t| read_measurement(t, length, &time))
             .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
-        let (element_size, chosen) = (element_size.unwrap_or(usual_size), OnceLock::new());
+        let element_size = element_size.unwrap_or(usual_size);
         let rods = model.kept();
         let setup = Self {
             material,
@@ -127,7 +128,7 @@ impl Setup {
             element_size,
             places,
             times,
-            chosen,
+            steps: Arc::default(),
             rods,
         };
         let by_effect = ["extra-source", "ambient-drift"].iter().any(|effect| model.has_in("effects", effect));

@@ -83,7 +83,7 @@ impl Scene {
         let setup = machine.setup.clone();
         let shape = match &setup.body {
             Body::Rod(segments) => Shape::Rod(rod::system(machine, segments)?.x),
-            Body::Plane(plane) => Shape::Plane(Box::new(Flat::new(&setup, plane)?)),
+            Body::Plane(plane) => Shape::Plane(Box::new(Flat::new(machine, plane)?)),
         };
         let nodes = shape.nodes();
         let run = run(machine)?;
@@ -192,8 +192,9 @@ fn rod_grid(x: &[f64], rises: &[f64], expansion: f64) -> Grid {
 }
 
 impl Flat {
-    fn new(setup: &Setup, plane: &Plane) -> Result<Self, Failure> {
-        let mesh = plane.mesh(setup.element_size).map_err(|e| unsolvable(&e))?;
+    fn new(machine: &Machine, plane: &Plane) -> Result<Self, Failure> {
+        let setup = &machine.setup;
+        let mesh = plane.mesh(setup.element_size, &plate::sections(machine)).map_err(|e| unsolvable(&e))?;
         let law = plate::elasticity(setup, plane)?;
         let system = ElasticSystem::free(mesh.clone(), law).map_err(|e| unsolvable(&e))?;
         Ok(Self { plane: plane.clone(), system, mesh, law })
