@@ -55,11 +55,13 @@
 //! budget                errors added up by rules and by drawing
 //! study                 many jobs with one model: points, rows, yield, worst case, sensitivity
 //! output                text, CSV, JSON, VTK; files that appear whole
+//! ask                   what can be asked of models and measurements: questions in, answers out
 //! cli                   the commands
 //! ```
 
+pub mod ask;
 pub mod budget;
-pub mod cli;
+mod cli;
 pub mod compare;
 pub mod compensate;
 pub mod diagnose;
@@ -81,3 +83,5 @@ pub mod series;
 pub mod solve;
 pub mod study;
 pub mod units;
+
+pub use cli::command;

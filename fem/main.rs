@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    fem::cli::main()
+    ExitCode::from(fem::command(std::env::args_os()))
 }

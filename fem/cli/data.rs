@@ -1,15 +1,20 @@
-//! Measurements as the command line names them.
+//! Models and measurements as the command line names them.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::args;
 use super::error::Error;
+use crate::ask::{self, Depth, Made, Page, refuse_mixed};
+use crate::input::InputError;
 use crate::measure::{Decimal, Measurements, Reading};
+use crate::model::Model;
 use crate::process::Process;
+use crate::progress::Progress;
 
 impl args::Reading {
     /// How the files are to be read.
-    pub fn said(&self) -> Result<Reading, Error> {
+    pub fn said(&self) -> Result<Reading, ask::Error> {
         let decimal = self.decimal.map(|mark| match mark {
             args::Mark::Comma => Decimal::Comma,
             args::Mark::Point => Decimal::Point,
@@ -29,5 +34,22 @@ impl args::Data {
     /// A model and the files of its measurements, which nothing may overwrite.
     pub fn reads(&self, model: &std::path::Path) -> Vec<PathBuf> {
         std::iter::once(model.to_path_buf()).chain(self.with.iter().cloned()).collect()
+    }
+}
+
+impl args::Report {
+    /// Makes the page of the files; `live` is the version of one that renews itself.
+    pub fn page(&self, depth: Depth, live: Option<u64>, progress: &Arc<Progress>) -> Result<Made, ask::Error> {
+        let models: Vec<Model> = self.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
+        refuse_mixed(&models)?;
+        let measurements = match models.last() {
+            Some(model) if !self.with.is_empty() => {
+                Some(Measurements::load_all(&self.with, model.process, &self.reading.said()?, false)?)
+            }
+            _ => None,
+        };
+        let files = models.iter().flat_map(Model::paths).chain(self.with.iter().cloned()).collect();
+        let most_effects = usize::from(self.max_effects);
+        Page { models: &models, measurements, files, most_effects, depth, live }.made(progress)
     }
 }

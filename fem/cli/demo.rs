@@ -3,20 +3,15 @@
 use super::args;
 use super::error::Error;
 use super::terminal::print;
+use crate::ask::STORY;
 use crate::input::Problem;
 use crate::output::files::{self, Guard};
-
-/// The files of the story, a model and what was measured: name and text.
-pub const STORY: [(&str, &str); 2] = [
-    ("rigid.toml", include_str!("../../models/story/rigid.toml")),
-    ("measured.csv", include_str!("../../models/story/measured.csv")),
-];
 
 pub fn demo(args: &args::Demo) -> Result<(), Error> {
     let directory = &args.directory;
     if let Some((name, _)) = STORY.iter().find(|(name, _)| directory.join(name).exists()) {
         let problem = Problem::new(format!("{} exists already", directory.join(name).display()));
-        return Err(Error::Request(problem.help("name another folder: fem demo FOLDER")));
+        return Err(Error::from(problem.help("name another folder: fem demo FOLDER")));
     }
     for (name, text) in STORY {
         files::write(&directory.join(name), text.as_bytes(), Guard { reads: &[], force: false })?;

@@ -8,13 +8,13 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
+use crate::ask::{self, completed};
 use crate::diagnose::{Diagnosis, diagnose};
-use crate::fit::fitted_text;
-use crate::input::{InputError, Problem, Source};
+use crate::input::{InputError, Problem};
 use crate::measure::Measurements;
-use crate::model::{Data, Model, add_effect};
+use crate::model::{Data, Model};
 use crate::output::files::{self, Guard};
-use crate::output::{Folder, Format, Report, additions};
+use crate::output::{Folder, Format, Report};
 use crate::process::Process;
 use crate::progress::{Progress, Stretch};
 
@@ -73,9 +73,6 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard:
     if args.profile {
         say!("{}", stretches(&progress.profile()));
     }
-    if diagnosis.rows < data.len() {
-        say!("note: {} of {} rows were used, evenly chosen", diagnosis.rows, data.len());
-    }
     if let Some(directory) = &args.output {
         Folder { directory, guard, progress }.write(&Report::Diagnosis(data, &diagnosis))?;
     }
@@ -84,21 +81,8 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard:
 
 /// Prints a diagnosis.
 fn told(args: &args::Diagnose, data: &Data, diagnosis: &Diagnosis) -> Result<(), Error> {
-    notes(&data.notes_of_fit());
+    notes(&ask::notes(data, diagnosis));
     print(&page(&Report::Diagnosis(data, diagnosis), args.json)?)
-}
-
-/// The model with the missing effects and every fitted value.
-///
-/// # Errors
-/// A fitted value lies outside of what a model may hold.
-pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
-    let text = fitted_text(data, &diagnosis.fit);
-    let mut better = Model::parse(Source::new(data.model.source.name.to_string(), text))?;
-    for (name, settings) in additions(data, diagnosis) {
-        better = add_effect(&better, &name, &settings)?;
-    }
-    Ok(better)
 }
 
 /// A table of what the stretches of a computation took.

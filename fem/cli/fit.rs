@@ -5,8 +5,7 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::fit::{fit, fitted_text, has_nothing_to_fit};
-use crate::input::{Problem, Source};
+use crate::ask::{fit, fitted};
 use crate::model::{Data, Model};
 use crate::output::Report;
 use crate::output::files::{self, Guard};
@@ -18,13 +17,11 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
-    refuse_certain(&model)?;
     let data = Data::of(&model, args.data.load(model.process, false)?)?.watched(args.limit.progress());
     let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {
-        let text = fitted_text(&data, &fit);
         // A fitted value outside its bounds would make a file that cannot be read: better none.
-        let fitted = Model::parse(Source::new(model.source.name.clone(), text))?;
+        let fitted = fitted(&data, &fit)?;
         files::write(new, fitted.text_at(new).as_bytes(), guard)?;
         say!("written {}", new.display());
         let sizes = fit.sizes.iter().filter(|s| !s.is_told()).map(|s| &s.estimate);
@@ -34,16 +31,4 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     }
     notes(&data.notes_of_fit());
     print(&page(&Report::Fit(&data, &fit), args.json)?)
-}
-
-/// Refuses a model that leaves nothing open.
-///
-/// # Errors
-/// Nothing of it is marked.
-pub fn refuse_certain(model: &Model) -> Result<(), Error> {
-    if !has_nothing_to_fit(model) {
-        return Ok(());
-    }
-    let problem = Problem::new(format!("{} has nothing to fit", model.source.name));
-    Err(Error::Request(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"")))
 }

@@ -15,7 +15,7 @@ pub fn import(args: &args::Import) -> Result<(), Error> {
         let meant = did_you_mean(&args.process, names(), '`');
         let problem = Problem::new(format!("`{}` is no process known here", args.process));
         let known = names().collect::<Vec<_>>().join(", ");
-        return Err(Error::Request(problem.help(format!("{meant}known are {known}"))));
+        return Err(Error::from(problem.help(format!("{meant}known are {known}"))));
     };
     let reads = [args.file.clone()];
     let guard = Guard { reads: &reads, force: args.force };

@@ -3,6 +3,8 @@
 use std::ffi::OsStr;
 use std::io::IsTerminal;
 
+use crate::ask::Marks;
+
 /// Most columns that are used: longer lines are hard to read.
 const WIDEST: usize = 180;
 /// Fewest columns into which lines are wrapped.
@@ -26,8 +28,22 @@ fn names_unicode(locale: &OsStr) -> bool {
     name.contains("utf-8") || name.contains("utf8")
 }
 
+/// The marks with which an error is drawn on stderr.
+pub fn marks() -> Marks {
+    match (is_ascii(), has_colour()) {
+        (true, _) => Marks::Ascii,
+        (false, true) => Marks::Coloured,
+        (false, false) => Marks::Plain,
+    }
+}
+
+/// The same without colours.
+pub fn plain_marks() -> Marks {
+    if is_ascii() { Marks::Ascii } else { Marks::Plain }
+}
+
 /// Whether stderr shows colours that the user wants.
-pub fn has_colour() -> bool {
+fn has_colour() -> bool {
     let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
     let is_unwanted = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     std::io::stderr().is_terminal() && !is_dumb && !is_unwanted

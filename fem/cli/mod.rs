@@ -1,5 +1,4 @@
-//! The command line: one file per command. What a command does beside reading its arguments and printing stands open
-//! to other callers.
+//! The command line: one file per command, which reads its arguments, asks, and prints.
 
 mod add;
 mod args;
@@ -22,35 +21,17 @@ mod say;
 mod schema;
 mod serve;
 mod start;
-mod story;
 mod study;
 mod terminal;
 mod validate;
 mod watch;
 
 use std::ffi::OsString;
-use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
-pub use compare::refuse_mixed;
-pub use compensate::axis_of;
-pub use demo::STORY;
-pub use diagnose::completed;
-pub use effects::catalogue;
-pub use error::Error;
-pub use fit::refuse_certain;
-pub use new::starting_file;
-pub use plan::planned_noise;
-pub use story::{Depth, Made, Story};
-
 use args::{Args, Command};
 use terminal::print;
-
-/// Runs the command that the user typed.
-pub fn main() -> ExitCode {
-    ExitCode::from(command(std::env::args_os()))
-}
 
 /// Runs a command by its arguments, the name of the program first, and returns the exit status: 0 done, 1 not computed or
 /// not written, 2 wrong input. Help and wrong arguments end the process at once, as Ctrl-C does from here on.

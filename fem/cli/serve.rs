@@ -19,8 +19,9 @@ use tokio::net::TcpListener;
 
 use super::args;
 use super::error::Error;
+use super::look;
 use super::say::say;
-use super::story::{Depth, written};
+use crate::ask::Depth;
 use crate::input::Problem;
 use crate::output::trouble;
 
@@ -50,7 +51,7 @@ pub fn serve(args: &args::Report) -> Result<(), Error> {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     runtime.and_then(|runtime| runtime.block_on(served(args))).map_err(|error| {
         let problem = Problem::new(format!("port {} cannot be served: {error}", args.port));
-        Error::Request(problem.help("name another one with --port, or none for any that is free"))
+        Error::from(problem.help("name another one with --port, or none for any that is free"))
     })
 }
 
@@ -106,12 +107,12 @@ fn stamps(args: &args::Report, shown: &Shared) -> Stamps {
 /// Puts the next page in place: the report, or what is wrong with its files.
 fn renew(args: &args::Report, depth: Depth, shown: &Shared) {
     let version = locked(shown).version + 1;
-    let made = written(args, depth, Some(version), &args.limit.progress());
+    let made = args.page(depth, Some(version), &args.limit.progress());
     let mut shown = locked(shown);
     shown.version = version;
     match made {
         Ok(made) => (shown.html, shown.files) = (made.html.into(), made.files),
-        Err(error) => shown.html = trouble(&error.text(false), version).into(),
+        Err(error) => shown.html = trouble(&error.text(look::plain_marks()), version).into(),
     }
 }
 

@@ -21,7 +21,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     }
     let Some(file) = &args.plan else {
         let problem = Problem::new("no plan is named");
-        return Err(Error::Request(problem.help("fem study PLAN.toml; `fem new study` writes one")));
+        return Err(Error::from(problem.help("fem study PLAN.toml; `fem new study` writes one")));
     };
     let plan = load(file)?;
     let layout = plan.layout();

@@ -24,7 +24,7 @@ pub fn validate(args: &args::Validate) -> Result<(), Error> {
         None => all.clone(),
     };
     if let (Some(text), true) = (&args.source, cases.is_empty()) {
-        return Err(Error::Request(unknown(text, &all)));
+        return Err(Error::from(unknown(text, &all)));
     }
     print(&page(&Report::Validation(&cases, all.len()), args.json)?)?;
     if cases.iter().all(Case::passed) { Ok(()) } else { Err(Error::Found) }

@@ -14,8 +14,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use fem::cli;
-use fem::output::{Format, Json, Report, Text, budget_warnings};
+use fem::ask;
+use fem::output::{Format, Json, Report, Text, budget_warnings, columns};
 use fem::progress::Progress;
 use pyo3::prelude::*;
 
@@ -25,19 +25,19 @@ use model::Model;
 /// Runs the command `fem` by its arguments, the name of the program first, and returns its exit status.
 #[pyfunction]
 fn command(py: Python, arguments: Vec<OsString>) -> u8 {
-    py.detach(|| cli::command(arguments))
+    py.detach(|| fem::command(arguments))
 }
 
 /// The commented model to start from.
 #[pyfunction]
 fn starting_model(py: Python, process: String) -> PyResult<String> {
-    compute(py, &Arc::default(), move |_| Ok(cli::starting_file(&process)?))
+    compute(py, &Arc::default(), move |_| Ok(ask::starting_file(&process)?.text))
 }
 
 /// A model and what was measured, to try everything on: the texts of their files.
 #[pyfunction]
 fn demo() -> (&'static str, &'static str) {
-    let [(_, model), (_, measured)] = cli::STORY;
+    let [(_, model), (_, measured)] = ask::STORY;
     (model, measured)
 }
 
@@ -46,8 +46,9 @@ fn demo() -> (&'static str, &'static str) {
 #[pyo3(signature = (name=None))]
 fn catalogue(py: Python, name: Option<String>) -> PyResult<(String, String)> {
     compute(py, &Arc::default(), move |_| {
-        let page = |json| cli::catalogue(name.as_deref(), json);
-        Ok((page(true)?, page(false)?))
+        let found = ask::catalogue(name.as_deref())?;
+        let columns = found.process.map_or(String::new(), |process| format!("\n{}", columns(process)));
+        Ok((Json.write(&found.report())?, Text::default().write(&found.report())? + &columns))
     })
 }
 

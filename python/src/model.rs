@@ -3,13 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fem::cli;
-use fem::compensate::compensate;
-use fem::diagnose::{Diagnosis, diagnose, plan};
-use fem::fit::{fit, fitted_text};
+use fem::ask::{self, compensate, completed, fit, plan, steps};
+use fem::diagnose::diagnose;
+use fem::fit::fitted_text;
 use fem::input::{Parameter, Source};
 use fem::model::{self, Data, Setting, add_effect};
-use fem::output::{Report, additions};
+use fem::output::Report;
 use fem::progress::Progress;
 use fem::units::Knowledge;
 use pyo3::prelude::*;
@@ -111,7 +110,6 @@ impl Model {
     /// Estimates what it leaves open.
     fn fit<'py>(&self, py: Python<'py>, data: Asked, seconds: Option<f64>) -> PyResult<Bound<'py, PyDict>> {
         let answer = self.of_data(py, within(seconds), data, |data, _| {
-            cli::refuse_certain(data.model)?;
             let found = fit(data)?;
             let residuals = data.residuals(&found.predicted);
             let tables = vec![tables_of_rows(data, &found.predicted, &residuals, &found.noise.sigma)];
@@ -132,13 +130,11 @@ impl Model {
     ) -> PyResult<Bound<'py, PyDict>> {
         let answer = self.of_data(py, within(seconds), data, move |data, progress| {
             let found = diagnose(data, most_effects, progress)?;
-            let mut notes = data.notes_of_fit();
-            if found.rows < data.len() {
-                notes.push(format!("{} of {} rows were used, evenly chosen", found.rows, data.len()));
-            }
+            let notes = ask::notes(data, &found);
             // A fitted value that no model may hold leaves none.
-            let model = cli::completed(data, &found).ok().map(|better| better.source.text.to_string());
-            let steps = steps(data, &found);
+            let model = completed(data, &found).ok().map(|better| better.source.text.to_string());
+            let steps = steps(data, &found).into_iter().map(|(effect, model)| (effect, model.source.text.to_string()));
+            let steps = steps.collect();
             Ok(Answer { notes, model, steps, ..Answer::of(&Report::Diagnosis(data, &found), data.model)? })
         })?;
         answer.told(py)
@@ -156,13 +152,12 @@ impl Model {
         let answer = compute(py, &within(seconds), move |progress| {
             let design = match design {
                 Some(asked) => {
-                    Data::of(&model, asked.read(model.process, true)?).map_err(|e| Error::of_data(e, &model))?
+                    Data::of(&model, asked.read(model.process, true)?).map_err(|e| ask::Error::of_data(e, &model))?
                 }
                 None => Data::programme(&model)?,
             };
-            let (sigma, note) = cli::planned_noise(&design, &noise)?;
             let design = design.watched(progress.clone());
-            let found = plan(&design, &sigma)?;
+            let (found, note) = plan(&design, &noise)?;
             Ok(Answer { notes: note.into_iter().collect(), ..Answer::of(&Report::Plan(&design, &found), &model)? })
         })?;
         answer.told(py)
@@ -171,24 +166,12 @@ impl Model {
     /// Evaluates the test of an axis, and compensates it.
     fn compensate<'py>(&self, py: Python<'py>, data: Asked) -> PyResult<Bound<'py, PyDict>> {
         let answer = self.of_data(py, Arc::default(), data, |data, _| {
-            let found = compensate(data, cli::axis_of(data.model)?)?;
+            let found = compensate(data)?;
             let notes = data.notes.clone();
             Ok(Answer { notes, ..Answer::of(&Report::Compensation(data, &found, &[]), data.model)? })
         })?;
         answer.told(py)
     }
-}
-
-/// The model with one missing effect after the other, as far as values go that a model may hold.
-fn steps(data: &Data, found: &Diagnosis) -> Vec<(String, String)> {
-    let mut model = data.model.clone();
-    let mut steps = Vec::new();
-    for (effect, settings) in additions(data, found) {
-        let Ok(better) = add_effect(&model, &effect, &settings) else { break };
-        steps.push((effect, better.source.text.to_string()));
-        model = better;
-    }
-    steps
 }
 
 impl Model {
@@ -203,7 +186,7 @@ impl Model {
         let model = self.0.clone();
         compute(py, &progress, move |progress| {
             let measurements = asked.read(model.process, false)?;
-            let data = Data::of(&model, measurements).map_err(|e| Error::of_data(e, &model))?;
+            let data = Data::of(&model, measurements).map_err(|e| ask::Error::of_data(e, &model))?;
             work(&data.watched(progress.clone()), progress)
         })
     }

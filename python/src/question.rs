@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use fem::cli::{self, Depth, Story};
+use fem::ask::{self, Depth, Page, compare_all, refuse_mixed};
 use fem::input::Source;
 use fem::measure::{Decimal, Measurements, Reading};
 use fem::model::Data;
@@ -16,7 +16,6 @@ use pyo3::types::PyDict;
 
 use crate::answer::{Answer, tables_of_comparison};
 use crate::compute::compute;
-use crate::error::Error;
 use crate::model::Model;
 
 /// Measurements as Python hands them over.
@@ -35,19 +34,19 @@ pub struct Asked {
 
 impl Asked {
     /// Reads them for a process; in a design nothing need have been observed.
-    pub fn read(&self, process: &'static dyn Process, is_design: bool) -> Result<Measurements, Error> {
+    pub fn read(&self, process: &'static dyn Process, is_design: bool) -> Result<Measurements, ask::Error> {
         let decimal = self.decimal.as_deref().map(|mark| if mark == "," { Decimal::Comma } else { Decimal::Point });
         let said = Reading::new(&self.columns, decimal)?;
         if self.parts.iter().all(|(_, text)| text.is_none()) {
             let paths: Vec<&String> = self.parts.iter().map(|(name, _)| name).collect();
-            return Measurements::load_all(&paths, process, &said, is_design).map_err(Error::Data);
+            return Measurements::load_all(&paths, process, &said, is_design).map_err(ask::Error::Data);
         }
         let read = |(name, text): &(String, Option<String>)| match text {
             Some(text) if is_design => Measurements::parse_design(Source::new(&**name, &**text), process, &said),
             Some(text) => Measurements::parse_as(Source::new(&**name, &**text), process, &said),
             None => Measurements::load_all(&[name], process, &said, is_design),
         };
-        let all = self.parts.iter().map(read).collect::<Result<Vec<_>, _>>().map_err(Error::Data)?;
+        let all = self.parts.iter().map(read).collect::<Result<Vec<_>, _>>().map_err(ask::Error::Data)?;
         Ok(Measurements::joined(all)?)
     }
 
@@ -68,21 +67,11 @@ pub fn within(seconds: Option<f64>) -> Arc<Progress> {
 pub fn compare<'py>(py: Python<'py>, models: Vec<PyRef<'py, Model>>, data: Asked) -> PyResult<Bound<'py, PyDict>> {
     let models: Vec<_> = models.iter().map(|model| (*model.0).clone()).collect();
     let answer = compute(py, &Arc::default(), move |progress| {
-        cli::refuse_mixed(&models)?;
+        refuse_mixed(&models)?;
         let Some(first) = models.first() else { return Ok(Answer::default()) };
-        for model in &models {
-            model.require_values()?;
-        }
-        let mut measurements = data.read(first.process, false)?;
-        let (mut comparisons, mut tables) = (Vec::new(), Vec::new());
-        for model in &models {
-            let of_model = Data::of(model, measurements).map_err(|e| Error::of_data(e, model))?;
-            let of_model = of_model.watched(progress.clone());
-            let found = fem::compare::compare(&of_model)?;
-            tables.push(tables_of_comparison(&of_model, &found));
-            measurements = of_model.into_measurements();
-            comparisons.push(found);
-        }
+        let each = |data: &Data, found| (tables_of_comparison(data, &found), found);
+        let (compared, measurements) = compare_all(&models, data.read(first.process, false)?, progress, each)?;
+        let (tables, comparisons): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
         let report = Report::Comparison(&models, &measurements, &comparisons);
         Ok(Answer { tables, notes: measurements.notes.clone(), ..Answer::of(&report, first)? })
     })?;
@@ -101,16 +90,13 @@ pub fn report(
 ) -> PyResult<(String, Vec<String>)> {
     let models: Vec<_> = models.iter().map(|model| (*model.0).clone()).collect();
     compute(py, &within(seconds), move |progress| {
-        cli::refuse_mixed(&models)?;
+        refuse_mixed(&models)?;
         let Some(last) = models.last() else { return Ok(Default::default()) };
         let named = models.iter().flat_map(fem::model::Model::paths).chain(data.iter().flat_map(Asked::files));
         let files = named.filter(|path| path.is_file()).collect();
         let measurements = data.as_ref().map(|data| data.read(last.process, false)).transpose()?;
-        if let Some(measurements) = &measurements {
-            Data::of(last, measurements.clone()).map_err(|e| Error::of_data(e, last))?;
-        }
-        let story = Story { models: &models, measurements, files, most_effects, depth: Depth::Diagnosed, live: None };
-        let made = story.told(progress)?;
+        let page = Page { models: &models, measurements, files, most_effects, depth: Depth::Diagnosed, live: None };
+        let made = page.made(progress)?;
         Ok((made.html, made.notes))
     })
 }

@@ -76,6 +76,29 @@ fn hold(process: &Process, tolerance: fn(&[&str; 2]) -> f64) {
     assert!(never.is_empty(), "never met: {never:?}");
 }
 
+/// An effect that is new in the program is hidden and met as well, and what the generator calls one is one.
+#[test]
+fn both_know_the_same_effects() {
+    let processes: [(&Process, &str); 8] = [
+        (&TURNING, "turning"),
+        (&RING, "ring"),
+        (&THERMAL, "thermal"),
+        (&AXIS, "axis"),
+        (&STIFFNESS, "stiffness"),
+        (&CONTOUR, "contour"),
+        (&FIXTURE, "fixture"),
+        (&CAM, "cam"),
+    ];
+    for (process, name) in processes {
+        let own = fem::process::ALL.iter().find(|own| own.name() == name).unwrap();
+        let mut known: Vec<&str> = own.effects().iter().map(|effect| effect.name).collect();
+        let mut met: Vec<&str> = process.catalogue.iter().map(|(name, _)| *name).collect();
+        known.sort_unstable();
+        met.sort_unstable();
+        assert_eq!(known, met, "{}", process.name);
+    }
+}
+
 /// Where the generator has no place for an effect, the program refuses it, and says why; or it has nothing to act on.
 #[test]
 fn what_cannot_meet_is_refused_with_a_reason() {

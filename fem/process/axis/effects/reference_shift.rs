@@ -15,7 +15,7 @@ pub static REFERENCE_SHIFT: Effect<1> = Effect {
     source: "seed 001, readings from a reference point",
     belongs: Belongs::Test,
     parameters: [Parameter::signed("offset", MICRO, "of the reference point", (-100.0, 100.0))],
-    look_alikes: &[],
+    look_alikes: &[("periodic-error", "targets that are no multiples of the lead: only there a turn's error varies")],
     needs: nothing,
     act: |[offset], machine| machine.add(move |_, _| offset),
 };

@@ -24,6 +24,7 @@ pub static THERMAL_GROWTH: Effect<2> = Effect {
     look_alikes: &[
         ("scale-error", "cold and warm: only growth follows the time"),
         ("backlash", "the order of approaches: + always before - lets drift pass for play"),
+        ("uneven-backlash", "the order of approaches: + always before - lets growth pass for play"),
     ],
     needs: a_free_end,
     act: |[slope, time_constant], machine| {

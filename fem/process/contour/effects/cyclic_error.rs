@@ -5,6 +5,7 @@
 
 use super::super::machine::{Cyclic, Effect, Machine};
 use super::super::setup::Setup;
+use super::stick_slip::FEED;
 use crate::process::{Belongs, Parameter};
 use crate::units::{ANGLE, MICRO};
 
@@ -12,6 +13,7 @@ use crate::units::{ANGLE, MICRO};
 pub static X: Effect<2> = cyclic_error(
     "cyclic-error-x",
     "x is wrong by a wave over each turn of its screw",
+    &[("stick-slip-x", FEED)],
     |[amplitude, phase], machine| {
         machine.cyclic[0] = Cyclic { amplitude, phase };
     },
@@ -21,6 +23,7 @@ pub static X: Effect<2> = cyclic_error(
 pub static Y: Effect<2> = cyclic_error(
     "cyclic-error-y",
     "y is wrong by a wave over each turn of its screw",
+    &[("stick-slip-y", FEED)],
     |[amplitude, phase], machine| {
         machine.cyclic[1] = Cyclic { amplitude, phase };
     },
@@ -30,6 +33,7 @@ pub static Y: Effect<2> = cyclic_error(
 const fn cyclic_error(
     name: &'static str,
     about: &'static str,
+    look_alikes: &'static [(&'static str, &'static str)],
     act: fn([f64; 2], &mut Machine),
     needs: fn(&Setup) -> Result<(), String>,
 ) -> Effect<2> {
@@ -43,7 +47,7 @@ const fn cyclic_error(
             Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 50.0)),
             Parameter::phase("phase", ANGLE, "at the contour's centre", 360.0),
         ],
-        look_alikes: &[],
+        look_alikes,
         needs,
         act,
     }

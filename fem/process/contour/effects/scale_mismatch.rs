@@ -15,7 +15,7 @@ pub static SCALE_MISMATCH: Effect<1> = Effect {
     source: "geometry of two axes",
     belongs: Belongs::Machine,
     parameters: [Parameter::signed("mismatch", SLOPE, "travel of x over that of y", (-200.0, 200.0))],
-    look_alikes: &[],
+    look_alikes: &[("cutting-deflection", "a lap without cutting: unequal scales stay")],
     needs: nothing,
     act: |[mismatch], machine| machine.scales = [1.0 + 0.5 * mismatch, 1.0 - 0.5 * mismatch],
 };

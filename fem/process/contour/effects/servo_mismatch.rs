@@ -23,6 +23,7 @@ pub static SERVO_MISMATCH: Effect<1> = Effect {
         ("squareness", "the other way round, or another feed: a mismatch changes its sign and grows with the feed"),
         ("gain-with-feed-x", "another feed: a mismatch grows with it, a gain that follows the feed with its square"),
         ("gain-with-feed-y", "another feed: a mismatch grows with it, a gain that follows the feed with its square"),
+        ("cutting-deflection", "another feed, or a lap without cutting: a mismatch grows with the feed"),
     ],
     needs: nothing,
     act: |[mismatch], machine| {

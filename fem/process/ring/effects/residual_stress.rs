@@ -22,6 +22,7 @@ pub static RESIDUAL_STRESS: Effect<2> = Effect {
     look_alikes: &[
         ("spindle-error", "the ring turned in the chuck: residual stress turns with it"),
         ("jaw-position", "a second jaw force"),
+        ("copying", "another blank: a copy follows it"),
     ],
     needs: nothing,
     act: |[amplitude, phase], machine| {

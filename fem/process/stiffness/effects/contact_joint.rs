@@ -24,6 +24,8 @@ pub static CONTACT_JOINT: Effect<2> = Effect {
     look_alikes: &[
         ("preload", "forces on both sides of where the curve bends: a preloaded joint softens, a contact stiffens"),
         ("gap", "small forces: clearance opens at once"),
+        ("settling", "both branches: what settles stays, a contact comes back"),
+        ("datum-offset", "small forces: a contact closes little by little"),
     ],
     needs: nothing,
     act: |[c, n], machine| machine.curve.joint.add_contact(c, n),

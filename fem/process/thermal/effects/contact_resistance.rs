@@ -22,7 +22,11 @@ pub static CONTACT_RESISTANCE: Effect<2> = Effect {
         Parameter::place("at", LENGTH, "from the base", "x", (1.0, 1000.0)),
         Parameter::conductance("conductance", CONVECTION, "of the joint", (100.0, 50_000.0)),
     ],
-    look_alikes: &[("convection", "temperatures on both sides of the joint")],
+    look_alikes: &[
+        ("convection", "temperatures on both sides of the joint"),
+        ("heater-capacity", "temperatures close to the heater"),
+        ("sensor-lag", "the elongation, which no sensor delays"),
+    ],
     needs: a_rod,
     act: |[at, conductance], machine| {
         // An infinite conductance is no joint.

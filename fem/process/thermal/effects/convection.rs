@@ -22,7 +22,10 @@ pub static CONVECTION: Effect<1> = Effect {
         "heat transfer to the surroundings",
         (2.0, 100.0),
     )],
-    look_alikes: &[("base-conductance", "the temperature of the base and of the free end")],
+    look_alikes: &[
+        ("base-conductance", "the temperature of the base and of the free end"),
+        ("contact-resistance", "temperatures on both sides of the joint"),
+    ],
     needs: nothing,
     act: |[coefficient], machine| machine.convection += coefficient,
 };

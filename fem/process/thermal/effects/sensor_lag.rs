@@ -16,7 +16,10 @@ pub static SENSOR_LAG: Effect<1> = Effect {
     source: "first-order instrument",
     belongs: Belongs::Test,
     parameters: [Parameter::amplitude("time_constant", SECONDS, "of every temperature sensor", (5.0, 900.0))],
-    look_alikes: &[("contact-resistance", "the elongation, which no sensor delays")],
+    look_alikes: &[
+        ("contact-resistance", "the elongation, which no sensor delays"),
+        ("heater-capacity", "the elongation, which no sensor delays"),
+    ],
     needs: nothing,
     act: |[time_constant], machine| machine.lag = time_constant,
 };

@@ -28,7 +28,7 @@ pub static FRONT_GUIDEWAY_WEAR: Effect<3> = Effect {
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),
         Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
     ],
-    look_alikes: &[("guideway-wear", LEVEL)],
+    look_alikes: &[("guideway-wear", LEVEL), ("bed-sag", "a level along the guideways: wear stands at one place")],
     needs: two_guideways,
     act: |[wear, centre, width], machine| {
         let Some(spacing) = machine.setup.guideway_spacing else { return };

@@ -19,6 +19,7 @@ pub static GUIDEWAY_TAPER: Effect<1> = Effect {
         ("tailstock-offset", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),
         ("bed-twist", "a level that the carriage carries along the bed; diameters alone cannot tell"),
         ("tailstock-compliance", "a second force"),
+        ("workpiece-heating", "the pass reversed: heating follows the tool, a taper stays"),
     ],
     needs: nothing,
     act: |[slope], machine| machine.add_shift(move |at| 2.0 * slope * at.x),

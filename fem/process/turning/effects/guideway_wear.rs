@@ -20,7 +20,12 @@ pub static GUIDEWAY_WEAR: Effect<3> = Effect {
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),
         Parameter::shape("width", LENGTH, "standard width of the worn place", (10.0, 300.0)),
     ],
-    look_alikes: &[("front-guideway-wear", LEVEL)],
+    look_alikes: &[
+        ("front-guideway-wear", LEVEL),
+        ("tool-breakdown", "another part: wear of the tool stands elsewhere on it, wear of the guideway does not"),
+        ("bed-sag", "a level along the guideways: wear stands at one place"),
+        ("rest-offset", "a pass without the rest: wear stays"),
+    ],
     needs: nothing,
     act: |[depth, centre, width], machine| machine.add_shift(move |at| 2.0 * depth * part(at.x, centre, width)),
 };

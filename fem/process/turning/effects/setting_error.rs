@@ -15,7 +15,10 @@ pub static SETTING_ERROR: Effect<1> = Effect {
     source: "seed 002 (33), (34)",
     belongs: Belongs::Test,
     parameters: [Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0))],
-    look_alikes: &[("carriage-compliance", "a second force: a setting error does not change with it")],
+    look_alikes: &[
+        ("carriage-compliance", "a second force: a setting error does not change with it"),
+        ("carriage-contact", "a second force: a setting error does not change with it"),
+    ],
     needs: nothing,
     act: |[offset], machine| machine.add_shift(move |_| 2.0 * offset),
 };

@@ -24,6 +24,7 @@ pub static TOOL_WEAR: Effect<3> = Effect {
         ("tool-thermal-growth", "a pause: wear stays, growth goes back"),
         ("tool-breakdown", "more parts before and after the onset: steady wear grows from the first part on"),
         ("spindle-thermal-drift", "a pause with the spindle off, and x: drift fades toward the tailstock"),
+        ("wear-land", "the width of the land, measured with a microscope between more parts"),
     ],
     needs: nothing,
     act: |[run_in, run_in_path, rate], machine| {

@@ -1,18 +1,12 @@
-//! The page of `fem report`: models, measurements and a diagnosis brought together.
+//! A page: models, measurements and a diagnosis brought together.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::args;
-use super::compare::refuse_mixed;
-use super::diagnose::completed;
-use super::error::Error;
-use super::say::say;
-use crate::compare::{Comparison, compare};
+use super::{Error, compare_all, completed, refuse_mixed};
 use crate::diagnose::{Diagnosis, diagnose, thinned};
-use crate::input::InputError;
 use crate::measure::Measurements;
 use crate::model::{Data, Model, Run};
 use crate::output::{Evidence, Subject, page};
@@ -37,26 +31,8 @@ pub struct Made {
     pub files: Vec<PathBuf>,
 }
 
-/// Makes the page of files.
-///
-/// # Errors
-/// As those of `fem run`, `fem compare` and `fem diagnose`.
-pub fn written(args: &args::Report, depth: Depth, live: Option<u64>, progress: &Arc<Progress>) -> Result<Made, Error> {
-    let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
-    refuse_mixed(&models)?;
-    let measurements = match models.last() {
-        Some(model) if !args.with.is_empty() => {
-            Some(Measurements::load_all(&args.with, model.process, &args.reading.said()?, false)?)
-        }
-        _ => None,
-    };
-    let files = models.iter().flat_map(Model::paths).chain(args.with.iter().cloned()).collect();
-    let most_effects = usize::from(args.max_effects);
-    Story { models: &models, measurements, files, most_effects, depth, live }.told(progress)
-}
-
 /// All that a page is made of.
-pub struct Story<'a> {
+pub struct Page<'a> {
     /// Models of one process, in their order; the last is diagnosed.
     pub models: &'a [Model],
     /// What was measured.
@@ -71,13 +47,14 @@ pub struct Story<'a> {
     pub live: Option<u64>,
 }
 
-impl Story<'_> {
+impl Page<'_> {
     /// Makes the page.
     ///
     /// # Errors
-    /// As those of `fem run`, `fem compare` and `fem diagnose`.
-    pub fn told(self, progress: &Arc<Progress>) -> Result<Made, Error> {
+    /// Models of several processes; as of a run, a comparison and a diagnosis.
+    pub fn made(self, progress: &Arc<Progress>) -> Result<Made, Error> {
         let Self { models, measurements, files: named, most_effects, depth, live } = self;
+        refuse_mixed(models)?;
         let Some(model) = models.last() else {
             return Ok(Made { html: String::new(), notes: Vec::new(), files: Vec::new() });
         };
@@ -89,9 +66,12 @@ impl Story<'_> {
             let subject = Subject { models, run: Some(&run), evidence: None, files };
             return Ok(Made { html: page(&subject, live), notes: Vec::new(), files: named });
         };
-        let (comparisons, measurements) =
-            if is_known { compared(models, measurements)? } else { (Vec::new(), measurements) };
-        let all = Data::of(model, measurements)?.watched(progress.clone());
+        let (comparisons, measurements) = match is_known {
+            true => compare_all(models, measurements, progress, |_, comparison| comparison)?,
+            false => (Vec::new(), measurements),
+        };
+        let all = Data::of(model, measurements).map_err(|error| Error::of_data(error, model))?;
+        let all = all.watched(progress.clone());
         let mut notes = all.notes_of_fit();
         let some = thinned(&all);
         if let Some(some) = &some {
@@ -100,7 +80,7 @@ impl Story<'_> {
         let is_deep = depth == Depth::Diagnosed;
         let data = if is_deep { some.unwrap_or(all) } else { all };
         let diagnosis = if is_deep { Some(diagnose(&data, most_effects, progress)?) } else { None };
-        let better = diagnosis.as_ref().and_then(|d| complete(&data, d, progress));
+        let better = diagnosis.as_ref().and_then(|d| complete(&data, d, &mut notes, progress));
         let is_best = better.is_none() && model.require_values().is_ok();
         let run = if is_best { Some(model.run(progress)?) } else { None };
         let evidence = Evidence {
@@ -114,26 +94,15 @@ impl Story<'_> {
     }
 }
 
-/// Every model as it is written.
-fn compared(models: &[Model], mut measurements: Measurements) -> Result<(Vec<Comparison>, Measurements), Error> {
-    let mut comparisons = Vec::new();
-    for model in models {
-        let data = Data::of(model, measurements)?;
-        comparisons.push(compare(&data)?);
-        measurements = data.into_measurements();
-    }
-    Ok((comparisons, measurements))
-}
-
 /// The model with what was missing, and its run; `None` where values stay open or nothing was found.
-fn complete(data: &Data, diagnosis: &Diagnosis, progress: &Progress) -> Option<(Model, Run)> {
+fn complete(data: &Data, diagnosis: &Diagnosis, notes: &mut Vec<String>, progress: &Progress) -> Option<(Model, Run)> {
     if diagnosis.missing.is_empty() && diagnosis.fit.estimates.is_empty() {
         return None;
     }
     let better = match completed(data, diagnosis) {
         Ok(better) => better,
         Err(_) => {
-            say!("note: the completed model cannot be written, and its curves are left out");
+            notes.push("the completed model cannot be written, and its curves are left out".into());
             return None;
         }
     };

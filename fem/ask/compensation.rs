@@ -1,0 +1,21 @@
+//! The tables of an axis.
+
+use super::Error;
+use crate::compensate::Compensation;
+use crate::input::Problem;
+use crate::model::Data;
+
+/// Evaluates the test of an axis, and compensates it.
+///
+/// # Errors
+/// The model is of no axis that is tested, or the readings make no table.
+pub fn compensate(data: &Data) -> Result<Compensation, Error> {
+    let model = data.model;
+    let Some(axis) = model.system.positioning() else {
+        let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
+        return Err(problem
+            .help("compensation is for axes that are tested by going to targets from both sides")
+            .into());
+    };
+    Ok(crate::compensate::compensate(data, axis)?)
+}

@@ -1,0 +1,59 @@
+//! A model with what measurements tell of it.
+
+use super::Error;
+use crate::diagnose::Diagnosis;
+use crate::fit::{Fit, fitted_text, has_nothing_to_fit};
+use crate::input::{Problem, Source};
+use crate::model::{Data, Model, add_effect};
+use crate::output::additions;
+
+/// Estimates what the model leaves open.
+///
+/// # Errors
+/// It leaves nothing open, or cannot be computed.
+pub fn fit(data: &Data) -> Result<Fit, Error> {
+    if has_nothing_to_fit(data.model) {
+        let problem = Problem::new(format!("{} has nothing to fit", data.model.source.name));
+        return Err(problem.help("mark what is not exactly known: \"60 +- 15 N/um\" or \"? N/um\"").into());
+    }
+    Ok(crate::fit::fit(data)?)
+}
+
+/// The model with every fitted value that the data tell.
+///
+/// # Errors
+/// A fitted value lies outside of what a model may hold.
+pub fn fitted(data: &Data, fit: &Fit) -> Result<Model, Error> {
+    Ok(Model::parse(Source::new(data.model.source.name.to_string(), fitted_text(data, fit)))?)
+}
+
+/// The model with the missing effects and every fitted value.
+///
+/// # Errors
+/// As those of [`fitted`].
+pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
+    let mut better = fitted(data, &diagnosis.fit)?;
+    for (name, settings) in additions(data, diagnosis) {
+        better = add_effect(&better, &name, &settings)?;
+    }
+    Ok(better)
+}
+
+/// The model with one missing effect after the other, each with its name, as far as values go that a model may hold.
+pub fn steps(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Model)> {
+    let mut model = data.model.clone();
+    let mut steps = Vec::new();
+    for (effect, settings) in additions(data, diagnosis) {
+        let Ok(better) = add_effect(&model, &effect, &settings) else { break };
+        steps.push((effect, better.clone()));
+        model = better;
+    }
+    steps
+}
+
+/// Notes beside a diagnosis: on the files, and on rows that it left out.
+pub fn notes(data: &Data, diagnosis: &Diagnosis) -> Vec<String> {
+    let (used, all) = (diagnosis.rows, data.len());
+    let some = (used < all).then(|| format!("{used} of {all} rows were used, evenly chosen"));
+    data.notes_of_fit().into_iter().chain(some).collect()
+}

@@ -1,0 +1,21 @@
+//! What can be asked of models and measurements: questions with types of their own in, answers out. Nothing is printed,
+//! and no file of the user's is written; progress, and a wish to stop, are handed in. The command line, the Python module
+//! and whatever else shows answers are faces on this room.
+
+mod catalogue;
+mod comparison;
+mod compensation;
+mod completion;
+mod error;
+mod page;
+mod planning;
+mod start;
+
+pub use catalogue::{Catalogue, catalogue};
+pub use comparison::{compare_all, refuse_mixed};
+pub use compensation::compensate;
+pub use completion::{completed, fit, fitted, notes, steps};
+pub use error::{Error, Marks};
+pub use page::{Depth, Made, Page};
+pub use planning::plan;
+pub use start::{STORY, StartingFile, starting_file, starting_files};

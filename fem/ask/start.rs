@@ -1,0 +1,60 @@
+//! Files to start from.
+
+use super::Error;
+use crate::input::{Problem, did_you_mean};
+use crate::output::commented;
+use crate::{budget, process, study};
+
+/// The files of a story to try everything on, a model and what was measured: name and text.
+pub const STORY: [(&str, &str); 2] = [
+    ("rigid.toml", include_str!("../../models/story/rigid.toml")),
+    ("measured.csv", include_str!("../../models/story/measured.csv")),
+];
+
+/// A file to start from.
+pub struct StartingFile {
+    /// What it is of: a process, `budget` or `study`.
+    pub name: &'static str,
+    /// The same in a sentence.
+    pub about: &'static str,
+    /// Its text, with a comment on every line.
+    pub text: String,
+    /// The command that reads it.
+    pub command: &'static str,
+}
+
+/// All of them, models first.
+pub fn starting_files() -> Vec<StartingFile> {
+    let of_process = |p: &&'static dyn process::Process| StartingFile {
+        name: p.name(),
+        about: p.about(),
+        text: format!("{}\n{}", p.starting_model(), commented(*p)),
+        command: "run",
+    };
+    let budget = StartingFile {
+        name: "budget",
+        about: "errors that are added up, by rules and by drawing",
+        text: budget::STARTING.to_string(),
+        command: "budget",
+    };
+    let study = StartingFile {
+        name: "study",
+        about: "many jobs with one model: a grid, draws or a table",
+        text: study::STARTING.to_string(),
+        command: "study",
+    };
+    process::ALL.iter().map(of_process).chain([budget, study]).collect()
+}
+
+/// The file to start from by its name.
+///
+/// # Errors
+/// There is none.
+pub fn starting_file(name: &str) -> Result<StartingFile, Error> {
+    let all = starting_files();
+    let names: Vec<&str> = all.iter().map(|s| s.name).collect();
+    let meant = did_you_mean(name, names.iter().copied(), '`');
+    let help = format!("{meant}known are {}", names.join(", "));
+    let unknown = || Problem::new(format!("`{name}` is no process known here")).help(help).into();
+    all.into_iter().find(|s| s.name == name).ok_or_else(unknown)
+}
