@@ -141,23 +141,25 @@ fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Ve
     some.into_par_iter().with_min_len(256).map(one).collect()
 }
 
-/// Where the tool stands at each row (m), and the equilibrium of its last pass there.
+/// Gives `each` block of rows by where the tool stands (m) and the equilibrium of its last pass there.
 ///
 /// # Errors
-/// As [`observe`].
-pub fn standing(machine: &Machine, rows: &Rows) -> Result<(Vec<f64>, Vec<Deflection>), Failure> {
-    let (mut positions, mut deflections) = (Vec::new(), Vec::new());
+/// As [`observe`], and of `each`.
+pub fn standing(
+    machine: &Machine,
+    rows: &Rows,
+    mut each: impl FnMut(&[f64], &[Deflection]) -> Result<(), Failure>,
+) -> Result<(), Failure> {
     for first in (0..rows.len()).step_by(BLOCK) {
         let some = first..rows.len().min(first + BLOCK);
         let standing = Standing::of(machine, rows, some.clone())?;
         let elastic = Elastic::new(machine, &standing.shaft);
         let angle = |row| (!machine.setup.blank.is_round()).then(|| rows.get(ANGLE, row).unwrap_or(0.0));
         let deflect = |row| standing.deflection(&elastic, row, angle(row));
-        let own = some.clone().into_par_iter().with_min_len(256).map(deflect);
-        deflections.extend(own.collect::<Result<Vec<_>, Failure>>()?);
-        positions.extend(some.map(|row| standing.at(row)));
+        let deflections = some.clone().into_par_iter().with_min_len(256).map(deflect).collect::<Result<Vec<_>, _>>()?;
+        each(&some.map(|row| standing.at(row)).collect::<Vec<_>>(), &deflections)?;
     }
-    Ok((positions, deflections))
+    Ok(())
 }
 
 /// Rows under the tool, with the shaft condensed to where they stand.

@@ -12,6 +12,7 @@ use crate::units::{FORCE, LENGTH};
 const PULLS: f64 = 1e-4;
 
 /// Where parts leave each other at some tool positions.
+#[derive(Default)]
 pub struct LiftOff {
     /// Supports that would have to pull, each with the position (m) and the force (N) of the worst.
     supports: Vec<(String, f64, f64)>,
@@ -47,6 +48,19 @@ impl LiftOff {
         let idle = |(d, x): &(&Deflection, &f64)| d.force <= 0.0 && setup.nominal_force(**x) > 0.0;
         let untouched = deflections.iter().zip(positions).filter(idle).count();
         Ok(Self { supports, untouched, positions: positions.len() })
+    }
+
+    /// The same of further positions as well.
+    pub fn add(&mut self, other: Self) {
+        for (who, x, force) in other.supports {
+            match self.supports.iter_mut().find(|known| known.0 == who) {
+                Some(known) if known.2 < force => *known = (who, x, force),
+                Some(_) => {}
+                None => self.supports.push((who, x, force)),
+            }
+        }
+        self.untouched += other.untouched;
+        self.positions += other.positions;
     }
 
     /// In sentences; `positions` is what they are called.

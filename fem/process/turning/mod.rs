@@ -94,8 +94,12 @@ impl Definition for Turning {
     }
 
     fn doubts(machine: &Machine, rows: &Rows) -> Result<Vec<String>, Failure> {
-        let (positions, deflections) = forward::standing(machine, rows)?;
-        Ok(LiftOff::of(machine, &positions, &deflections)?.told("rows"))
+        let mut all = LiftOff::default();
+        forward::standing(machine, rows, |positions, deflections| {
+            all.add(LiftOff::of(machine, positions, deflections)?);
+            Ok(())
+        })?;
+        Ok(all.told("rows"))
     }
 
     fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {
