@@ -3,7 +3,7 @@
 use super::Error;
 use crate::input::{Problem, nearest};
 use crate::noise::{MEASUREMENT, MeasurementEffect, effects};
-use crate::output::{Detail, Report};
+use crate::output::{Detail, Report, columns};
 use crate::process::{self, Description, Process};
 
 /// The catalogue, or a part of it.
@@ -11,14 +11,19 @@ pub struct Catalogue {
     effects: Vec<(&'static dyn Process, Description)>,
     of_measurement: Vec<&'static MeasurementEffect>,
     detail: Detail,
-    /// The process that was asked for, if one was.
-    pub process: Option<&'static dyn Process>,
+    process: Option<&'static dyn Process>,
 }
 
 impl Catalogue {
     /// As a report.
     pub fn report(&self) -> Report<'_> {
         Report::Effects(&self.effects, &self.of_measurement, self.detail)
+    }
+
+    /// What the text of the report ends with: the columns in which the process that was asked for is measured, if one
+    /// was.
+    pub fn columns(&self) -> String {
+        self.process.map_or(String::new(), |process| format!("\n{}", columns(process)))
     }
 }
 

@@ -30,10 +30,9 @@ fn names_unicode(locale: &OsStr) -> bool {
 
 /// The marks with which an error is drawn on stderr.
 pub fn marks() -> Marks {
-    match (is_ascii(), has_colour()) {
-        (true, _) => Marks::Ascii,
-        (false, true) => Marks::Coloured,
-        (false, false) => Marks::Plain,
+    match plain_marks() {
+        Marks::Plain if has_colour() => Marks::Coloured,
+        plain => plain,
     }
 }
 

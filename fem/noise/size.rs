@@ -58,7 +58,7 @@ fn meant(effect: &MeasurementEffect, quantity: &Quantity) -> Result<f64, Problem
             Err(problem.help("write the value alone, or \"?\" to have it estimated"))
         }
         // A clock may be early, and of two sizes in a table one may be at work alone.
-        _ if matches!(effect.acts, Acts::Times(_)) || effect.is_one_of_two && quantity.value == 0.0 => {
+        _ if matches!(effect.acts, Acts::Times(_)) || effect.beside.is_some() && quantity.value == 0.0 => {
             Ok(quantity.value)
         }
         _ if quantity.value > 0.0 => Ok(quantity.value),

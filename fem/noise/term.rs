@@ -32,10 +32,8 @@ pub struct MeasurementEffect {
     pub example: &'static str,
     /// The size where its key is left out; not a number where it is then estimated.
     pub usual: f64,
-    /// An effect whose size stands in the same table.
+    /// An effect whose size stands in the same table; either may be zero then, and is left out.
     pub beside: Option<&'static MeasurementEffect>,
-    /// Whether another size stands in its table; then either may be zero, and is left out.
-    pub is_one_of_two: bool,
     /// How it enters the covariance.
     pub acts: Acts,
     /// Its price in −2 ln L as a number of parameters, each of which costs ln n; the odds against a row that it names
@@ -62,7 +60,6 @@ impl MeasurementEffect {
         example: "",
         usual: f64::NAN,
         beside: None,
-        is_one_of_two: false,
         acts: Acts::Scales,
         parameters: 1.0,
         odds: 0.0,

@@ -15,6 +15,11 @@ fn adequate(fit: &Fit) -> Option<bool> {
     fit.p_value.map(|p| p >= SIGNIFICANCE)
 }
 
+/// What is to be read before the rest is believed: of the data, then of what the fitted model asks of the machine.
+fn cautions<'a>(data: &'a Data, fit: &'a Fit) -> impl Iterator<Item = &'a String> {
+    data.cautions.iter().chain(&fit.doubts)
+}
+
 /// Makes the JSON of `fem fit --json`: `fem-fit/1`.
 pub fn json(data: &Data, fit: &Fit) -> Json {
     let kind = data.kind();
@@ -55,7 +60,7 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
         "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
         "failed_trials": fit.failures,
         "evaluations": fit.evaluations,
-        "cautions": data.cautions.iter().chain(&fit.doubts).collect::<Vec<_>>(),
+        "cautions": cautions(data, fit).collect::<Vec<_>>(),
     })
 }
 
@@ -75,7 +80,7 @@ pub fn text(data: &Data, fit: &Fit) -> String {
         super::comparison::noise_text(&fit.noise.level(data), data),
         super::measurement::at_work(&data.model.source.name, &fit.noise.terms, data.model.process, Some(data)),
     );
-    for caution in data.cautions.iter().chain(&fit.doubts) {
+    for caution in cautions(data, fit) {
         text.push_str(&format!("caution: {caution}\n\n"));
     }
     let sizes = fit.sizes.iter().map(|s| (&s.estimate, true));

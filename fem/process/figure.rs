@@ -169,6 +169,17 @@ impl<T: Into<Datum>> From<Option<T>> for Datum {
     }
 }
 
+/// The least and the greatest of some values; infinite the wrong way round of none.
+pub fn range(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+}
+
+/// The greatest less the least.
+pub fn spread(values: &[f64]) -> f64 {
+    let (low, high) = range(values.iter().copied());
+    high - low
+}
+
 /// Position of the value that `beats` all others by more than round-off: of equal ones the first; 0 of none.
 pub fn first_extreme(values: &[f64], beats: fn(&f64, &f64) -> bool) -> usize {
     let scale = values.iter().fold(0.0f64, |size, v| size.max(v.abs()));

@@ -46,7 +46,7 @@ pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
 pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, Parameter, nothing};
 pub use failure::Failure;
-pub use figure::{Datum, Figure, extremes, first_extreme};
+pub use figure::{Datum, Figure, extremes, first_extreme, range, spread};
 pub use formula_effect::{FormulaLaw, Meaning};
 pub use grid::{Cell, Field, Grid};
 pub use interface::{ForwardModel, Process, System};

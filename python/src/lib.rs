@@ -15,7 +15,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fem::ask;
-use fem::output::{Format, Json, Report, Text, budget_warnings, columns};
+use fem::output::{Format, Json, Report, Text, budget_warnings};
 use fem::progress::Progress;
 use pyo3::prelude::*;
 
@@ -47,8 +47,7 @@ fn demo() -> (&'static str, &'static str) {
 fn catalogue(py: Python, name: Option<String>) -> PyResult<(String, String)> {
     compute(py, &Arc::default(), move |_| {
         let found = ask::catalogue(name.as_deref())?;
-        let columns = found.process.map_or(String::new(), |process| format!("\n{}", columns(process)));
-        Ok((Json.write(&found.report())?, Text::default().write(&found.report())? + &columns))
+        Ok((Json.write(&found.report())?, Text::default().write(&found.report())? + &found.columns()))
     })
 }
 

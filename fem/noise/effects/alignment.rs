@@ -16,7 +16,6 @@ const SLOPES: MeasurementEffect = MeasurementEffect {
     source: "ISO 1101:2017, 3.7: datum; ISO 12181-1:2011: the least-squares circle takes the same directions out",
     separates: "take the part out, turn it end for end and measure it again: what lies askew turns with it",
     keys: &[BY, ALONG, OBSERVABLE],
-    is_one_of_two: true,
     example: "0.7 um",
     size: Size::OfObservable("slope", "standard deviation of what the slopes add at the ends of the range"),
     acts: Acts::Shared(columns),
@@ -27,6 +26,7 @@ const SLOPES: MeasurementEffect = MeasurementEffect {
 static OFFSETS: MeasurementEffect = MeasurementEffect {
     size: Size::OfObservable("offset", "standard deviation of the offsets"),
     acts: Acts::Shared(zero_shift::columns),
+    beside: Some(&ALIGNMENT),
     ..SLOPES
 };
 

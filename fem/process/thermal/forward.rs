@@ -20,15 +20,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         ELONGATION => Look::Elongation,
         _ => Look::Rise { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
     };
-    let mut looks: Vec<Look> = Vec::new();
-    let position = |row: usize| {
-        let own = look(row);
-        looks.iter().position(|l| *l == own).unwrap_or_else(|| {
-            looks.push(own);
-            looks.len() - 1
-        })
-    };
-    let of_row: Vec<usize> = (0..rows.len()).map(position).collect();
+    let (looks, of_row) = numbered((0..rows.len()).map(look));
     let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
     let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
     let run = Run { end, ..run_for(machine, &looks, &readings)? };
@@ -38,6 +30,19 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         *value += if *observable == ELONGATION { 0.0 } else { machine.setup.start };
     }
     Ok(values)
+}
+
+/// Every look once, and the position of each among them.
+fn numbered(all: impl Iterator<Item = Look>) -> (Vec<Look>, Vec<usize>) {
+    let mut looks: Vec<Look> = Vec::new();
+    let position = |own: Look| {
+        looks.iter().position(|look| *look == own).unwrap_or_else(|| {
+            looks.push(own);
+            looks.len() - 1
+        })
+    };
+    let positions = all.map(position).collect();
+    (looks, positions)
 }
 
 /// Refuses rows that are read so late, or followed in steps so short, that nobody could wait for them.
@@ -89,13 +94,15 @@ fn run_for(machine: &Machine, looks: &[Look], readings: &[(usize, f64)]) -> Resu
     if let Some(step) = step {
         return Ok(Run { scheme, step, end });
     }
-    let mut wanted: Vec<Reading> = Vec::new();
-    for time in &setup.times {
-        wanted.extend(setup.places.iter().map(|x| Reading::new(Look::Rise { x: *x, y: None }, *time, 0.0)));
-    }
-    // Of a shape no tolerance is said: it follows the temperatures.
-    let rises = readings.iter().filter(|(look, _)| matches!(looks[*look], Look::Rise { .. }));
-    wanted.extend(rises.map(|(look, time)| Reading::new(looks[*look], *time, machine.lag_of(looks[*look]))));
+    let programme = || {
+        let at = |time: &f64| {
+            let time = *time;
+            setup.places.iter().filter_map(move |x| Reading::of(Look::Rise { x: *x, y: None }, time, 0.0))
+        };
+        setup.times.iter().flat_map(at).collect()
+    };
+    let own = |(look, time): &(usize, f64)| Reading::of(looks[*look], *time, machine.lag_of(looks[*look]));
+    let wanted: Vec<Reading> = readings.iter().filter_map(own).collect();
     let last = wanted.iter().map(Reading::time).fold(end, f64::max);
     let order = setup.time.order();
     let seen = |step: f64, wanted: &[Reading]| {
@@ -103,15 +110,16 @@ fn run_for(machine: &Machine, looks: &[Look], readings: &[(usize, f64)]) -> Resu
         let mut values = vec![0.0; wanted.len()];
         for (machine, is_late) in [(&instant, false), (machine, true)] {
             let own: Vec<usize> = (0..wanted.len()).filter(|i| wanted[*i].is_late() == is_late).collect();
-            let looks: Vec<Look> = own.iter().map(|i| wanted[*i].look()).collect();
-            let readings: Vec<(usize, f64)> = own.iter().enumerate().map(|(k, i)| (k, wanted[*i].time())).collect();
             if !own.is_empty() {
+                let (looks, of_reading) = numbered(own.iter().map(|i| wanted[*i].look()));
+                let readings: Vec<(usize, f64)> =
+                    of_reading.into_iter().zip(&own).map(|(look, i)| (look, wanted[*i].time())).collect();
                 let read = read(machine, &looks, &readings, &Run { scheme, step, end: last })?;
                 own.into_iter().zip(read).for_each(|(i, value)| values[i] = value);
             }
         }
         Ok(values)
     };
-    let step = setup.steps.chosen(wanted, (end, tolerance, order), seen)?;
+    let step = setup.steps.chosen(&wanted, programme, (end, tolerance, order), seen)?;
     Ok(Run { scheme, step, end })
 }

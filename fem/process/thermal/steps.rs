@@ -1,7 +1,7 @@
 //! Steps in time that keep a tolerance.
 
 use std::collections::HashSet;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{PoisonError, RwLock};
 
 use super::follow::Look;
 use crate::process::Failure;
@@ -17,13 +17,10 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// What is seen of a rise at a time.
-    pub fn new(look: Look, time: f64, lag: f64) -> Self {
-        let (x, y) = match look {
-            Look::Rise { x, y } => (x, y),
-            Look::Elongation | Look::Bow => (f64::NAN, None),
-        };
-        Self { x: x.to_bits(), y: y.map(f64::to_bits), time: time.to_bits(), is_late: lag > 0.0 }
+    /// A look at a time; `None` of a shape, which follows the temperatures, and of which no tolerance is said.
+    pub fn of(look: Look, time: f64, lag: f64) -> Option<Self> {
+        let Look::Rise { x, y } = look else { return None };
+        Some(Self { x: x.to_bits(), y: y.map(f64::to_bits), time: time.to_bits(), is_late: lag > 0.0 })
     }
 
     /// Where it is read.
@@ -44,7 +41,7 @@ impl Reading {
 
 /// The longest step that serves everything that was read so far.
 #[derive(Debug, Default)]
-pub struct Steps(Mutex<Served>);
+pub struct Steps(RwLock<Served>);
 
 #[derive(Debug, Default)]
 struct Served {
@@ -53,17 +50,26 @@ struct Served {
     halved: Option<Result<i32, Failure>>,
 }
 
+impl Served {
+    /// What was chosen, if it serves all of these.
+    fn choice(&self, wanted: &[Reading]) -> Option<Result<i32, Failure>> {
+        let halved = self.halved.as_ref()?;
+        wanted.iter().all(|reading| self.readings.contains(reading)).then(|| halved.clone())
+    }
+}
+
 impl Steps {
     /// A step (s) that serves these readings: halved until what its own error changes with the next halving, by the order
     /// of the scheme, is no more than the tolerance at any of them. It is chosen once, for the machine that reads them
-    /// first: a fit sees the same steps at all its trial values, and a part of its rows the steps of all. `seen` gives
-    /// what is read in steps of one length.
+    /// first, with what the programme reads: a fit sees the same steps at all its trial values, and a part of its rows the
+    /// steps of all. `seen` gives what is read in steps of one length.
     ///
     /// # Errors
     /// The body cannot be computed, or no step is short enough.
     pub fn chosen(
         &self,
-        wanted: Vec<Reading>,
+        wanted: &[Reading],
+        programme: impl FnOnce() -> Vec<Reading>,
         (end, tolerance, order): (f64, f64, u32),
         seen: impl Fn(f64, &[Reading]) -> Result<Vec<f64>, Failure>,
     ) -> Result<f64, Failure> {
@@ -71,13 +77,16 @@ impl Steps {
         const FIRST: f64 = 1.0 / 50.0;
         const HALVINGS: i32 = 12;
         let step = |halved: i32| FIRST * end * 0.5f64.powi(halved);
-        let mut served = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut new: Vec<Reading> = wanted.into_iter().filter(|reading| !served.readings.contains(reading)).collect();
-        if new.is_empty()
-            && let Some(halved) = &served.halved
-        {
-            return halved.clone().map(step);
+        // Every trial asks, and hardly one chooses.
+        if let Some(halved) = self.0.read().unwrap_or_else(PoisonError::into_inner).choice(wanted) {
+            return halved.map(step);
         }
+        let mut served = self.0.write().unwrap_or_else(PoisonError::into_inner);
+        if let Some(halved) = served.choice(wanted) {
+            return halved.map(step);
+        }
+        let mut new = if served.halved.is_none() { programme() } else { Vec::new() };
+        new.extend(wanted.iter().filter(|reading| !served.readings.contains(reading)));
         new.sort_unstable_by(|a, b| a.time().total_cmp(&b.time()));
         new.dedup();
         let choose = |known: i32| {

@@ -10,7 +10,7 @@ use super::elastic::{Cutting, Elastic};
 use super::forward::condense;
 use super::machine::Machine;
 use super::rows::{COORDINATES, X};
-use crate::process::{Column, Datum, Failure, Figure, Table};
+use crate::process::{Column, Datum, Failure, Figure, Table, spread};
 use crate::units::{FORCE, LENGTH, MICRO};
 
 /// An inherited error is followed down to this part of it.
@@ -197,17 +197,6 @@ impl Refinement {
             ],
         }
     }
-}
-
-/// The smallest and the largest.
-pub fn ends(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)))
-}
-
-/// The largest less the smallest.
-pub fn spread(errors: &[f64]) -> f64 {
-    let (low, high) = ends(errors);
-    high - low
 }
 
 /// `None` where there is nothing to divide by.

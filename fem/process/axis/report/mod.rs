@@ -7,7 +7,7 @@ use super::machine::Machine;
 use super::rows::{COORDINATES, DIRECTION, OBSERVABLES, POSITION, RUN, TIME_OF_ROW, approach};
 use super::setup::Setup;
 use crate::positioning::{Direction, EDITION, Evaluation, Quantity, Target};
-use crate::process::{Datum, Figure, Forward, Nut, Plot, Positioning, RunReport, Table, first_extreme};
+use crate::process::{Datum, Figure, Forward, Nut, Plot, Positioning, RunReport, Table, first_extreme, range};
 use crate::units::{LENGTH, MICRO, STIFFNESS};
 
 /// One of two clearances rules when it is this many times the other.
@@ -92,12 +92,9 @@ fn quantity(all: &[Quantity], (letter, key, label): (&str, &'static str, &'stati
 /// Which clearance of the drive rules [seed 000]: the kinematic one of light machines, or the elastic one of
 /// heavy machines. Mechanics: what a formula effect adds to the deviation is neither.
 fn lost_motion(machine: &Machine) -> Figure {
-    let range = |of: &dyn Fn(f64) -> f64| {
-        let all = machine.setup.targets().into_iter().map(of);
-        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)))
-    };
-    let (low, high) = range(&|x| 2.0 * machine.wind_up(x));
-    let (tight, loose) = range(&|x| machine.play(x));
+    let targets = || machine.setup.targets().into_iter();
+    let (low, high) = range(targets().map(|x| 2.0 * machine.wind_up(x)));
+    let (tight, loose) = range(targets().map(|x| machine.play(x)));
     let [kinematic, typical] = [0.5 * (tight + loose), 0.5 * (low + high)];
     let (rules, verdict) = match (tight.abs().max(loose.abs()), typical) {
         (k, e) if k.max(e) < NONE => ("none", ""),

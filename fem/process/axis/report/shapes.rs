@@ -4,7 +4,7 @@ use super::super::machine::Machine;
 use super::super::rows::approach;
 use super::super::setup::Setup;
 use crate::positioning::{Approach, Direction};
-use crate::process::{Animation, Arrow, Body, Cell, Ends, Field, Forward, Frame, Grid, Role, Skin, View};
+use crate::process::{Animation, Arrow, Body, Cell, Ends, Field, Forward, Frame, Grid, Role, Skin, View, range};
 use crate::units::{FORCE, LENGTH, MICRO};
 
 /// Elements of the screw that is shown.
@@ -58,7 +58,7 @@ fn frame(setup: &Setup, stops: &[Stop], number: usize) -> Frame {
     let (nut, force) = (last.approach.position, last.force);
     let screw = setup.screw();
     let ends = screw.held.iter().copied().chain([setup.from, setup.from + setup.travel, nut]);
-    let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+    let (low, high) = range(ends);
     let mut nodes: Vec<f64> = screw.held.clone();
     let even = (0..=ELEMENTS).map(|i| low + (high - low) * i as f64 / ELEMENTS as f64);
     for x in std::iter::once(nut).chain(even) {

@@ -1,7 +1,7 @@
 //! The axis to scale: the screw in its bearings, the nut in the middle of the travel.
 
 use super::super::machine::Machine;
-use crate::process::{Part, Sketch};
+use crate::process::{Part, Sketch, range};
 use crate::units::{FORCE, LENGTH, MICRO, STIFFNESS};
 
 /// Length and diameter of the nut by those of the screw: about those of catalogues.
@@ -13,7 +13,7 @@ pub fn sketch(machine: &Machine) -> Sketch {
     let screw = setup.screw();
     let (from, to) = (setup.from, setup.from + setup.travel);
     let ends = screw.held.iter().copied().chain([from, to]);
-    let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+    let (low, high) = range(ends);
     let (radius, nut) = (0.5 * setup.diameter, 0.5 * (from + to));
     let half = [0.5 * NUT[0] * setup.diameter, 0.5 * NUT[1] * setup.diameter];
     let mut parts = vec![

@@ -10,6 +10,7 @@ use super::super::motion::{Leg, Motion};
 use super::super::profile::turn;
 use super::super::search::peak;
 use super::contact::{self, MOST_BLOCKS, PARTS, Removal};
+use crate::process::range;
 
 /// Everything about one block.
 #[derive(Clone, Debug, PartialEq)]
@@ -305,9 +306,4 @@ fn layer(samples: &[Sample]) -> (f64, f64, f64) {
     let (low, high) = range(samples.iter().filter_map(|s| s.layer));
     let missed = samples.iter().filter(|s| s.layer.is_some_and(|layer| layer <= 0.0)).count();
     (low, high, missed as f64 / samples.len() as f64)
-}
-
-/// The least and the greatest of some values.
-pub fn range(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
-    values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }

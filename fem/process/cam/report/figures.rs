@@ -2,10 +2,10 @@
 
 use super::super::division::By;
 use super::super::setup::Setup;
-use super::blocks::{Block, Blocks, range};
+use super::blocks::{Block, Blocks};
 use super::contact::{MOST_BLOCKS, PARTS, Removal};
 use super::interpolation;
-use crate::process::{Datum, Figure};
+use crate::process::{Datum, Figure, range};
 use crate::units::{ANGLE, FEED_RATE, Kind, LENGTH, MICRO, REMOVAL_RATE, SECONDS, SHORT_TIME};
 
 /// Jumps and back-sweeps below this are none, m.

@@ -15,10 +15,10 @@ use super::elastic::Deflection;
 use super::forward::{condense, deflections};
 use super::lift_off::LiftOff;
 use super::machine::Machine;
-use super::refinement::{Refinement, ends};
+use super::refinement::Refinement;
 use super::rows::{COORDINATES, OBSERVABLES, PART, PATH_OF_ROW, TIME_OF_ROW, X};
 use super::setup::Setup;
-use crate::process::{Column, Datum, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
+use crate::process::{Column, Datum, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme, range};
 use crate::progress::Progress;
 use crate::units::{FORCE, LENGTH, MICRO, PATH, TIME};
 
@@ -109,7 +109,7 @@ fn part_means(per_part: usize, errors: &[f64]) -> Vec<f64> {
 
 /// All around the part, where it is not round.
 fn forces(deflections: &[Deflection], roundness: Option<&Roundness>) -> Figure {
-    let mean = || ends(&deflections.iter().map(|d| d.force).collect::<Vec<_>>());
+    let mean = || range(deflections.iter().map(|d| d.force));
     let (low, high) = roundness.map_or_else(mean, Roundness::force_range);
     let shown = FORCE.shown(high);
     let line = match high - low < 1e-9 * high {

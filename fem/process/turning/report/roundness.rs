@@ -7,8 +7,7 @@ use rayon::prelude::*;
 use super::super::elastic::{Cutting, Elastic};
 use super::super::forward::condense;
 use super::super::machine::Machine;
-use super::super::refinement::{ends, spread};
-use crate::process::{Column, Failure, Figure, Table, first_extreme};
+use crate::process::{Column, Failure, Figure, Table, first_extreme, range, spread};
 use crate::units::{LENGTH, MICRO};
 
 /// Angles that are tried for each lobe of a turn.
@@ -49,7 +48,7 @@ impl Roundness {
             });
             let (radii, forces): (Vec<f64>, Vec<f64>) =
                 around.collect::<Result<Vec<_>, Failure>>()?.into_iter().unzip();
-            Ok((spread(&radii), ends(&forces)))
+            Ok((spread(&radii), range(forces)))
         };
         let all = positions.par_iter().enumerate().map(section).collect::<Result<Vec<_>, Failure>>()?;
         let (sections, forces) = all.into_iter().unzip();

@@ -11,6 +11,11 @@ pub enum Seen {
     Elongation,
 }
 
+/// One value for every row that sees a temperature, another for those that see the elongation.
+pub fn by_row(seen: impl Iterator<Item = Seen>, temperature: f64, elongation: f64) -> Vec<f64> {
+    seen.map(|seen| if seen == Seen::Elongation { elongation } else { temperature }).collect()
+}
+
 /// One measured row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {

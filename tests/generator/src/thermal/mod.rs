@@ -49,11 +49,11 @@ impl crate::job::Job for Job {
     crate::job::of_fields!("thermal");
 
     fn scales(&self) -> Vec<f64> {
-        self.by_row(self.kelvin, 1.0)
+        job::by_row(self.rows.iter().map(|row| row.seen), self.kelvin, 1.0)
     }
 
     fn si(&self) -> Vec<f64> {
-        self.by_row(1.0, 1e-6)
+        job::by_row(self.rows.iter().map(|row| row.seen), 1.0, 1e-6)
     }
 
     fn noise_range(&self) -> (f64, f64) {
@@ -141,11 +141,6 @@ impl crate::job::Job for Job {
 }
 
 impl Job {
-    fn by_row(&self, temperature: f64, elongation: f64) -> Vec<f64> {
-        let one = |row: &Row| if row.seen == Seen::Elongation { elongation } else { temperature };
-        self.rows.iter().map(one).collect()
-    }
-
     fn rod(&self, causes: &[Cause]) -> Rod {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
         let source = |(at, power, from, to): &(f64, f64, f64, f64)| (1e-3 * at, *power, 60.0 * from, 60.0 * to);

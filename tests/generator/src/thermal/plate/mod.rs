@@ -14,7 +14,7 @@ use series::{HOLDS, Place, Reading, Side, rises};
 use strip::Strip;
 
 use super::catalogue::LAWS;
-use super::job::{Row, Seen};
+use super::job::{self, Row, Seen};
 use crate::job::{NoiseKind, Shown};
 use crate::law::{self, Cause, Law, value};
 use crate::random::{Random, figures};
@@ -65,11 +65,11 @@ impl crate::job::Job for Job {
     crate::job::of_fields!("thermal");
 
     fn scales(&self) -> Vec<f64> {
-        self.by_row(0.05, 1.0)
+        job::by_row(self.rows.iter().map(|row| row.seen), 0.05, 1.0)
     }
 
     fn si(&self) -> Vec<f64> {
-        self.by_row(1.0, 1e-6)
+        job::by_row(self.rows.iter().map(|row| row.seen), 1.0, 1e-6)
     }
 
     fn noise_range(&self) -> (f64, f64) {
@@ -148,11 +148,6 @@ impl crate::job::Job for Job {
 }
 
 impl Job {
-    fn by_row(&self, temperature: f64, elongation: f64) -> Vec<f64> {
-        let one = |row: &Row| if row.seen == Seen::Elongation { elongation } else { temperature };
-        self.rows.iter().map(one).collect()
-    }
-
     /// Of the plate at the start, degC.
     fn cold(&self) -> f64 {
         self.start.unwrap_or(self.ambient)
