@@ -86,7 +86,7 @@ fn whole_ring(cells: [usize; 2]) -> Result<(), Box<dyn Error>> {
 
 /// What a search pays for each trial of a chucked ring: 108 rows of three set-ups, with every effect.
 fn chuck() -> Result<(), Box<dyn Error>> {
-    let process = fem::process::ALL.iter().find(|p| p.name() == "ring").ok_or("no such process")?;
+    let process = fem::processes::ALL.iter().find(|p| p.name() == "ring").ok_or("no such process")?;
     let model = Model::parse(Source::new("ring.toml", process.starting_model()))?;
     let angles: Vec<f64> = (0..108).map(|i| f64::from(i % 36) * TAU / 36.0).collect();
     let mut rows = model.system.programme();
@@ -116,7 +116,7 @@ fn chuck() -> Result<(), Box<dyn Error>> {
 /// A trial of a fit: the starting model's rod with 100 elements, 360 steps and some after every switch, all
 /// effects at new values, 160 rows; then with a new convection alone.
 fn rod() -> Result<(), Box<dyn Error>> {
-    let process = fem::process::ALL.iter().find(|p| p.name() == "thermal").ok_or("no such process")?;
+    let process = fem::processes::ALL.iter().find(|p| p.name() == "thermal").ok_or("no such process")?;
     let model = Model::parse(Source::new("thermal.toml", process.starting_model()))?;
     let mut rows = model.system.programme().some(&(0..160).collect::<Vec<_>>());
     rows.columns[0] = (0..160).map(|row| 270.0 * f64::from(1 + row / 4)).collect();

@@ -9,8 +9,8 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use fem::element::{BeamPiece, Round};
 use fem::joint::{Contact, Joint};
-use fem::process::turning::{Turning, condense, deflections};
 use fem::process::{Assembled, Definition};
+use fem::processes::turning::{Turning, condense, deflections};
 use fem::progress::Progress;
 use fem::solve::{Hold, Shaft, solve_joints};
 

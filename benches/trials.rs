@@ -9,7 +9,8 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use fem::input::Source;
 use fem::model::Model;
-use fem::process::{ALL, Active};
+use fem::process::Active;
+use fem::processes::ALL;
 
 fn trials(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("trial");

@@ -44,7 +44,8 @@
 //! series                the ring by Fourier series, which the finite elements are held against
 //! solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat; plane bodies
 //! positioning           positioning tests by ISO 230-2, compensation tables
-//! process               a process and its effects: turning, …
+//! process               the frame of a process: its definition, coordinates, effects, reports
+//! processes             turning, ring, …: each with its effects
 //! measure               measurement files
 //! noise                 noise of measurements and what rows share of it: the covariance
 //! model                 a model file: process, effects, what is known; run, add, schema
@@ -54,6 +55,7 @@
 //! diagnose              which effect is missing
 //! budget                errors added up by rules and by drawing
 //! study                 many jobs with one model: points, rows, yield, worst case, sensitivity
+//! validation            what handbooks, closed forms and benchmarks say, and what is computed
 //! output                text, CSV, JSON, VTK; files that appear whole
 //! ask                   what can be asked of models and measurements: questions in, answers out
 //! cli                   the commands
@@ -78,10 +80,12 @@ pub mod noise;
 pub mod output;
 pub mod positioning;
 pub mod process;
+pub mod processes;
 pub mod progress;
 pub mod series;
 pub mod solve;
 pub mod study;
 pub mod units;
+pub mod validation;
 
 pub use cli::command;

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use fem::model::{Model, Run};
 use fem::output::{Report, columns, figures};
-use fem::process::{ALL, Description, Process};
+use fem::process::{Description, Process};
+use fem::processes::ALL;
 use fem::progress::Progress;
 use rayon::prelude::*;
 

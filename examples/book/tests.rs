@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use fem::noise::effects;
-use fem::process::ALL;
+use fem::processes::ALL;
 
 use super::{Book, Made, effect, markdown};
 

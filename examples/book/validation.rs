@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use fem::process::{Case, Tolerance};
-use fem::{budget, fit, process, study};
+use fem::validation::{Case, PARTS, Tolerance};
 
 use super::chapters::Chapter;
 use super::markdown::{code, plain, table};
@@ -12,16 +11,10 @@ use super::{Made, Pages};
 
 /// The table by sources, and a page of rows for each part of the program.
 pub fn all(deep: usize) -> Pages {
-    let of_processes = process::validation().map(|(name, cases)| (name, name, cases));
-    let others = [
-        ("budgets", "budgets", budget::validation()),
-        ("fit", "least squares", fit::validation()),
-        ("studies", "studies", study::validation()),
-    ];
-    let parts: Vec<(&str, &str, Vec<Case>)> = of_processes.chain(others).collect();
+    let parts: Vec<(&str, Vec<Case>)> = PARTS.iter().map(|(name, cases)| (*name, cases())).collect();
     let mut pages = vec![page("by source", "sources", deep, by_source(&parts))];
-    for (file, name, cases) in &parts {
-        pages.push(page(&format!("rows of {name}"), file, deep, rows(name, cases)));
+    for (name, cases) in &parts {
+        pages.push(page(&format!("rows of {name}"), name, deep, rows(name, cases)));
     }
     pages
 }
@@ -36,8 +29,8 @@ fn used(case: &Case) -> f64 {
     if case.error() == 0.0 { 0.0 } else { case.error().abs() / case.allowed() }
 }
 
-fn by_source(parts: &[(&str, &str, Vec<Case>)]) -> String {
-    let all = || parts.iter().flat_map(|(.., cases)| cases);
+fn by_source(parts: &[(&str, Vec<Case>)]) -> String {
+    let all = || parts.iter().flat_map(|(_, cases)| cases);
     let mut works: BTreeMap<&str, Vec<&Case>> = BTreeMap::new();
     for case in all() {
         works.entry(case.work()).or_default().push(case);
@@ -49,9 +42,9 @@ fn by_source(parts: &[(&str, &str, Vec<Case>)]) -> String {
         let most = cases.iter().map(|case| used(case)).fold(0.0, f64::max);
         [plain(work), cases.len().to_string(), format!("{:.1} %", 100.0 * most)]
     };
-    let of_part = |(file, name, cases): &(&str, &str, Vec<Case>)| {
+    let of_part = |(name, cases): &(&str, Vec<Case>)| {
         let failed = cases.iter().filter(|case| !case.passed()).count();
-        [format!("[{name}]({file}.md)"), cases.len().to_string(), failed.to_string()]
+        [format!("[{name}]({name}.md)"), cases.len().to_string(), failed.to_string()]
     };
     format!(
         "# Validation by source\n\n`fem validate` computes {} cases; {failed} fail. A tolerance follows from the \

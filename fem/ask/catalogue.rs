@@ -4,7 +4,8 @@ use super::Error;
 use crate::input::{Problem, nearest};
 use crate::noise::{MEASUREMENT, MeasurementEffect, effects};
 use crate::output::{Detail, Report, columns};
-use crate::process::{self, Description, Process};
+use crate::process::{Description, Process};
+use crate::processes;
 
 /// The catalogue, or a part of it.
 pub struct Catalogue {
@@ -33,8 +34,8 @@ impl Catalogue {
 /// There is nothing of this name.
 pub fn catalogue(name: Option<&str>) -> Result<Catalogue, Error> {
     let all: Vec<(&'static dyn Process, Description)> =
-        process::ALL.iter().flat_map(|p| p.effects().into_iter().map(move |e| (*p, e))).collect();
-    let owners = || process::ALL.iter().map(|p| p.name()).chain([MEASUREMENT]);
+        processes::ALL.iter().flat_map(|p| p.effects().into_iter().map(move |e| (*p, e))).collect();
+    let owners = || processes::ALL.iter().map(|p| p.name()).chain([MEASUREMENT]);
     let of_owner = name.is_none_or(|n| owners().any(|owner| owner == n));
     let is_meant = |owner: &str, effect: &str| name.is_none_or(|n| n == if of_owner { owner } else { effect });
     let chosen: Vec<_> = all.iter().filter(|(p, e)| is_meant(p.name(), e.name)).cloned().collect();
@@ -44,7 +45,7 @@ pub fn catalogue(name: Option<&str>) -> Result<Catalogue, Error> {
         return Err(unknown(name.unwrap_or_default(), names).into());
     }
     let detail = if of_owner { Detail::Line } else { Detail::Page };
-    let process = process::ALL.iter().copied().find(|p| name == Some(p.name()));
+    let process = processes::ALL.iter().copied().find(|p| name == Some(p.name()));
     Ok(Catalogue { effects: chosen, of_measurement, detail, process })
 }
 

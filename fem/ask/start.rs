@@ -3,7 +3,8 @@
 use super::Error;
 use crate::input::{Problem, did_you_mean};
 use crate::output::commented;
-use crate::{budget, process, study};
+use crate::process::Process;
+use crate::{budget, processes, study};
 
 /// The files of a story to try everything on, a model and what was measured: name and text.
 pub const STORY: [(&str, &str); 2] = [
@@ -25,7 +26,7 @@ pub struct StartingFile {
 
 /// All of them, models first.
 pub fn starting_files() -> Vec<StartingFile> {
-    let of_process = |p: &&'static dyn process::Process| StartingFile {
+    let of_process = |p: &&'static dyn Process| StartingFile {
         name: p.name(),
         about: p.about(),
         text: format!("{}\n{}", p.starting_model(), commented(*p)),
@@ -43,7 +44,7 @@ pub fn starting_files() -> Vec<StartingFile> {
         text: study::STARTING.to_string(),
         command: "study",
     };
-    process::ALL.iter().map(of_process).chain([budget, study]).collect()
+    processes::ALL.iter().map(of_process).chain([budget, study]).collect()
 }
 
 /// The file to start from by its name.

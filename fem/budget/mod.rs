@@ -12,10 +12,9 @@ mod law;
 mod monte_carlo;
 mod part;
 mod random;
-mod read;
+pub(crate) mod read;
 pub mod rules;
 mod sizes;
-mod validation;
 
 pub use drill::{Drill, Unknown};
 pub use error::{Contribution, Group, Kind, Source};
@@ -25,7 +24,6 @@ pub use monte_carlo::{Drawn, Measured, Rejects};
 pub use part::{Figure, Input, ModelPart, Models, Target};
 pub use random::Stream;
 pub use read::load;
-pub use validation::cases as validation;
 
 use crate::input::Source as File;
 

@@ -26,7 +26,7 @@ pub fn load(path: &Path) -> Result<Budget, InputError> {
 ///
 /// # Errors
 /// The text is wrong; the error lists every problem.
-pub(super) fn parse(file: File) -> Result<Budget, InputError> {
+pub(crate) fn parse(file: File) -> Result<Budget, InputError> {
     let remedy = "a budget takes fields: write a random error of its own, or let a model's input vary";
     read_tables(&file, "a budget file", remedy, |reader, broken| read(reader, &file, broken))
 }

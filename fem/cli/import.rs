@@ -7,11 +7,11 @@ use crate::input::{Problem, did_you_mean};
 use crate::measure::Measurements;
 use crate::output::files::{self, Guard};
 use crate::output::measurements;
-use crate::process;
+use crate::processes;
 
 pub fn import(args: &args::Import) -> Result<(), Error> {
-    let Some(process) = process::ALL.iter().find(|p| p.name() == args.process) else {
-        let names = || process::ALL.iter().map(|p| p.name());
+    let Some(process) = processes::ALL.iter().find(|p| p.name() == args.process) else {
+        let names = || processes::ALL.iter().map(|p| p.name());
         let meant = did_you_mean(&args.process, names(), '`');
         let problem = Problem::new(format!("`{}` is no process known here", args.process));
         let known = names().collect::<Vec<_>>().join(", ");

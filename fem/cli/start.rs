@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::Error;
 use super::terminal::print;
-use crate::process;
+use crate::processes;
 
 /// Most bytes of a file that is looked into.
 const LARGEST: u64 = 1_000_000;
@@ -12,7 +12,7 @@ const LARGEST: u64 = 1_000_000;
 /// Says what to do next.
 pub fn start() -> Result<(), Error> {
     let (models, data) = (models(), tables());
-    let first = process::ALL.first().map_or("", |p| p.name());
+    let first = processes::ALL.first().map_or("", |p| p.name());
     let mut text = "fem predicts what a machine, a fixture and a workpiece do to a part, compares the prediction with \
                     measurements,\nand names the physical effect that is missing.\n\n"
         .to_string();

@@ -5,20 +5,15 @@ use std::collections::BTreeMap;
 use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
-use crate::budget;
-use crate::fit;
 use crate::input::{Problem, nearest};
 use crate::output::Report;
-use crate::process::{self, Case};
-use crate::study;
+use crate::validation::{self, Case};
 
 /// Sources that an error lists: those of most rows.
 const LISTED: usize = 16;
 
 pub fn validate(args: &args::Validate) -> Result<(), Error> {
-    let of_processes = process::validation().flat_map(|(_, cases)| cases);
-    let all: Vec<Case> =
-        of_processes.chain(budget::validation()).chain(fit::validation()).chain(study::validation()).collect();
+    let all: Vec<Case> = validation::PARTS.iter().flat_map(|(_, cases)| cases()).collect();
     let cases = match &args.source {
         Some(text) => all.iter().filter(|case| case.cites(text)).cloned().collect(),
         None => all.clone(),

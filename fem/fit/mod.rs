@@ -4,12 +4,11 @@
 mod estimates;
 mod intervals;
 mod jacobian;
-mod least_squares;
+pub(crate) mod least_squares;
 mod objective;
 mod search_variable;
 mod sizes;
-mod starts;
-mod validation;
+pub(crate) mod starts;
 mod write;
 
 pub use estimates::Estimate;
@@ -19,7 +18,6 @@ pub use objective::{Objective, Solution, Trials};
 pub use search_variable::SearchVariable;
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
-pub use validation::cases as validation;
 pub use write::{fitted_text, uncertain};
 
 use nalgebra::DMatrix;

@@ -185,7 +185,7 @@ mod tests {
     /// Nine runs over eleven targets to and fro, with an error of each target and a drift of 30 um over the test;
     /// each reading at a time of its own, and off by ±2 um in turn.
     fn test(with_time: bool) -> (&'static dyn Process, Measurements) {
-        let process = *crate::process::ALL.iter().find(|p| p.coordinates().iter().any(|c| c.repeats)).unwrap();
+        let process = *crate::processes::ALL.iter().find(|p| p.coordinates().iter().any(|c| c.repeats)).unwrap();
         let position = |name: &str| process.coordinates().iter().position(|c| c.name == name).unwrap();
         let mut columns = vec![vec![0.0; 198]; process.coordinates().len()];
         let mut observed = Vec::new();

@@ -51,7 +51,7 @@ mod tests {
     /// Six sensors read in turn, 3000 times.
     fn sensors() -> (&'static dyn Process, Measurements) {
         let process =
-            *crate::process::ALL.iter().find(|p| p.observables().iter().any(|o| o.name == "temperature")).unwrap();
+            *crate::processes::ALL.iter().find(|p| p.observables().iter().any(|o| o.name == "temperature")).unwrap();
         let mut columns = vec![Vec::new(); process.coordinates().len()];
         for row in 0..18_000 {
             for (coordinate, column) in process.coordinates().iter().zip(&mut columns) {

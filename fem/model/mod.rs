@@ -32,6 +32,7 @@ use crate::input::{
 };
 use crate::noise::{self, Term};
 use crate::process::{self, Active, Contradiction, Description, ForwardModel, Process, System};
+use crate::processes;
 
 /// Largest model file, bytes; people write models by hand.
 const LARGEST: u64 = 4_000_000;
@@ -193,7 +194,7 @@ impl Model {
 }
 
 fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Problem> {
-    let names = || process::ALL.iter().map(|p| p.name());
+    let names = || processes::ALL.iter().map(|p| p.name());
     let listed = || names().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
     let Some(item) = document.get("process") else {
         let example = names().next().unwrap_or_default();
@@ -203,7 +204,7 @@ fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Pro
             .at(Some(0..0)));
     };
     let given = item.as_str().unwrap_or_default();
-    process::ALL.iter().copied().find(|p| p.name() == given).ok_or_else(|| {
+    processes::ALL.iter().copied().find(|p| p.name() == given).ok_or_else(|| {
         let meant = did_you_mean(given, names(), '"');
         let problem = Problem::new(format!("{} is no process known here", item.to_string().trim()));
         problem.help(format!("{meant}known are {}", listed())).at(item.span())
@@ -254,7 +255,7 @@ fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&d
 }
 
 fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> Problem {
-    let owner = process::ALL.iter().find(|p| p.effects().iter().any(|d| d.name == name));
+    let owner = processes::ALL.iter().find(|p| p.effects().iter().any(|d| d.name == name));
     if let Some(owner) = owner {
         let message = format!("`{name}` is an effect of `{}`, not of `{}`", owner.name(), process.name());
         return Problem::new(message).help(format!("`fem effects {}` lists those that fit", process.name()));

@@ -5,6 +5,7 @@ use serde_json::{Value as Json, json};
 use super::read;
 use crate::input::Reader;
 use crate::process;
+use crate::processes;
 
 /// Makes the schema, for editors: one alternative per process, chosen by `process`.
 pub fn schema() -> Json {
@@ -21,6 +22,6 @@ pub fn schema() -> Json {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "fem model",
         "description": "A quantity is a string with its unit: \"60 N/um\" is known, \"60 +- 15 N/um\" is known roughly, \"? N/um\" is to be fitted.",
-        "oneOf": process::ALL.iter().map(|p| one(*p)).collect::<Vec<_>>(),
+        "oneOf": processes::ALL.iter().map(|p| one(*p)).collect::<Vec<_>>(),
     })
 }

@@ -347,7 +347,7 @@ pub(crate) mod tests {
 
     /// Rows of the process `turning` whose first coordinate has these values.
     pub fn measured(values: &[f64]) -> Measurements {
-        let process = crate::process::ALL[0];
+        let process = crate::processes::ALL[0];
         let mut columns = vec![Values::shared(f64::NAN, values.len()); process.coordinates().len()];
         columns[0] = values.to_vec().into();
         Measurements::planned(process, "rows", Rows { columns, observable: Values::shared(0, values.len()) })

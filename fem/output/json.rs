@@ -6,8 +6,9 @@ use super::report::{Format, Report};
 use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan, study};
 
 use crate::model::{Contribution, Model, Run};
-use crate::process::{Case, Datum, Description, Figure, Neutral, Parameter, Process, Tolerance};
+use crate::process::{Datum, Description, Figure, Neutral, Parameter, Process};
 use crate::units::Kind;
+use crate::validation::{Case, Tolerance};
 
 /// One JSON document per report.
 pub struct Json;

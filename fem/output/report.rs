@@ -9,8 +9,9 @@ use crate::fit::Fit;
 use crate::measure::Measurements;
 use crate::model::{Data, Model, Run};
 use crate::noise::MeasurementEffect;
-use crate::process::{Case, Description, Process};
+use crate::process::{Description, Process};
 use crate::study::{Layout, Summary};
+use crate::validation::Case;
 
 /// What a command has found.
 pub enum Report<'a> {

@@ -6,7 +6,8 @@ use super::report::{Detail, Format, Report};
 use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measurement, plan, plot, study};
 use crate::model::{Contribution, Model, Run};
 use crate::noise::MeasurementEffect;
-use crate::process::{Case, Description, Neutral, Observable, Parameter, Process, Tolerance};
+use crate::process::{Description, Neutral, Observable, Parameter, Process};
+use crate::validation::{Case, Tolerance};
 
 /// One page of plain text per report.
 #[derive(Clone, Copy, Debug)]

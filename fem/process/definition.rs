@@ -177,6 +177,11 @@ impl Forward<'_> {
         (self.add_formulas)(rows, values);
     }
 
+    /// The same model with other predictions for the programme (SI), as an instrument may show them.
+    pub fn showing<'b>(&'b self, prediction: &'b [f64]) -> Forward<'b> {
+        Forward { prediction, ..*self }
+    }
+
     /// Whether there are formula effects: else [`add_formulas`](Self::add_formulas) adds nothing.
     pub fn has_formulas(&self) -> bool {
         self.has_formulas

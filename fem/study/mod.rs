@@ -6,9 +6,9 @@
 //! number of threads, however often a study was interrupted, and in however many shards it was done.
 
 mod acceptance;
-mod design;
+pub(crate) mod design;
 mod in_order;
-mod indices;
+pub(crate) mod indices;
 mod job;
 mod layout;
 mod plan;
@@ -18,7 +18,6 @@ mod shuffle;
 mod sobol;
 mod summary;
 mod table;
-mod validation;
 mod wildcard;
 
 pub use acceptance::Acceptance;
@@ -29,7 +28,6 @@ pub use layout::{Layout, Nature, ResultColumn, Shard};
 pub use plan::{Offered, Plan, Task, Wanted};
 pub use read::{load, parse, schema};
 pub use summary::{Cell, Extreme, Found, Numbers, Row, Summary, Summing};
-pub use validation::cases as validation;
 
 /// Commented plan to begin with.
 pub const STARTING: &str = include_str!("new.toml");

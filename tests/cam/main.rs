@@ -26,7 +26,7 @@ fn starting_cam(step: f64, is_reversed: bool, speed: f64) -> Job {
 
 /// The program's model of the same cam.
 fn model(step: f64, effects: &str) -> Model {
-    let text = fem::process::ALL.iter().find(|p| p.name() == "cam").unwrap().starting_model();
+    let text = fem::processes::ALL.iter().find(|p| p.name() == "cam").unwrap().starting_model();
     let text = text.split("[effects").next().unwrap().replace("\"0.5 mm\"", &format!("\"{step} mm\""));
     Model::parse(Source::new("cam.toml", format!("{text}\n{effects}"))).unwrap()
 }
@@ -86,7 +86,7 @@ fn every_effect_grinds_what_brute_force_grinds() {
 #[test]
 fn the_fewest_blocks_keep_the_tolerance() {
     let text = |program: &str| {
-        let model = fem::process::ALL.iter().find(|p| p.name() == "cam").unwrap().starting_model();
+        let model = fem::processes::ALL.iter().find(|p| p.name() == "cam").unwrap().starting_model();
         model.split("[effects").next().unwrap().replace("step = \"0.5 mm\"", program)
     };
     let run = |program: &str| {

@@ -200,7 +200,7 @@ fn files_may_differ_in_their_columns() {
 #[test]
 fn processes_name_the_columns_of_their_files() {
     let place = Place::new();
-    for process in fem::process::ALL {
+    for process in fem::processes::ALL {
         let name = process.name();
         let started = place.fem(&["new", name]).out;
         let listed = place.fem(&["effects", name]).out;

@@ -22,10 +22,7 @@ fn the_docs_show_what_the_program_prints() {
         assert!(printed.contains(line), "the page shows a line that is not printed: {line}");
     }
     assert!(shown.lines().count() > 10);
-    let cases = fem::process::validation().map(|(_, cases)| cases.len()).sum::<usize>()
-        + fem::budget::validation().len()
-        + fem::fit::validation().len()
-        + fem::study::validation().len();
+    let cases = fem::validation::PARTS.iter().map(|(_, cases)| cases().len()).sum::<usize>();
     assert!(
         include_str!("../../docs/validation.md").contains(&format!("computes {cases} cases")),
         "there are {cases} cases"
@@ -80,7 +77,7 @@ fn completions_know_the_commands() {
 #[test]
 fn every_process_has_a_starting_model_that_runs() {
     let place = Place::new();
-    for process in fem::process::ALL {
+    for process in fem::processes::ALL {
         let file = format!("{}.toml", process.name());
         assert_eq!(place.fem(&["new", process.name(), "-o", &file]).status, 0);
         let run = place.fem(&["run", &file]);

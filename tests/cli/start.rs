@@ -22,7 +22,7 @@ fn fem_alone_says_what_to_do_next() {
 fn new_without_a_process_explains() {
     let answer = Place::new().fem(&["new"]);
     assert_eq!(answer.status, 0, "{}", answer.err);
-    for process in fem::process::ALL {
+    for process in fem::processes::ALL {
         assert!(answer.out.contains(process.about()), "{}", process.name());
     }
     assert!(answer.out.contains("fem new turning -o model.toml"));

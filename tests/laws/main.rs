@@ -34,7 +34,8 @@ mod units;
 
 use fem::input::Source;
 use fem::model::Model;
-use fem::process::{ALL, Absent, Datum, Rows, Values};
+use fem::process::{Absent, Datum, Rows, Values};
+use fem::processes::ALL;
 use fem::progress::Progress;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

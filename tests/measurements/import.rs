@@ -2,7 +2,8 @@
 
 use fem::input::Source;
 use fem::measure::{Decimal, Measurements, Reading};
-use fem::process::{self, Process, Values};
+use fem::process::{Process, Values};
+use fem::processes;
 
 /// A file as somebody writes it.
 struct Case {
@@ -236,7 +237,7 @@ const CASES: &[Case] = &[
 ];
 
 fn process(name: &str) -> &'static dyn Process {
-    *process::ALL.iter().find(|p| p.name() == name).unwrap()
+    *processes::ALL.iter().find(|p| p.name() == name).unwrap()
 }
 
 fn read(case: &Case, text: &str) -> Measurements {

@@ -4,7 +4,8 @@
 
 use fem::input::{InputError, Source};
 use fem::measure::{Measurements, Reading};
-use fem::process::{self, Process};
+use fem::process::Process;
+use fem::processes;
 
 const REPORT: &str = "# motion system test report
 
@@ -66,7 +67,7 @@ const OF_K: &str = "part,time [s],x [mm],diameter_error [um]\n1,0,20,1.5\n1,0,18
 const K_COLUMNS: &str = "Near=diameter_error@x=20 mm,Far=diameter_error@x=180 mm";
 
 fn process(name: &str) -> &'static dyn Process {
-    *process::ALL.iter().find(|p| p.name() == name).unwrap()
+    *processes::ALL.iter().find(|p| p.name() == name).unwrap()
 }
 
 fn read(text: &str, of: &str, columns: &str) -> Result<Measurements, InputError> {

@@ -90,7 +90,7 @@ fn both_know_the_same_effects() {
         (&CAM, "cam"),
     ];
     for (process, name) in processes {
-        let own = fem::process::ALL.iter().find(|own| own.name() == name).unwrap();
+        let own = fem::processes::ALL.iter().find(|own| own.name() == name).unwrap();
         let mut known: Vec<&str> = own.effects().iter().map(|effect| effect.name).collect();
         let mut met: Vec<&str> = process.catalogue.iter().map(|(name, _)| *name).collect();
         known.sort_unstable();

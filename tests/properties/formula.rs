@@ -3,7 +3,8 @@
 
 use fem::input::Source;
 use fem::model::Model;
-use fem::process::{ALL, Datum, Frame};
+use fem::process::{Datum, Frame};
+use fem::processes::ALL;
 use fem::progress::Progress;
 use fem::units::Unit;
 

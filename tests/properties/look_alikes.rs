@@ -1,6 +1,6 @@
 //! Look-alikes are said on both sides.
 
-use fem::process::ALL;
+use fem::processes::ALL;
 
 /// Whoever comes upon either of two effects that look alike learns of the other, and what separates them.
 #[test]

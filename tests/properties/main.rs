@@ -10,7 +10,8 @@ use std::collections::HashSet;
 
 use fem::input::Source;
 use fem::model::Model;
-use fem::process::{ALL, Active, Description, Neutral, Process};
+use fem::process::{Active, Description, Neutral, Process};
+use fem::processes::ALL;
 use fem::progress::Progress;
 use fem::units::Unit;
 

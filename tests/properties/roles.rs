@@ -2,7 +2,8 @@
 
 use fem::input::Source;
 use fem::model::Model;
-use fem::process::{ALL, Active, Belongs, Description, Rows, UnitRole};
+use fem::process::{Active, Belongs, Description, Rows, UnitRole};
+use fem::processes::ALL;
 
 /// Every effect with a role, and the role.
 fn with_roles() -> Vec<(UnitRole, Description)> {

@@ -7,18 +7,11 @@ mod seeds;
 
 use std::sync::LazyLock;
 
-use fem::process::{Case, Tolerance};
+use fem::validation::{Case, Tolerance};
 
-/// Every table, computed once: those of the processes, of budgets, and of the least squares.
-static TABLES: LazyLock<Vec<(&'static str, Vec<Case>)>> = LazyLock::new(|| {
-    fem::process::validation()
-        .chain([
-            ("budget", fem::budget::validation()),
-            ("fit", fem::fit::validation()),
-            ("study", fem::study::validation()),
-        ])
-        .collect()
-});
+/// Every part of the table, computed once.
+static TABLES: LazyLock<Vec<(&'static str, Vec<Case>)>> =
+    LazyLock::new(|| fem::validation::PARTS.iter().map(|(name, cases)| (*name, cases())).collect());
 
 /// The same row with an expected value that is off by three tolerances (or by the smallest difference that
 /// exists).

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::TABLES;
-use fem::process::Case;
+use fem::validation::Case;
 
 const PAGE: &str = include_str!("../seeds.md");
 /// The beginnings of what an item's status may be, in the order of the summary's columns.

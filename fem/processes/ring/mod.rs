@@ -1,0 +1,100 @@
+//! Ring: the bore of a ring that a jaw chuck holds by its outside.
+//!
+//! The jaws squeeze the ring by u_r(θ), the bore is cut round, and released it moves back:
+//! deviation(θ) = −u_r(Ri, θ), positive outwards, θ = 0 at jaw 1 [seed 002, ring in a three-jaw chuck].
+//! Clamped and not yet bored it is +u_r. Errors of the cut itself add to the released bore.
+
+pub(crate) mod circle;
+mod drawn;
+mod effects;
+mod forward;
+pub(crate) mod jaws;
+mod machine;
+mod report;
+mod response;
+pub(crate) mod rows;
+mod setup;
+
+pub use drawn::Drawn;
+pub use machine::{BorePoint, Machine};
+pub use response::MeshSize;
+pub use setup::{Body, Lobe, Reference, Setup};
+
+use std::sync::Arc;
+
+use crate::input::Reader;
+use crate::process::{
+    CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Definition, Failure, Forward, Limit, Misplaced,
+    Observable, Places, Rows, RunReport, Spot,
+};
+
+/// The process `ring`.
+pub struct Ring;
+
+impl Definition for Ring {
+    type Setup = Setup;
+    type Machine = Machine;
+
+    const NAME: &'static str = "ring";
+    const ABOUT: &'static str = "bore of a ring clamped in a jaw chuck";
+    const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
+    const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
+    const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    fn read(model: &Reader) -> Option<Setup> {
+        Some(Setup::read(model))
+    }
+
+    fn ideal(setup: Arc<Setup>) -> Machine {
+        Machine::ideal(setup)
+    }
+
+    fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(rows)
+    }
+
+    fn programme(setup: &Setup) -> Rows {
+        rows::programme(setup)
+    }
+
+    fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+        rows::resolved(setup, rows)
+    }
+
+    fn places(setup: &Setup, rows: &Rows) -> Option<Places> {
+        Some(rows::places(setup, rows))
+    }
+
+    fn contour(setup: &Setup) -> Option<Vec<Vec<Spot>>> {
+        Some(vec![Spot::circle(setup.inner_radius)])
+    }
+
+    fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
+        rows::datum_directions(setup, rows)
+    }
+
+    fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+        rows::candidate_experiments(setup, rows)
+    }
+
+    fn limit(setup: &Setup, _observable: usize) -> Limit {
+        Limit {
+            size: setup.inner_radius,
+            why: "that is no ring any more",
+            help: "check forces, dimensions and material: a unit may be wrong",
+        }
+    }
+
+    fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        forward::observe(machine, rows)
+    }
+
+    fn doubts(machine: &Machine, _rows: &Rows) -> Result<Vec<String>, Failure> {
+        Ok(report::let_go(machine).into_iter().collect())
+    }
+
+    fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+        report::report(machine, forward)
+    }
+}

@@ -1,0 +1,110 @@
+//! Turning: the diameter profile of every part of a batch of shafts.
+//!
+//! The tool stands at x and pushes the shaft away by y(x); the diameter grows by ΔD = 2·y(x), and everything
+//! that moves the tool nose toward or away from the axis adds to it.
+
+pub(crate) mod cut;
+mod edge;
+mod effects;
+pub(crate) mod elastic;
+pub(crate) mod forward;
+mod heating;
+mod lift_off;
+mod machine;
+mod passes;
+pub(crate) mod refinement;
+pub(crate) mod report;
+pub(crate) mod rows;
+pub(crate) mod schedule;
+mod setup;
+
+pub use forward::{condense, deflections};
+pub use machine::Machine;
+pub use setup::Setup;
+
+use std::sync::Arc;
+
+use self::lift_off::LiftOff;
+use crate::input::Reader;
+use crate::process::{
+    Active, CandidateExperiment, CatalogueEffect, Contradiction, Coordinate, Definition, Failure, Forward, Limit,
+    Misplaced, Observable, Places, Rows, RunReport,
+};
+use crate::progress::Progress;
+
+/// The process `turning`.
+pub struct Turning;
+
+impl Definition for Turning {
+    type Setup = Setup;
+    type Machine = Machine;
+
+    const NAME: &'static str = "turning";
+    const ABOUT: &'static str = "diameter profile of every shaft of a turned batch";
+    const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
+    const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
+    const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    fn read(model: &Reader) -> Option<Setup> {
+        Some(Setup::read(model))
+    }
+
+    fn ideal(setup: Arc<Setup>) -> Machine {
+        Machine::ideal(setup)
+    }
+
+    fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(setup, rows)
+    }
+
+    fn programme(setup: &Setup) -> Rows {
+        rows::programme(setup)
+    }
+
+    fn resolved(setup: &Setup, rows: &Rows) -> Rows {
+        rows::resolved(setup, rows)
+    }
+
+    fn places(setup: &Setup, rows: &Rows) -> Option<Places> {
+        Some(rows::places(setup, rows))
+    }
+
+    fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {
+        effects::contradiction(setup, effect)
+    }
+
+    fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
+        rows::candidate_experiments(setup, rows)
+    }
+
+    /// A kilometre.
+    fn limit(_setup: &Setup, _observable: usize) -> Limit {
+        Limit {
+            size: 1e3,
+            why: "no diameter can be so wrong",
+            help: "check the model for values that are far too large",
+        }
+    }
+
+    fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        forward::observe(machine, rows)
+    }
+
+    fn doubts(machine: &Machine, rows: &Rows) -> Result<Vec<String>, Failure> {
+        let mut all = LiftOff::default();
+        forward::standing(machine, rows, |positions, deflections| {
+            all.add(LiftOff::of(machine, positions, deflections)?);
+            Ok(())
+        })?;
+        Ok(all.told("rows"))
+    }
+
+    fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {
+        forward::predict(machine, programme, progress)
+    }
+
+    fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
+        report::report(machine, forward)
+    }
+}
