@@ -21,8 +21,7 @@ impl Catalogue {
         Report::Effects(&self.effects, &self.of_measurement, self.detail)
     }
 
-    /// What the text of the report ends with: the columns in which the process that was asked for is measured, if one
-    /// was.
+    /// Columns of the process's measurement files, which end the report's text; empty where no process was asked for.
     pub fn columns(&self) -> String {
         self.process.map_or(String::new(), |process| format!("\n{}", columns(process)))
     }

@@ -71,7 +71,7 @@ impl From<Problem> for Error {
 }
 
 impl Error {
-    /// What is wrong with measurements that were held against a model: rows of them, or a table of the model.
+    /// An error in measurements held against a model: of the model's file where that is named, else of the data.
     pub fn of_data(error: InputError, model: &Model) -> Self {
         if error.source.name == model.source.name { Self::Input(error) } else { Self::Data(error) }
     }

@@ -1,6 +1,6 @@
-//! What can be asked of models and measurements: questions with types of their own in, answers out. Nothing is printed,
-//! and no file of the user's is written; progress, and a wish to stop, are handed in. The command line, the Python module
-//! and whatever else shows answers are faces on this room.
+//! Questions about models and measurements, with types of their own in, and answers out. Nothing is printed, and no
+//! file of the user's is written; progress, and a wish to stop, are handed in. The command line, the Python module and
+//! anything else that shows answers are faces on this room.
 
 mod catalogue;
 mod comparison;

@@ -35,7 +35,7 @@ pub struct Made {
 pub struct Page<'a> {
     /// Models of one process, in their order; the last is diagnosed.
     pub models: &'a [Model],
-    /// What was measured.
+    /// Measurements to compare with the models, if any.
     pub measurements: Option<Measurements>,
     /// Files that were read, to be named with their hashes.
     pub files: Vec<PathBuf>,

@@ -1,4 +1,4 @@
-//! What a design could see.
+//! Detection limits of a design, before anything is measured.
 
 use super::Error;
 use crate::diagnose::{self, Plan};
@@ -7,20 +7,20 @@ use crate::model::Data;
 use crate::process::{Observable, Process};
 use crate::units::{Kind, Knowledge, Quantity};
 
-/// What the rows of a design could see at a noise that is said, such as `1.5 um`, one for each unit; and a note where
-/// some is assumed.
+/// Predicts which effects the rows of a design can detect at the given noise (texts such as `1.5 um`, one for each
+/// unit), with a note where some noise is assumed.
 ///
 /// # Errors
-/// What is said is no positive quantity of any observable, or the model cannot be computed.
+/// A noise is no positive quantity of any observable, or the model cannot be computed.
 pub fn plan(design: &Data, noise: &[String]) -> Result<(Plan, Option<String>), Error> {
     let (sigma, note) = planned_noise(design, noise)?;
     Ok((diagnose::plan(design, &sigma)?, note))
 }
 
-/// The noise of each observable, SI: what is said, such as `1.5 um`, or one unit; and a note where that is assumed.
+/// Standard deviation of each observable, SI: as given (`1.5 um`), else one unit; with a note where that is assumed.
 ///
 /// # Errors
-/// What is said is no positive quantity of any observable.
+/// A noise is no positive quantity of any observable.
 fn planned_noise(design: &Data, said: &[String]) -> Result<(Vec<f64>, Option<String>), Error> {
     let process = design.model.process;
     let sigma = noise(process, said)?;

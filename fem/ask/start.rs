@@ -14,7 +14,7 @@ pub const STORY: [(&str, &str); 2] = [
 
 /// A file to start from.
 pub struct StartingFile {
-    /// What it is of: a process, `budget` or `study`.
+    /// Name of its subject: a process, `budget` or `study`.
     pub name: &'static str,
     /// The same in a sentence.
     pub about: &'static str,

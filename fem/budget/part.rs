@@ -28,13 +28,13 @@ pub struct ModelPart {
     pub factor: f64,
     /// The effect whose change alone is the figure, if it is not the whole prediction.
     pub effect: Option<String>,
-    /// What is observed.
+    /// Rows at which the model is observed.
     pub rows: Rows,
-    /// What the rows become.
+    /// Reduction of the observed rows to one number.
     pub figure: Figure,
 }
 
-/// What becomes of observed rows.
+/// Reduction of observed rows to one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     /// The first, less the second where there is one.

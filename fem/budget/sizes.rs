@@ -99,7 +99,7 @@ fn read_clamping(t: &Reader, law: Option<Law>) -> Size {
     (value, law, Source::Clamping { c, force, exponent })
 }
 
-/// What clamping does to the face from which a size is measured.
+/// Face from which a size is measured: moved by the clamping force, or not.
 #[derive(Clone, Copy)]
 enum Base {
     Moves,

@@ -7,7 +7,7 @@ use crate::ask;
 /// Reason for which a command failed.
 #[derive(Debug)]
 pub enum Error {
-    /// What was asked has no answer.
+    /// The question has no answer.
     Asked(Box<ask::Error>),
     /// Stdout cannot be written.
     Stdout(std::io::Error),

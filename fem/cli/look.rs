@@ -85,7 +85,7 @@ fn wrapped(line: &str, columns: usize) -> String {
     text
 }
 
-/// What the program itself writes beyond ASCII, in ASCII; what users write stays as it is.
+/// Replaces the non-ASCII characters that the program itself writes by ASCII; text of the user stays as it is.
 fn plain(text: &str) -> String {
     let letter = |c: char| match c {
         '•' => "*",

@@ -19,7 +19,7 @@ pub fn new(args: &args::New) -> Result<(), Error> {
     print(&format!("written {}; next: fem {command} {}\n", path.display(), path.display()))
 }
 
-/// What can be modelled, and how to begin.
+/// Lists everything that can be modelled, and the first commands.
 fn listed() -> String {
     let files = starting_files();
     let all: String = files.iter().map(|file| format!("  {:<11} {}\n", file.name, file.about)).collect();

@@ -79,8 +79,7 @@ fn watch(progress: &Progress, done: &AtomicBool) {
     }
 }
 
-/// What is known of how much is to come: a search that finds something looks further, and until it has ended nobody
-/// knows how far.
+/// Forecast of the time left. A search that finds something looks further, and until it has ended nobody knows how far.
 #[derive(Default)]
 struct Outlook {
     /// Announced units, and when they were last more than before.

@@ -42,7 +42,7 @@ pub struct Compensation {
     pub tolerance: Tolerance,
     /// Tolerances checked against the test as measured.
     pub before: Vec<Check>,
-    /// What the controller compensated during the test.
+    /// Table by which the controller compensated during the test.
     pub active: Option<Table>,
     /// Points at which the controller takes increments.
     pub steps: Option<Steps>,

@@ -122,7 +122,7 @@ impl LostMotion {
         self.friction > SEEN * self.friction_std
     }
 
-    /// What the constant part could be.
+    /// Classifies the constant part by its sign, at the significance `SEEN`.
     pub fn kinematic(&self) -> Kinematic {
         match self.constant / self.constant_std {
             part if part < -SEEN => Kinematic::BelowNone,
@@ -189,7 +189,7 @@ struct Line {
     /// Mean of the abscissas, and the sum of the squares of their distances from it.
     middle: f64,
     spread: f64,
-    /// What it leaves of every ordinate.
+    /// Residual of every ordinate.
     left: Vec<f64>,
 }
 

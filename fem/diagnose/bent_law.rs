@@ -115,7 +115,7 @@ pub fn bend(found: &SearchResult, set: &CandidateModel) -> Option<Bend> {
     bends.max_by(|a, b| a.evidence.total_cmp(&b.evidence)).filter(|bend| bend.evidence > EQUAL_FIT)
 }
 
-/// What a member adds to the prediction of every row, SI.
+/// Contribution of a member to the prediction of every row, SI.
 fn signature(found: &SearchResult, set: &CandidateModel, member: usize) -> Option<Vec<f64>> {
     let rest = bare(&found.base, &found.candidates, set, member)?;
     Some(set.change_from(&rest).collect())

@@ -65,7 +65,7 @@ pub struct Outlier {
     pub weight: f64,
 }
 
-/// Whose effect is missing.
+/// Origin of a missing effect: the physical system or the measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
     /// The machine's, the fixture's or the part's.
@@ -109,7 +109,7 @@ impl Cause {
 
 /// An effect that is missing.
 pub struct Missing {
-    /// Whose it is.
+    /// Its origin.
     pub cause: Cause,
     /// The effect.
     pub effect: Description,

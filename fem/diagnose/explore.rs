@@ -28,10 +28,10 @@ const TOGETHER: usize = 3;
 /// Searches in which the sizes of terms settle.
 const ROUNDS: usize = 2;
 
-/// What is left undone where effects of the measurement are not weighed.
+/// Name of the search for effects of the measurement, for the note that it was left undone.
 const MEASUREMENT: &str = "effects of the measurement";
 
-/// What stays the same while noises are tried.
+/// Constants of a search over noises.
 pub struct Exploration<'e> {
     /// Minimum of the model alone, where every search begins.
     pub start: &'e Solution,

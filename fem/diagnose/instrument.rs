@@ -125,8 +125,8 @@ pub fn resized<'a>(trial: &CandidateModel<'a>, repeats: &Repeats) -> Option<Cand
     Some(resized)
 }
 
-/// What the instrument may do to these readings that the model does not say, to be sought like the effects of the
-/// machine: a scale for each thing that is observed, and a clock where there are times.
+/// Effects of reading that the instrument may have and the model lacks, to be sought like the effects of the machine: a
+/// scale for each observable, and a clock where there are times.
 pub fn absent_readings(data: &Data) -> Vec<Description> {
     let of_reading = effects::all().filter(|e| e.acts.is_reading());
     let is_absent = |effect: &MeasurementEffect| data.model.measurement.iter().all(|term| term.effect != effect);

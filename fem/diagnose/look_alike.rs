@@ -29,7 +29,7 @@ const FAR: f64 = 6.0;
 pub struct LookAlike<'a> {
     /// The cause: an effect of the machine, or a term by its effect.
     pub cause: Description,
-    /// What fits as well.
+    /// The effect or term that fits as well.
     pub other: Description,
     /// The model with it, where it was fitted, and its squared separation from the best.
     pub model: Option<(CandidateModel<'a>, f64)>,

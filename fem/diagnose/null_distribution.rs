@@ -115,7 +115,7 @@ fn chi2(freedom: f64, rng: &mut Rng) -> f64 {
     freedom * (1.0 - a + rng.normal() * a.sqrt()).max(0.0).powi(3)
 }
 
-/// What the variance of the rows is known from.
+/// Knowledge of the variance of the rows, by the source of their noise.
 pub fn variance(noise: &Noise, repeats: &Repeats) -> Variance {
     match noise.source {
         NoiseSource::Column | NoiseSource::Covariance => {

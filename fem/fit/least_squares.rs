@@ -142,7 +142,7 @@ const LITTLE: f64 = 1e-2;
 /// Part of the promised fall of χ² from which a Jacobian is mended and kept.
 const AS_PROMISED: f64 = 0.5;
 
-/// What a linear model leads to.
+/// Outcome of the damped steps of one linear model.
 enum Descent {
     /// A step that lowers χ².
     Lower(Step),

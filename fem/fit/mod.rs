@@ -52,7 +52,7 @@ pub struct Fit {
     pub p_value: Option<f64>,
     /// Pairs of parameters (by position) with their correlation, where it is strong.
     pub correlated: Vec<(usize, usize, f64)>,
-    /// What the fitted model's prediction asks of the machine that no such machine can do, in sentences.
+    /// Physical impossibilities that the fitted model's prediction implies, in sentences.
     pub doubts: Vec<String>,
     /// Number of evaluations at which the model could not be computed.
     pub failures: usize,

@@ -141,7 +141,7 @@ impl Field<'_, '_> {
         self.recorded(along).or_else(|| self.optional().map(Varying::Constant))
     }
 
-    /// What a table in the place of the quantity names; not a number where that is no record.
+    /// The record that a table in the place of the quantity names; the constant NaN where that cannot be read.
     fn recorded(&self, along: Along) -> Option<Varying> {
         let read = |table: &Reader| self.record(table, along);
         let record = self.reader.table_instead(self.key, self.about, read)?;

@@ -11,7 +11,7 @@ pub fn give_way(clearance: f64, bend: f64, s: f64) -> f64 {
     if s > 0.0 { bend + clearance } else { bend }
 }
 
-/// What such a joint loses (m) where the force turns round that bends it by `bend` (m) on either flank.
+/// Lost motion (m) of such a joint at a reversal of the force, which bends it by `bend` (m) on either flank.
 pub fn lost_motion(clearance: f64, bend: f64) -> f64 {
     give_way(clearance, bend, 1.0) - give_way(clearance, -bend, -1.0)
 }

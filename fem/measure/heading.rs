@@ -17,7 +17,7 @@ pub struct Condition {
     pub unit: String,
 }
 
-/// What a heading says.
+/// Heading of a column, parsed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
     /// As the file writes it.

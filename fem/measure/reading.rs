@@ -1,5 +1,4 @@
-//! What the user says of a file that it does not say itself: which of its columns are meant, and the decimal
-//! mark.
+//! Options by which a user explains a file: the meaning of its columns, and the decimal mark.
 
 use super::decimal::Decimal;
 use super::heading::{Heading, parts, plain};
@@ -70,7 +69,7 @@ impl Reading {
         self.columns.iter().map(|(from, _)| &**from)
     }
 
-    /// What is said of a heading of the file.
+    /// The user's heading for one of the file's, if one was given.
     pub(super) fn of(&self, cell: &str) -> Option<&str> {
         self.columns.iter().find(|(from, _)| is_meant(from, cell)).map(|(_, to)| &**to)
     }

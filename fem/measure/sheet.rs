@@ -14,14 +14,13 @@ pub const MOST_PROBLEMS: usize = 20;
 /// Most columns of a file: more are lines that were joined.
 const MOST_COLUMNS: usize = 1000;
 
-/// What parts the columns, in the order in which it is looked for: a decimal comma may stand beside the first
-/// two.
+/// Separators of columns, in the order in which they are tried: a decimal comma may stand beside the first two.
 const SEPARATORS: [char; 3] = [';', '\t', ','];
 
 /// Header and records of a file.
 #[derive(Debug)]
 pub struct Sheet {
-    /// What parts the columns.
+    /// Separator of the columns.
     pub separator: char,
     /// Cells of the header, as written.
     pub header: Vec<String>,

@@ -29,7 +29,7 @@ pub struct Table {
     pub records: Records,
     /// Problems of single records.
     pub problems: Vec<Problem>,
-    /// What was read otherwise than it is written, for the user.
+    /// Notes for the user on everything that was read otherwise than it is written.
     pub notes: Vec<String>,
 }
 

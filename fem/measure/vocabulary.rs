@@ -1,4 +1,4 @@
-//! What a process can be measured by, and what a file has of it.
+//! Columns by which a process can be measured, and those that a file has.
 
 use crate::process::{Coordinate, Observable, Process, Rows};
 use crate::units::Kind;

@@ -28,7 +28,7 @@ pub struct Data<'m> {
     pub terms: Vec<Term>,
     /// Cautions about these effects in these rows.
     pub cautions: Vec<String>,
-    /// Of what is computed with these rows, and the time that it may take.
+    /// Progress of computations with these rows, and the time that they may take.
     pub progress: Arc<Progress>,
     measurements: Measurements,
     /// Observed values as they were read, where datum directions were taken out of them.

@@ -14,7 +14,7 @@ const LARGEST: u64 = 1_000_000;
 pub struct Machine {
     /// Path of its file from the working directory.
     pub path: PathBuf,
-    /// What people call it.
+    /// Its name, for people.
     pub name: Option<String>,
     /// Names of its units.
     pub units: Vec<String>,
@@ -46,7 +46,7 @@ pub fn read(model: &Reader, unit: Option<&str>) -> Option<Machine> {
 }
 
 fn parse(file: &NamedFile) -> Result<Machine, Problem> {
-    /// What a machine file looks like.
+    /// Form of a machine file, as a remedy.
     const FORM: &str = "write [machine] with a name, and a table without values for each unit: [machine.tailstock]";
     let wrong = |source: &Source, item: Option<&Item>, message: String| {
         let line = item.and_then(Item::span).map(|span| source.line_column(span.start).0);

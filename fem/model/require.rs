@@ -1,4 +1,4 @@
-//! What must be known of a model before it predicts.
+//! Parameters that must have values before a model predicts.
 
 use super::Model;
 use crate::input::{InputError, Parameter, Problem};

@@ -76,7 +76,7 @@ impl Model {
         Ok(self.contributions(&[(effect.description.name, self.changes(effect, &prediction, progress)?)]))
     }
 
-    /// What the model predicts less what it would predict without an effect, SI.
+    /// Contribution of an effect to every observation, SI: the prediction less that without the effect.
     fn changes(&self, effect: &Active, prediction: &[f64], progress: &Progress) -> Result<Vec<f64>, Failure> {
         let others: Vec<Active> = self.effects.iter().filter(|e| *e != effect).cloned().collect();
         let without = self.system.with_effects(&others).predict(progress)?;

@@ -1,4 +1,4 @@
-//! What terms cannot mean as they stand on the rows of a file.
+//! Cautions about terms that cannot be meant as they stand on the rows of a file.
 
 use super::instrument::time_of;
 use super::term::{Acts, Term};

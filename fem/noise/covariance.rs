@@ -19,7 +19,7 @@ use super::term::{Acts, Column, Term};
 use crate::measure::Measurements;
 use crate::process::Values;
 
-/// What rows share, relative to their own standard uncertainties.
+/// Covariance of the rows, relative to their own standard uncertainties.
 #[derive(Clone, Debug)]
 pub struct Covariance {
     correlation: Correlation,
@@ -27,7 +27,7 @@ pub struct Covariance {
     columns: Vec<Column>,
     /// The shared columns as the terms give them, SI, with the number of their term.
     given: Vec<(usize, Column)>,
-    /// What whitens them, one after the other.
+    /// Whitening by the shared columns, in two stages one after the other.
     stages: Vec<Stage>,
     /// Columns with a flat prior.
     flat: Option<Flat>,
@@ -144,7 +144,7 @@ fn along(columns: &[Column], values: &[f64]) -> Vec<f64> {
 }
 
 impl Correlation {
-    /// What the terms say of the rows' own noise.
+    /// Correlation of the rows' own noise by the terms: as given, else of neighbours, else none.
     fn of(terms: &[Term], rows: usize, measurements: &Measurements) -> Self {
         let given = terms.iter().filter_map(|t| t.covariance.as_ref()).find(|given| given.rows() == rows);
         if let Some(given) = given {

@@ -1,4 +1,4 @@
-//! What the residuals of a model are, for effects of the measurement to ask what they may be at work in.
+//! Evidence for effects of the measurement: residuals of a model, and the groups and curves to seek in them.
 
 use std::sync::OnceLock;
 

@@ -62,7 +62,7 @@ impl Flat {
         values.copy_from_slice(left.as_slice());
     }
 
-    /// What each column adds to every row (SI), by least squares, given whitened residuals.
+    /// Contribution of each column to every row (SI), by least squares, given whitened residuals.
     pub fn contributions(&self, whitened: &[f64]) -> Vec<(usize, Column)> {
         let amplitudes = &self.amplitudes * self.basis.tr_mul(&DVector::from_column_slice(whitened));
         let scaled = |(column, a): (&(usize, Column), &f64)| {

@@ -5,7 +5,7 @@
 pub struct Key {
     /// The key.
     pub name: &'static str,
-    /// What it holds.
+    /// Its content, in a few words.
     pub about: &'static str,
     /// How it is written, without quotes; empty where it is seldom needed.
     pub example: &'static str,

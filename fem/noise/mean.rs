@@ -1,10 +1,10 @@
-//! What a fitted mean takes of residuals.
+//! Part of the residuals that a fitted mean absorbs.
 
 use nalgebra::{DMatrix, DVector};
 
-/// What the columns X of a mean take of residuals z, all whitened.
+/// Projection of residuals z on the columns X of a mean, all whitened.
 pub struct Mean {
-    /// Square of what they take.
+    /// Squared length of the projection.
     pub square: f64,
     /// ln det XᵀX.
     pub log_determinant: f64,

@@ -59,7 +59,7 @@ pub struct Noise {
     pub source: NoiseSource,
     /// Effects of the measurement that are at work.
     pub terms: Vec<Term>,
-    /// What the rows share, by these terms.
+    /// Covariance of the rows by these terms; `None` where they share no noise.
     shared: Option<Arc<Covariance>>,
 }
 
@@ -277,7 +277,7 @@ impl Noise {
         own
     }
 
-    /// What each term most probably adds to every row, SI, in the order of the terms: zeros, steps, drifts.
+    /// Most probable contribution of each term to every row, SI, in the order of the terms: zeros, steps, drifts.
     fn shares(&self, residuals: &[f64]) -> Vec<Vec<f64>> {
         let mut of_terms = vec![vec![0.0; residuals.len()]; self.terms.len()];
         if let Some(shared) = &self.shared {

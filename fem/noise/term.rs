@@ -11,7 +11,7 @@ use crate::units::{Kind, NUMBER};
 /// Entries of a column: rows with their weights.
 pub type Column = Vec<(usize, f64)>;
 
-/// What instrument, datum or surroundings do to data: all of it but how the residuals ask for it.
+/// Effect of instrument, datum or surroundings on data: all of it but how the residuals ask for it.
 #[derive(Debug)]
 pub struct MeasurementEffect {
     /// The word in `[measurement.NAME]`.
@@ -22,7 +22,7 @@ pub struct MeasurementEffect {
     pub law: &'static str,
     /// Where the law comes from.
     pub source: &'static str,
-    /// What tells it from effects of the machine.
+    /// Feature of the data that separates it from effects of the machine.
     pub separates: &'static str,
     /// Keys of its table beside those of sizes.
     pub keys: &'static [Key],
@@ -48,7 +48,7 @@ pub struct MeasurementEffect {
 }
 
 impl MeasurementEffect {
-    /// What most effects are, for those that differ from it to be written in short.
+    /// Defaults, which an entry of the catalogue overrides where it differs.
     pub const USUAL: Self = Self {
         name: "",
         about: "",
@@ -94,7 +94,7 @@ impl MeasurementEffect {
     }
 }
 
-/// What a law that nobody has looks like.
+/// Shape of an effect without a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A wave; several of them make any curve.
@@ -131,7 +131,7 @@ impl Size {
         }
     }
 
-    /// What it is.
+    /// Its description.
     pub fn about(self) -> &'static str {
         match self {
             Self::OfObservable(_, about) | Self::Number(_, about) | Self::File(_, about) => about,

@@ -63,7 +63,7 @@ fn heading(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.into() } else { format!("{name} [{unit}]") }
 }
 
-/// What happens where the column is left out.
+/// Whether the column is needed, and its default where it is left out.
 fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
     let only = |observable: usize| process.observables()[observable].name;
     match coordinate.absent {
@@ -79,7 +79,7 @@ fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
     }
 }
 
-/// What the column holds. Words are numbers to formulas, counted from 0.
+/// Content of the column. Words are numbers to formulas, counted from 0.
 fn about(coordinate: &Coordinate) -> String {
     match coordinate.holds {
         Holds::Quantity(_) => coordinate.about.into(),

@@ -41,7 +41,7 @@ pub enum OutputError {
     Link {
         /// Which link.
         path: PathBuf,
-        /// What it names, where that is there.
+        /// Its target, where that exists.
         target: Option<PathBuf>,
     },
     /// It would stand where a file is that was read.
@@ -53,7 +53,8 @@ pub enum OutputError {
 }
 
 impl OutputError {
-    /// What the file system says of a path, in its own words: names of partial files stay out of them.
+    /// Makes an error of the file system one of a path, in the system's own words: names of partial files stay out of
+    /// them.
     pub fn at(path: &Path) -> impl Fn(io::Error) -> Self + use<> {
         let path = path.to_path_buf();
         move |error| {

@@ -15,7 +15,7 @@ fn adequate(fit: &Fit) -> Option<bool> {
     fit.p_value.map(|p| p >= SIGNIFICANCE)
 }
 
-/// What is to be read before the rest is believed: of the data, then of what the fitted model asks of the machine.
+/// Cautions to be read before the rest is believed: on the data, then on what the fitted model asks of the machine.
 fn cautions<'a>(data: &'a Data, fit: &'a Fit) -> impl Iterator<Item = &'a String> {
     data.cautions.iter().chain(&fit.doubts)
 }

@@ -17,7 +17,7 @@ use crate::progress::Progress;
 pub struct Folder<'a> {
     /// Where they appear; made if it is missing.
     pub directory: &'a Path,
-    /// What may be replaced there.
+    /// Rule by which files there may be replaced.
     pub guard: Guard<'a>,
     /// Of the frames.
     pub progress: &'a Progress,

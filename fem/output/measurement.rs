@@ -140,7 +140,7 @@ pub fn grouped(by: &[&str]) -> String {
     if by.is_empty() { String::new() } else { format!(" by {}", by.join(" and ")) }
 }
 
-/// What a curve along these coordinates that no law has is called in the field, and what that is.
+/// Name in the field, and explanation, of a curve along these coordinates that no law has.
 pub fn curve(effect: &MeasurementEffect, by: &[&str], process: &dyn Process) -> Option<(&'static str, &'static str)> {
     let own = process.coordinates().iter().filter(|c| by.contains(&c.name));
     own.filter_map(|c| c.curve).next().filter(|_| effect.shape == Some(Shape::Curve))

@@ -14,7 +14,7 @@ use crate::model::{Contribution, Model, Run};
 pub struct Pictures<'a> {
     /// Where they appear; made if it is missing.
     pub directory: &'a Path,
-    /// Of what is not to be written over.
+    /// Rule by which files there may be replaced.
     pub guard: Guard<'a>,
 }
 
@@ -64,7 +64,7 @@ pub fn of_run(model: &Model, run: &Run) -> Vec<(String, Svg)> {
     drawings(run).into_iter().chain(plots::predicted(model, run).iter().map(named)).collect()
 }
 
-/// What effects change, along the curve: the text of an SVG file for each contribution but the ideal system's.
+/// Change by each effect along the curve: the text of an SVG file for each contribution but the ideal system's.
 pub fn signatures(model: &Model, contributions: &[Contribution]) -> Vec<String> {
     plots::changes(model, contributions).iter().map(|(_, chart)| draw(chart).file()).collect()
 }

@@ -13,7 +13,7 @@ use crate::process::{Description, Process};
 use crate::study::{Layout, Summary};
 use crate::validation::Case;
 
-/// What a command has found.
+/// Result of a command.
 pub enum Report<'a> {
     /// `fem run`.
     Run(&'a Model, &'a Run),
@@ -39,7 +39,7 @@ pub enum Report<'a> {
 }
 
 impl Report<'_> {
-    /// What was left undone for want of time, a few of many.
+    /// Steps left undone for want of time, the first few by name and the number of the others.
     pub fn left_undone(&self) -> Vec<String> {
         /// Most that are named.
         const MOST: usize = 12;

@@ -131,7 +131,7 @@ fn support(svg: &mut Svg, [x, y]: [f64; 2], [u, v]: [f64; 2], label: &str) {
     beyond(svg, along(24.0, 0.0), [u, v], label);
 }
 
-/// What stands still: a line with hatches.
+/// Draws the ground: a line with hatches.
 fn ground(svg: &mut Svg, [x, y]: [f64; 2], [u, v]: [f64; 2]) {
     let along = |far: f64, beside: f64| [x + far * u - beside * v, y + far * v + beside * u];
     svg.line("o", [along(0.0, -14.0), along(0.0, 14.0)]);

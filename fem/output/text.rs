@@ -48,7 +48,7 @@ impl Format for Text {
     }
 }
 
-/// What the time limit has cut off.
+/// Lists the steps that the time limit has cut off.
 fn left_undone(undone: &[String]) -> String {
     match undone {
         [] => String::new(),
@@ -81,7 +81,7 @@ fn run(model: &Model, run: &Run, columns: usize) -> String {
     text
 }
 
-/// What changes an observable: `shares` are all of the same.
+/// Tabulates contributions to one observable, which all of `shares` have in common.
 fn changes(text: &mut String, observables: &[Observable], shares: &[Contribution]) {
     let Some(first) = shares.first() else { return };
     let title = format!("what changes {}", observables[first.observable].words);

@@ -36,7 +36,7 @@ fn cells(line: &str) -> impl Iterator<Item = &str> {
     inner.strip_suffix('|').unwrap_or(inner).split('|').map(str::trim)
 }
 
-/// What a table of one direction has.
+/// Extent of the table of one direction.
 #[derive(Default)]
 struct Table {
     cycles: usize,

@@ -1,4 +1,4 @@
-//! What the readers of instruments' files share: the lines of a text, and the sheet that is made of them.
+//! Parts shared by the readers of instruments' files: the lines of a text, and the sheet that is made of them.
 
 use std::ops::Range;
 
@@ -19,7 +19,7 @@ pub struct Instrument {
 pub struct Line<'a> {
     /// Bytes of the text.
     pub place: Range<usize>,
-    /// What it says, without blanks around it.
+    /// Text of the line, trimmed.
     pub says: &'a str,
 }
 

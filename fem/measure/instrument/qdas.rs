@@ -56,7 +56,7 @@ struct File {
     /// Line of K0100, and how many characteristics it says.
     said: Option<(std::ops::Range<usize>, usize)>,
     characteristics: Vec<Characteristic>,
-    /// What index 0 says of all.
+    /// Fields of index 0, which hold for all characteristics.
     common: Characteristic,
 }
 

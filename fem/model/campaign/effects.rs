@@ -11,13 +11,13 @@ use crate::units::{Kind, Knowledge, Quantity};
 /// An effect as it acts in the tests of one machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shared {
-    /// What it is called among all tests.
+    /// Its description among all tests, with the name that tells it from others.
     pub description: Description,
     /// The tests in which it acts, by their numbers.
     pub acts: Vec<(usize, Acting)>,
 }
 
-/// What an effect is in one test.
+/// Form that a shared effect takes in one test.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Acting {
     /// An effect of its process.
@@ -26,7 +26,7 @@ pub enum Acting {
     Quantity(&'static str),
 }
 
-/// By what effects of several tests are known to be one.
+/// Key under which effects of several tests are one.
 #[derive(Clone, Debug, PartialEq)]
 enum Identity {
     /// Of one test.
@@ -111,7 +111,7 @@ fn name_apart(effects: &mut [Shared], names: &[&'static str]) {
 }
 
 impl Shared {
-    /// What it is in a test, if it acts there.
+    /// Form of the effect in a test; `None` where it does not act there.
     pub fn in_test(&self, test: usize) -> Option<&Acting> {
         self.acts.iter().find(|(own, _)| *own == test).map(|(_, acting)| acting)
     }
@@ -147,8 +147,8 @@ impl Shared {
     }
 }
 
-/// What a model says of an effect, if it has it. A quantity that every model has to have and does not know says
-/// nothing.
+/// Values that a model gives for an effect, with the effect itself if it is one of its process; `None` where the model
+/// lacks it. A quantity that every model has to have, and that is unknown here, counts as lacking.
 fn said<'m>(model: &'m Model, acting: &Acting) -> Option<(&'m Model, Vec<Quantity>, Option<&'m Active>)> {
     let written = |path: &str| model.quantities.iter().find(|q| q.path == path).map(|q| q.quantity);
     match acting {
@@ -165,7 +165,7 @@ fn said<'m>(model: &'m Model, acting: &Acting) -> Option<(&'m Model, Vec<Quantit
     }
 }
 
-/// What all tests of a unit say together of a quantity of their tables that no effect here is.
+/// Reconciles a quantity in the tables of all tests of a unit, which no effect here is: the most exact value.
 ///
 /// # Errors
 /// Two of them know it, and differently.
@@ -179,7 +179,7 @@ pub fn agreed_of_unit(unit: &str, parameter: &Parameter, models: &[Model]) -> Re
     Ok(known.1)
 }
 
-/// What two models say together of one quantity: the more exact of them, or either if they are the same.
+/// Reconciles two models' values of one quantity: the more exact of them, or either if they are the same.
 fn agreed(
     (name, kind): (&str, Kind),
     (one_model, one): (&Model, Quantity),

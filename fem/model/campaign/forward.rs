@@ -1,4 +1,4 @@
-//! What the rows of all tests would show.
+//! Forward model of a campaign: predictions for the rows of all tests.
 
 use super::layout::Layout;
 use crate::process::{Failure, ForwardModel, Rows, RunReport};

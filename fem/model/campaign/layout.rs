@@ -68,7 +68,7 @@ impl Layout {
         self.columns[test].get(own).copied().unwrap_or(own)
     }
 
-    /// What a coordinate of a test is called among those of all.
+    /// Name, among the coordinates of all tests, of a test's own coordinate.
     pub fn named(&self, test: usize, own: &str) -> Option<&'static str> {
         let columns = self.columns[test].iter().map(|number| self.coordinates[*number].name);
         let is_own = |name: &&str| *name == own || name.strip_prefix(own).is_some_and(|rest| rest.starts_with(" of "));

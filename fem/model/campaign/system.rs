@@ -12,7 +12,7 @@ use crate::process::{
     Observable, Places, Positioning, Process, Rows, Spot, System, UnitRole,
 };
 
-/// What several tests show, and what can act in them: a process in all but a file of its own.
+/// Observables, coordinates and effects of several tests: a process in all but a file of its own.
 #[derive(Clone, Debug, PartialEq)]
 struct Signature {
     observables: &'static [Observable],

@@ -38,7 +38,7 @@ pub enum Origin {
     Parameter(usize),
     /// A parameter of an effect: of which, and which.
     Effect(usize, usize),
-    /// What another test knows, SI.
+    /// A value that another test knows, SI.
     Known(f64),
 }
 
@@ -58,7 +58,7 @@ impl Campaign {
         self.layout.own_observable(observable).0
     }
 
-    /// What an observable, by its number among all tests, is called in its own.
+    /// Name within its test of an observable, given by its number among all tests.
     pub fn name_in_test(&self, observable: usize) -> &'static str {
         let (test, own) = self.layout.own_observable(observable);
         self.tests[test].model.process.observables()[own].name
@@ -103,7 +103,8 @@ impl Campaign {
         effects.iter().filter_map(own).collect()
     }
 
-    /// What an instrument does to a test, as its process tells it; `None` where it is another test's.
+    /// Effect of an instrument on a test, with the observable as the test's process names it; `None` where it is
+    /// another test's.
     fn own_reading(&self, test: usize, reading: &Active) -> Option<Description> {
         let Some(name) = reading.description.observable else { return Some(reading.description.clone()) };
         let number = self.layout.observables.iter().position(|o| o.name == name)?;

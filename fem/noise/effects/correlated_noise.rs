@@ -3,7 +3,7 @@
 use super::super::evidence::Evidence;
 use super::super::term::{Acts, MeasurementEffect, Size, Term};
 
-/// What a row is off by is shared with its neighbours.
+/// Errors correlated between neighbouring rows.
 pub static CORRELATED_NOISE: MeasurementEffect = MeasurementEffect {
     name: "correlated-noise",
     about: "what a row is off by is shared with its neighbours in the file: the noise has a memory",

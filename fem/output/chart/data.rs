@@ -1,4 +1,4 @@
-//! What a chart is made of, in the units of its axes.
+//! Charts as plain data, in the units of their axes.
 
 use super::number::number;
 
@@ -7,7 +7,7 @@ use super::number::number;
 pub struct Chart {
     /// File stem.
     pub name: String,
-    /// What is drawn, in a few words.
+    /// Subject of the figure, in a few words.
     pub title: String,
     /// How it is to be read: what dots, lines and bars are.
     pub note: String,
@@ -15,7 +15,7 @@ pub struct Chart {
     pub plane: Plane,
 }
 
-/// What a chart is drawn in.
+/// Coordinate system of a chart, with the data in it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Plane {
     /// Curves over an axis.
@@ -40,7 +40,7 @@ pub enum Plane {
         x: Axis,
         /// Ordinate.
         y: Axis,
-        /// Of what the colours mean; limits about zero make it a scale of two colours.
+        /// Quantity that the colours show; limits about zero make it a scale of two colours.
         value: Axis,
         /// Abscissa, ordinate and value, in any order.
         cells: Vec<[f64; 3]>,
@@ -50,7 +50,7 @@ pub enum Plane {
 /// An axis with its unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
-    /// What it is.
+    /// Name of the quantity along it.
     pub name: String,
     /// Unit; empty for a pure number.
     pub unit: String,

@@ -8,15 +8,15 @@ use super::style::sheet;
 pub struct Svg {
     /// Width and height, pixels.
     pub size: [f64; 2],
-    /// What it shows, for those who do not see it.
+    /// Text alternative for those who do not see it, in a few words.
     pub title: String,
     /// The same, longer.
     pub about: String,
     /// Elements.
     body: String,
-    /// What the values of marks are.
+    /// Name and unit of each of the marks' values.
     pub axes: Vec<Axis>,
-    /// What marks belong to.
+    /// Names of the series to which marks belong.
     pub series: Vec<String>,
     /// Where values can be asked for.
     pub marks: Vec<Mark>,

@@ -268,7 +268,7 @@ fn entries(text: &mut String, c: &Compensation) {
     let _ = writeln!(text, "  in mm and um, {onto}; then measure again, until the axis keeps its tolerance");
 }
 
-/// What stands in the files for controls.
+/// Describes the files for the controls that were asked for: the range left at the targets, and notes.
 fn controls(text: &mut String, supplied: &[Supplied]) {
     for s in supplied.iter().filter(|s| s.is_asked) {
         let left = micrometres(s.left);

@@ -1,4 +1,4 @@
-//! What is added to a model: the tables of missing effects, with the settings that `fem add` takes.
+//! Additions to a model: the tables of missing effects, with the settings that `fem add` takes.
 
 use std::fmt::Write;
 use std::path::Path;

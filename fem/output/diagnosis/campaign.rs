@@ -1,5 +1,4 @@
-//! What a diagnosis of several tests says of each: where a cause acts, how well the test fits, what to add to its
-//! model.
+//! Diagnosis of several tests, test by test: where a cause acts, how well the test fits, what to add to its model.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

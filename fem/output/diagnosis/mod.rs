@@ -145,7 +145,7 @@ fn estimate(e: &Estimate) -> Json {
     })
 }
 
-/// Whose an effect is.
+/// Word for the origin of an effect, in JSON.
 fn kind_of(effect: &Description) -> &'static str {
     if effect.table == MEASUREMENT { "measurement" } else { "physical" }
 }
@@ -173,7 +173,7 @@ fn said_to_separate(d: &Diagnosis) -> Option<Json> {
     }))
 }
 
-/// What to measure next, with its values in the coordinate's canonical unit.
+/// The experiment to do next, with its values in the coordinate's canonical unit.
 pub(super) fn next(next: &Next, model: &Model) -> Json {
     let coordinates = model.process.coordinates();
     let kind = coordinates.iter().find(|c| c.name == next.experiment.coordinate).and_then(|c| c.holds.kind());

@@ -1,5 +1,5 @@
-//! What tells the program its own files from those of others: a key that stands in the user's state folder and nowhere
-//! else. Whatever comes with a folder that was unpacked or cloned cannot have been sealed with it.
+//! Proof that a file is the program's own: a key that stands in the user's state folder and nowhere else. Nothing that
+//! comes with a folder that was unpacked or cloned can have been sealed with it.
 
 use std::fs::File;
 use std::io::{self, Write};

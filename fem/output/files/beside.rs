@@ -15,7 +15,7 @@ use cap_std::fs::Dir;
 use super::account::Account;
 use super::work::{Work, hidden};
 
-/// What is being written, for [`abandon`]: folders by their names, with the folder in which each stands and its note.
+/// Hidden folders being written, for [`abandon`], by their names, with the folder in which each stands and its note.
 /// Whoever makes a hidden folder holds the lock until it stands here, so that none can be made behind the back of a
 /// program that is ending.
 static PARTIAL: Mutex<BTreeMap<String, (Dir, Option<PathBuf>)>> = Mutex::new(BTreeMap::new());

@@ -1,11 +1,11 @@
-//! What may be replaced, and what not.
+//! Protection of files that are not to be replaced.
 
 use std::path::{Path, PathBuf};
 
 use super::way::{Way, folder_of};
 use crate::output::OutputError;
 
-/// What may be replaced, and what not.
+/// Rule by which files may be replaced.
 #[derive(Clone, Copy, Debug)]
 pub struct Guard<'a> {
     /// Files that were read: never.

@@ -1,5 +1,5 @@
-//! Files that appear whole: single ones written beside their place and renamed, those of a run all together.
-//! What is there already and was not written by this program stays, unless the user says otherwise.
+//! Files that appear whole: single ones written beside their place and renamed, those of a run all together. A file
+//! that this program did not write stays, unless the user says otherwise.
 
 mod account;
 mod beside;

@@ -6,7 +6,7 @@ use super::account::Account;
 use super::way::{self, folder_of};
 use super::written::read_plain;
 
-/// What stands around the seal of a page, in its last line.
+/// Start and end of the comment around the seal of a page, in its last line.
 const SEAL: (&str, &str) = ("<!-- sealed ", " -->\n");
 const OF_PAGE: &str = "page";
 /// A file that is longer is no page.

@@ -15,13 +15,13 @@ use super::written::{Entry, LIST};
 
 /// A file on its way into place.
 pub struct Move {
-    /// What it holds.
+    /// Name and content of the file.
     pub new: Entry,
-    /// What it goes over.
+    /// Present occupant of its place, which it replaces.
     pub over: Over,
 }
 
-/// What stands where a file is to be.
+/// Occupant of the place of a file.
 pub enum Over {
     /// Nothing.
     Nothing,
@@ -32,7 +32,7 @@ pub enum Over {
 }
 
 impl Over {
-    /// What stands in a folder under the name of a file; `None` where it is no file.
+    /// Looks up the occupant of a name in a folder; `None` where it is no file.
     pub fn at(folder: &Dir, name: &Path) -> Option<Self> {
         match below(folder, name, false).and_then(|(inside, name)| inside.symlink_metadata(name)) {
             Err(_) => Some(Self::Nothing),
@@ -51,7 +51,7 @@ impl Over {
     }
 }
 
-/// What goes into a folder, and what leaves it.
+/// Changes to a folder: files that come, and files that go.
 #[derive(Default)]
 pub struct Plan {
     /// Files that come; the list of them is the last.

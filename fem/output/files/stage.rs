@@ -34,12 +34,12 @@ pub struct Stage<'a> {
     files: Mutex<Vec<Entry>>,
 }
 
-/// What stands in the directory, and what is to stand there.
+/// Present and planned content of the directory.
 struct Placing {
     plan: Plan,
     /// All that the program knows to be there.
     old: Vec<Entry>,
-    /// Of these, what stays.
+    /// Of these, the ones that stay.
     kept: Vec<PathBuf>,
 }
 
@@ -151,7 +151,7 @@ impl<'a> Stage<'a> {
         done.map_err(|(path, error)| OutputError::at(&self.directory.join(path))(error))
     }
 
-    /// What comes into the directory and what leaves it, with the list of what stands there then.
+    /// Plans the changes to the directory, with the list of its content after them.
     fn placing(&self, into: &Dir) -> Result<Placing, OutputError> {
         let new = self.files();
         let names: BTreeSet<&PathBuf> = new.iter().map(|entry| &entry.name).collect();
@@ -196,7 +196,7 @@ impl<'a> Stage<'a> {
         is_done
     }
 
-    /// What a file goes over; refuses what is not known to be the program's own.
+    /// Looks up the occupant of a file's place; refuses one that is not known to be the program's own.
     fn over(&self, entry: &Entry, old: &[Entry], into: &Dir) -> Result<Over, OutputError> {
         let path = self.directory.join(&entry.name);
         let Ok((inside, name)) = below(into, &entry.name, false) else {

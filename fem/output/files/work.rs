@@ -1,6 +1,6 @@
-//! What is under way, noted in the user's state folder: hidden folders of what is not finished, and what goes from
-//! them into place. A note is locked as long as its program lives, so that whoever comes next can bring to the end what
-//! a killed one has begun, and sweep what it has left. What stands beside the files of others is never believed.
+//! Notes on work under way, in the user's state folder: hidden folders of unfinished files, and the moves from them
+//! into place. A note is locked as long as its program lives, so that whoever comes next can bring to the end what a
+//! killed one has begun, and sweep what it has left. Nothing that stands beside the files of others is believed.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Write};
@@ -15,7 +15,7 @@ use super::way;
 use super::written::Entry;
 
 const SCHEMA: &str = "fem-work/1";
-/// What stands around the digits of a hidden folder's name.
+/// Prefix and suffix of a hidden folder's name, around its digits.
 const PREFIX: &str = ".fem-";
 const SUFFIX: &str = ".partial";
 /// Where a link stands in place of a file.

@@ -30,12 +30,12 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// What is known of a content.
+    /// Describes a content by its size and hash.
     pub fn new(name: &Path, of: &str, bytes: &[u8]) -> Self {
         Self { name: name.to_path_buf(), of: of.into(), bytes: bytes.len() as u64, sha256: digest(bytes) }
     }
 
-    /// What stands in a folder under a name; `None` where no plain file does.
+    /// Describes the file of a name in a folder; `None` where no plain file stands there.
     pub fn of_file(folder: &Dir, name: &Path) -> Option<Self> {
         let mut file = open_plain(folder, name, u64::MAX).ok()?;
         let (mut hash, mut bytes, mut part) = (Sha256::new(), 0, vec![0; 1 << 16]);

@@ -1,4 +1,4 @@
-//! What measurements say: the error falling, measured beside predicted, what is left, what to do next.
+//! Evidence of measurements: the error falling, measured beside predicted, residuals, what to do next.
 
 use super::causes;
 use super::html::{self, Cell};
@@ -158,7 +158,7 @@ fn compared(found: &Evidence) -> String {
     if all.is_empty() { String::new() } else { html::table(&caption, &head, &all, false) }
 }
 
-/// What each step leaves, all on the scale of the largest residual.
+/// Residuals after each step, all on the scale of the largest.
 fn slider(subject: &Subject, found: &Evidence, steps: &[Step]) -> String {
     let largest = steps.iter().flat_map(|s| &s.residuals).fold(0.0f64, |size, r| size.max(r.abs()));
     // Several observables have no scale in common.

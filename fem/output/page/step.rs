@@ -7,7 +7,7 @@ use crate::output::diagnosis::label;
 
 /// A model on the way to the noise.
 pub struct Step<'a> {
-    /// What was added, or the model's name.
+    /// The effect that was added, or the model's name.
     pub label: String,
     /// Root mean square error, in the unit of all errors.
     pub rms: f64,

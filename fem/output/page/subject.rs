@@ -1,4 +1,4 @@
-//! What a page is about.
+//! Subject of a page: models, their prediction, and evidence.
 
 use crate::compare::Comparison;
 use crate::diagnose::Diagnosis;
@@ -10,13 +10,13 @@ pub struct Subject<'a> {
     pub models: &'a [Model],
     /// The run of the last of them; `None` where it leaves values open, or a completed one takes its place.
     pub run: Option<&'a Run>,
-    /// What measurements say.
+    /// Evidence of measurements, where there are any.
     pub evidence: Option<Evidence<'a>>,
     /// Names of the files that were read, with the SHA-256 of each.
     pub files: Vec<(String, String)>,
 }
 
-/// What measurements say of models.
+/// Evidence of measurements for or against models.
 pub struct Evidence<'a> {
     /// The measurements, as the last model sees them.
     pub data: &'a Data<'a>,

@@ -31,13 +31,13 @@ pub struct Layout {
     pub variables: Vec<Variable>,
     /// Group of each row, from 0: rows of a group are a curve.
     pub group: Vec<usize>,
-    /// What the rows of each group have in common.
+    /// Label of each group: the levels that its rows have in common.
     pub labels: Vec<String>,
     /// Those of the variables that tell groups apart.
     pub telling: Vec<usize>,
     /// The rows, by their numbers.
     pub rows: Vec<usize>,
-    /// What is observed.
+    /// Axis of the observable.
     pub value: Axis,
 }
 

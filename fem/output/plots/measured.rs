@@ -54,7 +54,7 @@ impl Rows<'_> {
         2.0 * self.noise.sigma[row] / kind.canonical().factor
     }
 
-    /// What was measured, without datum directions.
+    /// Measured value of a row without datum directions, in the unit of its observable.
     fn measured(&self, row: usize) -> f64 {
         self.told(row, self.predicted[row] + self.residuals[row])
     }

@@ -83,7 +83,7 @@ fn about_zero(cells: &[[f64; 3]]) -> Option<(f64, f64)> {
     (low < -0.1 * most && high > 0.1 * most).then_some((-most, most))
 }
 
-/// What each effect changes, along the abscissa: for each effect by its name a chart of the groups.
+/// Change by each effect along the abscissa: for each effect by its name a chart of the groups.
 pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(&'static str, Chart)> {
     let rows = model.system.programme();
     let all: Vec<usize> = (0..model.process.coordinates().len()).collect();

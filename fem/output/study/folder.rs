@@ -18,7 +18,7 @@ use crate::study::{Layout, Shard, Summary};
 /// Names of the rows, finished and not.
 const ROWS: &str = "rows.csv";
 const PARTIAL: &str = "rows.partial.csv";
-/// What a finished study is read from.
+/// Files from which a finished study is read.
 pub(super) const FILES: [&str; 2] = [ROWS, layout::FILE];
 /// Times after which rows are handed to the system, and to the disk.
 const WRITTEN_AFTER: Duration = Duration::from_millis(20);
@@ -27,7 +27,7 @@ const SYNCED_AFTER: Duration = Duration::from_secs(5);
 /// A folder that cannot be used.
 #[derive(Debug)]
 pub enum StudyError {
-    /// What is there does not fit.
+    /// The folder's content does not fit.
     Refused(Problem),
     /// It cannot be read or written.
     Output(OutputError),
@@ -39,7 +39,7 @@ impl From<OutputError> for StudyError {
     }
 }
 
-/// What is done with rows that stand in a folder already.
+/// Treatment of rows that stand in a folder already.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Earlier {
     /// They are dropped, instead of gone on with.

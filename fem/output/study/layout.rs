@@ -1,4 +1,4 @@
-//! What the rows of a study are, as JSON: beside the rows, so that shards find together without plan and model.
+//! Layout of the rows of a study, as JSON: beside the rows, so that shards find together without plan and model.
 
 use serde_json::{Value as Json, json};
 

@@ -59,7 +59,7 @@ fn quoted(cell: &str) -> String {
     if line.contains([',', '"']) { format!("\"{}\"", line.replace('"', "\"\"")) } else { line }
 }
 
-/// What the rows of a file say.
+/// Summarises the rows of a file.
 ///
 /// # Errors
 /// The file cannot be read, or is not as it was written.

@@ -52,7 +52,7 @@ impl<'a> Series<'a> {
         Ok(Files { time: frame.time, real, magnified })
     }
 
-    /// What every file says of itself.
+    /// Field data of every file: title, model, version, time, caption, bodies, magnification, largest force.
     fn data(&self, frame: &Frame) -> Vec<Datum> {
         let bodies = (1..).zip(&frame.bodies).map(|(number, body): (usize, _)| format!("{number} {}", body.name));
         vec![

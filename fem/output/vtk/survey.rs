@@ -1,5 +1,5 @@
-//! What all frames of an animation have in common: how large the bodies are, how far they move, between what
-//! their fields vary. Colours and magnification are the same in every frame only if all frames were seen first.
+//! Common scales of all frames of an animation: size of the bodies, largest displacement, ranges of the fields. Colours
+//! and magnification are the same in every frame only if all frames were seen first.
 
 use rayon::prelude::*;
 
@@ -11,7 +11,7 @@ const REACH: f64 = 0.1;
 /// Displacements below this are none, m.
 const NONE: f64 = 1e-12;
 
-/// What the frames span.
+/// Common scales of the frames.
 #[derive(Clone, Debug)]
 pub struct Survey {
     /// How many times displacements are magnified: 1, 2 or 5 times a power of ten.
@@ -24,12 +24,12 @@ pub struct Survey {
     pub ranges: Vec<Range>,
 }
 
-/// What a scalar field varies between, SI.
+/// Range of a scalar field, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
     /// Name of the field.
     pub name: String,
-    /// What it measures.
+    /// Kind of its values.
     pub kind: Kind,
     /// Smallest value.
     pub low: f64,
@@ -60,7 +60,7 @@ impl Range {
     }
 }
 
-/// What one frame spans.
+/// Extremes of one frame.
 struct Seen {
     displacement: f64,
     force: f64,

@@ -9,7 +9,7 @@ use crate::process::{Animation, View};
 /// The program that wrote a file.
 pub const VERSION: &str = concat!("fem ", env!("CARGO_PKG_VERSION"));
 
-/// What the script does; what it opens stands above it.
+/// Statements of the script, below those that say what it opens.
 const BODY: &str = include_str!("view.py");
 
 /// The script for an animation.

@@ -28,10 +28,10 @@ pub(super) const RANGE: [i64; 2] = [-7, 7];
 /// Largest number of a point.
 const LAST_NUMBER: i64 = 1023;
 
-/// What is added to the number of a point to make the number of its word on a tape.
+/// Offset from the number of a point to the number of its word on a tape.
 const TAPE: i64 = 10_000;
 
-/// What is to be looked at before a tape is read in.
+/// Note for the user: a check before a tape is read in.
 pub(super) const AS_PUNCHED: &str =
     "the tape numbers the points from N10000 on: compare it with what the control itself punches out first";
 
@@ -62,7 +62,7 @@ fn write(order: &Order) -> Result<Written, String> {
     Ok(Written { files, table: counted.table(&forward, &backward), notes })
 }
 
-/// What is added from each point to the next.
+/// Increments from each point to the next, in counts.
 pub(super) fn increments(sums: &[i64]) -> Vec<i64> {
     sums.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }

@@ -16,7 +16,7 @@ use crate::positioning::Node;
 /// Most points of a table.
 const MOST: usize = 256;
 
-/// What the last digit of a value is worth, m.
+/// Resolution of a value: its last digit, m.
 const LEAST: f64 = 1e-7;
 
 /// `--for heidenhain`.

@@ -16,7 +16,7 @@ const MOST: usize = 1000;
 /// Points among which the fewest are sought for targets at uneven distances.
 const FEW: usize = 200;
 
-/// What the last digit of a value is worth, m.
+/// Resolution of a value: its last digit, m.
 const LEAST: f64 = 1e-7;
 
 /// `--for mach4`.

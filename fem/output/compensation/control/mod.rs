@@ -42,7 +42,7 @@ pub struct Supplied {
     pub control: &'static Control,
     /// Names of the files and what stands in them.
     pub files: Vec<(&'static str, String)>,
-    /// What was changed on the way, what else is to be set, and what is taken where the manual is silent.
+    /// Notes for the user: changes made on the way, further settings, and assumptions where the manual is silent.
     pub notes: Vec<String>,
     /// Range of the mean deviations that are left at the targets, from both sides, m.
     pub left: f64,
@@ -66,8 +66,8 @@ pub fn supplied(
     Ok(Supplied { control, files: written.files, notes: written.notes, left, is_asked })
 }
 
-/// Range of the mean deviations at the targets with a table in the place of what the control had during the test.
-/// What is the same everywhere is no error of the axis: it is where its zero stands.
+/// Range of the mean deviations at the targets with a table in the place of the control's during the test. An offset
+/// that is the same everywhere is no error of the axis: it is where its zero stands.
 fn left(found: &Compensation, table: &Table) -> f64 {
     let had = |at, direction| found.active.as_ref().map_or(0.0, |active| active.correction(at, direction));
     let targets = || found.evaluation.targets.iter();

@@ -1,4 +1,4 @@
-//! What a control's file is made of, and the points at which it is taken.
+//! Input and output of a control's writer, and the points at which a table is taken.
 
 use crate::output::number::{fixed, mm};
 use crate::positioning::{Direction, Grid, Node, Steps, Table};
@@ -16,13 +16,13 @@ pub struct Control {
     pub write: fn(&Order) -> Result<Written, String>,
 }
 
-/// What a control's own file makes.
+/// Files for a control, with the compensation that they give.
 pub struct Written {
     /// Names of the files and what stands in them.
     pub files: Vec<(&'static str, String)>,
-    /// What the control adds with them.
+    /// Correction that the control applies with them.
     pub table: Table,
-    /// What was changed on the way, what else is to be set, and what is taken where the manual is silent.
+    /// Notes for the user: changes made on the way, further settings, and assumptions where the manual is silent.
     pub notes: Vec<String>,
 }
 
@@ -123,13 +123,13 @@ pub struct Counted {
     pub steps: Steps,
     /// The table at the points.
     taken: Table,
-    /// What it adds at the reference point forwards, m.
+    /// Its correction at the reference point forwards, m.
     zero: f64,
 }
 
 impl Counted {
-    /// What is added in a direction at each point more than forwards at the reference point, in counts of `unit`
-    /// (m): rounded as a sum, so that roundings of increments do not add up.
+    /// Correction at each point in a direction, less the forward one at the reference point, in counts of `unit` (m):
+    /// rounded as a sum, so that roundings of increments do not add up.
     pub fn sums(&self, direction: Direction, unit: f64) -> Vec<i64> {
         self.sums_from(direction, 0.0, unit)
     }
@@ -147,12 +147,12 @@ impl Counted {
         sums.iter().map(|sum| sum - sums[at]).collect()
     }
 
-    /// What is added at the reference point on the way back more than forwards, m.
+    /// Correction at the reference point on the way back, less the forward one there, m.
     pub fn at_reference(&self) -> f64 {
         self.taken.correction(self.steps.reference, Direction::Backward) - self.zero
     }
 
-    /// What one value of a table with one value for backlash is on the way back, in counts of `unit` (m).
+    /// Backlash of a table with one value for it, as the correction on the way back, in counts of `unit` (m).
     pub fn backlash(&self, unit: f64) -> i64 {
         (self.taken.backlash() / unit).round() as i64
     }

@@ -19,7 +19,7 @@ pub(super) const FEW: usize = 200;
 /// Most points that are written.
 pub(super) const MOST: usize = 10_000;
 
-/// What the last digit of a value is worth, m.
+/// Resolution of a value: its last digit, m.
 pub(super) const LEAST: f64 = 1e-9;
 
 /// `--for siemens-eec`.
