@@ -209,7 +209,7 @@ class Model:
         columns: Columns = (),
         decimal: Optional[str] = None,
         time_limit: Optional[float] = None,
-    ) -> Fit:
+    ) -> Fit[Model]:
         """Estimates what is marked `+-` or `?`, within so many seconds if a limit is given."""
         return Fit(self._core().fit(asked(data, columns, decimal), time_limit), self)
 
@@ -221,7 +221,7 @@ class Model:
         columns: Columns = (),
         decimal: Optional[str] = None,
         time_limit: Optional[float] = None,
-    ) -> Diagnosis:
+    ) -> Diagnosis[Model]:
         """Names the effects that are missing, at most so many together."""
         _positive(max_effects)
         return Diagnosis(self._core().diagnose(asked(data, columns, decimal), max_effects, time_limit), self)

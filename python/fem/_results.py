@@ -8,7 +8,7 @@ import json
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Generic, Optional, Protocol, TypeVar, Union, overload
 
 from fem._answer import bare
 from fem._record import Record, read
@@ -20,7 +20,18 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from fem._answer import Answer
-    from fem._model import Model
+
+
+class Revisable(Protocol):
+    """A model, as far as results know it: with another text it is another model of its kind."""
+
+    @property
+    def text(self) -> str: ...
+
+    def _with_text(self: M, text: str, mark: str = "") -> M: ...
+
+
+M = TypeVar("M", bound=Revisable)
 
 
 class Result:
@@ -165,15 +176,15 @@ class _Parameters(Result):
         return frame.set_index(frame.columns[0]).to_xarray()
 
 
-class Fit(_Parameters):
+class Fit(_Parameters, Generic[M]):
     """What a model leaves open, estimated."""
 
-    def __init__(self, answer: Answer, model: Model) -> None:
+    def __init__(self, answer: Answer, model: M) -> None:
         super().__init__(answer)
         (tables,) = answer["tables"]
         self.tables: dict[str, Table] = _tables(tables, answer["coordinates"])
         """The table of each observable: coordinates, what was measured, `u`, `predicted`, `residual`."""
-        self.model: Model = model._with_text(answer["model"] or model.text, "fitted")
+        self.model: M = model._with_text(answer["model"] or model.text, "fitted")
         """The model with the fitted values and their uncertainties."""
 
     @property
@@ -195,14 +206,14 @@ class Fit(_Parameters):
         return _plot.points(self.rows, "residual", ax)
 
 
-class Diagnosis(_Parameters):
+class Diagnosis(_Parameters, Generic[M]):
     """The effects that are missing."""
 
-    def __init__(self, answer: Answer, model: Model) -> None:
+    def __init__(self, answer: Answer, model: M) -> None:
         super().__init__(answer)
-        self.model: Optional[Model] = model._with_text(answer["model"], "completed") if answer["model"] else None
+        self.model: Optional[M] = model._with_text(answer["model"], "completed") if answer["model"] else None
         """The model with the missing effects and every fitted value; None where no model may hold these."""
-        self.steps: list[Model] = _steps(model, answer["steps"])
+        self.steps: list[M] = _steps(model, answer["steps"])
         """The model with one missing effect after the other: `fem.compare([model, *diagnosis.steps], data)` shows the
         error falling."""
         # Commands name files, of which there are none here.
@@ -353,8 +364,8 @@ def _tables(tables: dict[str, Any], coordinates: Sequence[str]) -> dict[str, Tab
     return {name: Table(columns, coordinates) for name, columns in tables.items()}
 
 
-def _steps(model: Model, steps: Sequence[tuple[str, str]]) -> list[Model]:
-    models: list[Model] = []
+def _steps(model: M, steps: Sequence[tuple[str, str]]) -> list[M]:
+    models: list[M] = []
     for effect, text in steps:
         models.append((models[-1] if models else model)._with_text(text, effect))
     return models

@@ -1,5 +1,7 @@
 //! Answers on their way to Python: the JSON and the text that a command prints, its figures, and columns as arrays.
 
+use std::borrow::Cow;
+
 use fem::compare::Comparison;
 use fem::measure::MeasuredObservable;
 use fem::model::{Data, Model, Run};
@@ -12,8 +14,8 @@ use pyo3::types::{PyDict, PyList};
 /// Tables of a model by their names.
 pub type Tables = Vec<(String, Table)>;
 
-/// What a command would print and draw, and more.
-#[derive(Default)]
+/// What a command would print and draw, and more; in Python a dictionary.
+#[derive(Default, IntoPyObject)]
 pub struct Answer {
     /// The JSON document.
     pub json: String,
@@ -22,6 +24,7 @@ pub struct Answer {
     /// Figures as SVG, by their names.
     pub figures: Vec<(String, String)>,
     /// Tables by their names: those of the model, or of each of several.
+    #[pyo3(into_py_with = tables_in_python)]
     pub tables: Vec<Tables>,
     /// Names of columns that say where, when and under which conditions.
     pub coordinates: Vec<&'static str>,
@@ -47,36 +50,26 @@ impl Answer {
             ..Self::default()
         })
     }
+}
 
-    /// The answer as a dictionary, whose arrays are the columns themselves.
-    ///
-    /// # Errors
-    /// NumPy is not to be had.
-    pub fn told(self, py: Python) -> PyResult<Bound<PyDict>> {
-        // Asked for first, so that its absence is an error and no fault.
-        py.import("numpy")?;
-        let told = PyDict::new(py);
-        let tables = PyList::empty(py);
-        for of_model in self.tables {
-            let named = PyDict::new(py);
-            for (name, table) in of_model {
-                let columns = table.columns.into_iter().map(|column| {
-                    (column.name, column.unit, PyArray1::from_vec(py, column.values), column.words.to_vec())
-                });
-                named.set_item(name, columns.collect::<Vec<_>>())?;
-            }
-            tables.append(named)?;
+/// Tables as dictionaries, whose arrays are the columns themselves.
+#[expect(clippy::owned_cow, reason = "a field is handed over as its own type")]
+fn tables_in_python<'py>(tables: Cow<'_, Vec<Tables>>, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    // Asked for first, so that its absence is an error and no fault.
+    py.import("numpy")?;
+    let told = PyList::empty(py);
+    for of_model in tables.into_owned() {
+        let named = PyDict::new(py);
+        for (name, table) in of_model {
+            let columns = table
+                .columns
+                .into_iter()
+                .map(|column| (column.name, column.unit, PyArray1::from_vec(py, column.values), column.words.to_vec()));
+            named.set_item(name, columns.collect::<Vec<_>>())?;
         }
-        told.set_item("json", self.json)?;
-        told.set_item("text", self.text)?;
-        told.set_item("figures", self.figures)?;
-        told.set_item("tables", tables)?;
-        told.set_item("coordinates", self.coordinates)?;
-        told.set_item("notes", self.notes)?;
-        told.set_item("model", self.model)?;
-        told.set_item("steps", self.steps)?;
-        Ok(told)
+        told.append(named)?;
     }
+    Ok(told.into_any())
 }
 
 /// The tables of a run: its own, and for each observable what the effects change, point by point.

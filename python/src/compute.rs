@@ -3,7 +3,7 @@
 
 use std::any::Any;
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -23,6 +23,17 @@ const STACK: usize = 8 << 20;
 
 /// The threads that compute, and the process to which they belong: a process that is forked has none of them.
 static THREADS: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
+/// A computation that may take so many seconds.
+pub fn within(seconds: Option<f64>) -> Arc<Progress> {
+    // A limit that is no time is none.
+    Arc::new(Progress::within(seconds.and_then(|s| Duration::try_from_secs_f64(s).ok())))
+}
+
+/// What is behind a lock, whatever went wrong in whoever held it before.
+pub fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Computes on another thread, without the GIL.
 ///
@@ -55,7 +66,7 @@ pub fn compute_watched<T: Send + 'static>(
     };
     let worker = thread::Builder::new().spawn(run).map_err(|e| refused(&e).raised(py))?;
     let result = Mutex::new(result);
-    let wait = |limit| result.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(limit);
+    let wait = |limit| locked(&result).recv_timeout(limit);
     let mut interrupted: Option<(PyErr, Instant)> = None;
     loop {
         match (py.detach(|| wait(LOOK_EVERY)), &interrupted) {
@@ -81,7 +92,7 @@ pub fn compute_watched<T: Send + 'static>(
 
 /// The threads of this process. Nobody forks meanwhile: the GIL is held.
 fn threads() -> Result<Arc<ThreadPool>, Error> {
-    let mut known = THREADS.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut known = locked(&THREADS);
     let process = std::process::id();
     if let Some((owner, threads)) = &*known
         && *owner == process

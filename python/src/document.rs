@@ -126,11 +126,8 @@ fn in_line(json: &Json) -> PyResult<Value> {
         },
         Json::Array(all) => all.iter().map(in_line).collect::<PyResult<Array>>()?.into(),
         Json::Object(keys) => {
-            let mut table = InlineTable::new();
-            for (key, value) in keys {
-                table.insert(key, in_line(value)?);
-            }
-            table.into()
+            let entries = keys.iter().map(|(key, value)| Ok((key, in_line(value)?)));
+            entries.collect::<PyResult<InlineTable>>()?.into()
         }
     })
 }

@@ -3,10 +3,10 @@
 
 mod answer;
 mod compute;
+mod data;
 mod document;
 mod error;
 mod model;
-mod question;
 mod study;
 
 use std::ffi::OsString;
@@ -92,6 +92,6 @@ fn _fem(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(document::with_value, module)?)?;
     module.add_function(wrap_pyfunction!(document::without, module)?)?;
     module.add_function(wrap_pyfunction!(study::study_jobs, module)?)?;
-    module.add_function(wrap_pyfunction!(question::compare, module)?)?;
-    module.add_function(wrap_pyfunction!(question::report, module)?)
+    module.add_function(wrap_pyfunction!(model::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(model::report, module)?)
 }

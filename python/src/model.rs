@@ -1,9 +1,9 @@
-//! A model, and what is asked of it alone.
+//! Models, and what is asked of them.
 
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fem::ask::{self, compensate, completed, fit, plan, steps};
+use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, plan, refuse_mixed, steps};
 use fem::diagnose::diagnose;
 use fem::fit::fitted_text;
 use fem::input::{Parameter, Source};
@@ -12,16 +12,15 @@ use fem::output::Report;
 use fem::progress::Progress;
 use fem::units::Knowledge;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
-use crate::answer::{Answer, tables_of_rows, tables_of_run};
-use crate::compute::compute;
+use crate::answer::{Answer, tables_of_comparison, tables_of_rows, tables_of_run};
+use crate::compute::{compute, within};
+use crate::data::Asked;
 use crate::error::Error;
-use crate::question::{Asked, within};
 
 /// A model that was read without a problem. It does not change.
 #[pyclass(frozen, module = "fem._fem")]
-pub struct Model(pub Arc<model::Model>);
+pub struct Model(Arc<model::Model>);
 
 #[pymethods]
 impl Model {
@@ -95,40 +94,32 @@ impl Model {
     }
 
     /// Predicts.
-    fn run<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn run(&self, py: Python) -> PyResult<Answer> {
         let model = self.0.clone();
-        let answer = compute(py, &Arc::default(), move |progress| {
+        compute(py, &Arc::default(), move |progress| {
             model.require_part()?;
             let mut run = model.run(progress)?;
             let answer = Answer::of(&Report::Run(&model, &run), &model)?;
             let notes = run.report.warnings.clone();
             Ok(Answer { tables: vec![tables_of_run(&model, &mut run)], notes, ..answer })
-        })?;
-        answer.told(py)
+        })
     }
 
     /// Estimates what it leaves open.
-    fn fit<'py>(&self, py: Python<'py>, data: Asked, seconds: Option<f64>) -> PyResult<Bound<'py, PyDict>> {
-        let answer = self.of_data(py, within(seconds), data, |data, _| {
+    fn fit(&self, py: Python, data: Asked, seconds: Option<f64>) -> PyResult<Answer> {
+        self.of_data(py, within(seconds), data, |data, _| {
             let found = fit(data)?;
             let residuals = data.residuals(&found.predicted);
             let tables = vec![tables_of_rows(data, &found.predicted, &residuals, &found.noise.sigma)];
             let model = Some(fitted_text(data, &found));
             let answer = Answer::of(&Report::Fit(data, &found), data.model)?;
             Ok(Answer { tables, notes: data.notes_of_fit(), model, ..answer })
-        })?;
-        answer.told(py)
+        })
     }
 
     /// Names the effect that is missing.
-    fn diagnose<'py>(
-        &self,
-        py: Python<'py>,
-        data: Asked,
-        most_effects: usize,
-        seconds: Option<f64>,
-    ) -> PyResult<Bound<'py, PyDict>> {
-        let answer = self.of_data(py, within(seconds), data, move |data, progress| {
+    fn diagnose(&self, py: Python, data: Asked, most_effects: usize, seconds: Option<f64>) -> PyResult<Answer> {
+        self.of_data(py, within(seconds), data, move |data, progress| {
             let found = diagnose(data, most_effects, progress)?;
             let notes = ask::notes(data, &found);
             // A fitted value that no model may hold leaves none.
@@ -136,41 +127,30 @@ impl Model {
             let steps = steps(data, &found).into_iter().map(|(effect, model)| (effect, model.source.text.to_string()));
             let steps = steps.collect();
             Ok(Answer { notes, model, steps, ..Answer::of(&Report::Diagnosis(data, &found), data.model)? })
-        })?;
-        answer.told(py)
+        })
     }
 
     /// What could be seen by measuring, and what would look alike.
-    fn plan<'py>(
-        &self,
-        py: Python<'py>,
-        design: Option<Asked>,
-        noise: Vec<String>,
-        seconds: Option<f64>,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    fn plan(&self, py: Python, design: Option<Asked>, noise: Vec<String>, seconds: Option<f64>) -> PyResult<Answer> {
         let model = self.0.clone();
-        let answer = compute(py, &within(seconds), move |progress| {
+        compute(py, &within(seconds), move |progress| {
             let design = match design {
-                Some(asked) => {
-                    Data::of(&model, asked.read(model.process, true)?).map_err(|e| ask::Error::of_data(e, &model))?
-                }
+                Some(asked) => asked.of(&model, true)?,
                 None => Data::programme(&model)?,
             };
             let design = design.watched(progress.clone());
             let (found, note) = plan(&design, &noise)?;
             Ok(Answer { notes: note.into_iter().collect(), ..Answer::of(&Report::Plan(&design, &found), &model)? })
-        })?;
-        answer.told(py)
+        })
     }
 
     /// Evaluates the test of an axis, and compensates it.
-    fn compensate<'py>(&self, py: Python<'py>, data: Asked) -> PyResult<Bound<'py, PyDict>> {
-        let answer = self.of_data(py, Arc::default(), data, |data, _| {
+    fn compensate(&self, py: Python, data: Asked) -> PyResult<Answer> {
+        self.of_data(py, Arc::default(), data, |data, _| {
             let found = compensate(data)?;
             let notes = data.notes.clone();
             Ok(Answer { notes, ..Answer::of(&Report::Compensation(data, &found, &[]), data.model)? })
-        })?;
-        answer.told(py)
+        })
     }
 }
 
@@ -184,10 +164,48 @@ impl Model {
         work: impl FnOnce(&Data, &Progress) -> Result<Answer, Error> + Send + 'static,
     ) -> PyResult<Answer> {
         let model = self.0.clone();
-        compute(py, &progress, move |progress| {
-            let measurements = asked.read(model.process, false)?;
-            let data = Data::of(&model, measurements).map_err(|e| ask::Error::of_data(e, &model))?;
-            work(&data.watched(progress.clone()), progress)
-        })
+        compute(py, &progress, move |progress| work(&asked.of(&model, false)?.watched(progress.clone()), progress))
     }
+}
+
+/// Holds models of one process against the same measurements.
+#[pyfunction]
+pub fn compare(py: Python, models: Vec<PyRef<Model>>, data: Asked) -> PyResult<Answer> {
+    let models = all(&models);
+    compute(py, &Arc::default(), move |progress| {
+        refuse_mixed(&models)?;
+        let Some(first) = models.first() else { return Ok(Answer::default()) };
+        let each = |data: &Data, found| (tables_of_comparison(data, &found), found);
+        let (compared, measurements) = compare_all(&models, data.read(first.process, false)?, progress, each)?;
+        let (tables, comparisons): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
+        let report = Report::Comparison(&models, &measurements, &comparisons);
+        Ok(Answer { tables, notes: measurements.notes.clone(), ..Answer::of(&report, first)? })
+    })
+}
+
+/// The page of a report, and its notes.
+#[pyfunction]
+#[pyo3(signature = (models, data, most_effects, seconds))]
+pub fn report(
+    py: Python,
+    models: Vec<PyRef<Model>>,
+    data: Option<Asked>,
+    most_effects: usize,
+    seconds: Option<f64>,
+) -> PyResult<(String, Vec<String>)> {
+    let models = all(&models);
+    compute(py, &within(seconds), move |progress| {
+        refuse_mixed(&models)?;
+        let Some(last) = models.last() else { return Ok(Default::default()) };
+        let named = models.iter().flat_map(model::Model::paths).chain(data.iter().flat_map(Asked::files));
+        let files = named.filter(|path| path.is_file()).collect();
+        let measurements = data.as_ref().map(|data| data.read(last.process, false)).transpose()?;
+        let page = Page { models: &models, measurements, files, most_effects, depth: Depth::Diagnosed, live: None };
+        let made = page.made(progress)?;
+        Ok((made.html, made.notes))
+    })
+}
+
+fn all(models: &[PyRef<Model>]) -> Vec<model::Model> {
+    models.iter().map(|model| (*model.0).clone()).collect()
 }

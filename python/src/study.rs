@@ -1,7 +1,7 @@
 //! Studies: a plan with the folder of its rows, and the rows of a range of jobs for whoever shares them out.
 
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use fem::input::{Problem, Source};
 use fem::output::files::Guard;
@@ -11,9 +11,8 @@ use fem::process::Failure;
 use fem::study::{Layout, Plan, Shard, in_order, load, parse};
 use pyo3::prelude::*;
 
-use crate::compute::{compute, compute_watched};
+use crate::compute::{compute, compute_watched, locked, within};
 use crate::error::Error;
-use crate::question::within;
 
 /// Reads a plan: a file, or a text whose paths are relative to the folder of `name`.
 fn read(name: String, text: Option<String>) -> Result<Plan, Error> {
@@ -47,7 +46,7 @@ impl Study {
 
     /// Number of jobs that are done, and of all.
     fn done(&self) -> (u64, u64) {
-        let folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
+        let folder = locked(&self.folder);
         (folder.as_ref().map_or(self.layout.jobs, StudyFolder::next), self.layout.jobs)
     }
 
@@ -67,7 +66,7 @@ impl Study {
         };
         let (plan, shared) = (self.plan.clone(), self.folder.clone());
         compute_watched(py, &progress, look, move |progress| {
-            let mut own = shared.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut own = locked(&shared);
             let Some(mut folder) = own.take() else { return Err(ended()) };
             let left = folder.next()..folder.jobs().end;
             let work = |number| line(&plan.job(number));
@@ -84,7 +83,7 @@ impl Study {
     fn append(&self, py: Python, lines: Vec<String>) -> PyResult<()> {
         let shared = self.folder.clone();
         compute(py, &Arc::default(), move |_| {
-            let mut own = shared.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut own = locked(&shared);
             let folder = own.as_mut().ok_or_else(ended)?;
             for line in lines {
                 folder.append(line.as_bytes())?;
@@ -99,7 +98,7 @@ impl Study {
         let (layout, plan, shared) = (self.layout.clone(), self.plan.clone(), self.folder.clone());
         let (done, jobs) = self.done();
         compute(py, &Arc::default(), move |progress| {
-            let folder = shared.lock().unwrap_or_else(PoisonError::into_inner).take();
+            let folder = locked(&shared).take();
             let (rows, summary) = folder.ok_or_else(ended)?.finish()?;
             let report = Report::Study(&layout, &summary);
             if let Some(directory) = kept.as_deref().filter(|_| done == jobs) {
