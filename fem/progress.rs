@@ -27,10 +27,10 @@ struct Profile {
     open: Vec<(usize, Instant, u64, Duration, u64)>,
 }
 
-/// What a stretch of a computation took.
+/// Cost of a stretch of a computation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
-    /// What was done.
+    /// Name of the work.
     pub name: &'static str,
     /// How often.
     pub times: u64,
@@ -95,7 +95,7 @@ impl Progress {
         }
     }
 
-    /// What each stretch took, in the order in which they first began.
+    /// Cost of each stretch, in the order in which they first began.
     pub fn profile(&self) -> Vec<Stretch> {
         self.profile.lock().unwrap_or_else(PoisonError::into_inner).stretches.clone()
     }
@@ -137,7 +137,7 @@ impl Progress {
         false
     }
 
-    /// What was left undone for want of time, in no order.
+    /// Steps left undone for want of time, in no order.
     pub fn left_undone(&self) -> Vec<String> {
         self.undone.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }

@@ -75,7 +75,7 @@ pub fn told(
     noise.terms.iter().enumerate().filter(is_new).map(tell).collect()
 }
 
-/// Whose an effect is that was found among the candidates.
+/// Cause behind an effect that was found among the candidates.
 pub fn cause(effect: &Description) -> Cause {
     match effects::all().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
         Some(entry) => Cause::of(entry, effect.observable),

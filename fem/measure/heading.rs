@@ -84,7 +84,7 @@ impl Heading {
         }
     }
 
-    /// How it was read, where it is not written so; `None` where it is.
+    /// Note on how it was read, where it is not written so; `None` where it is.
     pub fn told(&self) -> Option<String> {
         let name = self.cell();
         (self.is_known && self.at.is_empty() && plainly(&self.written) != plainly(&name))

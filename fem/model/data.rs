@@ -35,7 +35,7 @@ pub struct Data<'m> {
     as_read: Option<Vec<f64>>,
     /// Standard uncertainties as they were read, where a known covariance takes their place.
     u_as_read: Option<Option<Values>>,
-    /// Which rows repeat each other, once somebody has asked.
+    /// Rows that repeat each other, once somebody has asked.
     repeats: OnceLock<Repeats>,
 }
 
@@ -189,7 +189,7 @@ impl<'m> Data<'m> {
         measurements
     }
 
-    /// Which rows repeat each other, and their scatter.
+    /// Rows that repeat each other, and their scatter.
     pub fn repeats(&self) -> &Repeats {
         self.repeats.get_or_init(|| repeats(&self.measurements, self.model.process.coordinates()))
     }

@@ -7,7 +7,7 @@ pub struct Key {
     pub name: &'static str,
     /// Its content, in a few words.
     pub about: &'static str,
-    /// How it is written, without quotes; empty where it is seldom needed.
+    /// Example of a value, without quotes; empty where the key is seldom needed.
     pub example: &'static str,
 }
 

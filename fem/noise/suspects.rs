@@ -1,4 +1,4 @@
-//! Which effects of the measurement the residuals of a model ask for.
+//! Effects of the measurement that the residuals of a model ask for.
 
 use rayon::prelude::*;
 

@@ -34,7 +34,7 @@ pub struct MeasurementEffect {
     pub usual: f64,
     /// An effect whose size stands in the same table; either may be zero then, and is left out.
     pub beside: Option<&'static MeasurementEffect>,
-    /// How it enters the covariance.
+    /// Way in which it enters the covariance.
     pub acts: Acts,
     /// Its price in −2 ln L as a number of parameters, each of which costs ln n; the odds against a row that it names
     /// are added.

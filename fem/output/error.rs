@@ -11,23 +11,23 @@ pub enum OutputError {
     /// The file system refused.
     #[error("{} cannot be written: {error}", path.display())]
     File {
-        /// Which file.
+        /// Path of the file.
         path: PathBuf,
-        /// Why.
+        /// Reason.
         error: io::Error,
     },
     /// A shape cannot be written as VTK.
     #[error("{} cannot be written: {error}", path.display())]
     Shape {
-        /// Which file.
+        /// Path of the file.
         path: PathBuf,
-        /// Why.
+        /// Reason.
         error: VtkError,
     },
     /// A file stands in its place that the program did not write, or that was changed since.
     #[error("{} is there already; it was changed since, or this account did not write it", path.display())]
     Exists {
-        /// Which file.
+        /// Path of the file.
         path: PathBuf,
     },
     /// Something stands in its place that is no file, such as a device or a pipe.
@@ -39,7 +39,7 @@ pub enum OutputError {
     /// The way to it leads over a link that may have come with the files of others.
     #[error("{} is a link{}, and links are not written through here", path.display(), target.as_ref().map_or(String::new(), |t| format!(" to {}", t.display())))]
     Link {
-        /// Which link.
+        /// Path of the link.
         path: PathBuf,
         /// Its target, where that exists.
         target: Option<PathBuf>,
@@ -47,7 +47,7 @@ pub enum OutputError {
     /// It would stand where a file is that was read.
     #[error("{} is itself what is read", path.display())]
     Read {
-        /// Which file.
+        /// Path of the file.
         path: PathBuf,
     },
 }

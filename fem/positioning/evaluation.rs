@@ -34,7 +34,7 @@ pub struct Target {
 /// A positioning test by its targets, in rising order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evaluation {
-    /// What was found at each.
+    /// Targets with their deviations.
     pub targets: Vec<Target>,
 }
 
@@ -60,7 +60,7 @@ impl Side {
 }
 
 impl Target {
-    /// What was found from one side.
+    /// Statistics of the approaches from one side; `None` where there were none.
     pub fn side(&self, direction: Direction) -> Option<&Side> {
         match direction {
             Direction::Forward => self.forward.as_ref(),

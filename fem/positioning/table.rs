@@ -38,10 +38,10 @@ pub struct Steps {
     pub reference: f64,
     /// Distance from one point to the next, m.
     pub interval: f64,
-    /// What one count of an increment is worth: the controller's detection unit times its magnification, m; 0 where
+    /// Worth of one count of an increment: the controller's detection unit times its magnification, m; 0 where
     /// increments are not counted.
     pub unit: f64,
-    /// By what the controller multiplies every count; part of `unit`.
+    /// Factor by which the controller multiplies every count; part of `unit`.
     pub magnification: i64,
     /// Number that the controller gives to the reference point; `None` where nobody has said.
     pub number: Option<i64>,
@@ -54,16 +54,16 @@ impl Steps {
     }
 }
 
-/// What a controller adds from one point to the next. m.
+/// Increment of a controller's correction from one point to the next, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Increment {
     /// Number of the point, 0 at the reference point.
     pub number: i64,
     /// Position of the point.
     pub position: f64,
-    /// What is added there more than at the reference point.
+    /// Correction there less that at the reference point.
     pub from_reference: f64,
-    /// What is added there more than at the point before.
+    /// Correction there less that at the point before.
     pub increment: f64,
     /// The same in counts, rounded so that their sum from the reference point is off by half a count at most; `None`
     /// where increments are not counted.
@@ -71,8 +71,8 @@ pub struct Increment {
 }
 
 impl Table {
-    /// What a controller adds that has this table beside another: the sum, at the points of either. Segments
-    /// keep their own.
+    /// Adds another table that a controller has beside this one: the sum, at the points of either. Segments keep their
+    /// own.
     #[must_use]
     pub fn and(&self, other: &Self) -> Self {
         let mut places: Vec<f64> = self.nodes.iter().map(|n| n.position).collect();

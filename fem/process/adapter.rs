@@ -146,7 +146,7 @@ impl<D: Definition> Assembled<D> {
         effect.act(&active.values, &mut self.machine)
     }
 
-    /// What the model says.
+    /// The set-up, as the tables of the model give it.
     pub fn setup(&self) -> &D::Setup {
         &self.setup
     }

@@ -1,6 +1,6 @@
-//! To what an effect belongs: a machine keeps its own from test to test.
+//! Owner of an effect: a machine keeps its own from test to test.
 
-/// To what an effect belongs.
+/// Owner of an effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Belongs {
     /// This test alone: its work, its tool, its setting, its time of day.
@@ -13,8 +13,8 @@ pub enum Belongs {
     Tested(UnitRole),
 }
 
-/// What an effect is to its unit. Effects of one role have the same law and the same parameters, in whatever
-/// process they are met.
+/// Role of an effect in its unit. Effects of one role have the same law and the same parameters, in whatever process
+/// they are met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitRole {
     /// It yields in proportion, y = Q/k.

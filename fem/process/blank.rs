@@ -5,25 +5,25 @@ use std::f64::consts::TAU;
 use crate::input::Reader;
 use crate::units::{ANGLE, LENGTH, NUMBER};
 
-/// What a process calls the error of its blanks.
+/// Words of a process for the error of its blanks.
 pub struct BlankWords {
-    /// What the waves are of.
+    /// Description of the list `blank`.
     pub waves: &'static str,
-    /// Along what they are counted.
+    /// Description of a wave's number: the length along which waves are counted.
     pub along: &'static str,
-    /// What the amplitude is of.
+    /// Description of a wave's amplitude.
     pub amplitude: &'static str,
-    /// From where the phase counts.
+    /// Description of a wave's phase, with the place from which it counts.
     pub phase: &'static str,
-    /// What the points are of.
+    /// Description of the list `blank_points`.
     pub points: &'static str,
-    /// From where the places count.
+    /// Description of a point's place, with the end from which it counts.
     pub at: &'static str,
-    /// What an error is by its sign.
+    /// Description of a point's error, with the meaning of its sign.
     pub error: &'static str,
-    /// What is cut.
+    /// Word for the part that is cut.
     pub part: &'static str,
-    /// Where the places begin.
+    /// Place at which the part begins.
     pub beginning: &'static str,
 }
 

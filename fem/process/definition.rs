@@ -14,16 +14,16 @@ use crate::progress::Progress;
 /// and datum directions are none of its business: the adapter sees to them, for predictions and reports
 /// alike.
 pub trait Definition: Sync + Sized + 'static {
-    /// What a model says but its effects. SI units.
+    /// The tables of a model, all but its effects. SI units.
     type Setup: Send + Sync + 'static;
     /// The set-up as effects shape it.
     type Machine: Send + Sync + 'static;
 
     /// The word after `process =`.
     const NAME: &'static str;
-    /// What it predicts, in half a sentence.
+    /// Subject of its predictions, in half a sentence.
     const ABOUT: &'static str;
-    /// What can be measured of it.
+    /// Quantities that it predicts and that can be measured.
     const OBSERVABLES: &'static [Observable];
     /// The coordinates and conditions under which it is measured.
     const COORDINATES: &'static [Coordinate];
@@ -64,13 +64,13 @@ pub trait Definition: Sync + Sized + 'static {
         None
     }
 
-    /// What the way of measuring these rows sets to zero. As a rule nothing.
+    /// Directions of the rows that the way of measuring sets to zero. As a rule there are none.
     fn datum_directions(_setup: &Self::Setup, _rows: &Rows) -> Vec<DatumDirection> {
         Vec::new()
     }
 
-    /// What the written values of an effect contradict in the tables, if anything: a model that says one thing
-    /// twice, and differently.
+    /// Contradiction between the written values of an effect and the tables, if any: a model that says one thing twice,
+    /// and differently.
     fn contradiction(_setup: &Self::Setup, _effect: &Active) -> Option<Contradiction> {
         None
     }
@@ -88,21 +88,21 @@ pub trait Definition: Sync + Sized + 'static {
         None
     }
 
-    /// What the rows are as a positioning test, if they are one.
+    /// The rows as a positioning test, if they are one.
     fn positioning(_setup: &Self::Setup) -> Option<&dyn Positioning> {
         None
     }
 
-    /// What no value of an observable, by its position, can reach.
+    /// Bound on the size of an observable, by its position, beyond which no value is believable.
     fn limit(setup: &Self::Setup, observable: usize) -> Limit;
 
-    /// What every row would show, SI.
+    /// Predicts the observable of every row, SI.
     ///
     /// # Errors
     /// The computation failed.
     fn observe(machine: &Self::Machine, rows: &Rows) -> Result<Vec<f64>, Failure>;
 
-    /// What the prediction of these rows asks of the machine that no such machine can do, in sentences.
+    /// Physical impossibilities that the prediction of these rows implies, in sentences.
     ///
     /// # Errors
     /// The computation failed.
@@ -136,18 +136,18 @@ pub struct Contradiction {
     pub parameter: &'static str,
     /// Both of them, as a sentence.
     pub message: String,
-    /// What to write instead.
+    /// Remedy: the text to write instead.
     pub help: String,
 }
 
-/// What no prediction can reach: a number beyond it, or none, comes from values that cannot be meant.
+/// Bound on a prediction: a number beyond it, or none, comes from values that cannot be meant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     /// In SI units of the observable.
     pub size: f64,
     /// Why such a value is not believable: "no diameter can be so wrong".
     pub why: &'static str,
-    /// What to check.
+    /// Remedy: the inputs to check.
     pub help: &'static str,
 }
 
@@ -155,7 +155,7 @@ pub struct Limit {
 pub struct Forward<'a> {
     /// The rows of the programme.
     pub programme: &'a Rows,
-    /// What they would show, SI.
+    /// Prediction of each of them, SI.
     pub prediction: &'a [f64],
     pub(super) observe: &'a (dyn Fn(&Rows) -> Result<Vec<f64>, Failure> + Sync),
     pub(super) add_formulas: &'a (dyn Fn(&Rows, &mut [f64]) + Sync),
@@ -163,7 +163,7 @@ pub struct Forward<'a> {
 }
 
 impl Forward<'_> {
-    /// What any rows would show, SI.
+    /// Predicts the observable of any rows, SI.
     ///
     /// # Errors
     /// The computation failed.

@@ -6,11 +6,11 @@
 pub struct Drawing {
     /// File stem.
     pub name: &'static str,
-    /// What is drawn, in a few words.
+    /// Subject, in a few words.
     pub title: String,
     /// The contour as it should be, its pieces one after the other; their deviations are zero.
     pub nominal: Vec<Vec<Spot>>,
-    /// What it is instead, in the order in which people should read it.
+    /// The contour as predicted or measured, in the order in which people should read the curves.
     pub curves: Vec<Curve>,
 }
 

@@ -19,20 +19,20 @@ pub struct Effect<S, M, const N: usize> {
     pub law: &'static str,
     /// Where the law comes from.
     pub source: &'static str,
-    /// To what it belongs, where several tests look at one machine.
+    /// Its owner, where several tests look at one machine.
     pub belongs: Belongs,
     /// In the order of the law.
     pub parameters: [Parameter; N],
     /// Effects whose signature can be the same, and what separates them.
     pub look_alikes: &'static [(&'static str, &'static str)],
-    /// What it needs of a set-up; the reason, as a sentence that goes on from the effect's name, where it
-    /// is not there.
+    /// Checks the set-up for the tables that it needs; the reason, as a sentence that goes on from the effect's name,
+    /// where they are not there.
     pub needs: fn(&S) -> Result<(), String>,
     /// Lets it act.
     pub act: fn([f64; N], &mut M),
 }
 
-/// What an effect needs that can act in every set-up.
+/// Needs of an effect that can act in every set-up: none.
 pub fn nothing<S>(_setup: &S) -> Result<(), String> {
     Ok(())
 }
@@ -87,14 +87,14 @@ impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
 /// Table of a model file for effects of the machine, the fixture and the part.
 pub const EFFECTS: &str = "effects";
 
-/// What `fem effects` says of an effect, and all that is needed to read it.
+/// An effect as `fem effects` describes it, with all that is needed to read it from a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
     /// Table of a model file under which it stands: [`EFFECTS`], or that of the measurement.
     pub table: &'static str,
     /// The word in `[effects.NAME]`.
     pub name: &'static str,
-    /// What is observed that an effect of the measurement acts on, where several things are.
+    /// Observable on which an effect of the measurement acts, where there are several.
     pub observable: Option<&'static str>,
     /// The phenomenon, in one sentence.
     pub about: Cow<'static, str>,
@@ -102,7 +102,7 @@ pub struct Description {
     pub law: Cow<'static, str>,
     /// Where the law comes from.
     pub source: &'static str,
-    /// To what it belongs, where several tests look at one machine.
+    /// Its owner, where several tests look at one machine.
     pub belongs: Belongs,
     /// In the order of the law.
     pub parameters: Cow<'static, [Parameter]>,
@@ -117,13 +117,13 @@ pub struct Parameter {
     pub name: &'static str,
     /// Its kind, with the canonical unit.
     pub kind: Kind,
-    /// What it is.
+    /// Its meaning, in a few words.
     pub about: &'static str,
     /// Where the effect vanishes.
     pub neutral: Neutral,
-    /// What is physically plausible, in the canonical unit.
+    /// Physically plausible range, in the canonical unit.
     pub range: (f64, f64),
-    /// What can be computed with.
+    /// Values with which the law can be computed.
     pub bounds: Bounds,
     /// SI value where the key is left out; `None` where it must be written.
     pub default: Option<f64>,
@@ -150,7 +150,7 @@ pub enum Neutral {
 /// An effect of a model with the values of its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Active {
-    /// Which effect.
+    /// The effect.
     pub description: Description,
     /// SI values in the order of its parameters.
     pub values: Vec<f64>,
@@ -159,7 +159,7 @@ pub struct Active {
 }
 
 impl Description {
-    /// What people call it: with the observable, where several effects have the name.
+    /// Name for people: with the observable, where several effects have the name.
     pub fn label(&self) -> Cow<'static, str> {
         self.observable.map_or(self.name.into(), |observable| format!("{} of {observable}", self.name).into())
     }
@@ -226,7 +226,7 @@ impl Parameter {
         Self::conductance("stiffness", kind, about, range)
     }
 
-    /// What lets something through, or holds: infinite is neutral.
+    /// A conductance or a hold: infinite is neutral.
     pub const fn conductance(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
         Self::new(name, kind, about, Neutral::Infinity, Bounds::Positive, range)
     }
@@ -286,8 +286,8 @@ impl Parameter {
         Self { period: Some(period), ..phase }
     }
 
-    /// What to add to a value (SI) to bring it into the half-open period about zero; nothing where there is
-    /// no period.
+    /// Multiple of the period that brings a value (SI) into the half-open period about zero when added; zero where
+    /// there is no period.
     pub fn turn(&self, value: f64) -> f64 {
         match self.period.map(|p| self.kind.to_si(p)) {
             Some(period) if value.is_finite() => -period * (value / period - 0.5).ceil(),

@@ -4,8 +4,8 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct Failure {
-    /// What happened.
+    /// Cause, as a sentence.
     pub message: String,
-    /// What to change.
+    /// Remedy: the inputs to change.
     pub help: String,
 }

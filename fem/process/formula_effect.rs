@@ -12,13 +12,13 @@ use crate::units::Dimension;
 #[derive(Clone, Debug, PartialEq)]
 pub struct FormulaLaw {
     formula: Formula,
-    /// What each name of the formula stands for.
+    /// Meaning of each name in the formula.
     meanings: Vec<Meaning>,
-    /// Which observables it adds to, by their position in the process's list.
+    /// For each observable of the process, whether the formula adds to it.
     adds_to: Vec<bool>,
 }
 
-/// What a name in a formula stands for.
+/// Meaning of a name in a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
     /// A coordinate, by its position in the process's list.

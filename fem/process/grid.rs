@@ -1,5 +1,5 @@
-//! What a process shows in space: points, cells and the fields on them, at one time or tool
-//! position. Plain data, SI units, no knowledge of any file format.
+//! Shape of a process in space: points, cells and the fields on them, at one time or tool position. Plain data, SI
+//! units, no knowledge of any file format.
 
 use crate::element::plane::PlaneElement;
 use crate::units::Kind;
@@ -87,7 +87,7 @@ pub struct Field {
     /// Values per point or cell: 1 a scalar, 3 a vector (x, y, z), 6 a symmetric tensor
     /// (xx, yy, zz, xy, yz, xz), 9 a tensor by rows.
     pub components: usize,
-    /// What the values measure.
+    /// Kind of the values, with the unit in which they are shown.
     pub kind: Kind,
     /// Values in SI units, `(points or cells, components)` by rows.
     pub values: Vec<f64>,

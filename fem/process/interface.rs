@@ -1,4 +1,4 @@
-//! What the layers above know of a process: three object-safe traits, made of every
+//! Interface of a process to the layers above: three object-safe traits, made of every
 //! [`Definition`](super::Definition) by one adapter.
 
 use super::{
@@ -13,11 +13,11 @@ pub trait Process: Sync {
     /// The word after `process =`.
     fn name(&self) -> &'static str;
 
-    /// What it predicts, in half a sentence.
+    /// Subject of its predictions, in half a sentence.
     fn about(&self) -> &'static str;
 
-    /// What can be measured of it. Observables of one dimension are two ways to tell the same, and a file
-    /// has one of them; those of different dimensions may stand side by side.
+    /// Quantities that it predicts and that can be measured. Observables of one dimension are two ways to tell the
+    /// same, and a file has one of them; those of different dimensions may stand side by side.
     fn observables(&self) -> &'static [Observable];
 
     /// The coordinates and conditions under which it is measured.
@@ -45,7 +45,7 @@ pub trait System: Send + Sync {
     /// The reason, as a sentence.
     fn admits(&self, effect: &str) -> Result<(), String>;
 
-    /// What the written values of an effect contradict in the system, if anything.
+    /// Contradiction between the written values of an effect and the system, if any.
     fn contradiction(&self, effect: &Active) -> Option<Contradiction>;
 
     /// The rows that lie outside the system: off the body, beyond the programme.
@@ -78,7 +78,7 @@ pub trait System: Send + Sync {
     /// The unit of a machine that is tested, where the model names one.
     fn unit(&self) -> Option<&'static str>;
 
-    /// What the rows are as a positioning test, where they are one: then errors can be compensated.
+    /// The rows as a positioning test, where they are one: then errors can be compensated.
     fn positioning(&self) -> Option<&dyn Positioning>;
 
     /// The system with effects acting, ready to predict.
@@ -93,13 +93,13 @@ pub trait ForwardModel: Send + Sync {
     /// The computation failed: the body is loose, an equilibrium was not found, or a value is not believable.
     fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure>;
 
-    /// What each row would show, in SI units of its observable.
+    /// Predicts each row, in SI units of its observable.
     ///
     /// # Errors
     /// The computation failed, or a value is not believable.
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure>;
 
-    /// What the prediction of these rows asks of the machine that no such machine can do, in sentences.
+    /// Physical impossibilities that the prediction of these rows implies, in sentences.
     ///
     /// # Errors
     /// The computation failed.

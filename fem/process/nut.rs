@@ -46,7 +46,7 @@ impl Nut {
         1.0 / Pair::new(&self.half, self.preload).compliance(0.0)
     }
 
-    /// What its preload is worth.
+    /// Figure of the stiffness that its preload gives.
     pub fn figure(&self) -> Figure {
         let stiffness = self.stiffness();
         let line = format!("{:.1} under a preload of {}", STIFFNESS.shown(stiffness), FORCE.told(self.preload));

@@ -1,4 +1,4 @@
-//! What can be observed of a process, and under which coordinates and conditions.
+//! Observables of a process, and the coordinates and conditions under which they are observed.
 
 use super::Values;
 use crate::units::{Kind, LENGTH, MICRO, TEMPERATURE, TEMPERATURE_RISE};
@@ -15,8 +15,7 @@ pub struct Observable {
 }
 
 impl Observable {
-    /// In what errors and changes of it are told: those of a length in micrometres, those of a temperature
-    /// in kelvins.
+    /// Kind of errors and changes of it: in micrometres those of a length, in kelvins those of a temperature.
     pub fn error_kind(&self) -> Kind {
         match self.kind {
             LENGTH => MICRO,
@@ -31,17 +30,17 @@ impl Observable {
 pub struct Coordinate {
     /// Column name in files.
     pub name: &'static str,
-    /// What it is.
+    /// Its meaning, in a few words.
     pub about: &'static str,
-    /// What stands in it.
+    /// Content of the column: a quantity, a number or a word.
     pub holds: Holds,
-    /// What holds where the column is left out.
+    /// Default where the column is left out.
     pub absent: Absent,
     /// Whether rows that differ in it alone repeat each other.
     pub repeats: bool,
     /// The observable, by its position, that is the actual value of the coordinate less this commanded one.
     pub actual: Option<usize>,
-    /// What a curve along it that no law has is called in the field, and what that is.
+    /// Name in the field, and explanation, of a curve along it that no law has.
     pub curve: Option<(&'static str, &'static str)>,
 }
 
@@ -52,7 +51,7 @@ impl Coordinate {
     }
 }
 
-/// What stands in a coordinate's column.
+/// Content of a coordinate's column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Holds {
     /// A quantity with a unit, kept in SI.
@@ -73,19 +72,19 @@ impl Holds {
     }
 }
 
-/// What holds where a column is left out.
+/// Default where a column is left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Absent {
     /// It must be there.
     Refused,
     /// This value, in SI.
     Value(f64),
-    /// What the model says. Such a coordinate is NaN in [`Rows`].
+    /// The model's value. Such a coordinate is NaN in [`Rows`].
     Model,
     /// It must be there where this observable is, by its position in the process's list, and is nothing
     /// (NaN) where another is.
     NeededBy(usize),
-    /// What the model says (NaN), of this observable; of another it is nothing.
+    /// The model's value (NaN), of this observable; of another it is nothing.
     ModelOf(usize),
 }
 
@@ -104,7 +103,7 @@ impl Absent {
 pub struct Rows {
     /// One column per coordinate, in the order of the process's list; SI.
     pub columns: Vec<Values>,
-    /// Which observable each row observes, by its position in the process's list.
+    /// Observable of each row, by its position in the process's list.
     pub observable: Values<usize>,
 }
 
@@ -156,11 +155,11 @@ pub struct Places {
     pub points: Vec<[f64; 3]>,
     /// Displacement of the surface per unit of the observable.
     pub directions: Vec<[f64; 3]>,
-    /// Along what the rows of a frame are joined to a line.
+    /// Coordinate along which the rows of a frame are joined to a line.
     pub along: Vec<f64>,
-    /// What is subtracted from the observable before: a set diameter.
+    /// Value subtracted from the observable before it moves the surface: a set diameter.
     pub references: Vec<f64>,
-    /// What the rows of a frame have in common, such as the part's number.
+    /// Value that the rows of a frame have in common, such as the part's number.
     pub frames: Vec<f64>,
 }
 
@@ -194,7 +193,7 @@ impl DatumDirection {
 /// A further experiment: what could be measured besides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CandidateExperiment {
-    /// What to do, as a sentence for the shop.
+    /// Instruction, as a sentence for the shop.
     pub words: String,
     /// The coordinate that is new.
     pub coordinate: &'static str,
@@ -209,8 +208,8 @@ pub struct CandidateExperiment {
 pub struct Misplaced {
     /// Row number, from 0.
     pub row: usize,
-    /// Which coordinate, by its position.
+    /// Position of the coordinate in the process's list.
     pub coordinate: usize,
-    /// Why.
+    /// Reason, as a sentence.
     pub message: String,
 }

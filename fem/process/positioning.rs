@@ -1,30 +1,29 @@
-//! What a process has to tell whose observations are positioning tests, so that `compensate` need not know
-//! it by name.
+//! Interface to processes whose observations are positioning tests, so that `compensate` need not know them by name.
 
 use super::Rows;
 use crate::positioning::{Approach, Steps, Table, Tolerance};
 
 /// A system that moves to targets from either side.
 pub trait Positioning {
-    /// Which approach each row is, in their order.
+    /// Approach of each row, in their order.
     fn approaches(&self, rows: &Rows) -> Vec<Approach>;
 
     /// Rows that stand close enough to show what lies between the targets of `rows`, in both directions.
     fn between(&self, rows: &Rows) -> Rows;
 
-    /// What is allowed.
+    /// Tolerances of the axis.
     fn tolerance(&self) -> Tolerance;
 
     /// To which a controller rounds its compensation, m; 0 for none.
     fn resolution(&self) -> f64;
 
-    /// What the controller compensated already during the test; `None` for nothing.
+    /// Table by which the controller compensated already during the test; `None` for nothing.
     fn active(&self) -> Option<&Table>;
 
     /// Points at which the controller takes increments, where they are told.
     fn steps(&self) -> Option<Steps>;
 
-    /// What readings are where the axis stands right, m; `None` where nothing is said of it.
+    /// Reading where the axis stands right, m; `None` where the model does not say.
     fn reading_at_zero(&self) -> Option<f64>;
 
     /// How far the drive gives way at a position by its own length, m/N: the part of elastic lost motion

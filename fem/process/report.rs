@@ -1,4 +1,4 @@
-//! What a run reports, before anyone has decided how to write it.
+//! Report of a run as plain data, before anyone has decided how to write it.
 
 use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, Values, View};
 use crate::units::Kind;
@@ -10,7 +10,7 @@ pub struct RunReport {
     pub profile: Table,
     /// Further tables, each a CSV file of its name.
     pub tables: Vec<(&'static str, Table)>,
-    /// What an engineer wants to know, in the order of interest.
+    /// Key results for an engineer, in the order of interest.
     pub figures: Vec<Figure>,
     /// Small pictures of the prediction.
     pub plots: Vec<Plot>,
@@ -18,7 +18,7 @@ pub struct RunReport {
     pub drawings: Vec<Drawing>,
     /// The machine to scale, if the process has one to draw.
     pub sketch: Option<Sketch>,
-    /// What should not be overlooked.
+    /// Warnings that should not be overlooked, as sentences.
     pub warnings: Vec<String>,
     /// Shapes to play, if the process has any.
     pub animation: Option<Animation>,
@@ -40,7 +40,7 @@ pub struct Column {
     pub unit: Option<&'static str>,
     /// In that unit; of words, their positions among them.
     pub values: Vec<f64>,
-    /// What the values stand for, where they are words; empty for numbers.
+    /// Words for which the values stand; empty for numbers.
     pub words: &'static [&'static str],
 }
 
@@ -97,7 +97,7 @@ impl Column {
 /// A curve to be drawn in text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
-    /// What is drawn over what, with units.
+    /// Ordinate and abscissa, with units.
     pub title: String,
     /// Unit of the abscissa.
     pub x_unit: &'static str,
@@ -111,7 +111,7 @@ pub struct Animation {
     pub name: &'static str,
     /// The scalar field on the points that colours the bodies.
     pub shown: &'static str,
-    /// What the time of the frames is: `time, s`.
+    /// Name and unit of the frames' time: `time, s`.
     pub time: &'static str,
     /// From where it is looked at.
     pub view: View,

@@ -4,7 +4,7 @@
 /// A drawing of a machine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sketch {
-    /// What is drawn, in a few words.
+    /// Subject, in a few words.
     pub title: String,
     /// From the back to the front.
     pub parts: Vec<Part>,

@@ -10,8 +10,8 @@ pub struct Winding {
     pub friction: f64,
     /// Stiffness C_n of bearing, nut and their seats, N/m; without a nut that is preloaded.
     pub stiffness: f64,
-    /// What does not depend on the place, m: F/C_n of bearing, nut and their seats, or of the bearing and a preloaded
-    /// nut by its own law.
+    /// Part of the wind-up that does not depend on the place, m: F/C_n of bearing, nut and their seats, or of the
+    /// bearing and a preloaded nut by its own law.
     steady: f64,
     screw: Bar,
     nut: Option<Nut>,

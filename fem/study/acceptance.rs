@@ -5,7 +5,7 @@ use statrs::function::beta::inv_beta_reg;
 /// Probability that the interval of a yield misses it.
 const MISSED: f64 = 0.05;
 
-/// What became of the jobs.
+/// Jobs by their outcome.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Acceptance {
     /// Jobs within the tolerance.

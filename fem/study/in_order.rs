@@ -9,7 +9,7 @@ use crate::progress::Progress;
 /// Most results that wait for an earlier one.
 const MOST_WAITING: u64 = 4096;
 
-/// What all threads share.
+/// State shared by all threads.
 struct State<T, E, S> {
     /// The next number to be worked on, and to be handed on.
     next: u64,

@@ -75,7 +75,7 @@ impl Plan {
     }
 }
 
-/// What the reports of a model offer.
+/// Lists the results that reports of a model offer.
 pub fn of_report(report: &RunReport) -> Vec<Offered> {
     let entries = report.figures.iter().flat_map(|figure| figure.entries.iter().map(move |(key, d)| (figure, key, d)));
     let offered = entries.filter_map(|(figure, key, datum)| {
@@ -101,7 +101,7 @@ pub fn deeper(report: &RunReport, name: &str) -> Option<Offered> {
     Some(Offered { name: name.into(), kind, is_word })
 }
 
-/// What fits or diagnoses of a model offer.
+/// Lists the results that fits or diagnoses of a model offer.
 pub fn of_measured(task: Task, model: &Model) -> Vec<Offered> {
     let word = |(name, is_word): &(&str, bool)| Offered { name: name.to_string(), kind: None, is_word: *is_word };
     let mut all: Vec<Offered> = match task {

@@ -1,4 +1,4 @@
-//! What the rows of a study are: enough to read them again without plan and model.
+//! Layout of the rows of a study: enough to read them again without plan and model.
 
 use std::ops::Range;
 
@@ -32,7 +32,7 @@ pub struct ResultColumn {
     pub tolerance: Option<(f64, f64)>,
 }
 
-/// What the rows of a study are.
+/// Layout of the rows of a study: their columns, and everything on which they depend.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
     /// Everything on which the rows depend, by its name: rows of two studies belong together if this is equal.
@@ -60,7 +60,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// What differs between the studies of two rows: the first few, for people; empty where nothing does.
+    /// Differences between the studies of two rows: the first few, for people; empty where there are none.
     pub fn differences(&self, other: &Self) -> Vec<String> {
         /// Most that are told.
         const MOST: usize = 4;
@@ -80,9 +80,9 @@ impl Layout {
 /// Part of a study's jobs: number `number`, from 1, of `of`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which.
+    /// Number of the shard, from 1.
     pub number: u64,
-    /// Of how many.
+    /// Number of shards.
     pub of: u64,
 }
 

@@ -10,7 +10,7 @@ use crate::input::Source;
 use crate::model::Model;
 use crate::units::Kind;
 
-/// What is done at every point.
+/// Command that is run at every point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
     /// `fem run`.
@@ -59,7 +59,7 @@ pub struct Plan {
     pub title: Option<String>,
     /// The model.
     pub model: Model,
-    /// What is done at every point.
+    /// Command that is run at every point.
     pub task: Task,
     /// Files of measurements.
     pub data: Vec<PathBuf>,
@@ -67,13 +67,13 @@ pub struct Plan {
     pub data_of_point: Vec<usize>,
     /// File and text of the table that names the points, if one does.
     pub table: Option<Source>,
-    /// What varies.
+    /// Quantities that vary.
     pub inputs: Vec<Input>,
-    /// How it varies.
+    /// Design by which they vary.
     pub design: Design,
     /// The points.
     pub points: Points,
-    /// What is wanted of every job.
+    /// Results that are wanted of every job.
     pub results: Vec<Wanted>,
 }
 
@@ -97,7 +97,7 @@ impl Plan {
         own.chain(self.model.paths()).chain(self.data.iter().cloned()).collect()
     }
 
-    /// What its rows are.
+    /// Layout of its rows.
     pub fn layout(&self) -> Layout {
         let column = |wanted: &Wanted| {
             let kind = wanted.offered.kind;

@@ -6,7 +6,7 @@ use crate::model::Model;
 /// Most names that a remedy lists.
 pub const LISTED: usize = 40;
 
-/// What is said of a path at which the model has no quantity.
+/// Message and remedy for a path at which the model has no quantity.
 pub fn no_quantity(model: &Model, path: &str) -> (String, String) {
     let all = || model.quantities.iter().map(|quantity| quantity.path.as_str());
     let listed: Vec<&str> = all().take(LISTED).collect();

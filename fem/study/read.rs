@@ -337,7 +337,7 @@ fn unknown<'m>(model: &'m Model, inputs: &[Input], task: Task) -> Vec<&'m Parame
     if task == Task::Run { open.collect() } else { Vec::new() }
 }
 
-/// What can be wanted of the jobs.
+/// Results on offer from the jobs.
 struct Offer {
     usual: Vec<Offered>,
     /// Of a run, in which values within lists and records have names too.

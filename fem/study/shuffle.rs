@@ -13,7 +13,7 @@ pub struct Shuffle {
     length: u64,
     half_bits: u32,
     seed: u64,
-    /// Which permutation of the seed.
+    /// Number of the permutation among those of the seed.
     number: u32,
 }
 
@@ -24,7 +24,7 @@ impl Shuffle {
         Self { length, half_bits: bits.div_ceil(2).max(1), seed, number }
     }
 
-    /// What stands at place `place`.
+    /// Element at place `place`.
     pub fn at(&self, place: u64) -> u64 {
         let mut value = self.once(place);
         while value >= self.length {

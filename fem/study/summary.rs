@@ -1,4 +1,4 @@
-//! What the rows of a study say, read once from first to last: memory does not grow with them, and the same rows give
+//! Summary of the rows of a study, read once from first to last: memory does not grow with them, and the same rows give
 //! the same digits.
 
 use super::acceptance::Acceptance;
@@ -79,7 +79,7 @@ pub enum Found {
     Words(Vec<(String, u64)>),
 }
 
-/// What the rows of a study say.
+/// Summary of the rows of a study.
 #[derive(Clone, Debug)]
 pub struct Summary {
     /// Number of rows.
@@ -164,7 +164,7 @@ impl<'a> Summing<'a> {
         }
     }
 
-    /// What all rows say.
+    /// Ends the summing.
     pub fn told(self) -> Summary {
         let tolerances = self.layout.results.iter().map(|r| r.tolerance.is_some());
         let found = self.columns.into_iter().zip(tolerances).map(|(column, has_tolerance)| match column {
@@ -247,7 +247,7 @@ fn count(words: &mut Vec<(String, u64)>, word: &str) {
 }
 
 impl Summary {
-    /// What must be said of a yield from such points.
+    /// Caution about a yield from points of this nature, where one is due.
     pub fn caution(nature: Nature) -> Option<&'static str> {
         match nature {
             Nature::Independent => None,

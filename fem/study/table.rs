@@ -12,7 +12,7 @@ pub const LARGEST: u64 = 1_000_000_000;
 /// Column of the files of measurements.
 const DATA: &str = "data";
 
-/// What a table says.
+/// Points that a table lists.
 pub struct Table {
     /// An input for each column.
     pub inputs: Vec<Input>,

@@ -13,13 +13,13 @@ pub enum Tolerance {
 /// One row of the validation table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
-    /// What is computed.
+    /// Name of the problem.
     pub name: String,
-    /// Which quantity.
+    /// Quantity that is compared.
     pub quantity: &'static str,
-    /// What the source says.
+    /// Value by the source.
     pub expected: f64,
-    /// What the program computes.
+    /// Value by the program.
     pub computed: f64,
     /// Unit of both.
     pub unit: &'static str,

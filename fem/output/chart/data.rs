@@ -9,7 +9,7 @@ pub struct Chart {
     pub name: String,
     /// Subject of the figure, in a few words.
     pub title: String,
-    /// How it is to be read: what dots, lines and bars are.
+    /// Key to dots, lines and bars.
     pub note: String,
     /// The plane and what lies in it.
     pub plane: Plane,
@@ -67,7 +67,7 @@ pub struct Series {
     pub label: String,
     /// Number of its colour.
     pub colour: usize,
-    /// How it is drawn.
+    /// Form in which it is drawn.
     pub form: Form,
     /// Points in their order.
     pub points: Vec<Point>,

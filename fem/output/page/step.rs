@@ -19,7 +19,7 @@ pub struct Step<'a> {
     pub predicted: &'a [f64],
     /// Measured less predicted, without what effects of the measurement add, SI.
     pub residuals: Vec<f64>,
-    /// By which the rows are judged.
+    /// Noise by which the rows are judged.
     pub noise: &'a Noise,
 }
 

@@ -20,7 +20,7 @@ pub struct Rows<'a> {
     pub predicted: &'a [f64],
     /// Measured less predicted.
     pub residuals: &'a [f64],
-    /// By which they are judged.
+    /// Noise by which the rows are judged.
     pub noise: &'a Noise,
 }
 

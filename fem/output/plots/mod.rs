@@ -1,4 +1,4 @@
-//! Which charts show a prediction, a comparison, a cause: chosen by what the coordinates are, whatever the process.
+//! Charts of a prediction, a comparison, a cause: chosen by what the coordinates are, whatever the process.
 
 mod layout;
 mod measured;

@@ -1,5 +1,5 @@
-//! What stands and moves in a process, as people would draw it: bodies to scale and arrows for forces. Plain
-//! data, SI units, no knowledge of any file format.
+//! Scene of a process, as people would draw it: bodies to scale and arrows for forces. Plain data, SI units, no
+//! knowledge of any file format.
 //!
 //! A frame is a [`Grid`] of what was computed, and bodies that hang on its points: every point of a body's
 //! [`Skin`] stands off from a point of the grid and takes displacement and fields from it. So a process that
@@ -13,15 +13,15 @@ use super::Grid;
 
 pub use skin::{Ends, Skin, SkinPoint};
 
-/// What a body is in the picture.
+/// Role of a body in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Role {
-    /// What is made or moved: it has the colours of the shown field.
+    /// The workpiece or slide, made or moved: it has the colours of the shown field.
     Work = 0,
-    /// What holds it and stands still.
+    /// The fixture, jaw or bed that holds it and stands still.
     Machine = 1,
-    /// What works on it.
+    /// The cutting tool, wheel or heater that works on it.
     Tool = 2,
     /// An arrow of a force.
     Force = 3,
@@ -41,9 +41,9 @@ pub enum View {
 /// A body of a frame.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// What people call it: `shaft`, `jaw`.
+    /// Name for people: `shaft`, `jaw`.
     pub name: &'static str,
-    /// What it is in the picture.
+    /// Role in the picture.
     pub role: Role,
     /// Its surface.
     pub skin: Arc<Skin>,
@@ -58,7 +58,7 @@ impl Body {
         Self { name, role, skin: skin.into(), is_computed: false }
     }
 
-    /// What is made, where the grid's own cells show it already.
+    /// A workpiece that the grid's own cells show already, and to which the surface gives thickness.
     pub fn thickened(name: &'static str, skin: impl Into<Arc<Skin>>) -> Self {
         Self { is_computed: true, ..Self::new(name, Role::Work, skin) }
     }
@@ -85,13 +85,13 @@ impl Arrow {
 /// Everything at one time.
 #[derive(Clone, Debug, Default)]
 pub struct Frame {
-    /// What [`Animation::time`](super::Animation::time) says.
+    /// Time, in the terms of [`Animation::time`](super::Animation::time).
     pub time: f64,
-    /// What is seen: `tool at x = 312 mm`.
+    /// Description for people: `tool at x = 312 mm`.
     pub caption: String,
-    /// What was computed. `displacement` is the vector by which points move.
+    /// Computed points, cells and fields. `displacement` is the vector by which points move.
     pub grid: Grid,
-    /// What is drawn of it.
+    /// Bodies that are drawn on its points.
     pub bodies: Vec<Body>,
     /// Forces that are drawn.
     pub arrows: Vec<Arrow>,

@@ -30,7 +30,7 @@ pub struct Skin {
     pub quads: Vec<[u32; 4]>,
 }
 
-/// What is at the first and the last of several rings.
+/// Closure of the first and the last of several rings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
     /// A flat end each.

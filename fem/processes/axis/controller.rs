@@ -1,4 +1,4 @@
-//! What the controller is told of the axis: how finely, and what it compensated already during the test.
+//! Compensation in the controller of the axis: its resolution, and the table that was active during the test.
 
 use crate::input::Reader;
 use crate::positioning::{Law, Node, Steps, Table};
@@ -12,7 +12,7 @@ const MOST_POINTS: f64 = 10_000.0;
 pub struct Controller {
     /// Step to which it rounds, m; 0 for none.
     pub resolution: f64,
-    /// What it compensated during the test; `None` for nothing.
+    /// Table that was active during the test; `None` for none.
     pub active: Option<Table>,
     /// Points at which it takes increments, counted from its reference point.
     pub steps: Option<Steps>,

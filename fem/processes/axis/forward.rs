@@ -1,5 +1,5 @@
-//! What every row would show: the slide behind its command after a reversal, and deviations that are the
-//! same from either side.
+//! Predicts every row: the slide behind its command after a reversal, and deviations that are the same from either
+//! side.
 //!
 //! The drive pushes the slide against its friction, forwards on the one flank and backwards on the other, and the slide
 //! stands behind by what gives way (`joint::give_way`), counted from the flank that drives it forwards.
@@ -10,8 +10,8 @@ use crate::joint::give_way;
 use crate::positioning::{Approach, Direction};
 use crate::process::Rows;
 
-/// What every row shows, m, deviations from what the instrument shows where the axis stands right: forwards the slide hangs back by the drive's wind-up; backwards too, and
-/// by the play besides.
+/// Deviation of every row, m, from the reading where the axis stands right: forwards the slide hangs back by the
+/// drive's wind-up; backwards too, and by the play besides.
 pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
     let one = |row: usize| {
         let Approach { position, direction, .. } = approach(rows, row);

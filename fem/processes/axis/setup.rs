@@ -39,7 +39,7 @@ pub struct Test {
     pub reading: f64,
     /// Time between runs, s.
     pub pause: f64,
-    /// What the instrument shows where the axis stands right, m, if the model says it.
+    /// Reading of the instrument where the axis stands right, m, if the model says it.
     pub reading_at_zero: Option<f64>,
 }
 

@@ -12,7 +12,7 @@ pub struct Course {
     ramp: f64,
 }
 
-/// What limits the accelerations of the axes.
+/// Largest accelerations of the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerations {
     /// Of the cam, rad/s²; infinite where it does not limit.

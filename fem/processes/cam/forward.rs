@@ -48,8 +48,8 @@ fn deviation(machine: &Machine, run: &Run, s: f64) -> Result<f64, Failure> {
 
 /// The deviation at the place s of the profile in a pass, m; `None` where the wheel does not come.
 ///
-/// What gives way is a part of the layer that is there. After a pass by another programme the layer is
-/// what lies above the wheel, less what stays by giving way: y = part·(above − y).
+/// Wheel and cam yield in proportion to the layer that is there. After a pass by another programme the layer is the
+/// surface above the wheel, less the part that stays by yielding: y = part·(above − y).
 pub fn left(machine: &Machine, run: &Run, s: f64) -> Option<f64> {
     let own = reach(machine, run, s)?.left;
     Some(with_yielding(machine, run, s, (own, surface(machine, run, s))))

@@ -70,7 +70,7 @@ impl Machine {
         self.part_left(|| speed * feed(&setup.profile, &setup.program, setup.wheel_radius, s))
     }
 
-    /// What the pass before has left by giving way at s, m.
+    /// Stock that the pass before has left at s by yielding, m.
     pub fn left_before(&self, before: &Before, s: f64) -> f64 {
         before.stock * self.part_left(|| feed(&self.setup.profile, &before.program, before.wheel_radius, s))
     }

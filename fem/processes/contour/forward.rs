@@ -1,5 +1,5 @@
-//! What every row would show: a lap of the machine, from the command through servo, play, cyclic error,
-//! scale, squareness and centre to the deviation, and spikes.
+//! Predicts every row: a lap of the machine, from the command through servo, play, cyclic error, scale, squareness and
+//! centre to the deviation, and spikes.
 
 use std::f64::consts::TAU;
 

@@ -40,7 +40,7 @@ pub struct Ramp {
     pub from: f64,
     /// m/s.
     pub velocity: f64,
-    /// What the axis is off its steady lag at the beginning, m.
+    /// Departure of the axis from its steady lag at the beginning, m.
     pub excess: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What is programmed: a circle, a rectangle or a convex polygon about the origin, once round; a circle from angle 0.
+//! The programmed path: a circle, a rectangle or a convex polygon about the origin, once round; a circle from angle 0.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;

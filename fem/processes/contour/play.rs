@@ -12,7 +12,7 @@ use crate::process::Winding;
 pub struct Play {
     /// Kinematic clearance δ, m.
     pub gap: f64,
-    /// What friction winds up.
+    /// Drive that friction winds up.
     pub winding: Option<Winding>,
 }
 

@@ -13,7 +13,7 @@ const MOST_CORNERS: usize = 1000;
 /// Everything a contour model says but its effects. SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// What is programmed.
+    /// Programmed path.
     pub path: Path,
     /// v, m/s.
     pub feed: f64,
@@ -21,7 +21,7 @@ pub struct Setup {
     pub directions: Vec<Direction>,
     /// Kv of both servos, 1/s.
     pub gain: f64,
-    /// What each axis has of its own.
+    /// Settings of each axis of its own.
     pub drives: [Drive; 2],
     /// Where positions are measured.
     pub feedback: Feedback,

@@ -41,9 +41,9 @@ pub struct Machine {
     pub warmth: f64,
     /// Part of an uneven depth of cut by which the tool yields, C/(C + j).
     pub copied: f64,
-    /// What moves the nose outwards while it cuts.
+    /// Movements of the nose outwards while it cuts.
     moves: Vec<Mark>,
-    /// What is set free when the ring is bored.
+    /// Deviations set free when the ring is bored.
     released: Vec<Mark>,
 }
 

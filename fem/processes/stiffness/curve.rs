@@ -35,9 +35,9 @@ pub struct Curve {
     pub preload: f64,
     /// Spring and contacts in series, under S.
     pub joint: Joint,
-    /// What settles for good under the largest force, m.
+    /// Permanent set under the largest force, m.
     pub settles: f64,
-    /// What the gauge shows before any force, m.
+    /// Reading of the gauge before any force, m.
     pub offset: f64,
 }
 
@@ -72,8 +72,7 @@ impl Curve {
         if self.preload > 0.0 { 0.0 } else { self.gap }
     }
 
-    /// What has settled under the F of a branch, m: in proportion to S while it rises, and as much all the way
-    /// back.
+    /// Permanent set under the F of a branch, m: in proportion to S while it rises, and as much all the way back.
     fn settled(&self, force: f64, branch: Branch) -> f64 {
         let largest = match branch {
             Branch::Load => self.spring_force(force, Branch::Load),
@@ -109,7 +108,7 @@ impl Curve {
         moves.then(|| 1.0 / (self.pair().compliance(s) + settling))
     }
 
-    /// What the joint loses where a force changes its sign, m: clearance, and the friction that first lets go of
+    /// Lost motion of the joint where a force changes its sign, m: clearance, and the friction that first lets go of
     /// the one side and then bends the other, 2·y(f).
     pub fn lost_motion(&self) -> f64 {
         lost_motion(self.clearance(), self.bend(self.friction))

@@ -1,4 +1,4 @@
-//! What every row would show.
+//! Predicts every row from the curve of the joint.
 
 use super::curve::Curve;
 use super::rows::{FORCE_OF_ROW, branch};

@@ -65,7 +65,7 @@ fn tangents(machine: &Machine, forward: &Forward) -> Result<Table, Failure> {
     Ok(table)
 }
 
-/// What rows would show of another joint, the effects that are formulas acting on it too, m.
+/// Displacements of another joint in these rows, the effects that are formulas acting on it too, m.
 fn observed(curve: &Curve, forward: &Forward, rows: &Rows) -> Vec<f64> {
     let mut displacements = forward::observe(curve, rows);
     forward.add_formulas(rows, &mut displacements);
@@ -146,8 +146,8 @@ fn friction(curve: &Curve) -> Figure {
     Figure::new("friction", "friction").quantity("force", FORCE, f).line(text)
 }
 
-/// What the two branches are apart under no force, as it would be read; of a force that is reversed without friction
-/// with the clearance that lies between its two signs.
+/// Figure of the distance between the two branches under no force, as it would be read; of a force that is reversed
+/// without friction with the clearance that lies between its two signs.
 fn left(curve: &Curve, up: &[f64], down: &[f64]) -> Figure {
     let (width, label, words) = match curve.loading {
         Loading::FromZero => (down[down.len() - 1] - up[0], "left without force", "after unloading"),

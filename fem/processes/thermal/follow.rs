@@ -24,7 +24,7 @@ pub enum Look {
 /// all nodes (K).
 pub type Watch<'a> = &'a mut dyn FnMut(f64, &dyn Fn() -> Vec<f64>);
 
-/// What was seen.
+/// Values and heat balance of a body followed through time.
 #[derive(Clone, Debug)]
 pub struct Followed {
     /// Values of every look at the start and at the end of every step.

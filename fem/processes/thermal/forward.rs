@@ -57,7 +57,7 @@ fn refuse_too_many_steps(run: &Run) -> Result<(), Failure> {
     })
 }
 
-/// What is seen, each reading by the position of its look and its time (s).
+/// Value of each reading, given by the position of its look and its time (s).
 fn read(machine: &Machine, looks: &[Look], readings: &[(usize, f64)], run: &Run) -> Result<Vec<f64>, Failure> {
     match &machine.setup.body {
         Body::Rod(segments) => rod::read(machine, segments, looks, readings, run),

@@ -54,7 +54,7 @@ pub fn follow(
     Ok(Followed { track, energy: energy.map_err(|e| unsolvable(&e))? })
 }
 
-/// What is seen, each reading by the position of its look and its time (s).
+/// Value of each reading, given by the position of its look and its time (s).
 ///
 /// # Errors
 /// The rod cannot be computed.

@@ -51,7 +51,7 @@ struct Served {
 }
 
 impl Served {
-    /// What was chosen, if it serves all of these.
+    /// Number of halvings that was chosen, if it serves all of these readings.
     fn choice(&self, wanted: &[Reading]) -> Option<Result<i32, Failure>> {
         let halved = self.halved.as_ref()?;
         wanted.iter().all(|reading| self.readings.contains(reading)).then(|| halved.clone())

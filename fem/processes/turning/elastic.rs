@@ -1,4 +1,4 @@
-//! What the tool meets and leaves: shaft, supports, carriage, nose and force in one equilibrium.
+//! Elastic equilibrium of a cut: shaft, supports, carriage, nose and force, with the surface met and the one left.
 //!
 //! Nose and work are moved apart by a gap y: the shaft bends under the force between supports that yield, and that
 //! stand where effects have moved them; tool and slide yield. All else that moves the nose ([`Nose`]) meets that gap in
@@ -11,7 +11,7 @@ use super::setup::Setup;
 use crate::joint::Joint;
 use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
 
-/// What is cut, with what, at one place and moment.
+/// A cut at one place and moment: force, depth, diameter, nose and supports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cutting {
     /// Force and depth.
@@ -25,7 +25,7 @@ pub struct Cutting {
 }
 
 impl Cutting {
-    /// What is cut at a moment under these conditions.
+    /// The cut at a moment under these conditions.
     pub fn new(machine: &Machine, moment: &Moment, conditions: Conditions) -> Self {
         let (nose, displacements) = (machine.nose_at(moment), machine.displacements_at(moment));
         Self { conditions, diameter: moment.diameter, nose, displacements }
@@ -151,12 +151,12 @@ impl<'a> Elastic<'a> {
         Ok(Deflection { force, supports, displaced, shaft, carriage, total, rate, error })
     }
 
-    /// What moves nose and work apart takes depth off the cut, and the force with it: P = P₀·(t_d/t₀)^e, t_d =
-    /// t_set − e(P)/2 ≥ 0, with e(P) the diameter error that the nose would leave under P. Where nothing is left of the
-    /// depth the tool does not touch, and leaves what it meets.
+    /// Equilibrium with force feedback: a gap between nose and work takes depth off the cut, and the force with it, P =
+    /// P₀·(t_d/t₀)^e, t_d = t_set − e(P)/2 ≥ 0, with e(P) the diameter error that the nose would leave under P. Where
+    /// nothing is left of the depth the tool does not touch, and leaves what it meets.
     ///
-    /// t_d + e(P(t_d))/2 rises with t_d, so the root is bracketed; Newton's step is taken where it stays inside
-    /// the bracket.
+    /// t_d + e(P(t_d))/2 rises with t_d, so the root is bracketed; Newton's step is taken where it stays inside the
+    /// bracket.
     fn fed_back(&self, i: usize, at: &Cutting, exponent: f64) -> Result<Deflection, JointsError> {
         let conditions = &at.conditions;
         let force = |depth: f64| conditions.nominal * (depth / conditions.nominal_depth).powf(exponent);

@@ -1,5 +1,4 @@
-//! What every row would show: the shaft in equilibrium under the tool, and what shifts the tool against the
-//! work.
+//! Predicts every row: the shaft in equilibrium under the tool, and the shifts of the tool against the work.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -111,7 +110,7 @@ pub fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Resu
 /// Rows whose positions are condensed together: a position takes a hundred bytes, and files have a million.
 const BLOCK: usize = 1 << 14;
 
-/// What every row would show, m.
+/// Predicts the diameter of every row, or its error, m.
 ///
 /// # Errors
 /// As [`condense`] and [`deflections`].

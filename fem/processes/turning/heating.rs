@@ -17,7 +17,7 @@ const SEARCHED: usize = 2;
 /// Convections that are kept of a rod, at most.
 const MOST_SOLVED: usize = 32;
 
-/// What is known of the rods that a model has heated last.
+/// Temperature rises of the rods that a model has heated last.
 pub type HeatedRods = Cache<Rod, Mutex<Rises>, 8>;
 
 /// A rod under the tool; its pieces carry the loss of a convection of one.

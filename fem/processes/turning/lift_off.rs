@@ -23,7 +23,7 @@ pub struct LiftOff {
 }
 
 impl LiftOff {
-    /// What the equilibrium at each of these positions (m) asks of supports and tool.
+    /// Looks for lift-off in the equilibrium at each of these positions (m).
     ///
     /// # Errors
     /// The shaft cannot be condensed.

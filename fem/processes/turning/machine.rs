@@ -76,17 +76,17 @@ pub struct Machine {
     pub carriage: Joint,
     /// Rotation at the headstock.
     pub hold: Hold,
-    /// What moves headstock and tailstock away from the tool, m.
+    /// Displacements of headstock and tailstock away from the tool, m.
     displaced: [Vec<Shift>; 2],
-    /// What moves all steady rests out of line besides their own offsets, m.
+    /// Displacement of all steady rests out of line besides their own offsets, m.
     pub rests_offset: f64,
     /// Exponent of the force in the depth actually cut; `None` where the force stays as set.
     pub feedback: Option<f64>,
     /// Changes of diameter that add up: what moves the nose across, in the plane of the axis.
     pub shifts: Vec<Shift>,
-    /// What moves the nose up or down, out of that plane, m.
+    /// Movements of the nose up or down, out of that plane, m.
     pub lifts: Vec<Shift>,
-    /// What wears the edge back; each shows twice on the diameter.
+    /// Wear of the edge; each shows twice on the diameter.
     pub wears: Vec<Wear>,
     /// Why an effect cannot be computed; the machine then predicts nothing.
     pub failure: Option<Failure>,

@@ -93,7 +93,7 @@ impl EarlierPass {
         length / (self.feed * self.spindle_speed)
     }
 
-    /// What sets its force at a place (m) where the work is too large by `error` of the diameter.
+    /// Conditions of the cut at a place (m) where the work is too large by `error` of the diameter.
     pub fn conditions(&self, x: f64, error: f64) -> Conditions {
         let (nominal, nominal_depth) = (self.force.0.at(x), self.force.1);
         Conditions { force: nominal, nominal, nominal_depth, set_depth: self.depth + 0.5 * error }

@@ -51,7 +51,7 @@ pub struct Setup {
     pub segments: Vec<Segment>,
     /// Ends of the segments, m.
     ends: Vec<f64>,
-    /// How it is held.
+    /// Way in which it is held.
     pub workholding: Workholding,
     /// Height of the spindle axis above the guideways, m.
     pub centre_height: f64,

@@ -143,7 +143,7 @@ pub struct Pulse {
     pub factor: f64,
 }
 
-/// What a source gives over time: its level while it is on.
+/// Power of a source over time: its level while it is on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Power {
     /// Level, W (of a flux W/m²).

@@ -27,7 +27,7 @@ pub struct Contour {
     pub weights: Vec<Complex<f64>>,
 }
 
-/// What determines a contour.
+/// Bounds that determine a contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
     /// The half plane Re s < p in which runs do not grow beyond all bounds, 1/s.

@@ -8,7 +8,7 @@ use super::lanes::{LANES, Lanes};
 use super::run::{Steps, is_same};
 use super::track::weights;
 
-/// What runs of any rod and any input share.
+/// Steps and reading times of a run, whatever the rod and the input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Programme {
     /// Scheme of every step.
@@ -63,7 +63,7 @@ pub struct Stretch {
     pub steps: usize,
     /// Marks within.
     pub marks: std::ops::Range<usize>,
-    /// What is left of the first z at every mark: for each all points.
+    /// Factor by which the z at the beginning has decayed at every mark: for each all points.
     pub left: Vec<Lanes>,
     /// The same at the end.
     pub left_in_the_end: Vec<Lanes>,

@@ -1,4 +1,4 @@
-//! What sensors on a rod show at some times: by stepping through them all, or summed up on a contour.
+//! Readings of sensors on a rod at some times: by stepping through them all, or summed up on a contour.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::input::Cache;
 /// A probe, and the instrument that shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
-    /// What is looked at.
+    /// Quantity that is probed.
     pub probe: Probe,
     /// Time constant of the instrument, s; zero if it is instant.
     pub lag: f64,
@@ -22,8 +22,8 @@ pub struct Sensor {
 /// Instruments whose time constants are more steps than this lose too many digits in closed form.
 const SLOWEST: f64 = 1e5;
 
-/// What the last few runs share: a search asks again for the same rod under other inputs, and for the same
-/// inputs to another rod.
+/// Laws, transfers and responses of the last few runs: a search asks again for the same rod under other inputs, and for
+/// the same inputs to another rod.
 #[derive(Debug, Default)]
 pub struct Known {
     laws: Cache<Arc<Programme>, Laws, 8>,
@@ -39,8 +39,8 @@ struct Term {
 }
 
 impl RodSystem {
-    /// What sensors show, each reading with the position of its sensor and its time (s), as [`Self::run`]
-    /// and [`Track::at`] give it. A run of more steps than the contour has points is summed up there.
+    /// Reads sensors, each reading given by the position of its sensor and its time (s), as [`Self::run`] and
+    /// [`Track::at`] give it. A run of more steps than the contour has points is summed up there.
     ///
     /// # Errors
     /// A step or an end out of range.
@@ -165,11 +165,11 @@ impl RodSystem {
     }
 }
 
-/// What a sensor shows at the marks.
+/// Readings of a sensor at the marks, summed up over the inputs.
 struct Seen<'l> {
     laws: &'l Laws,
     marks: Vec<f64>,
-    /// Of every stretch what the first z leaves.
+    /// Coefficient, in every stretch, of the decay of the z at its beginning.
     first: Vec<Vec<Lanes>>,
 }
 

@@ -1,7 +1,7 @@
-//! What steps through time make of an input, at the points of a contour: the same for every rod.
+//! Response of z′ = s·z + u to an input, step by step, at the points of a contour: the same for every rod.
 //!
-//! Constant inputs and swings are sums of waves e^(rate·t). Under these n equal steps have a closed form, z =
-//! Σ own·ρⁿ with ρ of each wave and of what the first z leaves; other inputs are stepped through.
+//! Constant inputs and swings are sums of waves e^(rate·t). Under these n equal steps have a closed form, z = Σ own·ρⁿ
+//! with ρ of each wave and of the decay of the z at the beginning; other inputs are stepped through.
 
 use std::sync::Arc;
 
@@ -16,13 +16,13 @@ use super::{History, Power, Swing};
 pub struct Input {
     /// Time constant of what shows it, s.
     pub lag: f64,
-    /// What comes in, per unit.
+    /// Input per unit.
     pub unit: Power,
     /// When; compared last, for it is long and most inputs that are known have the same.
     pub programme: Arc<Programme>,
 }
 
-/// What is shown of an input, for each z = 1/(s + A).
+/// Response of an instrument to an input, for each z = 1/(s + A).
 #[derive(Debug, Default)]
 pub struct Response {
     /// Marks that were stepped to, with what is shown there at all points.
@@ -31,16 +31,16 @@ pub struct Response {
     pub stretches: Vec<Closed>,
 }
 
-/// What is shown in a stretch, in closed form.
+/// Response in a stretch, in closed form: amplitudes of the parts of the instrument's reading.
 #[derive(Debug, Default)]
 pub struct Closed {
-    /// Of what the first z leaves.
+    /// Of the decay of the z at the beginning.
     pub first: Vec<Lanes>,
     /// Of every wave.
     pub waves: Vec<Vec<Lanes>>,
-    /// Of what was shown first.
+    /// Of the decay of the reading at the beginning.
     pub kept: Vec<Lanes>,
-    /// At every mark how far the waves have turned, and what is left of what was shown first.
+    /// At every mark how far the waves have turned, and the factor by which the reading at the beginning has decayed.
     pub turns: Vec<(Vec<Complex<f64>>, f64)>,
 }
 
@@ -149,7 +149,7 @@ struct Span<'l> {
 }
 
 impl Span<'_> {
-    /// What a wave makes of z at the start, and what is shown of it; it turns with the wave.
+    /// Amplitudes at the start of z and of its reading under a wave; they turn with the wave.
     fn wave(&self, law: &Law, places: &[f64], (size, rate): Wave) -> (Lanes, Lanes) {
         let turn = (rate * self.length).exp();
         let mut driven = Lanes::default();

@@ -24,7 +24,7 @@ pub struct RodSystem {
     pub(super) loss: f64,
     /// Heat capacity of every node, then of every heater, J/K.
     pub(super) stores: Vec<f64>,
-    /// What sources give, each with the node, or the number of nodes plus that of the heater, that it warms.
+    /// Powers of the sources, each with the node, or the number of nodes plus that of the heater, that it warms.
     pub(super) sources: Vec<(usize, Power)>,
     /// Heaters with the nodes that they warm.
     pub(super) heaters: Vec<(usize, Heater)>,

@@ -52,8 +52,8 @@ impl Track {
         cubic(time, cell, times.len(), |i| (times[i], values[from + i]))
     }
 
-    /// What instruments with these time constants (s, one for every probe) show, each reading by the position of
-    /// its probe and its time (s).
+    /// Reads instruments with these time constants (s, one for every probe), each reading given by the position of its
+    /// probe and its time (s).
     pub fn shown(mut self, lags: impl Iterator<Item = f64>, readings: &[(usize, f64)]) -> Vec<f64> {
         for (lag, values) in lags.zip(&mut self.values) {
             if lag > 0.0 {

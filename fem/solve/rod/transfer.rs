@@ -1,4 +1,4 @@
-//! What a rod does at the points of a contour: (s·C + K)⁻¹ of what heats it, as probes see it.
+//! Transfer of a rod at the points of a contour: (s·C + K)⁻¹ of its heat inputs, as probes see it.
 
 use super::contour::Contour;
 use super::lanes::{LANES, Lanes};
@@ -45,8 +45,8 @@ impl Body {
         self.inlets.len()
     }
 
-    /// What every probe shows per unit of every inlet, times the weight of each point: for each probe, for
-    /// each inlet, all points.
+    /// Transfers from every inlet to every probe per unit, times the weight of each point: for each probe, for each
+    /// inlet, all points.
     pub fn transfers(&self, contour: &Contour) -> Vec<Lanes> {
         let nodes = self.capacity.diagonal.len();
         let (points, weights) = (contour.points.as_chunks::<LANES>().0, contour.weights.as_chunks::<LANES>().0);

@@ -1,4 +1,4 @@
-//! What each effect does to a position, by hand.
+//! Effects on a position, each alone and on a dragged axis, against results by hand.
 
 use super::rig::*;
 use crate::positioning::Direction::{Backward, Forward};

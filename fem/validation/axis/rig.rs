@@ -9,9 +9,9 @@ pub(super) use crate::validation::bench::row;
 /// An axis with its effects.
 pub type Machine = Assembled<Axis>;
 
-/// What sums of doubles leave.
+/// Round-off of sums of doubles.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
-/// What sums of doubles leave of micrometres that nearly cancel, um.
+/// Round-off of micrometres that nearly cancel, um.
 pub const CANCELLED: Tolerance = Tolerance::Absolute(1e-9);
 
 /// 800 mm of travel on a steel screw of 40 mm and 10 mm a turn, held at 50 mm.

@@ -33,8 +33,8 @@ fn one_block() -> Vec<Case> {
     [wide, narrow].concat()
 }
 
-/// Whatever shapes it, envelope and imprints of all blocks are together as long as the profile, 80 mm and two
-/// half circles of 14 mm; few blocks leave long imprints, many leave ones shorter than what is looked at.
+/// Envelope and imprints of all blocks are together as long as the profile, 80 mm and two half circles of 14 mm, in
+/// whatever parts: few blocks leave long imprints, many leave ones shorter than the sampling.
 fn lengths() -> Vec<Case> {
     let around = 4.0 * HALF + std::f64::consts::TAU * FOOT;
     let case = |number: usize| {

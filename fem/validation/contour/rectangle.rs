@@ -3,7 +3,7 @@
 use super::rig::*;
 use crate::validation::{Case, Tolerance};
 
-/// What is left of a corner where a side begins to be told, mm: e^(−10) of v/Kv = 1/3 mm.
+/// Transient of a corner where the report of a side begins, mm: e^(−10) of v/Kv = 1/3 mm.
 const CORNER: f64 = 4.54e-5 / 3.0;
 
 pub fn cases() -> Vec<Case> {

@@ -14,7 +14,7 @@ pub type Machine = Assembled<Contour>;
 pub const CCW: Direction = Direction::CounterClockwise;
 pub const CW: Direction = Direction::Clockwise;
 pub const WAYS: [Direction; 2] = [CCW, CW];
-/// What sums of doubles leave.
+/// Round-off of sums of doubles.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
 /// Servos that follow at once, 1/s: what they leave of a circle of 150 mm at 1000 mm/min is below 1e-9 um.
 pub const STIFF: f64 = 1e6;
@@ -46,7 +46,7 @@ pub fn machine(text: &str, effects: &str) -> Option<Machine> {
     assembled(text, effects)
 }
 
-/// What is read of a lap at the model's feed; NaN where there is no machine.
+/// Reads a lap at the model's feed; NaN where there is no machine.
 pub fn of_lap(machine: &Option<Machine>, direction: Direction, read: impl Fn(&Lap) -> f64) -> f64 {
     machine.as_ref().map_or(f64::NAN, |m| read(&Lap::new(m.machine(), direction, m.setup().feed)))
 }

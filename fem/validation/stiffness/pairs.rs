@@ -111,7 +111,7 @@ fn both_signs() -> Vec<Case> {
     cases
 }
 
-/// What a reversal loses, and the friction at which a preload loses as much as the play that it takes up.
+/// Lost motion at a reversal, and the friction at which a preload loses as much as the play that it takes up.
 fn worth() -> Vec<Case> {
     let gap = "[gap]\ngap = \"3 um\"\n";
     let told = |path: &str, effects: &str| figure_of(&joint(effects), "preload", path);

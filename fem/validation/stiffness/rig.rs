@@ -10,7 +10,7 @@ pub(super) use crate::validation::bench::{bisect, figure as figure_of, row};
 /// A joint with its effects.
 pub type Machine = Assembled<Stiffness>;
 
-/// What sums of doubles leave.
+/// Round-off of sums of doubles.
 pub const ROUND_OFF: Tolerance = Tolerance::Relative(1e-12);
 
 /// A spring of 80 N/um, loaded up to 1000 N, with effects given as TOML. A mistake in a text shows as NaN in

@@ -11,7 +11,7 @@ const WARM: &str = r#"
     environment = { temperature = "20 degC" }
     time = { end = "180 min", step = "10 s" }
 "#;
-/// What it is warmer by, K.
+/// Initial excess of the rod over the room, K.
 const WARMER: f64 = 60.0;
 
 pub fn cases() -> Vec<Case> {

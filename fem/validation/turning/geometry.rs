@@ -1,4 +1,4 @@
-//! What the machine's geometry does to the diameter.
+//! Geometric errors of the machine in the diameter.
 
 use super::rig::*;
 use crate::validation::bench::figure as figure_of;

@@ -9,7 +9,7 @@ pub fn cases() -> Vec<Case> {
     [supports(), rests(), depth(), roots()].concat()
 }
 
-/// What is left at x (m) where hardly any force acts, m.
+/// Diameter error left at x (m) under hardly any force, m.
 fn unpressed(held: &str, effects: &str, x: f64, given: &[(usize, f64)]) -> f64 {
     let text = UNIFORM.replace("HELD", held).replace("400 N", "0 N");
     lathe(&text, effects).map_or(f64::NAN, |l| observed(&l, x, given))
@@ -87,7 +87,7 @@ fn rests() -> Vec<Case> {
     ]
 }
 
-/// What moves the nose takes depth off the cut. At a rigid centre only the carriage yields.
+/// Movements of the nose take depth off the cut. At a rigid centre only the carriage yields.
 fn depth() -> Vec<Case> {
     // C = 0.8 N/um; j so that C/(C + j) = 0.107.
     let (k, t) = (0.107, 0.5e-3);
@@ -118,7 +118,7 @@ fn depth() -> Vec<Case> {
     ]
 }
 
-/// What yields stands under the root with the height.
+/// Yielding stands under the root with the height.
 fn roots() -> Vec<Case> {
     let s = shaft40();
     let high = uniform("chuck", "[guideway-height]\nslope = \"5 mm/m\"\n[setting-error]\noffset = \"100 um\"");

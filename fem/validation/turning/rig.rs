@@ -51,7 +51,7 @@ pub fn gap_under(lathe: &Option<Lathe>, x: f64, conditions: Option<Conditions>) 
     lathe.as_ref().and_then(solve).unwrap_or(f64::NAN)
 }
 
-/// What is measured at x (m) under the given coordinates, m.
+/// Diameter error observed at x (m) under the given coordinates, m.
 pub fn observed(lathe: &Lathe, x: f64, given: &[(usize, f64)]) -> f64 {
     let mut columns = vec![Values::shared(f64::NAN, 1); COORDINATES.len()];
     columns[X].fill(x);
@@ -60,7 +60,7 @@ pub fn observed(lathe: &Lathe, x: f64, given: &[(usize, f64)]) -> f64 {
     lathe.observe(&rows).map_or(f64::NAN, |values| values[0])
 }
 
-/// What the force does not do to the diameter at x (m) of a part, m.
+/// Diameter error at x (m) of a part without the force's share, m.
 pub fn shift(lathe: &Option<Lathe>, part: usize, x: f64) -> f64 {
     let left = |l: &Lathe| unloaded(l.machine(), &l.machine().moment_on(part, x)).ok();
     lathe.as_ref().and_then(left).unwrap_or(f64::NAN)

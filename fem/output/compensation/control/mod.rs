@@ -38,7 +38,7 @@ pub const ALL: &[Control] = &[
 
 /// Files for a control.
 pub struct Supplied {
-    /// Which.
+    /// The control.
     pub control: &'static Control,
     /// Names of the files and what stands in them.
     pub files: Vec<(&'static str, String)>,

@@ -68,7 +68,7 @@ fn standard(quantities: &[Quantity]) -> Figure {
         .entry("quantities", Datum::List(quantities.iter().map(record).collect()))
 }
 
-/// What the test does not give is unknown.
+/// Datum of a quantity of ISO 230-2, NaN where the test does not give it.
 fn known(value: Option<f64>) -> Datum {
     Datum::of(MICRO, value.unwrap_or(f64::NAN))
 }
@@ -89,8 +89,8 @@ fn quantity(all: &[Quantity], (letter, key, label): (&str, &'static str, &'stati
     Some(Figure::new(key, label).entry("value", known(found.value)).line(text))
 }
 
-/// Which clearance of the drive rules [seed 000]: the kinematic one of light machines, or the elastic one of
-/// heavy machines. Mechanics: what a formula effect adds to the deviation is neither.
+/// Figure of the clearance that rules in the drive [seed 000]: the kinematic one of light machines, or the elastic one
+/// of heavy machines. Mechanics: what a formula effect adds to the deviation is neither.
 fn lost_motion(machine: &Machine) -> Figure {
     let targets = || machine.setup.targets().into_iter();
     let (low, high) = range(targets().map(|x| 2.0 * machine.wind_up(x)));

@@ -157,7 +157,7 @@ fn feed(blocks: &[Block]) -> Figure {
     }
 }
 
-/// What starting and stopping in every block costs, where accelerations are limited.
+/// Figure of the time that starting and stopping in every block costs, where accelerations are limited.
 fn acceleration(setup: &Setup) -> Option<Figure> {
     let program = &setup.program;
     let courses = || (0..program.blocks()).map(|i| (program.time(i), program.courses[i].ramps()));

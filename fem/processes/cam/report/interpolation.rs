@@ -17,7 +17,7 @@ const MOST_BLOCKS: usize = 200;
 /// Errors below this are none, m.
 const NONE: f64 = 1e-10;
 
-/// What shifted ends bring, and which interpolation needs how many blocks; nothing where there are too many
+/// Figures of the gain by shifted ends, and of the blocks that each interpolation needs; none where there are too many
 /// blocks to look at.
 pub fn figures(setup: &Setup) -> Vec<Figure> {
     if setup.program.blocks() > MOST_BLOCKS {

@@ -26,7 +26,7 @@ pub static Y: Effect<1> = backlash(
     |[gap], machine| machine.plays[1].gap = gap,
 );
 
-/// What separates play from elastic clearance.
+/// Measurement that separates play from elastic clearance.
 const FLATS: &str = "the two flats of the axis: play is as wide at both, elastic clearance wider away from the bearing";
 
 const fn backlash(

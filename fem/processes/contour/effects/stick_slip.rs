@@ -25,7 +25,7 @@ pub static Y: Effect<2> = stick_slip(
     |[amplitude, phase], machine| machine.stick_slip[1] = Cyclic { amplitude, phase },
 );
 
-/// What tells a wave of the screw from one of stick-slip.
+/// Measurement that separates a wave of the screw from one of stick-slip.
 pub const FEED: &str =
     "another feed: a wave of the screw keeps its length, one of stick-slip is as much longer as the feed";
 

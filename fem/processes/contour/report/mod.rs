@@ -60,7 +60,7 @@ fn figures(machine: &Machine, setup: &Setup, forward: &Forward, fine: &Sampled) 
     Ok(figures)
 }
 
-/// What two equal servos do by themselves: they follow at a distance, and a circle shrinks.
+/// Figure of two equal servos by themselves: they follow at a distance, and a circle shrinks.
 fn servo(setup: &Setup) -> Figure {
     let lag = setup.feed / setup.gain;
     let figure = Figure::new("servo", "servos alone").unit("unit", MICRO).quantity("lag", LENGTH, lag);
@@ -93,8 +93,8 @@ fn contraction(radius: f64, feed: f64, gain: f64) -> f64 {
     radius * ratio * ratio / (root * (1.0 + root))
 }
 
-/// What the tolerance allows the servos: ΔKv/Kv = 2δ·Kv/v [seed 000, turned round], and the feed at which
-/// the gains as they are would keep it.
+/// Figure of the gain mismatch that the tolerance allows, ΔKv/Kv = 2δ·Kv/v [seed 000, turned round], and of the feed at
+/// which the gains as they are would keep it.
 fn tolerance(machine: &Machine, deviations: &[f64]) -> Option<Figure> {
     let setup = &machine.setup;
     let allowed = setup.tolerance?;

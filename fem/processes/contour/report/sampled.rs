@@ -7,8 +7,8 @@ use super::super::rows::{self, ANGLE_OF_ROW, DIRECTION};
 use super::super::setup::Setup;
 use crate::process::{Failure, Forward, Rows, Values};
 
-/// What a point beside those of the programme shows more, as a part of the span of all deviations, where it is worth
-/// its row.
+/// Least excess of a point over the line between its neighbours in the programme that is worth a row, as a part of the
+/// span of all deviations.
 const PEAK: f64 = 0.02;
 
 /// Points of all laps with what they show.

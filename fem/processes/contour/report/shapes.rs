@@ -243,7 +243,7 @@ fn thread(places: &[Place], cut: &[usize], first: u32, floor: f64, size: f64) ->
     if rings.len() < 2 { Skin::default() } else { Skin::lofted(&rings, Ends::Capped) }
 }
 
-/// What lies between the path as it should be and as it is, in the same places.
+/// Band between the nominal path and the actual one, in the same places.
 fn filled(places: &[Place], cut: &[usize], first: u32, floor: f64, size: f64) -> Skin {
     let ring = |j: &usize| {
         let [x, y] = places[*j].point.at;

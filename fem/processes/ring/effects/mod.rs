@@ -47,8 +47,8 @@ mod bench {
         with_effect(MODEL, name, canonical)
     }
 
-    /// What an effect leaves on a bore that no jaw squeezes, um, at an angle with the ring's mark at an orientation (deg) and a
-    /// blank that is off by 50 um.
+    /// Mark of an effect on a bore that no jaw squeezes, um, at an angle with the ring's mark at an orientation (deg)
+    /// and a blank that is off by 50 um.
     pub fn mark(name: &str, canonical: &[f64], angle: f64, orientation: f64) -> f64 {
         let (angle, orientation) = (angle.to_radians(), orientation.to_radians());
         1e6 * chuck(name, canonical).machine().deviation(&BorePoint { angle, orientation, blank: 5e-5 }, 0.0)

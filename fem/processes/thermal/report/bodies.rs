@@ -17,8 +17,8 @@ pub fn rod(x: &[f64], segments: &[Segment]) -> Skin {
     Skin::stepped(x, segments, MOST_RIMS)
 }
 
-/// What stands around the body at a time (s): the base of a rod, heaters while they heat, a strip of heat that
-/// passes over the top of a plate.
+/// Surroundings of the body at a time (s): the base of a rod, heaters while they heat, a strip of heat that passes over
+/// the top of a plate.
 pub fn around(setup: &Setup, time: f64, nodes: &[[f64; 3]]) -> Vec<Body> {
     match &setup.body {
         Shape::Rod(segments) => {

@@ -37,7 +37,7 @@ pub static FRONT_GUIDEWAY_WEAR: Effect<3> = Effect {
     },
 };
 
-/// What the effects of a carriage that tilts need.
+/// Checks the needs of effects that tilt the carriage: a guideway spacing.
 pub fn two_guideways(setup: &Setup) -> Result<(), String> {
     match setup.guideway_spacing {
         Some(_) => Ok(()),

@@ -30,7 +30,7 @@ pub static GUIDEWAY_WEAR: Effect<3> = Effect {
     act: |[depth, centre, width], machine| machine.add_shift(move |at| 2.0 * depth * part(at.x, centre, width)),
 };
 
-/// What tells worn guideways apart.
+/// Measurement that separates worn guideways from other causes.
 pub const LEVEL: &str = "a level across the carriage along the bed: a tilt shows on it; diameters alone cannot tell";
 
 /// Wear at x (m) over that at its worst place.

@@ -82,7 +82,7 @@ pub(super) mod bench {
         MODEL.replace("WORKHOLDING", workholding)
     }
 
-    /// What the effect adds to the diameter, in um, whatever the force.
+    /// Change of diameter by the effect, um, whatever the force.
     pub fn shift(name: &str, canonical: &[f64], moment: Moment) -> f64 {
         1e6 * unloaded(lathe("centres", name, canonical).machine(), &moment).unwrap()
     }

@@ -50,7 +50,7 @@ pub static TAILSTOCK: Effect<1> = Effect {
     act: |[stiffness], machine| machine.tailstock.soften(stiffness),
 };
 
-/// What the effects of a tailstock need.
+/// Checks the needs of effects of a tailstock: a workholding that has one.
 pub fn a_tailstock(setup: &Setup) -> Result<(), String> {
     match setup.workholding.has_tailstock() {
         true => Ok(()),

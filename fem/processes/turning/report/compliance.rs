@@ -6,7 +6,7 @@ use crate::process::{Column, Figure, Table, first_extreme};
 use crate::solve::Condensed;
 use crate::units::{LENGTH, STIFFNESS};
 
-/// What gives way: each is told apart.
+/// Parts that yield, each with a compliance of its own.
 pub const PARTS: [&str; 4] = ["shaft", "headstock", "tailstock", "carriage"];
 
 /// Compliances at places under the force that acts there, m/N: secants where a joint is not a spring.
