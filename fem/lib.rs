@@ -16,7 +16,7 @@
 //! "#;
 //! let model = Model::parse(Source::new("circle.toml", text))?;
 //! let run = model.run(&Progress::default())?;
-//! let figure = |key: &str| run.report.figures.iter().find(|f| f.key == key).and_then(|f| f.told("value"));
+//! let figure = |key: &str| run.report.figures.iter().find(|f| f.key == key).and_then(|f| f.value_at("value"));
 //!
 //! // The servos alone shrink the circle by 0.37 um; half of the play stands on either side of it.
 //! let (largest, smallest) = (figure("largest").unwrap(), figure("smallest").unwrap());

@@ -102,7 +102,7 @@ fn signature(
         true => format!("that `fem new {}` writes", process.name()),
         false => format!("that `fem new {}` writes, with what this effect needs besides", process.name()),
     };
-    let value = |(p, si): (&Parameter, &f64)| format!("{} = {}", p.name, p.kind.told(*si));
+    let value = |(p, si): (&Parameter, &f64)| format!("{} = {}", p.name, p.kind.format(*si));
     let values: Vec<String> = active.description.parameters.iter().zip(&active.values).map(value).collect();
     let values = code(&values.join(", "));
     text + &format!(
@@ -128,7 +128,7 @@ fn parameters(effect: &Description) -> String {
             Neutral::Shape => "never: it shapes the effect".into(),
         };
         let left_out = match (p.default, p.needed_with) {
-            (Some(si), _) => p.kind.told(si),
+            (Some(si), _) => p.kind.format(si),
             (None, Some(other)) => format!("only where `{other}` is not zero"),
             (None, None) => "it is needed".into(),
         };

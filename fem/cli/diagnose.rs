@@ -38,7 +38,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
             say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
         }
     }
-    told(args, &data, &diagnosis)
+    print_diagnosis(args, &data, &diagnosis)
 }
 
 /// Diagnoses several tests of one machine together.
@@ -64,7 +64,7 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
     let data = Data::of_tests(&model, measured)?.watched(progress.clone());
     let reads: Vec<PathBuf> = args.models.iter().chain(&args.data.with).cloned().collect();
     let diagnosis = searched(args, &data, &progress, Guard { reads: &reads, force: args.force })?;
-    told(args, &data, &diagnosis)
+    print_diagnosis(args, &data, &diagnosis)
 }
 
 /// Searches, tells what the search took and what it left out, and writes the diagnosis where a folder is named.
@@ -80,7 +80,7 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard:
 }
 
 /// Prints a diagnosis.
-fn told(args: &args::Diagnose, data: &Data, diagnosis: &Diagnosis) -> Result<(), Error> {
+fn print_diagnosis(args: &args::Diagnose, data: &Data, diagnosis: &Diagnosis) -> Result<(), Error> {
     notes(&ask::notes(data, diagnosis));
     print(&page(&Report::Diagnosis(data, diagnosis), args.json)?)
 }

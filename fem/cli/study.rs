@@ -17,7 +17,12 @@ use crate::study::{Layout, Shard, Summary, in_order, load};
 pub fn run(args: &args::Study) -> Result<(), Error> {
     if let Some(args::StudyCommand::Merge(args)) = &args.command {
         let (layout, rows, summary) = merge(&args.folders, &args.output)?;
-        return told((&layout, &summary), (&args.output, &rows), Guard { reads: &[], force: false }, args.json);
+        return write_and_print(
+            (&layout, &summary),
+            (&args.output, &rows),
+            Guard { reads: &[], force: false },
+            args.json,
+        );
     }
     let Some(file) = &args.plan else {
         let problem = Problem::new("no plan is named");
@@ -53,7 +58,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     if shard != Shard::ALL {
         say!("note: these are the jobs of shard {shard}; `fem study merge` puts all of them together");
     }
-    told((&layout, &summary), (&directory, &rows), Guard { reads: &reads, force: args.force }, args.json)?;
+    write_and_print((&layout, &summary), (&directory, &rows), Guard { reads: &reads, force: args.force }, args.json)?;
     if summary.rows > 0 && summary.failed == summary.rows {
         let first = summary.failures.first().map_or(String::new(), |(_, message)| message.clone());
         say!("error: every job failed: {first}");
@@ -62,8 +67,8 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     Ok(())
 }
 
-/// Writes and prints what finished rows say.
-fn told(
+/// Writes and prints the summary of finished rows.
+fn write_and_print(
     (layout, summary): (&Layout, &Summary),
     (directory, rows): (&Path, &Path),
     guard: Guard,

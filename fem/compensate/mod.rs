@@ -216,7 +216,7 @@ fn asked(readings: &[f64]) -> Result<(), Failure> {
     if middle.abs() <= FAR * span.max(MICRO.to_si(1.0)) {
         return Ok(());
     }
-    let [middle, span] = [middle, span].map(|reading| MICRO.told(reading));
+    let [middle, span] = [middle, span].map(|reading| MICRO.format(reading));
     Err(Failure {
         message: format!(
             "all readings lie about {middle}, and differ by {span}: is the axis so far off, or the gauge?"

@@ -14,7 +14,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{look_alike, next, sensitivity, told};
+use super::{findings, look_alike, next, sensitivity};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::process::Failure;
@@ -52,8 +52,8 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         false => Vec::new(),
     };
     let mut missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
-    let told = told::told(&found.base, &best, plain.map(|h| &h.found.base), repeats);
-    let outliers = told::outliers(&best);
+    let of_measurement = findings::missing_effects(&found.base, &best, plain.map(|h| &h.found.base), repeats);
+    let outliers = findings::outliers(&best);
     let (before, features) = match plain {
         None => (before, features),
         Some(plain) => {
@@ -68,16 +68,16 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     let stated = &found.base.objective.data.terms;
     if best.objective.noise.terms.iter().any(|t| t.effect.describes() && !t.is_among(stated)) {
         // A curve or a wave that no law has describes; it explains nothing.
-        let alone = best.members.is_empty() && told.iter().all(Missing::describes);
+        let alone = best.members.is_empty() && of_measurement.iter().all(Missing::describes);
         verdict = if alone { Verdict::Unexplained } else { Verdict::PartlyExplained };
-        missing.splice(0..0, told);
-    } else if !told.is_empty() {
+        missing.splice(0..0, of_measurement);
+    } else if !of_measurement.is_empty() {
         verdict = match verdict {
             Verdict::Adequate => Verdict::MissingEffect,
             Verdict::Unexplained => Verdict::PartlyExplained,
             other => other,
         };
-        missing.splice(0..0, told);
+        missing.splice(0..0, of_measurement);
     }
     // What is said here must hold for the model that is written with it.
     let mut suspects = Vec::new();
@@ -220,7 +220,7 @@ fn missing(
         let effect = found.candidates[last].effect.clone();
         let own_paths: Vec<String> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
-            cause: told::cause(&effect),
+            cause: findings::cause(&effect),
             effect,
             goodness: goodness(&rest),
             p_value: found.null_distribution.p_value(measured),

@@ -14,6 +14,7 @@ mod detection_limit;
 mod diagnosis;
 mod explore;
 mod failure;
+mod findings;
 mod gain;
 mod hypothesis;
 mod instrument;
@@ -29,7 +30,6 @@ mod screening;
 mod search;
 mod sensitivity;
 mod settle;
-mod told;
 mod verdict;
 
 pub use bent_law::Bend;

@@ -182,7 +182,7 @@ impl Field<'_, '_> {
         let slack = 1e-9 * needed[1].abs();
         let reaches = !(from > needed[0] + slack || to < needed[1] - slack);
         if !reaches {
-            let [from, to, first, last] = [from, to, needed[0], needed[1]].map(|x| kind.told(x));
+            let [from, to, first, last] = [from, to, needed[0], needed[1]].map(|x| kind.format(x));
             let message = format!(
                 "the record of `{}` reaches from {from} to {to}, and is needed from {first} to {last}",
                 self.key
@@ -228,7 +228,7 @@ fn read(file: &NamedFile, wanted: &[Wanted; 2]) -> Result<Record, Mistake> {
             *value = cell.map_err(refuse)? * unit.factor + unit.offset;
         }
         if let Some([before, _]) = points.last().filter(|last| last[0] >= point[0]) {
-            let [now, before] = [point[0], *before].map(|x| wanted[0].kind.told(x));
+            let [now, before] = [point[0], *before].map(|x| wanted[0].kind.format(x));
             let problem = Problem::new(format!("`{}` does not rise: {now} after {before}", wanted[0].name));
             return Err(refuse(problem.help("sort the rows, and keep one of those that are equal")));
         }

@@ -85,7 +85,7 @@ impl Heading {
     }
 
     /// Note on how it was read, where it is not written so; `None` where it is.
-    pub fn told(&self) -> Option<String> {
+    pub fn note(&self) -> Option<String> {
         let name = self.cell();
         (self.is_known && self.at.is_empty() && plainly(&self.written) != plainly(&name))
             .then(|| format!("`{}` as {name}", self.written))

@@ -91,7 +91,7 @@ impl Measurements {
             return Err(Problem::new("there is no file").help("name one: --with DATA.csv"));
         };
         if files.len() > 0 {
-            all.notes = told(&all);
+            all.notes = named_notes(&all);
         }
         for file in files {
             all.append(file);
@@ -101,7 +101,7 @@ impl Measurements {
 
     /// Adds the rows of a file that can stand with these.
     fn append(&mut self, file: Self) {
-        self.notes.extend(told(&file));
+        self.notes.extend(named_notes(&file));
         self.name = format!("{}, {}", self.name, file.name);
         let before = self.records.len();
         let own = file.files.into_iter();
@@ -215,7 +215,7 @@ fn twice(name: &str) -> Problem {
 }
 
 /// Notes of a file with its name.
-fn told(file: &Measurements) -> Vec<String> {
+fn named_notes(file: &Measurements) -> Vec<String> {
     file.notes.iter().map(|note| format!("{}: {note}", file.name)).collect()
 }
 

@@ -60,7 +60,7 @@ pub fn read(source: &Source) -> Result<Sheet, Problem> {
         records: Records::of_file(whole.clone(), separator as u8, header.len()),
         header: header.iter().map(str::to_string).collect(),
         problems: Vec::new(),
-        told: told(separator),
+        told: separator_notes(separator),
     };
     let mut record = StringRecord::new();
     loop {
@@ -119,7 +119,8 @@ fn count(line: &str, wanted: char) -> usize {
     line.chars().filter(is_wanted).count()
 }
 
-fn told(separator: char) -> Vec<String> {
+/// Note on a separator other than the program's own.
+fn separator_notes(separator: char) -> Vec<String> {
     match separator {
         ';' => vec!["columns parted by semicolons".into()],
         '\t' => vec!["columns parted by tabs".into()],

@@ -54,7 +54,7 @@ pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<T
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
         problems.extend(clock::count(&mut sheet.records, column, heading, &mut notes));
     }
-    told.extend(bounded(headings.iter().filter_map(Heading::told).collect()));
+    told.extend(bounded(headings.iter().filter_map(Heading::note).collect()));
     let long = wide::lengthened(headings, sheet.records, vocabulary, &mut told);
     let (mut headings, mut records) = long.map_err(|problem| vec![of_header(problem)])?;
     actual::less_commanded(&mut headings, &mut records, vocabulary, &mut told)

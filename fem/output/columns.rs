@@ -72,7 +72,7 @@ fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
         Absent::Model => "the model's if left out".into(),
         Absent::ModelOf(observable) => format!("the model's if left out, with {}", only(observable)),
         Absent::Value(value) => match coordinate.holds {
-            Holds::Quantity(kind) => format!("{} if left out", kind.told(value)),
+            Holds::Quantity(kind) => format!("{} if left out", kind.format(value)),
             Holds::Number(_) => format!("{value} if left out"),
             Holds::Word(words) => format!("{} if left out", words.get(value as usize).copied().unwrap_or_default()),
         },

@@ -23,7 +23,7 @@ const MOST_MARKS: usize = 400;
 pub fn drawing(drawing: &Drawing) -> Svg {
     let frame = Frame::of(drawing);
     let height = TITLE + SIDE + LINE * (drawing.curves.len() as f64 + 3.0);
-    let mut svg = Svg::new([SIDE, height], &drawing.title, &frame.told());
+    let mut svg = Svg::new([SIDE, height], &drawing.title, &frame.caption());
     svg.text("t", [SIDE / 2.0, 28.0], "middle", &drawing.title);
     svg.axes = vec![Axis::new("x", "mm"), Axis::new("y", "mm"), Axis::new("deviation", "um")];
     let mut labels = frame.axes(&mut svg);
@@ -137,8 +137,8 @@ impl Frame {
         }
     }
 
-    /// The scale, in words.
-    fn told(&self) -> String {
+    /// Scale of the drawing, in words.
+    fn caption(&self) -> String {
         format!(
             "deviations magnified {} times, {} um from line to line, outwards positive",
             grouped(self.magnification),
@@ -176,7 +176,7 @@ fn legend(svg: &mut Svg, drawing: &Drawing, frame: &Frame) {
     }
     svg.line("o", [[36.0, y], [68.0, y]]);
     svg.text("x", [80.0, y + 4.5], "start", "as it should be, to scale");
-    svg.text("x", [80.0, y + LINE + 4.5], "start", &frame.told());
+    svg.text("x", [80.0, y + LINE + 4.5], "start", &frame.caption());
 }
 
 /// Converts to micrometres, without the digits that conversion leaves.

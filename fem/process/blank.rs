@@ -57,7 +57,7 @@ impl BlankProfile {
         let points = t.list("blank_points", words.points, |t, _| {
             let at = t.quantity("at", LENGTH, words.at).not_negative().required();
             if at > length * (1.0 + 1e-12) {
-                let (message, length) = (format!("the place lies beyond the {}", words.part), LENGTH.told(length));
+                let (message, length) = (format!("the place lies beyond the {}", words.part), LENGTH.format(length));
                 t.problem("at", message, format!("the {} is {length} long", words.part));
             }
             (at, t.quantity("error", LENGTH, words.error).required())

@@ -85,8 +85,8 @@ impl Figure {
         self
     }
 
-    /// A number by its path, `key` or `/list/0/step`, in the unit in which it is told.
-    pub fn told(&self, path: &str) -> Option<f64> {
+    /// A number by its path, `key` or `/list/0/step`, in the unit of its kind.
+    pub fn value_at(&self, path: &str) -> Option<f64> {
         match self.datum(path)? {
             Datum::Quantity(kind, si) => Some(kind.from_si(si)),
             Datum::Number(number) => Some(number),
@@ -95,7 +95,7 @@ impl Figure {
         }
     }
 
-    /// A value by its path, as [`Self::told`] takes it.
+    /// A value by its path, as [`Self::value_at`] takes it.
     pub fn datum(&self, path: &str) -> Option<Datum> {
         let mut steps = path.trim_start_matches('/').split('/');
         let first = steps.next()?;

@@ -49,7 +49,7 @@ impl Nut {
     /// Figure of the stiffness that its preload gives.
     pub fn figure(&self) -> Figure {
         let stiffness = self.stiffness();
-        let line = format!("{:.1} under a preload of {}", STIFFNESS.shown(stiffness), FORCE.told(self.preload));
+        let line = format!("{:.1} under a preload of {}", STIFFNESS.shown(stiffness), FORCE.format(self.preload));
         let figure = Figure::new("nut", "nut").line(line);
         figure.quantity("stiffness", STIFFNESS, stiffness).quantity("preload", FORCE, self.preload)
     }

@@ -6,7 +6,7 @@ use crate::budget::{Law, Stream};
 use crate::input::Bounds;
 use crate::units::Kind;
 
-/// Significant digits of a value as it is told, and with which it is computed.
+/// Significant digits with which a value is written and computed.
 const DIGITS: usize = 14;
 
 /// A quantity of the model that varies.
@@ -117,12 +117,12 @@ impl Input {
             Spread::List(values) => values[((p * values.len() as f64) as usize).min(values.len() - 1)],
             Spread::Table => f64::NAN,
         };
-        self.told(si)
+        self.rounded(si)
     }
 
-    /// A value (SI) in the unit of the kind, with as many digits as are told: rows of results then say exactly with
-    /// which values they were computed.
-    pub fn told(&self, si: f64) -> f64 {
+    /// A value (SI) in the unit of the kind, rounded to the digits that are written: rows of results then say exactly
+    /// with which values they were computed.
+    pub fn rounded(&self, si: f64) -> f64 {
         let value = self.kind.from_si(si);
         format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value)
     }
@@ -130,8 +130,8 @@ impl Input {
     /// The middle of what it takes, in the unit of its kind; `None` where a table says it.
     pub fn middle(&self) -> Option<f64> {
         match &self.spread {
-            Spread::Field { centre, .. } => Some(self.told(*centre)),
-            Spread::List(values) => values.get(values.len() / 2).map(|si| self.told(*si)),
+            Spread::Field { centre, .. } => Some(self.rounded(*centre)),
+            Spread::List(values) => values.get(values.len() / 2).map(|si| self.rounded(*si)),
             Spread::Table => None,
         }
     }
@@ -215,7 +215,7 @@ impl Points {
                 let mut values = vec![f64::NAN; count];
                 for (input, value) in self.inputs.iter().zip(&mut values).rev() {
                     if let Spread::List(all) = &input.spread {
-                        *value = input.told(all[(rest % all.len() as u64) as usize]);
+                        *value = input.rounded(all[(rest % all.len() as u64) as usize]);
                         rest /= all.len() as u64;
                     }
                 }

@@ -107,7 +107,7 @@ impl Indices {
     }
 
     /// Index of every input; `None` where there are too few groups, or the result does not vary.
-    pub fn told(&self) -> Option<Vec<Index>> {
+    pub fn estimates(&self) -> Option<Vec<Index>> {
         let used: Vec<&Sums> = self.blocks.iter().filter(|block| block.count > 0.0).collect();
         let (first, rest) = used.split_first()?;
         if self.groups < FEWEST {

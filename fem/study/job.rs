@@ -35,7 +35,7 @@ impl Plan {
         for (input, told) in self.inputs.iter().zip(inputs) {
             let si = input.kind.to_si(*told);
             if !input.bounds.admits(si) {
-                return Err(format!("{} cannot be {}", input.path, input.kind.told(si)));
+                return Err(format!("{} cannot be {}", input.path, input.kind.format(si)));
             }
             values.push((input.path.as_str(), si));
         }

@@ -148,7 +148,7 @@ impl Plan {
             facts.push(("the content of the table".into(), digest(table.text.as_bytes())));
         }
         for input in &self.inputs {
-            let told = |si: &f64| format!("{:?}", input.told(*si));
+            let told = |si: &f64| format!("{:?}", input.rounded(*si));
             let spread = match &input.spread {
                 Spread::Field { law, centre, half } => {
                     format!("{} {} by {half:?}, lambda {:?}", law.word(), told(centre), law.lambda())

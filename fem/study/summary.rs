@@ -164,8 +164,8 @@ impl<'a> Summing<'a> {
         }
     }
 
-    /// Ends the summing.
-    pub fn told(self) -> Summary {
+    /// Closes the sums: the summary of all rows that were added.
+    pub fn finish(self) -> Summary {
         let tolerances = self.layout.results.iter().map(|r| r.tolerance.is_some());
         let found = self.columns.into_iter().zip(tolerances).map(|(column, has_tolerance)| match column {
             Column::Words(mut words) => {
@@ -180,7 +180,7 @@ impl<'a> Summing<'a> {
                 ends: sums.ends,
                 worst: sums.worst,
                 acceptance: has_tolerance.then_some(sums.acceptance),
-                indices: sums.indices.and_then(|i| Some((i.told()?, i.groups()))),
+                indices: sums.indices.and_then(|i| Some((i.estimates()?, i.groups()))),
             })),
         });
         Summary { rows: self.rows, failed: self.failed, failures: self.failures, results: found.collect() }

@@ -83,7 +83,7 @@ pub fn read(source: &Source, model: &Model, given: Vec<Input>, folder: &Path) ->
                 Column::Data => files.push(folder.join(cell)),
                 Column::Input(factor, offset) => {
                     let value = number(cell, head).map_err(|problem| refuse(problem, byte))?;
-                    values.extend(of_row.next().map(|input| input.told(value * factor + offset)));
+                    values.extend(of_row.next().map(|input| input.rounded(value * factor + offset)));
                 }
             }
         }

@@ -116,8 +116,8 @@ impl Kind {
         Shown { number: self.from_si(si), unit: self.unit }
     }
 
-    /// `si` to six digits with its unit, as people write a dimension or a feed: `1000 mm/min`.
-    pub fn told(&self, si: f64) -> String {
+    /// Formats `si` to six digits with its unit, as people write a dimension or a feed: `1000 mm/min`.
+    pub fn format(&self, si: f64) -> String {
         let number = self.from_si(si);
         let number: f64 = format!("{number:.5e}").parse().unwrap_or(number);
         format!("{number} {}", self.unit).trim_end().to_string()

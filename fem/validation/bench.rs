@@ -9,7 +9,7 @@ use crate::progress::Progress;
 pub fn figure<D: Definition>(machine: &Option<Assembled<D>>, key: &str, path: &str) -> f64 {
     let report = machine.as_ref().and_then(|m| m.report(m.predict(&Progress::default()).ok()?).ok());
     let figure = report.as_ref().and_then(|r| r.figures.iter().find(|f| f.key == key));
-    figure.and_then(|f| f.told(path)).unwrap_or(f64::NAN)
+    figure.and_then(|f| f.value_at(path)).unwrap_or(f64::NAN)
 }
 
 /// A row of the table: (expected, computed, unit).

@@ -59,7 +59,7 @@ fn estimated(known: &Known, sampler: Sampler, samples: u64, seed: u64) -> Vec<In
         let own = group * points.group()..(group + 1) * points.group();
         indices.add(&own.map(|number| (known.of)(&points.at(number))).collect::<Vec<f64>>());
     }
-    indices.told().unwrap_or_default()
+    indices.estimates().unwrap_or_default()
 }
 
 fn known() -> Vec<Known> {
@@ -165,7 +165,7 @@ mod tests {
                     indices.add(&[1.0, f64::NAN, 3.0]);
                 }
             }
-            indices.told()
+            indices.estimates()
         };
         assert!(groups(false).is_some());
         assert_eq!(groups(false), groups(true));

@@ -92,7 +92,7 @@ fn the_fewest_blocks_keep_the_tolerance() {
     let run = |program: &str| {
         let model = Model::parse(Source::new("cam.toml", text(program))).unwrap();
         let report = model.run(&fem::progress::Progress::default()).unwrap().report;
-        let value = |key: &str, of: &str| report.figures.iter().find(|f| f.key == key).unwrap().told(of).unwrap();
+        let value = |key: &str, of: &str| report.figures.iter().find(|f| f.key == key).unwrap().value_at(of).unwrap();
         let error = value("largest", "value").max(-value("smallest", "value"));
         (value("program", "blocks") as usize, error)
     };
@@ -122,7 +122,7 @@ fn one_block_fewer_fails() {
         let model = Model::parse(Source::new("cam.toml", text)).unwrap();
         let report = model.run(&fem::progress::Progress::default()).unwrap().report;
         let segments = report.figures.iter().find(|f| f.key == "segments").unwrap();
-        (segments.told("list/0/blocks").unwrap() as u64, segments.told("list/0/largest").unwrap())
+        (segments.value_at("list/0/blocks").unwrap() as u64, segments.value_at("list/0/largest").unwrap())
     };
     for count in [2, 3, 7] {
         // The flank's blocks are nearly alike, so that equal ones err as little as so many can, to a percent.

@@ -125,12 +125,12 @@ fn a_model_that_does_not_fit_its_mesh_is_told() {
     for (from, to, message, remedy) in MODELS {
         assert!(good.contains(from), "{from}");
         place.write("ring.toml", good.replacen(from, to, 1));
-        told(&place, 2, to, &[message, remedy]);
+        assert_refused(&place, 2, to, &[message, remedy]);
     }
 }
 
-/// What a run of ring.toml answers.
-fn told(place: &Place, status: i32, case: &str, parts: &[&str]) {
+/// Runs ring.toml and checks its status and the parts of its message.
+fn assert_refused(place: &Place, status: i32, case: &str, parts: &[&str]) {
     let answer = place.fem(&["run", "ring.toml"]);
     let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(answer.status, status, "{case}: {told}");
@@ -217,7 +217,7 @@ fn meshes_that_are_no_rings_are_told_by_their_elements() {
         ("no mesh", "solid ring\n".into(), "this is no Gmsh mesh of format 4.1"),
     ] {
         place.write("ring.msh", mesh);
-        told(&place, 2, case, &[message]);
+        assert_refused(&place, 2, case, &[message]);
     }
 }
 
@@ -232,7 +232,12 @@ fn two_rings_in_one_file_are_told_apart() {
     let end = start + text[start..].find("2 1 3").unwrap();
     let text = format!("{}{}", &text[..start], &text[end..]).replace("$Elements\n5", "$Elements\n4");
     place.write("ring.msh", text);
-    told(&place, 2, "cut in two", &["the mesh falls into 2 pieces: element 108 is not connected to element 101"]);
+    assert_refused(
+        &place,
+        2,
+        "cut in two",
+        &["the mesh falls into 2 pieces: element 108 is not connected to element 101"],
+    );
 }
 
 #[test]
@@ -240,5 +245,5 @@ fn a_jaw_that_leaves_the_round_border_is_told() {
     let place = place();
     let wide = model("keyway.toml").replace("../meshes/", "");
     place.write("ring.toml", format!("{wide}{}", POSITION.replace("\"2 deg\"", "\"-55 deg\"")));
-    told(&place, 1, "in the keyway", &["jaw 2 at 65.00 deg over 10.00 deg is not on the circle of the mesh"]);
+    assert_refused(&place, 1, "in the keyway", &["jaw 2 at 65.00 deg over 10.00 deg is not on the circle of the mesh"]);
 }

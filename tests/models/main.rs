@@ -31,7 +31,7 @@ fn every_model_gives_the_number_of_its_header() {
         let (what, value) = stated(&model.source.text).unwrap_or_else(|| panic!("{} states no number", path.display()));
         let run = model.run(&Progress::default()).unwrap();
         let largest = run.report.figures.iter().find(|f| f.key == "largest").unwrap();
-        let computed = largest.told("value").unwrap();
+        let computed = largest.value_at("value").unwrap();
         assert!((computed - value).abs() < 6e-4, "{}: {what} is {computed}, stated {value}", path.display());
         models += 1;
     }
@@ -63,7 +63,7 @@ fn every_study_gives_the_number_of_its_header() {
         Ok::<(), ()>(())
     };
     fem::study::in_order(0..layout.jobs, &Progress::default(), |job| plan.job(job), add).unwrap();
-    let fem::study::Found::Numbers(numbers) = &summing.told().results[0] else { panic!("no numbers") };
+    let fem::study::Found::Numbers(numbers) = &summing.finish().results[0] else { panic!("no numbers") };
     let share = 100.0 * numbers.acceptance.unwrap().share();
     assert!((share - stated).abs() < 0.0006, "{share} for {stated}");
 }

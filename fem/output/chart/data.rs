@@ -123,8 +123,8 @@ impl Axis {
         if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
     }
 
-    /// A value with its unit, or the word that it stands for.
-    pub fn told(&self, value: f64) -> String {
+    /// Formats a value with its unit, or as the word that it stands for.
+    pub fn format(&self, value: f64) -> String {
         match self.words.get(value as usize) {
             Some(word) => word.clone(),
             None => format!("{} {}", number(value), self.unit).trim_end().to_string(),

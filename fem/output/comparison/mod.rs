@@ -10,7 +10,7 @@ pub use drawing::drawing;
 pub use residuals::residuals;
 pub use shapes::shapes;
 pub use text::text;
-pub(super) use text::{noise as noise_text, told, verdict};
+pub(super) use text::{noise as noise_text, notable_features, verdict};
 
 use serde_json::{Value as Json, json};
 

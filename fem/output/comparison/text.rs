@@ -74,11 +74,11 @@ pub(in crate::output) fn noise(noise: &NoiseLevel, measurements: &Measurements) 
     format!("{} ({source})", all.join(" and "))
 }
 
-/// Smallest share of a feature that is told where there are larger ones.
+/// Smallest share of a feature that is notable where there are larger ones.
 const SMALLEST_SHARE: f64 = 0.03;
 
-/// Selects the features that are told.
-pub(in crate::output) fn told(features: &[Feature]) -> impl Iterator<Item = &Feature> {
+/// Features with a share worth reporting; of fewer than three, all.
+pub(in crate::output) fn notable_features(features: &[Feature]) -> impl Iterator<Item = &Feature> {
     features.iter().filter(|f| f.share >= SMALLEST_SHARE || features.len() < 3)
 }
 
@@ -97,7 +97,7 @@ fn where_it_fails(
     } else if c.features.is_empty() {
         let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
     }
-    for feature in told(&c.features) {
+    for feature in notable_features(&c.features) {
         let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
     }
     let at: Vec<String> = match place(process.coordinates(), measurements, c.worst) {

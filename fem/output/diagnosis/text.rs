@@ -83,7 +83,7 @@ fn where_it_fails(text: &mut String, d: &Diagnosis, columns: usize) {
             false => writeln!(text, "  more is left than the noise explains, but along no coordinate"),
         };
     }
-    for feature in comparison::told(&d.features) {
+    for feature in comparison::notable_features(&d.features) {
         let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
     }
     if let Some(feature) = d.features.iter().find(|f| f.curve.len() > 2) {

@@ -107,7 +107,7 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step]) -> Section {
     }
     blocks.push(compared(found));
     let list: Vec<String> =
-        comparison::told(features).map(|f| format!("{:.0} %: {}", 100.0 * f.share, f.text)).collect();
+        comparison::notable_features(features).map(|f| format!("{:.0} %: {}", 100.0 * f.share, f.text)).collect();
     if !list.is_empty() {
         blocks.push(html::heading("Where the model fails"));
         blocks.push(html::list(&list));

@@ -99,7 +99,7 @@ impl Layout {
         let group = (0..self.rows.len()).map(|row| keys.iter().position(|k| *k == key(row)).unwrap_or(0)).collect();
         let label = |(old, level): &(usize, usize)| {
             let before = &self.labels[*old];
-            let own = variable.told(variable.levels.get(*level).copied().unwrap_or(f64::NAN));
+            let own = variable.label(variable.levels.get(*level).copied().unwrap_or(f64::NAN));
             if before.is_empty() { own } else { format!("{before}, {own}") }
         };
         let labels = keys.iter().map(label).collect();
@@ -230,12 +230,12 @@ impl Variable {
         nearest.and_then(|n| self.levels.iter().position(|l| l == n)).unwrap_or(0)
     }
 
-    /// A value in a label: `part 3`, `450 N`, `+`.
-    pub fn told(&self, value: f64) -> String {
+    /// Label of a value: `part 3`, `450 N`, `+`.
+    pub fn label(&self, value: f64) -> String {
         match (&self.axis.words[..], self.kind) {
             ([], None) => format!("{} {}", self.axis.name, number(value)),
-            ([], Some(LENGTH)) => format!("{} = {}", self.axis.name, self.axis.told(value)),
-            _ => self.axis.told(value),
+            ([], Some(LENGTH)) => format!("{} = {}", self.axis.name, self.axis.format(value)),
+            _ => self.axis.format(value),
         }
     }
 }

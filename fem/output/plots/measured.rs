@@ -44,7 +44,7 @@ impl Rows<'_> {
     }
 
     /// Value of a row in the unit of its observable.
-    fn told(&self, row: usize, si: f64) -> f64 {
+    fn in_unit(&self, row: usize, si: f64) -> f64 {
         self.model.process.observables()[self.measurements.rows.observable[row]].kind.from_si(si)
     }
 
@@ -56,7 +56,7 @@ impl Rows<'_> {
 
     /// Measured value of a row without datum directions, in the unit of its observable.
     fn measured(&self, row: usize) -> f64 {
-        self.told(row, self.predicted[row] + self.residuals[row])
+        self.in_unit(row, self.predicted[row] + self.residuals[row])
     }
 }
 
@@ -81,7 +81,7 @@ pub fn measured(rows: &Rows) -> Vec<Chart> {
     }
     for (of, layout) in rows.layouts() {
         let value = |at: usize| rows.measured(layout.rows[at]);
-        let foretold = |at: usize| rows.told(layout.rows[at], rows.predicted[layout.rows[at]]);
+        let foretold = |at: usize| rows.in_unit(layout.rows[at], rows.predicted[layout.rows[at]]);
         let bar = |at: usize| rows.bar(layout.rows[at]);
         let none = |_| f64::NAN;
         let chosen = layout.chosen();
@@ -120,8 +120,11 @@ pub fn measured(rows: &Rows) -> Vec<Chart> {
 pub fn agreement(rows: &Rows) -> Vec<Chart> {
     let chart = |(of, layout): (String, Layout)| {
         let step = every(layout.rows.len());
-        let point =
-            |row: &usize| Point { x: rows.told(*row, rows.predicted[*row]), y: rows.measured(*row), u: rows.bar(*row) };
+        let point = |row: &usize| Point {
+            x: rows.in_unit(*row, rows.predicted[*row]),
+            y: rows.measured(*row),
+            u: rows.bar(*row),
+        };
         let points: Vec<Point> = layout.rows.iter().step_by(step).map(point).collect();
         let ends = points.iter().flat_map(|p| [p.x, p.y]).filter(|v| v.is_finite());
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));

@@ -68,7 +68,7 @@ fn map(layout: &Layout, (a, b): (usize, usize), value: &dyn Fn(usize) -> f64, na
         (0..layout.rows.len()).filter(is_last).map(|row| [x.values[row], y.values[row], value(row)]).collect();
     let at: Vec<String> = others
         .iter()
-        .map(|at| format!("{} = {}", layout.variables[*at].axis.name, layout.variables[*at].axis.told(last(at))))
+        .map(|at| format!("{} = {}", layout.variables[*at].axis.name, layout.variables[*at].axis.format(last(at))))
         .collect();
     let note = if at.is_empty() { String::new() } else { format!("at {}", at.join(", ")) };
     let title = format!("predicted {} over {} and {}", layout.value.name, x.axis.name, y.axis.name);

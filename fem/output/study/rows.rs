@@ -71,7 +71,7 @@ pub fn summary(path: &Path, layout: &Layout) -> io::Result<Summary> {
     while reader.read_record(&mut record)? {
         summing.add(&row(&record, layout).ok_or_else(wrong)?);
     }
-    Ok(summing.told())
+    Ok(summing.finish())
 }
 
 fn row(record: &csv::StringRecord, layout: &Layout) -> Option<Row> {

@@ -37,7 +37,7 @@ impl Controller {
             let reference = t.quantity("reference", LENGTH, "position of the reference point").required();
             let interval = t.quantity("interval", LENGTH, "from one point to the next").positive().required();
             if travel > MOST_POINTS * interval {
-                let message = format!("{} on {} are too many points", LENGTH.told(interval), LENGTH.told(travel));
+                let message = format!("{} on {} are too many points", LENGTH.format(interval), LENGTH.format(travel));
                 t.problem("interval", message, format!("at most {MOST_POINTS:.0} points are told"));
             }
             let about = "the controller's detection unit, in counts of which it takes increments; in um if left out";

@@ -31,7 +31,7 @@ impl Drag {
         let ends = points.first().zip(points.last());
         let slack = 1e-9 * (to - from).abs();
         if ends.is_some_and(|(first, last)| first[0] > from + slack || last[0] < to - slack) {
-            let [from, to] = [from, to].map(|x| LENGTH.told(x));
+            let [from, to] = [from, to].map(|x| LENGTH.format(x));
             let help = format!("the axis travels from {from} to {to}: begin and end there, or beyond");
             t.problem("drag_points", "they do not reach over the travel", help);
         }

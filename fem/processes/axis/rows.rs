@@ -64,11 +64,11 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
             return Some(Misplaced { row, coordinate: TIME_OF_ROW, message: "`time` is below zero".into() });
         }
         if time > known * (1.0 + 1e-9) {
-            let message = format!("the record of the screw's temperature ends at {}", TIME.told(known));
+            let message = format!("the record of the screw's temperature ends at {}", TIME.format(known));
             return Some(Misplaced { row, coordinate: TIME_OF_ROW, message });
         }
         let at = rows.columns[POSITION][row];
-        let message = || format!("the axis travels from {} to {}", LENGTH.from_si(from), LENGTH.told(to));
+        let message = || format!("the axis travels from {} to {}", LENGTH.from_si(from), LENGTH.format(to));
         (at < from - slack || at > to + slack).then(|| Misplaced { row, coordinate: POSITION, message: message() })
     };
     (0..rows.len()).filter_map(check).collect()

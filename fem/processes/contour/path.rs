@@ -227,9 +227,9 @@ impl Path {
     /// In a few words.
     pub fn words(&self) -> String {
         match *self {
-            Self::Circle { radius } => format!("circle of radius {}", LENGTH.told(radius)),
+            Self::Circle { radius } => format!("circle of radius {}", LENGTH.format(radius)),
             Self::Rectangle { width, height, angle } => {
-                format!("rectangle of {} by {} at {}", LENGTH.told(width), LENGTH.told(height), ANGLE.told(angle))
+                format!("rectangle of {} by {} at {}", LENGTH.format(width), LENGTH.format(height), ANGLE.format(angle))
             }
             Self::Polygon { ref corners } => format!("polygon of {} corners", corners.len()),
         }

@@ -153,7 +153,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     for (factor, words) in [(0.5, "half"), (2.0, "twice")] {
         let feed = factor * first.1;
         if setup.too_fast(feed).is_none() && ways.iter().all(|w| w.1 != feed) {
-            let words = format!("go round at {words} the feed, {}", FEED_RATE.told(feed));
+            let words = format!("go round at {words} the feed, {}", FEED_RATE.format(feed));
             experiments.push(experiment(words, FEED, Some(feed), (first.0, feed), around(first.0, feed)));
         }
     }

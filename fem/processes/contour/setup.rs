@@ -105,7 +105,7 @@ impl Setup {
             format!(
                 "a side of {:.3} is too short: at {} its corners are felt over {:.3}",
                 LENGTH.shown(shortest),
-                FEED_RATE.told(feed),
+                FEED_RATE.format(feed),
                 LENGTH.shown(before + after)
             )
         })

@@ -157,7 +157,7 @@ fn read_radii(t: &Reader, is_drawn: bool) -> [Option<f64>; 2] {
     if let (Some(outer), Some(inner)) = (outer, inner)
         && inner >= outer
     {
-        let help = format!("it must be below the outer diameter of {}", LENGTH.told(outer));
+        let help = format!("it must be below the outer diameter of {}", LENGTH.format(outer));
         t.problem("inner_diameter", "the bore is as wide as the ring", help);
     }
     for key in ["outer_diameter", "inner_diameter"] {

@@ -50,7 +50,7 @@ fn refuse_too_many_steps(run: &Run) -> Result<(), Failure> {
     if run.end / run.step <= MOST_STEPS {
         return Ok(());
     }
-    let (end, step) = (TIME.told(run.end), TIME.told(run.step));
+    let (end, step) = (TIME.format(run.end), TIME.format(run.step));
     Err(Failure {
         message: format!("the rows reach to {end}, which is more than {MOST_STEPS} steps of {step}"),
         help: "check the unit of their column `time`, or take longer steps in [time]".into(),

@@ -54,7 +54,7 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let outside = |row: usize, coordinate: usize, [low, high]: [f64; 2]| {
         let slack = 1e-9 * (high - low);
         let is_outside = rows.get(coordinate, row).is_some_and(|v| v < low - slack || v > high + slack);
-        let message = || format!("the body reaches from {} to {}", LENGTH.from_si(low), LENGTH.told(high));
+        let message = || format!("the body reaches from {} to {}", LENGTH.from_si(low), LENGTH.format(high));
         is_outside.then(|| (coordinate, message()))
     };
     let known = setup.known_until();
@@ -63,7 +63,7 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
             return Some((TIME_OF_ROW, "the time is before the start of the run".to_string()));
         }
         if rows.get(TIME_OF_ROW, row).is_some_and(|t| t > known * (1.0 + 1e-9)) {
-            let message = format!("a record that the model names ends at {}", TIME.told(known));
+            let message = format!("a record that the model names ends at {}", TIME.format(known));
             return Some((TIME_OF_ROW, message));
         }
         if rows.observable[row] == ELONGATION && !setup.body.has_ends() {

@@ -213,8 +213,8 @@ fn read_measurement(t: &Reader, length: f64, time: &Time) -> (Vec<f64>, Vec<f64>
     if let Some(place) = places.iter().find(off) {
         t.problem(
             "places",
-            format!("{} is not on the body", LENGTH.told(*place)),
-            format!("it reaches from 0 to {}", LENGTH.told(length)),
+            format!("{} is not on the body", LENGTH.format(*place)),
+            format!("it reaches from 0 to {}", LENGTH.format(length)),
         );
     }
     let interval =

@@ -11,8 +11,8 @@ pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
     if at > body.length() * (1.0 + 1e-12) {
         t.problem(
             "at",
-            format!("the source stands at {}, beyond the body", LENGTH.told(at)),
-            format!("the body ends at {}", LENGTH.told(body.length())),
+            format!("the source stands at {}, beyond the body", LENGTH.format(at)),
+            format!("the body ends at {}", LENGTH.format(body.length())),
         );
     }
     if !body.has_sections() && !t.is_described() {

@@ -104,7 +104,7 @@ impl Steps {
                 coarse = fine;
             }
             Err(Failure {
-                message: format!("no time step leaves temperatures within {}", TEMPERATURE_RISE.told(tolerance)),
+                message: format!("no time step leaves temperatures within {}", TEMPERATURE_RISE.format(tolerance)),
                 help: "give a larger tolerance in [time], another scheme, or the step itself".into(),
             })
         };

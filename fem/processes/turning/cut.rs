@@ -75,8 +75,8 @@ impl Cut {
             let to = t.quantity("to", LENGTH, "where it ends; the headstock end if left out").or(0.0);
             for (key, x) in [("from", from), ("to", to)] {
                 if x < 0.0 || x > length * (1.0 + 1e-12) {
-                    let help = format!("the shaft reaches from 0 mm to {}", LENGTH.told(length));
-                    t.problem(key, format!("the tool would stand outside the shaft, at {}", LENGTH.told(x)), help);
+                    let help = format!("the shaft reaches from 0 mm to {}", LENGTH.format(length));
+                    t.problem(key, format!("the tool would stand outside the shaft, at {}", LENGTH.format(x)), help);
                 }
             }
             if from == to {

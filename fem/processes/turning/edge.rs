@@ -48,7 +48,7 @@ fn read_points(t: &Reader, last: f64) -> Option<Record> {
     // While a value is unknown, nothing can be said of its order.
     let is_known = points.iter().all(|p| p[0].is_finite());
     if is_known && end < last * (1.0 - 1e-9) {
-        let message = format!("the land is known up to {}, and the batch cuts {}", PATH.told(end), PATH.told(last));
+        let message = format!("the land is known up to {}, and the batch cuts {}", PATH.format(end), PATH.format(last));
         t.problem("land", message, "give the width at the end of the batch too");
     }
     let record = Record::new(points);

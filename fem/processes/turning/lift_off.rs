@@ -63,8 +63,8 @@ impl LiftOff {
         self.positions += other.positions;
     }
 
-    /// In sentences; `positions` is what they are called.
-    pub fn told(&self, positions: &str) -> Vec<String> {
+    /// Warnings, as sentences; `positions` is the word for the tool positions.
+    pub fn warnings(&self, positions: &str) -> Vec<String> {
         let pulls = |(who, x, force): &(String, f64, f64)| {
             format!(
                 "{who} would have to pull with {:.1} while the tool is at x = {:.1}; it can only press, and the shaft \

@@ -97,7 +97,7 @@ impl Definition for Turning {
             all.add(LiftOff::of(machine, positions, deflections)?);
             Ok(())
         })?;
-        Ok(all.told("rows"))
+        Ok(all.warnings("rows"))
     }
 
     fn predict(machine: &Machine, programme: &Rows, progress: &Progress) -> Result<Vec<f64>, Failure> {

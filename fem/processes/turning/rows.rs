@@ -72,7 +72,7 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
         // A length that is to be fitted bounds nothing yet.
         let is_off = |x: &f64| length.is_finite() && !(-1e-9 * length..=length * (1.0 + 1e-9)).contains(x);
         if let Some(x) = value(X).filter(is_off) {
-            let [x, end] = [x, length].map(|x| LENGTH.told(x));
+            let [x, end] = [x, length].map(|x| LENGTH.format(x));
             return wrong(X, format!("x = {x} is not on the shaft, which reaches from 0 to {end}"));
         }
         if let Some(part) = value(PART).filter(|p| *p > parts as f64) {

@@ -239,7 +239,7 @@ fn read_rest(t: &Reader, length: f64) -> Rest {
         t.problem(
             "at",
             "the steady rest stands beyond the shaft",
-            format!("the shaft is {} long", LENGTH.told(length)),
+            format!("the shaft is {} long", LENGTH.format(length)),
         );
     }
     let offset = t.quantity("offset", LENGTH, "how far it stands out of line, away from the tool").or(0.0);

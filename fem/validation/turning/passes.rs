@@ -49,7 +49,7 @@ pub fn cases() -> Vec<Case> {
     let time = |passes: &str| turned(large, passes, 1.0).map_or(f64::NAN, |l| l.setup().schedule.start(1) / 60.0);
     let lobed = |lobes: usize| format!("lobes = [{{ lobes = {lobes}, amplitude = \"100 um\" }}]");
     // At the rigid centre, where only the carriage yields.
-    let section = |lathe: &Lathe| Roundness::of(lathe.machine(), &[0.5]).ok()??.figure(&[0.5]).told("largest");
+    let section = |lathe: &Lathe| Roundness::of(lathe.machine(), &[0.5]).ok()??.figure(&[0.5]).value_at("largest");
     let roundness = |lobes: usize, passes: &str, e: f64| {
         turned(&lobed(lobes), passes, e).as_ref().and_then(section).unwrap_or(f64::NAN)
     };

@@ -52,7 +52,7 @@ impl Order<'_> {
         notes: &mut Vec<String>,
     ) -> Result<(Grid, Table), String> {
         let grid = match (self.steps, Grid::of(table)) {
-            (Some(steps), _) => told(table, steps, most)?,
+            (Some(steps), _) => grid_from_reference(table, steps, most)?,
             (None, Some(grid)) if grid.points <= most => grid,
             (None, _) => Grid::fitted(table, few, NEAR).ok_or(ONE_TARGET)?,
         };
@@ -99,8 +99,8 @@ impl Order<'_> {
     }
 }
 
-/// Points of equal distance from the reference point on that the model tells.
-fn told(table: &Table, steps: Steps, most: usize) -> Result<Grid, String> {
+/// Grid through the reference point with the interval that the model gives, `most` points at most.
+fn grid_from_reference(table: &Table, steps: Steps, most: usize) -> Result<Grid, String> {
     let grid = Grid::through(table, steps.reference, steps.interval).ok_or(ONE_TARGET)?;
     if grid.points > most {
         let length = grid.last() - grid.first;

@@ -109,7 +109,7 @@ impl Pen {
             return None;
         }
         if radius < OPEN || sweep == 0.0 || sweep.abs() > TAU + 1e-9 {
-            let message = format!("an arc of radius {} by {} is none", LENGTH.told(radius), ANGLE.told(sweep));
+            let message = format!("an arc of radius {} by {} is none", LENGTH.format(radius), ANGLE.format(sweep));
             let help = "its centre lies away from where the chain stands; it sweeps up to 360 deg either way";
             t.problem("arc", message, help);
             return None;

@@ -138,7 +138,7 @@ fn tolerance(machine: &Machine, deviations: &[f64]) -> Option<Figure> {
     }
     for (cause, feed) in [("the gains as they are", by_mismatch), ("the lag of equal servos", by_contraction)] {
         if feed.is_finite() {
-            figure = figure.line(format!("{cause} would alone use it up at {}", FEED_RATE.told(feed)));
+            figure = figure.line(format!("{cause} would alone use it up at {}", FEED_RATE.format(feed)));
         }
     }
     Some(figure)

@@ -113,7 +113,7 @@ pub fn drawing(setup: &Setup, rows: &Rows, deviations: &[f64]) -> Drawing {
     };
     Drawing {
         name: "contour",
-        title: format!("{}, {}", setup.path.words(), FEED_RATE.told(setup.feed)),
+        title: format!("{}, {}", setup.path.words(), FEED_RATE.format(setup.feed)),
         nominal: setup.path.drawn(),
         curves: laps(setup, rows, deviations).into_iter().enumerate().map(curve).collect(),
     }

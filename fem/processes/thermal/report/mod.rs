@@ -166,7 +166,7 @@ fn steps(setup: &Setup, scene: &Scene) -> Figure {
     let (count, longest, scheme) = (scene.times.len() - 1, scene.longest_step(), setup.time.scheme_name());
     let how = match setup.time.step {
         Some(_) => "given".to_string(),
-        None => format!("chosen for {}", TEMPERATURE_RISE.told(setup.time.tolerance)),
+        None => format!("chosen for {}", TEMPERATURE_RISE.format(setup.time.tolerance)),
     };
     Figure::new("steps", "time steps")
         .line(format!("{count} of {scheme}, up to {:.3} ({how})", SECONDS.shown(longest)))

@@ -20,7 +20,7 @@ pub fn figure(machine: &Machine) -> Option<(Figure, Option<String>)> {
     let figure = figure.quantity("width", LENGTH, land).quantity("path", PATH, end).line(told);
     let Some(largest) = edge.largest_land else { return Some((figure, None)) };
     let life = life(machine, edge, largest);
-    let limit = LENGTH.told(largest);
+    let limit = LENGTH.format(largest);
     let (line, warning) = match life {
         Some(path) if path < end => {
             let part = (1..=schedule.parts).find(|k| schedule.path(*k, schedule.pass.to) >= path).unwrap_or(1);

@@ -157,7 +157,7 @@ fn plots(positions: &[f64], errors: &[f64]) -> Vec<Plot> {
 
 fn warnings(machine: &Machine, positions: &[f64], deflections: &[Deflection]) -> Result<Vec<String>, Failure> {
     let setup = &machine.setup;
-    let mut warnings = LiftOff::of(machine, positions, deflections)?.told("positions");
+    let mut warnings = LiftOff::of(machine, positions, deflections)?.warnings("positions");
     let is_told = !setup.passes.is_empty() || !setup.blank.is_true();
     if is_told && !machine.feeds_back() {
         warnings.push(

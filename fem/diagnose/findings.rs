@@ -1,4 +1,4 @@
-//! Tells the effects of the measurement that a diagnosis has found.
+//! Findings about the measurement: its missing effects in the best model, and outlying rows.
 
 use super::candidate_model::CandidateModel;
 use super::diagnosis::{Cause, Missing, Outlier};
@@ -27,9 +27,9 @@ pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
     weighed.flat_map(|t| t.rows.iter().map(|row| (*row, t.size))).map(outlier).collect()
 }
 
-/// Tells the terms of the best model as missing effects, each with the goodness of the model with it and
-/// those before it.
-pub fn told(
+/// Missing effects of the measurement: the terms of the best model that the file does not state, each with the goodness
+/// of the model with it and those before it.
+pub fn missing_effects(
     base: &CandidateModel,
     best: &CandidateModel,
     plain: Option<&CandidateModel>,
