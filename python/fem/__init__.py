@@ -8,20 +8,19 @@ from typing import Optional, Union
 
 from fem import _fem
 from fem._errors import ComputationError, DataError, Error, Fault, ModelError, Problem
-from fem._model import Demo, Model, Parameter, compare, demo, load, model, new, report
+from fem._model import Diagnosis, Fit, Model, Parameter, compare, report
 from fem._record import Record
 from fem._results import (
     Budget,
     Catalogue,
     Comparison,
     Compensation,
-    Diagnosis,
-    Fit,
     Plan,
     Report,
     Result,
     Run,
 )
+from fem._start import Demo, demo, load, model, new
 from fem._study import Study, study
 from fem._table import Table
 

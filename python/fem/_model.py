@@ -1,8 +1,7 @@
-"""Models: read, made, changed, and asked."""
+"""Models: changed, asked, and made by a fit or a diagnosis of others."""
 
 from __future__ import annotations
 
-import csv
 import html
 import json
 import os
@@ -10,15 +9,19 @@ import tempfile
 from collections.abc import Iterator, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from fem import _fem
 from fem._data import Columns, Data, asked
-from fem._results import Comparison, Compensation, Diagnosis, Fit, Plan, Report, Run
+from fem._results import Comparison, Compensation, Listing, Plan, Report, Run, estimated, tables_of
 from fem._study import Study, Watch, of_model
 
 if TYPE_CHECKING:
-    from fem._table import Array
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+    from fem._answer import Answer
+    from fem._table import Table
 
 _Path = Union[str, "os.PathLike[str]"]
 
@@ -90,6 +93,13 @@ class Model:
         self._name = name
         self._read: Optional[_fem.Model] = None
 
+    @classmethod
+    def _of(cls, core: _fem.Model) -> Model:
+        # It was read already.
+        model = cls(core.text, core.name)
+        model._read = core
+        return model
+
     def _core(self) -> _fem.Model:
         if self._read is None:
             self._read = _fem.Model.parse(self._name, self._text)
@@ -99,7 +109,7 @@ class Model:
         self._text, self._read = text, None
 
     def _set(self, path: Sequence[str], value: Any) -> None:
-        self._change(_fem.with_value(self._text, list(path), _json(value)))
+        self._change(_fem.with_value(self._text, list(path), in_json(value)))
 
     def _with_text(self, text: str, mark: str = "") -> Model:
         # A mark tells its name from that of the model from which it came.
@@ -173,7 +183,7 @@ class Model:
 
     def add(self, effect: str, **parameters: Any) -> Model:
         """The model with one more effect; what is left out of its parameters is unknown (`?`), to be fitted."""
-        settings = [(key, value if isinstance(value, str) else _json(value)) for key, value in parameters.items()]
+        settings = [(key, value if isinstance(value, str) else in_json(value)) for key, value in parameters.items()]
         added = Model(self._text, self._name)
         added._read = self._core().add(effect, settings)
         added._text = added._read.text
@@ -209,7 +219,7 @@ class Model:
         columns: Columns = (),
         decimal: Optional[str] = None,
         time_limit: Optional[float] = None,
-    ) -> Fit[Model]:
+    ) -> Fit:
         """Estimates what is marked `+-` or `?`, within so many seconds if a limit is given."""
         return Fit(self._core().fit(asked(data, columns, decimal), time_limit), self)
 
@@ -221,7 +231,7 @@ class Model:
         columns: Columns = (),
         decimal: Optional[str] = None,
         time_limit: Optional[float] = None,
-    ) -> Diagnosis[Model]:
+    ) -> Diagnosis:
         """Names the effects that are missing, at most so many together."""
         _positive(max_effects)
         return Diagnosis(self._core().diagnose(asked(data, columns, decimal), max_effects, time_limit), self)
@@ -320,42 +330,72 @@ class Model:
         return f"<details><summary>{html.escape(repr(self))}</summary><pre>{text}</pre></details>"
 
 
-def load(path: _Path) -> Model:
-    """Reads a model file."""
-    core = _fem.Model.load(os.fspath(path))
-    model = Model(core.text, core.name)
-    model._read = core
-    return model
+class Fit(Listing):
+    """What a model leaves open, estimated."""
+
+    def __init__(self, answer: Answer, model: Model) -> None:
+        super().__init__(answer)
+        (tables,) = answer["tables"]
+        self.tables: dict[str, Table] = tables_of(tables, answer["coordinates"])
+        """The table of each observable: coordinates, what was measured, `u`, `predicted`, `residual`."""
+        self.model: Model = model._with_text(answer["model"] or model.text, "fitted")
+        """The model with the fitted values and their uncertainties."""
+
+    @property
+    def rows(self) -> Table:
+        """The rows of the first observable with the predictions of the fitted model."""
+        return next(iter(self.tables.values()))
+
+    def _records(self) -> list[dict[str, Any]]:
+        return [estimated(p["parameter"], p) for p in self.document["parameters"]]
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The parameters: value, unit, standard uncertainty, 95 % interval."""
+        return super().to_pandas()
+
+    def plot(self, ax: Optional[Axes] = None) -> Axes:
+        """Draws the residuals of the fitted model along their longest coordinate."""
+        from fem import _plot
+
+        return _plot.points(self.rows, "residual", ax)
 
 
-def new(process: str) -> Model:
-    """A model of a process to start from."""
-    return Model(_fem.starting_model(process), process)
+class Diagnosis(Listing):
+    """The effects that are missing."""
 
+    def __init__(self, answer: Answer, model: Model) -> None:
+        super().__init__(answer)
+        self.model: Optional[Model] = model._with_text(answer["model"], "completed") if answer["model"] else None
+        """The model with the missing effects and every fitted value; None where no model may hold these."""
+        self.steps: list[Model] = _steps(model, answer["steps"])
+        """The model with one missing effect after the other: `fem.compare([model, *diagnosis.steps], data)` shows the
+        error falling."""
+        # Commands name files, of which there are none here.
+        told, commands, _ = self.text.partition("\nto go on\n")
+        if commands:
+            self.text = f"{told}\nto go on\n  .steps   the model with one of them after the other\n"
+            self.text += "  .model   the model with all of them, every value re-fitted\n" if self.model else ""
 
-class Demo(NamedTuple):
-    """Something to try everything on."""
+    def _records(self) -> list[dict[str, Any]]:
+        keys = ("effect", "kind", "rms_after", "delta_bic", "p_value", "note")
+        return [{key: one[key] for key in keys} for one in self.document["candidates"]]
 
-    model: Model
-    """A lathe that is believed to be rigid."""
-    measured: dict[str, Array]
-    """Columns of measurements of twelve shafts that it turned."""
+    def to_pandas(self) -> pd.DataFrame:
+        """Every effect on trial: what is left of the error with it, and how much better it is than chance."""
+        return super().to_pandas()
 
+    def parameters_to_pandas(self) -> pd.DataFrame:
+        """All that was fitted: value, unit, standard uncertainty, 95 % interval."""
+        import pandas as pd
 
-def demo() -> Demo:
-    """A model of a lathe, and measurements that it does not explain: `pandas.DataFrame(measured)` makes a frame of them."""
-    import numpy as np
+        found = self.document["parameters"]
+        return pd.DataFrame([estimated(path, estimate) for path, estimate in found.items()])
 
-    text, measured = _fem.demo()
-    header, *rows = csv.reader(line for line in measured.splitlines() if not line.startswith("#"))
-    columns = np.array(rows, dtype=np.float64).T
-    return Demo(Model(text, "rigid"), dict(zip(header, columns)))
+    def plot(self, ax: Optional[Axes] = None) -> Axes:
+        """Draws the error falling from effect to effect."""
+        from fem import _plot
 
-
-def model(keys: Union[str, Mapping[str, Any]], name: str = "model") -> Model:
-    """A model of nested mappings, or of the text of a model file."""
-    text = keys if isinstance(keys, str) else _fem.written(_json(keys))
-    return Model(text, name).check()
+        return _plot.falling(self.document, ax)
 
 
 def compare(
@@ -388,12 +428,19 @@ def report(
     return page
 
 
+def _steps(model: Model, steps: Sequence[tuple[str, str]]) -> list[Model]:
+    models: list[Model] = []
+    for effect, text in steps:
+        models.append((models[-1] if models else model)._with_text(text, effect))
+    return models
+
+
 def _positive(max_effects: int) -> None:
     if not 1 <= max_effects <= 8:
         raise ValueError(f"max_effects is {max_effects}; expected 1 to 8")
 
 
-def _json(value: Any) -> str:
+def in_json(value: Any) -> str:
     """A value of a model; NumPy's numbers are numbers."""
     return json.dumps(value, default=_number, allow_nan=False)
 

@@ -8,7 +8,7 @@ import json
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Generic, Optional, Protocol, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Optional, Union, overload
 
 from fem._answer import bare
 from fem._record import Record, read
@@ -20,18 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from fem._answer import Answer
-
-
-class Revisable(Protocol):
-    """A model, as far as results know it: with another text it is another model of its kind."""
-
-    @property
-    def text(self) -> str: ...
-
-    def _with_text(self: M, text: str, mark: str = "") -> M: ...
-
-
-M = TypeVar("M", bound=Revisable)
 
 
 class Result:
@@ -89,7 +77,7 @@ class Run(Result):
     def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
         (tables,) = answer["tables"]
-        self.tables: dict[str, Table] = _tables(tables, answer["coordinates"])
+        self.tables: dict[str, Table] = tables_of(tables, answer["coordinates"])
         """All tables: `profile`, those of the process, and `changes of …` for each observable."""
 
     @property
@@ -122,7 +110,7 @@ class Comparison(Result):
 
     def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
-        self.tables: list[dict[str, Table]] = [_tables(tables, answer["coordinates"]) for tables in answer["tables"]]
+        self.tables: list[dict[str, Table]] = [tables_of(tables, answer["coordinates"]) for tables in answer["tables"]]
         """For each model the table of each observable: coordinates, what was measured, `u`, `predicted`, `residual`."""
 
     def __getattr__(self, name: str) -> Any:
@@ -160,8 +148,8 @@ class Comparison(Result):
         return _plot.points(self.rows, "residual", ax)
 
 
-class _Parameters(Result):
-    """An answer whose main table is one of parameters or effects."""
+class Listing(Result):
+    """An answer whose main table lists parameters or effects."""
 
     def _records(self) -> list[dict[str, Any]]:
         raise NotImplementedError
@@ -176,75 +164,7 @@ class _Parameters(Result):
         return frame.set_index(frame.columns[0]).to_xarray()
 
 
-class Fit(_Parameters, Generic[M]):
-    """What a model leaves open, estimated."""
-
-    def __init__(self, answer: Answer, model: M) -> None:
-        super().__init__(answer)
-        (tables,) = answer["tables"]
-        self.tables: dict[str, Table] = _tables(tables, answer["coordinates"])
-        """The table of each observable: coordinates, what was measured, `u`, `predicted`, `residual`."""
-        self.model: M = model._with_text(answer["model"] or model.text, "fitted")
-        """The model with the fitted values and their uncertainties."""
-
-    @property
-    def rows(self) -> Table:
-        """The rows of the first observable with the predictions of the fitted model."""
-        return next(iter(self.tables.values()))
-
-    def _records(self) -> list[dict[str, Any]]:
-        return [_estimate(p["parameter"], p) for p in self.document["parameters"]]
-
-    def to_pandas(self) -> pd.DataFrame:
-        """The parameters: value, unit, standard uncertainty, 95 % interval."""
-        return super().to_pandas()
-
-    def plot(self, ax: Optional[Axes] = None) -> Axes:
-        """Draws the residuals of the fitted model along their longest coordinate."""
-        from fem import _plot
-
-        return _plot.points(self.rows, "residual", ax)
-
-
-class Diagnosis(_Parameters, Generic[M]):
-    """The effects that are missing."""
-
-    def __init__(self, answer: Answer, model: M) -> None:
-        super().__init__(answer)
-        self.model: Optional[M] = model._with_text(answer["model"], "completed") if answer["model"] else None
-        """The model with the missing effects and every fitted value; None where no model may hold these."""
-        self.steps: list[M] = _steps(model, answer["steps"])
-        """The model with one missing effect after the other: `fem.compare([model, *diagnosis.steps], data)` shows the
-        error falling."""
-        # Commands name files, of which there are none here.
-        told, commands, _ = self.text.partition("\nto go on\n")
-        if commands:
-            self.text = f"{told}\nto go on\n  .steps   the model with one of them after the other\n"
-            self.text += "  .model   the model with all of them, every value re-fitted\n" if self.model else ""
-
-    def _records(self) -> list[dict[str, Any]]:
-        keys = ("effect", "kind", "rms_after", "delta_bic", "p_value", "note")
-        return [{key: one[key] for key in keys} for one in self.document["candidates"]]
-
-    def to_pandas(self) -> pd.DataFrame:
-        """Every effect on trial: what is left of the error with it, and how much better it is than chance."""
-        return super().to_pandas()
-
-    def parameters_to_pandas(self) -> pd.DataFrame:
-        """All that was fitted: value, unit, standard uncertainty, 95 % interval."""
-        import pandas as pd
-
-        found = self.document["parameters"]
-        return pd.DataFrame([_estimate(path, estimate) for path, estimate in found.items()])
-
-    def plot(self, ax: Optional[Axes] = None) -> Axes:
-        """Draws the error falling from effect to effect."""
-        from fem import _plot
-
-        return _plot.falling(self.document, ax)
-
-
-class Plan(_Parameters):
+class Plan(Listing):
     """What could be seen by measuring."""
 
     def _records(self) -> list[dict[str, Any]]:
@@ -261,7 +181,7 @@ class Plan(_Parameters):
         return _plot.shares(self.document, ax)
 
 
-class Compensation(_Parameters):
+class Compensation(Listing):
     """The test of an axis by ISO 230-2, and what tables for its controller would leave."""
 
     def _records(self) -> list[dict[str, Any]]:
@@ -360,18 +280,11 @@ class Catalogue(Sequence[Record]):
         )
 
 
-def _tables(tables: dict[str, Any], coordinates: Sequence[str]) -> dict[str, Table]:
+def tables_of(tables: dict[str, Any], coordinates: Sequence[str]) -> dict[str, Table]:
     return {name: Table(columns, coordinates) for name, columns in tables.items()}
 
 
-def _steps(model: M, steps: Sequence[tuple[str, str]]) -> list[M]:
-    models: list[M] = []
-    for effect, text in steps:
-        models.append((models[-1] if models else model)._with_text(text, effect))
-    return models
-
-
-def _estimate(path: str, estimate: Any) -> dict[str, Any]:
+def estimated(path: str, estimate: Any) -> dict[str, Any]:
     low, high = estimate["interval95"]
     return {
         "parameter": path,

@@ -1,5 +1,7 @@
 """Files of the package use each other in one direction."""
 
+from __future__ import annotations
+
 import ast
 from pathlib import Path
 
@@ -8,9 +10,9 @@ import fem
 HERE = Path(fem.__file__).parent
 
 
-def uses(path: Path) -> set:
+def uses(path: Path) -> set[str]:
     """Files of the package that one imports, at its top, inside of functions or for types alone."""
-    named = set()
+    named: set[str] = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("fem._"):
             named.add(node.module.split(".")[1])
@@ -19,7 +21,7 @@ def uses(path: Path) -> set:
     return named
 
 
-def test_no_circle():
+def test_no_circle() -> None:
     left = {path.stem: uses(path) for path in HERE.glob("_*.py") if not path.stem.startswith("__")}
     assert len(left) > 5 and left["_model"] >= {"_results", "_study"}
     while left:

@@ -17,6 +17,10 @@ model["cut"]["depth"] = "0.6 mm"
 rows: int = model.run().profile.rows
 better: fem.Model | None = model.diagnose("m.csv").model
 wrong: str = model.run().profile.rows
+
+
+def completed(fit: fem.Fit, diagnosis: fem.Diagnosis) -> list[fem.Model]:
+    return [fit.model, *diagnosis.steps]
 """
 
 
