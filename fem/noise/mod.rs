@@ -19,6 +19,7 @@ mod mean;
 mod scan;
 mod size;
 mod size_profile;
+mod source;
 mod suspects;
 mod table;
 mod term;
@@ -44,7 +45,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use crate::measure::{LEAST_FREEDOM, Measurements, Repeats, Scatter, of_neighbours};
+use crate::measure::{Measurements, Repeats};
 use crate::process::Values;
 use covariance::Covariance;
 
@@ -84,28 +85,6 @@ impl NoiseSource {
 }
 
 impl Noise {
-    /// Takes the best source there is. Observables that stand side by side each have their own noise.
-    pub fn of(measurements: &Measurements, repeats: &Repeats, residuals: &[f64]) -> Self {
-        if let Some(sigma) = &measurements.uncertainty {
-            return Self::independent(sigma.clone(), NoiseSource::Column);
-        }
-        let (all, least) = (measurements.rows_by_observable(), least(measurements));
-        // Copies of a row, and readings that all fall on one step of the gauge, scatter by round-off alone.
-        let own = |(s, round_off): (&Scatter, &[f64; 2])| {
-            let sigma = (s.sum_of_squares / s.freedom as f64).sqrt();
-            (s.freedom >= LEAST_FREEDOM && sigma > round_off[0]).then(|| sigma.max(round_off[1]))
-        };
-        if let Some(sigma) = repeats.scatter.iter().zip(&least).map(own).collect::<Option<Vec<f64>>>() {
-            return Self::alike(measurements, &sigma, NoiseSource::Repeats);
-        }
-        let of_rows = |(rows, [round_off, rounding]): (Vec<usize>, &[f64; 2])| {
-            let residuals: Vec<f64> = in_line(measurements, rows).into_iter().map(|r| residuals[r]).collect();
-            of_neighbours(&residuals).max(*round_off).max(*rounding)
-        };
-        let sigma: Vec<f64> = all.into_iter().zip(&least).map(of_rows).collect();
-        Self::alike(measurements, &sigma, NoiseSource::Estimated)
-    }
-
     /// Noise of rows on which terms are at work, without their shares yet, and the repeats within the groups
     /// that the terms set apart: what varies between groups is no noise of a row.
     pub fn beside(
@@ -305,39 +284,6 @@ impl Noise {
         let own: f64 = self.sigma.iter().map(|s| 2.0 * s.ln()).sum();
         own + self.shared.as_ref().map_or(0.0, |s| s.log_determinant)
     }
-}
-
-/// Standard uncertainties (SI) below which the noise of an observable cannot lie, in the order of the file's:
-/// the round-off of its values, and what rounding to the gauge's step adds (step/√12, JCGM 100:2008, F.2.2.1).
-fn least(measurements: &Measurements) -> Vec<[f64; 2]> {
-    let of = |(number, rows): (usize, Vec<usize>)| {
-        let scale = rows.iter().fold(0.0f64, |m, r| m.max(measurements.observed[*r].abs()));
-        let step = step_of(measurements, &measurements.observed, number).unwrap_or(0.0);
-        [1e-9 * scale, step / 12f64.sqrt()]
-    };
-    measurements.rows_by_observable().into_iter().enumerate().map(of).collect()
-}
-
-/// Orders the rows of one of several observables with neighbours side by side: the coordinate with the most
-/// values runs fastest. A file of one observable is taken as it was written.
-fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
-    if measurements.observables.len() < 2 {
-        return rows;
-    }
-    let columns = &measurements.rows.columns;
-    let levels = |column: &Values| {
-        let mut values: Vec<f64> = rows.iter().map(|r| column[*r]).filter(|v| !v.is_nan()).collect();
-        values.sort_unstable_by(f64::total_cmp);
-        values.dedup();
-        values.len()
-    };
-    let mut order: Vec<(usize, &Values)> = columns.iter().map(|c| (levels(c), c)).collect();
-    order.sort_by_key(|(levels, _)| *levels);
-    rows.sort_by(|a, b| {
-        let differ = |(_, c): &(usize, &Values)| Some(c[*a].total_cmp(&c[*b])).filter(|o| o.is_ne());
-        order.iter().find_map(differ).unwrap_or(std::cmp::Ordering::Equal)
-    });
-    rows
 }
 
 #[cfg(test)]
