@@ -4,7 +4,7 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use fem::model::{Contribution, Model, Setting, add_effect};
+use fem::model::{Contribution, Entry, Model, Setting, add_effect};
 use fem::output::signatures;
 use fem::process::{Active, Description, Neutral, Parameter, Process};
 use fem::progress::Progress;
@@ -57,7 +57,7 @@ fn problem(problem: fem::input::Problem) -> String {
 
 /// Values in the middle of what is plausible, as one would write them.
 fn settings(effect: &Description) -> Vec<Setting> {
-    let setting = |p: &Parameter| Setting { key: p.name.into(), value: usual(p) };
+    let setting = |p: &Parameter| Setting { key: p.name.into(), value: Entry::Text(usual(p)) };
     effect.parameters.iter().map(setting).collect()
 }
 

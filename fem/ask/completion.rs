@@ -2,8 +2,8 @@
 
 use super::Error;
 use crate::diagnose::Diagnosis;
-use crate::fit::{Fit, fitted_text, has_nothing_to_fit};
-use crate::input::{Problem, Source};
+use crate::fit::{Fit, has_nothing_to_fit};
+use crate::input::Problem;
 use crate::model::{Data, Model, add_effect};
 use crate::output::additions;
 
@@ -24,7 +24,7 @@ pub fn fit(data: &Data) -> Result<Fit, Error> {
 /// # Errors
 /// A fitted value lies outside of what a model may hold.
 pub fn fitted(data: &Data, fit: &Fit) -> Result<Model, Error> {
-    Ok(Model::parse(Source::new(data.model.source.name.to_string(), fitted_text(data, fit)))?)
+    Ok(data.model.edited(&crate::fit::edits(data, fit))?)
 }
 
 /// The model with the missing effects and every fitted value.

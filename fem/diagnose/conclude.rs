@@ -16,6 +16,7 @@ use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{findings, look_alike, next, sensitivity};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
+use crate::input::ParameterId;
 use crate::measure::Repeats;
 use crate::process::Failure;
 
@@ -218,7 +219,7 @@ fn missing(
         let gained = own.map_or(0.0, |p| p.chi2_without - best.solution.chi2);
         let measured = variance.statistic(gained, best.solution.chi2, best.objective.freedom());
         let effect = found.candidates[last].effect.clone();
-        let own_paths: Vec<String> = effect.parameters.iter().map(|p| effect.path(p)).collect();
+        let own_paths: Vec<ParameterId> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
             cause: findings::cause(&effect),
             effect,

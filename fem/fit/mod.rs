@@ -1,6 +1,7 @@
 //! Estimates the parameters that a model does not know exactly: bounded nonlinear least squares with priors
 //! (maximum a posteriori), and profile-likelihood intervals.
 
+mod edits;
 mod estimates;
 mod intervals;
 mod jacobian;
@@ -9,8 +10,8 @@ mod objective;
 mod search_variable;
 mod sizes;
 pub(crate) mod starts;
-mod write;
 
+pub use edits::{edits, uncertain};
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
 pub use least_squares::{StoppingCriterion, minimise, resume};
@@ -18,7 +19,6 @@ pub use objective::{Objective, Solution, Trials};
 pub use search_variable::SearchVariable;
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
-pub use write::{fitted_text, uncertain};
 
 use nalgebra::DMatrix;
 

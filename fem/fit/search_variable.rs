@@ -96,7 +96,7 @@ impl SearchVariable {
     /// another, and no cause is learnt.
     pub fn of_candidate(entry: &crate::process::Parameter, extent: Option<(f64, f64)>) -> Self {
         let parameter = Parameter {
-            path: String::new(),
+            path: "".into(),
             kind: entry.kind,
             quantity: Quantity { value: f64::NAN, knowledge: Knowledge::Free },
             bounds: entry.bounds,

@@ -22,7 +22,7 @@ pub fn size_estimate(
     let table = if term.table.is_empty() { term.effect.name } else { &term.table };
     Estimate {
         parameter: Parameter {
-            path: format!("measurement.{table}.{}", term.effect.size.key()),
+            path: format!("measurement.{table}.{}", term.effect.size.key()).into(),
             kind: term.kind(measurements),
             quantity: Quantity { value: term.size, knowledge: Knowledge::Free },
             bounds: Bounds::NotNegative,

@@ -45,9 +45,7 @@ impl Reader<'_> {
             self.refuse(problem.at(item.span()));
             return None;
         };
-        if let Some(span) = item.span() {
-            self.keep_file(FileKey { written: written.into(), span });
-        }
+        self.keep_file(FileKey { written: written.into(), path: self.path_of(key).into() });
         let path = self.folder().join(written);
         match self.kept::<Files>().get_or(path.clone(), |path| read(path, limit).map(Arc::from)) {
             Ok(bytes) => Some(NamedFile { path, bytes: bytes.as_ref().clone() }),

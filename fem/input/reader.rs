@@ -19,34 +19,19 @@ use std::sync::Arc;
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{Item, TableLike};
 
-use super::{Bounds, Kept, Problem, nearest};
+use super::{Bounds, Kept, Parameter, ParameterId, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// Most problems that are kept while a file is read.
 const MOST_PROBLEMS: usize = 1000;
-
-/// A quantity of the model that is not exactly known (`+-` or `?`).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
-    /// Path of the key: `effects.tool-wear.rate`, `workpiece.segments[1].diameter`.
-    pub path: String,
-    /// Kind of the quantity, with the canonical unit.
-    pub kind: Kind,
-    /// Value in SI and knowledge.
-    pub quantity: Quantity,
-    /// Range in which it may lie, SI.
-    pub bounds: Bounds,
-    /// Bytes of its value in the model file.
-    pub span: Option<Range<usize>>,
-}
 
 /// The key by which a model names a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileKey {
     /// The path as the model writes it.
     pub written: PathBuf,
-    /// Bytes of its value in the model file, quotes included.
-    pub span: Range<usize>,
+    /// The key.
+    pub path: ParameterId,
 }
 
 /// Findings of one reading beside the values.
@@ -62,13 +47,13 @@ pub struct Found {
     pub files: Vec<FileKey>,
 }
 
-/// Values (SI) to take in place of those of the file, by the paths of their keys.
+/// Values (SI) to take in place of those of the file.
 #[derive(Clone, Debug, Default)]
 pub struct Instead {
     /// Of quantities that are not exactly known, and stay so: a search tries them.
-    pub tried: HashMap<String, f64>,
+    pub tried: HashMap<ParameterId, f64>,
     /// Of any quantities, which are known with them.
-    pub entered: HashMap<String, f64>,
+    pub entered: HashMap<ParameterId, f64>,
 }
 
 impl Instead {
@@ -182,7 +167,7 @@ impl<'a> Reader<'a> {
     }
 
     fn child(&self, ground: Ground<'a>, key: &str) -> Self {
-        let path = if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) };
+        let path = self.path_of(key);
         Self::on(ground, path, self.findings.clone())
     }
 
@@ -280,8 +265,8 @@ impl<'a> Reader<'a> {
 
     /// Whether a key of this table that was read is not exactly known.
     pub fn is_uncertain(&self, key: &str) -> bool {
-        let path = format!("{}.{key}", self.path);
-        self.findings.found.borrow().parameters.iter().any(|p| p.path == path)
+        let path = self.path_of(key);
+        self.findings.found.borrow().parameters.iter().any(|p| *p.path == path)
     }
 
     /// Whether the file has this key.
@@ -339,6 +324,11 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Path of a key of this table.
+    pub(super) fn path_of(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) }
+    }
+
     /// Keeps a quantity that is not exactly known, and gives its value.
     pub(super) fn note(
         &self,
@@ -352,12 +342,12 @@ impl<'a> Reader<'a> {
         if is_known && !self.is_as_written() && instead.entered.is_empty() {
             return quantity.value;
         }
-        let path = if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) };
-        if let Some(entered) = instead.entered.get(&path) {
+        let path = self.path_of(key);
+        if let Some(entered) = instead.entered.get(path.as_str()) {
             return *entered;
         }
-        let value = instead.tried.get(&path).copied().unwrap_or(quantity.value);
-        let parameter = Parameter { path, kind, quantity, bounds, span };
+        let value = instead.tried.get(path.as_str()).copied().unwrap_or(quantity.value);
+        let parameter = Parameter { path: path.into(), kind, quantity, bounds, span };
         let found = &mut self.findings.found.borrow_mut();
         if self.is_as_written() {
             found.quantities.push(parameter.clone());

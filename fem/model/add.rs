@@ -1,20 +1,18 @@
-//! Writes a model with one more effect; every comment and the order of the file are kept.
+//! One more effect in a model.
 
-use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
-
-use super::{Model, effect_of};
-use crate::input::{Problem, Source, did_you_mean};
-use crate::noise::{Acts, MeasurementEffect, Size, effects, observed, size};
-use crate::process::Description;
+use super::{Edit, Entry, Model, effect_of};
+use crate::input::{Problem, did_you_mean};
+use crate::noise::{Acts, MEASUREMENT, MeasurementEffect, Size, effects, observed, size};
+use crate::process::{Description, EFFECTS, Parameter};
 use crate::units::{Kind, Quantity};
 
-/// A `KEY=VALUE` of the command line.
+/// A value for a key of an effect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// Name of the parameter.
+    /// Name of the key.
     pub key: String,
-    /// Text of the value as it will stand in the file, without quotes.
-    pub value: String,
+    /// Value as it will stand in the model.
+    pub value: Entry,
 }
 
 impl std::str::FromStr for Setting {
@@ -22,29 +20,27 @@ impl std::str::FromStr for Setting {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, as in 'rate=8 um/km'")?;
-        Ok(Self { key: key.trim().into(), value: value.trim().trim_matches('"').into() })
+        Ok(Self { key: key.trim().into(), value: Entry::Text(value.trim().trim_matches('"').into()) })
     }
 }
 
-/// Adds the effect `name`, of the process or of the measurement, to a model; the source of the new model is the
-/// text to write. Parameters without a setting are written as unknown (`?`), except those that may be left
-/// out.
+/// The model with the effect `name`, of the process or of the measurement. Parameters without a setting are
+/// unknown (`?`), except those that may be left out.
 ///
 /// # Errors
 /// The effect is unknown, present already, or does not fit; a setting is unknown or wrong.
 pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Model, Problem> {
-    let text = match effects::named(name) {
-        Some(effect) => with_measurement_effect(model, name, effect, settings)?,
-        None => with_physical_effect(model, name, settings)?,
+    let (parent, keys) = match effects::named(name) {
+        Some(effect) => (MEASUREMENT, of_measurement(model, name, effect, settings)?),
+        None => (EFFECTS, of_process(model, name, settings)?),
     };
-    Model::parse(Source::new(model.source.name.clone(), text)).map_err(|e| {
-        // The mistake stands in the request, not in the file.
-        let problem = e.problems.into_iter().next().unwrap_or_else(|| Problem::new("the model would not be right"));
-        problem.at(None)
-    })
+    model.edited(&[Edit::Add { parent, name: name.into(), keys }])
 }
 
-fn with_physical_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<String, Problem> {
+/// Keys of a table, with their values.
+type Keys = Vec<(String, Entry)>;
+
+fn of_process(model: &Model, name: &str, settings: &[Setting]) -> Result<Keys, Problem> {
     let effect = effect_of(model.process, name)?;
     if model.effects.iter().any(|e| e.description.name == effect.name) {
         return Err(present(name).help("edit its values in the file"));
@@ -55,26 +51,27 @@ fn with_physical_effect(model: &Model, name: &str, settings: &[Setting]) -> Resu
     let names: Vec<&str> = effect.parameters.iter().map(|p| p.name).collect();
     check_settings(effect.name, &names, settings, |Setting { key, value }| {
         let Some(parameter) = effect.parameters.iter().find(|p| p.name == key) else { return Ok(()) };
-        Quantity::parse(value, &parameter.kind).map(drop).map_err(|e| {
+        Quantity::parse(&value.to_string(), &parameter.kind).map(drop).map_err(|e| {
             let help = e.hint.unwrap_or_else(|| format!("write '{key}={}'", parameter.kind.example()));
             Problem::new(e.message).help(help)
         })
     })?;
-    with_table(&model.source.text, "effects", name, |table| fill(table, &effect, settings))
+    Ok(filled(&effect, settings))
 }
 
-fn with_measurement_effect(
+fn of_measurement(
     model: &Model,
     name: &str,
     effect: &MeasurementEffect,
     settings: &[Setting],
-) -> Result<String, Problem> {
+) -> Result<Keys, Problem> {
     if model.has_measurement(name) {
         let other = model.free_table(effect.name, &[]);
         return Err(present(name).help(format!("edit its values in the file, or add another as `{other}`")));
     }
     let set = |key: &str| settings.iter().find(|s| s.key == key).map(|s| &s.value);
-    let only = set("observable").and_then(|o| model.process.observables().iter().position(|own| own.name == o));
+    let said = set("observable").map(Entry::to_string);
+    let only = said.and_then(|o| model.process.observables().iter().position(|own| own.name == o));
     let of = observed(model.process, only);
     let keys = effect.all_keys();
     let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
@@ -82,7 +79,7 @@ fn with_measurement_effect(
     let is_file = matches!(effect.size, Size::File(..));
     let is_size = |key: &str| !is_file && sizes.contains(&key);
     check_settings(name, &names, settings, |Setting { key, value }| match is_size(key) {
-        true => size(effect, &of, value).map(drop),
+        true => size(effect, &of, &value.to_string()).map(drop),
         false => Ok(()),
     })?;
     let is_number = match effect.size {
@@ -95,16 +92,12 @@ fn with_measurement_effect(
         Size::Quantity(parameter) => vec![(0, parameter.kind)],
         _ => of.clone(),
     };
-    with_table(&model.source.text, "measurement", name, |table| {
-        for key in names {
-            let value = match set(key) {
-                Some(value) => written(value, is_number && is_size(key)),
-                None if !is_size(key) || matches!(effect.acts, Acts::Weighs) => continue,
-                None => Value::from(unknown(is_number, &own)),
-            };
-            table.insert(key, Item::Value(value));
-        }
-    })
+    let entry = |key: &str| match set(key) {
+        Some(value) => Some(written(value, is_number && is_size(key))),
+        None if !is_size(key) || matches!(effect.acts, Acts::Weighs) => None,
+        None => Some(Entry::Text(unknown(is_number, &own))),
+    };
+    Ok(names.into_iter().filter_map(|key| Some((key.to_string(), entry(key)?))).collect())
 }
 
 /// An unknown size; without its unit where it might be that of several observables.
@@ -119,27 +112,6 @@ fn unknown(is_number: bool, observed: &[(usize, Kind)]) -> String {
 
 fn present(name: &str) -> Problem {
     Problem::new(format!("the model has the effect `{name}` already"))
-}
-
-/// Writes a table within the table `parent` behind everything else, which stays byte for byte; an inline
-/// `parent = { … }` is edited.
-fn with_table(text: &str, parent: &str, name: &str, fill: impl FnOnce(&mut dyn TableLike)) -> Result<String, Problem> {
-    let unreadable = |e: toml_edit::TomlError| Problem::new(e.message().to_string());
-    let mut document: DocumentMut = text.parse().map_err(unreadable)?;
-    if document.get(parent).is_some_and(Item::is_inline_table) {
-        let mut table = InlineTable::new();
-        fill(&mut table);
-        if let Some(tables) = document[parent].as_table_like_mut() {
-            tables.insert(name, Item::Value(Value::InlineTable(table)));
-        }
-        return Ok(document.to_string());
-    }
-    let mut table = Table::new();
-    fill(&mut table);
-    let gap = if text.is_empty() || text.ends_with('\n') { "\n" } else { "\n\n" };
-    let added = format!("{gap}[{parent}.{name}]\n{table}");
-    let crlf = text.contains("\r\n");
-    Ok(format!("{text}{}", if crlf { added.replace('\n', "\r\n") } else { added }))
 }
 
 /// Refuses settings of keys that `effect` does not have, that are given twice, or that `check` refuses.
@@ -164,28 +136,26 @@ fn check_settings(
     Ok(())
 }
 
-fn fill(table: &mut dyn TableLike, effect: &Description, settings: &[Setting]) {
+/// The keys of an effect of the process.
+fn filled(effect: &Description, settings: &[Setting]) -> Keys {
     let set = |name: &str| settings.iter().find(|s| s.key == name);
     let kind = |name: &str| effect.parameters.iter().find(|p| p.name == name).map(|p| p.kind);
     let is_zero = |name: &str| {
-        let value = set(name).zip(kind(name)).and_then(|(s, kind)| Quantity::parse(&s.value, &kind).ok());
+        let value = set(name).zip(kind(name)).and_then(|(s, kind)| Quantity::parse(&s.value.to_string(), &kind).ok());
         value.is_none_or(|q| q == Quantity::known(0.0))
     };
-    for parameter in &*effect.parameters {
-        let value = match set(parameter.name) {
-            Some(setting) => written(&setting.value, parameter.kind.unit.is_empty()),
-            None if parameter.default.is_some() || parameter.needed_with.is_some_and(is_zero) => continue,
-            None => Value::from(format!("? {}", parameter.kind.unit).trim_end()),
-        };
-        table.insert(parameter.name, Item::Value(value));
-    }
+    let entry = |parameter: &Parameter| match set(parameter.name) {
+        Some(setting) => Some(written(&setting.value, parameter.kind.unit.is_empty())),
+        None if parameter.default.is_some() || parameter.needed_with.is_some_and(is_zero) => None,
+        None => Some(Entry::Text(format!("? {}", parameter.kind.unit).trim_end().into())),
+    };
+    effect.parameters.iter().filter_map(|p| Some((p.name.to_string(), entry(p)?))).collect()
 }
 
-/// Makes the TOML value; known pure numbers stand without quotes.
-fn written(value: &str, pure: bool) -> Value {
-    let number = value.parse::<f64>().ok().filter(|_| pure);
-    match number {
-        Some(number) => Value::from(number),
-        None => Value::from(value),
+/// The entry as it stands in a model: known pure numbers stand without quotes.
+fn written(entry: &Entry, pure: bool) -> Entry {
+    match entry {
+        Entry::Text(text) if pure => text.parse().map_or_else(|_| entry.clone(), Entry::Number),
+        _ => entry.clone(),
     }
 }

@@ -202,7 +202,7 @@ impl<'m> Data<'m> {
     /// Whether the model was fitted to these very rows, as its comments say.
     pub fn was_fitted_before(&self) -> bool {
         let mark = self.mark();
-        self.model.source.text.lines().any(|line| line.starts_with('#') && line.contains(&mark))
+        self.model.tables.remarks(&self.model.source).any(|line| line.contains(&mark))
     }
 
     /// Notes of the file, with a caution where a fit would count the rows twice.

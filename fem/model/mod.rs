@@ -3,12 +3,14 @@
 mod add;
 mod campaign;
 mod data;
+mod edit;
 mod formula_effect;
 mod machine;
 mod named;
 mod require;
 mod run;
 mod schema;
+mod tables;
 mod terms;
 mod trial;
 
@@ -18,21 +20,23 @@ pub use data::Data;
 pub use machine::Machine;
 pub use run::{Contribution, Run};
 pub use schema::schema;
+pub use tables::{Edit, Entry};
 
 use std::collections::HashMap;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use toml_edit::Document;
+use toml_edit::Table;
 
 use crate::input::{
-    FileKey, Found, InputError, Instead, Kept, Names, Parameter, Problem, Reader, Source, did_you_mean, nearest,
-    seen_from,
+    FileKey, Found, InputError, Instead, Kept, Names, Parameter, ParameterId, Problem, Reader, Source, did_you_mean,
+    nearest,
 };
-use crate::noise::{self, Term};
+use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{self, Active, Contradiction, Description, ForwardModel, Process, System};
 use crate::processes;
+use tables::Tables;
 
 /// Largest model file, bytes; people write models by hand.
 const LARGEST: u64 = 4_000_000;
@@ -54,19 +58,50 @@ pub struct Model {
     pub measurement: Vec<Term>,
     /// Parameters that it does not know exactly.
     pub parameters: Vec<Parameter>,
+    /// Where the value of each of the parameters belongs.
+    places: Vec<Place>,
     /// All quantities that the file has.
     pub quantities: Arc<[Parameter]>,
     /// Machine that it names.
     pub machine: Option<Machine>,
     /// The tests of which it is made, where it is made of several.
     pub campaign: Option<Arc<Campaign>>,
-    /// Values (SI) that were entered in place of those of the file, by the paths of their quantities.
-    entered: HashMap<String, f64>,
+    /// Values (SI) that were entered in place of those of the file, by their quantities.
+    entered: HashMap<ParameterId, f64>,
     /// Files that it names.
     files: Vec<FileKey>,
     /// Results of reading that stay from one reading to the next.
     kept: Kept,
-    document: Arc<Document<String>>,
+    tables: Tables,
+}
+
+/// Where the value of a parameter belongs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Place {
+    /// To an effect: which, and which of its parameters.
+    Effect(usize, usize),
+    /// To an effect of the measurement, as its size.
+    Size(usize),
+    /// To another table, which is read again with it.
+    Table,
+}
+
+/// The places of parameters among effects, of the machine and of the measurement.
+fn places(parameters: &[Parameter], effects: &[Active], measurement: &[Term]) -> Vec<Place> {
+    let place = |parameter: &Parameter| {
+        let of_term = || measurement.iter().position(|term| noise::is_size_of(&parameter.path, term)).map(Place::Size);
+        let of_effect = place_among(effects, &parameter.path).map(|(effect, own)| Place::Effect(effect, own));
+        of_effect.or_else(of_term).unwrap_or(Place::Table)
+    };
+    parameters.iter().map(place).collect()
+}
+
+/// The effect to which a quantity belongs, and its position there, by its path.
+fn place_among(effects: &[Active], path: &str) -> Option<(usize, usize)> {
+    let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
+    let effect = effects.iter().position(|e| e.description.name == effect)?;
+    let parameters = &effects[effect].description.parameters;
+    Some((effect, parameters.iter().position(|p| p.name == name)?))
 }
 
 impl Model {
@@ -83,39 +118,41 @@ impl Model {
     /// # Errors
     /// The text is wrong; the error lists every problem.
     pub fn parse(source: Source) -> Result<Self, InputError> {
-        let document = Document::parse(source.text.to_string()).map_err(|e| {
-            let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
-            InputError::one(source.clone(), problem.help("a model file is TOML: [table], key = \"value\", # comment"))
-        })?;
-        let process = find_process(&document).map_err(|problem| InputError::one(source.clone(), problem))?;
-        let kept = Kept::default();
+        let tables = Tables::parse(&source)?;
+        let process = find_process(tables.now()).map_err(|problem| InputError::one(source.clone(), problem))?;
+        Self::of_tables(source.clone(), process, tables, Kept::default())
+            .map_err(|problems| InputError::new(source, problems))
+    }
+
+    /// Reads a model from its tables, with what was kept from readings before.
+    fn of_tables(
+        source: Source,
+        process: &'static dyn Process,
+        tables: Tables,
+        kept: Kept,
+    ) -> Result<Self, Vec<Problem>> {
         let ((title, machine, system, effects, measurement), found) =
-            Reader::of_file(document.as_table(), source.folder(), &kept, Instead::default(), |model| {
-                read(model, process)
-            });
+            Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| read(model, process));
         let Found { parameters, quantities, files, problems } = found;
-        match system {
-            Some(system) if problems.is_empty() => {
-                let (quantities, entered, document) = (quantities.into(), HashMap::new(), Arc::new(document));
-                Ok(Self {
-                    title,
-                    process,
-                    system,
-                    effects,
-                    measurement,
-                    parameters,
-                    quantities,
-                    machine,
-                    campaign: None,
-                    entered,
-                    files,
-                    source,
-                    kept,
-                    document,
-                })
-            }
-            _ => Err(InputError::new(source, problems)),
-        }
+        let Some(system) = system.filter(|_| problems.is_empty()) else { return Err(problems) };
+        let places = places(&parameters, &effects, &measurement);
+        Ok(Self {
+            title,
+            process,
+            system,
+            effects,
+            measurement,
+            parameters,
+            places,
+            quantities: quantities.into(),
+            machine,
+            campaign: None,
+            entered: HashMap::new(),
+            files,
+            source,
+            kept,
+            tables,
+        })
     }
 
     /// A forward model as the instrument of these terms shows it.
@@ -138,7 +175,7 @@ impl Model {
 
     /// Whether the model has the table `[measurement.NAME]`.
     fn has_measurement(&self, name: &str) -> bool {
-        self.document.get("measurement").is_some_and(|tables| tables.get(name).is_some())
+        self.tables.now().get(MEASUREMENT).is_some_and(|tables| tables.get(name).is_some())
     }
 
     /// Name of the model's file without its folder and ending.
@@ -152,28 +189,9 @@ impl Model {
         std::iter::once(PathBuf::from(&*self.source.name)).chain(named).collect()
     }
 
-    /// Text of the model for a file at `path`: paths from its own folder are rewritten to be found from
-    /// there.
-    pub fn text_at(&self, path: &Path) -> String {
-        let mut text = self.source.text.to_string();
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let mut files: Vec<&FileKey> = self.files.iter().collect();
-        files.sort_by_key(|file| std::cmp::Reverse(file.span.start));
-        for FileKey { written, span } in files {
-            let seen = seen_from(written, self.source.folder(), folder);
-            if seen != *written {
-                text.replace_range(span.clone(), &toml_edit::Value::from(seen.display().to_string()).to_string());
-            }
-        }
-        text
-    }
-
-    /// Effect to which a parameter belongs, and its position there, by its path.
+    /// Effect to which a quantity belongs, and its position there, by its path.
     fn place(&self, path: &str) -> Option<(usize, usize)> {
-        let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
-        let effect = self.effects.iter().position(|e| e.description.name == effect)?;
-        let parameters = &self.effects[effect].description.parameters;
-        Some((effect, parameters.iter().position(|p| p.name == name)?))
+        place_among(&self.effects, path)
     }
 
     /// Whether a parameter, by its path, belongs to a formula effect.
@@ -193,7 +211,7 @@ impl Model {
     }
 }
 
-fn find_process(document: &Document<String>) -> Result<&'static dyn Process, Problem> {
+fn find_process(document: &Table) -> Result<&'static dyn Process, Problem> {
     let names = || processes::ALL.iter().map(|p| p.name());
     let listed = || names().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
     let Some(item) = document.get("process") else {

@@ -1,8 +1,7 @@
 //! Parameters that must have values before a model predicts.
 
-use super::Model;
+use super::{Model, Place};
 use crate::input::{InputError, Parameter, Problem};
-use crate::noise::is_size_of;
 use crate::units::Knowledge;
 
 impl Model {
@@ -19,13 +18,13 @@ impl Model {
     /// # Errors
     /// Parameters are unknown; the error names each of them.
     pub fn require_part(&self) -> Result<(), InputError> {
-        self.require(|parameter| self.measurement.iter().all(|t| !is_size_of(&parameter.path, t)))
+        self.require(|place| !matches!(place, Place::Size(_)))
     }
 
-    fn require(&self, is_needed: impl Fn(&Parameter) -> bool) -> Result<(), InputError> {
-        let is_free = |p: &&Parameter| p.quantity.knowledge == Knowledge::Free && is_needed(p);
-        let free = self.parameters.iter().filter(is_free);
-        let problem = |p: &Parameter| {
+    fn require(&self, is_needed: impl Fn(&Place) -> bool) -> Result<(), InputError> {
+        let all = self.parameters.iter().zip(&self.places);
+        let free = all.filter(|(p, place)| p.quantity.knowledge == Knowledge::Free && is_needed(place));
+        let problem = |(p, _): (&Parameter, &Place)| {
             let example = p.kind.example();
             Problem::new(format!("`{}` is unknown (`?`)", p.path))
                 .help(format!("give it a value such as \"{example}\", or let `fem fit` find it from measurements"))

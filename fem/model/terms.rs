@@ -3,12 +3,10 @@
 use std::ops::Range;
 use std::path::Path;
 
-use toml_edit::Item;
-
 use super::Model;
 use crate::input::Problem;
 use crate::measure::Measurements;
-use crate::noise::{Acts, FROM, Size, Term, caution, step_of};
+use crate::noise::{Acts, FROM, MEASUREMENT, Size, Term, caution, step_of};
 
 impl Model {
     /// Whether the size of an effect of the measurement is left to be estimated from every file.
@@ -17,11 +15,6 @@ impl Model {
         let own = self.measurement.iter().find(is_own);
         let is_size = term.effect.acts.is_estimated() || matches!(term.effect.acts, Acts::Rounds);
         is_size && own.is_some_and(|t| t.size.is_nan())
-    }
-
-    /// Bytes of the size of an effect of the measurement, quotes included, and of its table.
-    pub fn places_of_size(&self, term: &Term) -> [Option<Range<usize>>; 2] {
-        [place(self, &term.table, Some(term.effect.size.key())), place(self, &term.table, None)]
     }
 }
 
@@ -43,17 +36,16 @@ fn is_in_file(term: &Term, measurements: &Measurements) -> bool {
     term.observable.is_none_or(|own| measurements.observables.iter().any(|s| s.position == own))
 }
 
-/// The place of a term's table, or of the value of one of its keys.
-fn place(model: &Model, table: &str, key: Option<&str>) -> Option<Range<usize>> {
-    let table = model.document.get("measurement")?.get(table)?;
-    key.map_or_else(|| table.span(), |key| table.get(key).and_then(Item::span))
+/// The place of a term's table.
+fn place(model: &Model, table: &str) -> Option<Range<usize>> {
+    model.tables.now().get(MEASUREMENT)?.get(table)?.span()
 }
 
 fn resolve(model: &Model, term: &Term, measurements: &Measurements, observed: &[f64]) -> Result<Term, Problem> {
     let (name, file) = (format!("measurement.{}", term.table), &measurements.name);
     let several = measurements.observables.len() > 1;
     let is_of_one = matches!(term.effect.size, Size::OfObservable(..)) || matches!(term.effect.acts, Acts::Shows(_));
-    let refuse = |message: String, help: String| Problem::new(message).help(help).at(place(model, &term.table, None));
+    let refuse = |message: String, help: String| Problem::new(message).help(help).at(place(model, &term.table));
     if several && term.observable.is_none() && is_of_one {
         let names: Vec<&str> = measurements.observables.iter().map(|s| s.name).collect();
         let help = format!("{file} has {}: add observable = \"{}\"", names.join(" and "), names[0]);
@@ -71,7 +63,7 @@ fn resolve(model: &Model, term: &Term, measurements: &Measurements, observed: &[
             return Err(refuse(both, help));
         }
     }
-    let counted = file_of(term, measurements).map_err(|problem| problem.at(place(model, &term.table, None)))?;
+    let counted = file_of(term, measurements).map_err(|problem| problem.at(place(model, &term.table)))?;
     let rows = rows_of(term, measurements, counted).map_err(|record| {
         let of = counted.map_or(file, |number| &measurements.files[number].name);
         refuse(format!("`{name}` names row {record}"), format!("{of} has no such row"))

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{Model, read};
-use crate::input::{Instead, Reader};
+use super::{Model, Place, places, read};
+use crate::input::{Instead, ParameterId, Reader};
 use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{Active, Failure, ForwardModel, System};
 
@@ -15,8 +15,9 @@ impl Model {
     /// The values make no model.
     pub fn with_values(&self, values: &[(&str, f64)]) -> Result<Self, Failure> {
         let mut model = self.clone();
-        model.parameters.retain(|p| values.iter().all(|(path, _)| p.path != *path));
-        model.entered.extend(values.iter().map(|(path, value)| (path.to_string(), *value)));
+        model.parameters.retain(|p| values.iter().all(|(path, _)| &*p.path != *path));
+        model.places = places(&model.parameters, &model.effects, &model.measurement);
+        model.entered.extend(values.iter().map(|(path, value)| (ParameterId::from(*path), *value)));
         let places = values.iter().map(|(path, value)| Some((self.place(path)?, *value)));
         match places.collect::<Option<Vec<_>>>() {
             // The system need not be read again.
@@ -112,7 +113,7 @@ impl Model {
     #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
     fn read_instead(&self, instead: Instead) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
         let ((_, _, system, effects, terms), found) =
-            Reader::of_file(self.document.as_table(), self.source.folder(), &self.kept, instead, |model| {
+            Reader::of_file(self.tables.now(), self.source.folder(), &self.kept, instead, |model| {
                 read(model, self.process)
             });
         match (system, found.problems.first()) {
@@ -127,9 +128,9 @@ impl Model {
     /// Effects of several tests with other values, whatever else is unknown.
     fn effects_of_tests_at(&self, values: &[f64]) -> Vec<Active> {
         let mut effects = self.effects.clone();
-        for (parameter, value) in self.parameters.iter().zip(values) {
-            if let Some((effect, place)) = self.place(&parameter.path) {
-                effects[effect].values[place] = *value;
+        for (place, value) in self.places.iter().zip(values) {
+            if let Place::Effect(effect, own) = place {
+                effects[*effect].values[*own] = *value;
             }
         }
         effects
@@ -138,14 +139,16 @@ impl Model {
     /// Effects, of the machine and of the measurement, with other values, if nothing else is unknown; the
     /// system then need not be read again.
     fn effects_at(&self, values: &[f64]) -> Option<(Vec<Active>, Vec<Term>)> {
+        if self.places.contains(&Place::Table) {
+            return None;
+        }
         let (mut effects, mut terms) = (self.effects.clone(), self.measurement.clone());
-        for (parameter, value) in self.parameters.iter().zip(values) {
-            if let Some(term) = self.measurement.iter().position(|t| noise::is_size_of(&parameter.path, t)) {
-                terms[term].size = *value;
-                continue;
+        for (place, value) in self.places.iter().zip(values) {
+            match *place {
+                Place::Effect(effect, own) => effects[effect].values[own] = *value,
+                Place::Size(term) => terms[term].size = *value,
+                Place::Table => {}
             }
-            let (effect, place) = self.place(&parameter.path)?;
-            effects[effect].values[place] = *value;
         }
         Some((effects, terms))
     }

@@ -32,7 +32,7 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
             Knowledge::Free | Knowledge::Known => Json::Null,
         };
         json!({
-            "parameter": e.parameter.path,
+            "parameter": &*e.parameter.path,
             "value": finite(k.from_si(e.value)),
             "unit": k.unit,
             "std": finite(e.std / factor),
@@ -41,7 +41,7 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
             "warnings": e.warnings,
         })
     };
-    let name = |i: usize| &fit.estimates[i].parameter.path;
+    let name = |i: usize| &*fit.estimates[i].parameter.path;
     json!({
         "schema": "fem-fit/1",
         "model": &*data.model.source.name,

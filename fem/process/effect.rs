@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::{Belongs, Failure, FormulaLaw};
-use crate::input::{Bounds, Reader};
+use crate::input::{Bounds, ParameterId, Reader};
 use crate::units::Kind;
 
 /// An effect of the catalogue, as data: what it is, what it needs of a set-up `S`, and its law, which
@@ -165,9 +165,9 @@ impl Description {
     }
 
     /// Path of one of its parameters in a model file.
-    pub fn path(&self, parameter: &Parameter) -> String {
+    pub fn path(&self, parameter: &Parameter) -> ParameterId {
         let of = self.observable.map_or(String::new(), |name| format!("-{name}"));
-        format!("{}.{}{of}.{}", self.table, self.name, parameter.name)
+        format!("{}.{}{of}.{}", self.table, self.name, parameter.name).into()
     }
 
     /// Reads the parameters from an effect's table.

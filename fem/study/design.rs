@@ -3,7 +3,7 @@
 use super::shuffle::Shuffle;
 use super::sobol::Sobol;
 use crate::budget::{Law, Stream};
-use crate::input::Bounds;
+use crate::input::{Bounds, ParameterId};
 use crate::units::Kind;
 
 /// Significant digits with which a value is written and computed.
@@ -13,7 +13,7 @@ const DIGITS: usize = 14;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
     /// Path of its key in the model file.
-    pub path: String,
+    pub path: ParameterId,
     /// Kind, in whose unit its values are told.
     pub kind: Kind,
     /// Bounds within which it may lie, SI.

@@ -37,7 +37,7 @@ impl Plan {
             if !input.bounds.admits(si) {
                 return Err(format!("{} cannot be {}", input.path, input.kind.format(si)));
             }
-            values.push((input.path.as_str(), si));
+            values.push((&*input.path, si));
         }
         let failed = |failure: Failure| failure.message;
         let model = self.model.with_values(&values).map_err(failed)?;
@@ -109,7 +109,7 @@ pub fn of_measured(task: Task, model: &Model) -> Vec<Offered> {
         _ => OF_FIT.iter().map(|name| word(&(name, false))).collect(),
     };
     for parameter in &model.parameters {
-        let name = parameter.path.clone();
+        let name = parameter.path.to_string();
         all.push(Offered { name: format!("{name}.std"), kind: Some(parameter.kind.difference()), is_word: false });
         all.push(Offered { name, kind: Some(parameter.kind), is_word: false });
     }

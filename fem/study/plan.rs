@@ -123,7 +123,7 @@ impl Plan {
             jobs: self.jobs(),
             group: self.points.group(),
             nature,
-            inputs: self.inputs.iter().map(|i| (i.path.clone(), i.kind.unit.into())).collect(),
+            inputs: self.inputs.iter().map(|i| (i.path.to_string(), i.kind.unit.into())).collect(),
             has_data: !self.data.is_empty(),
             results: self.results.iter().map(column).collect(),
         }

@@ -348,7 +348,7 @@ fn offer(model: &Model, task: Task, inputs: &[Input], points: &Points) -> Result
     let first = points.at(0);
     let middles = inputs.iter().zip(&first).map(|(input, first)| input.middle().unwrap_or(*first));
     let values: Vec<(&str, f64)> =
-        inputs.iter().zip(middles).map(|(input, told)| (input.path.as_str(), input.kind.to_si(told))).collect();
+        inputs.iter().zip(middles).map(|(input, told)| (&*input.path, input.kind.to_si(told))).collect();
     let model = model.with_values(&values).map_err(|failure| failure.message)?;
     match task {
         Task::Run => {

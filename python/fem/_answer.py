@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Optional, TypedDict
 
 if TYPE_CHECKING:
+    from fem import _fem
     import numpy as np
     import numpy.typing as npt
 
@@ -21,8 +22,8 @@ class Answer(TypedDict):
     tables: list[dict[str, list[Column]]]
     coordinates: list[str]
     notes: list[str]
-    model: Optional[str]
-    steps: list[tuple[str, str]]
+    model: Optional[_fem.Model]
+    steps: list[_fem.Model]
 
 
 def bare(json: str, text: str, notes: list[str]) -> Answer:

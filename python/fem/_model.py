@@ -111,11 +111,6 @@ class Model:
     def _set(self, path: Sequence[str], value: Any) -> None:
         self._change(_fem.with_value(self._text, list(path), in_json(value)))
 
-    def _with_text(self, text: str, mark: str = "") -> Model:
-        # A mark tells its name from that of the model from which it came.
-        place = Path(self._name)
-        return Model(text, str(place.with_name(f"{place.stem}-{mark}{place.suffix}")) if mark else self._name)
-
     @property
     def text(self) -> str:
         """The model file."""
@@ -153,7 +148,7 @@ class Model:
 
     def copy(self) -> Model:
         """The same again, to be changed by itself."""
-        return self._with_text(self._text)
+        return Model(self._text, self._name)
 
     def __getitem__(self, key: str) -> Any:
         return Keys(self, ())[key]
@@ -184,10 +179,7 @@ class Model:
     def add(self, effect: str, **parameters: Any) -> Model:
         """The model with one more effect; what is left out of its parameters is unknown (`?`), to be fitted."""
         settings = [(key, value if isinstance(value, str) else in_json(value)) for key, value in parameters.items()]
-        added = Model(self._text, self._name)
-        added._read = self._core().add(effect, settings)
-        added._text = added._read.text
-        return added
+        return Model._of(self._core().add(effect, settings))
 
     def save(self, path: _Path, overwrite: bool = False) -> Path:
         """Writes the model file; the paths that it names lead to the same files from there."""
@@ -221,7 +213,7 @@ class Model:
         time_limit: Optional[float] = None,
     ) -> Fit:
         """Estimates what is marked `+-` or `?`, within so many seconds if a limit is given."""
-        return Fit(self._core().fit(asked(data, columns, decimal), time_limit), self)
+        return Fit(self._core().fit(asked(data, columns, decimal), time_limit))
 
     def diagnose(
         self,
@@ -234,7 +226,7 @@ class Model:
     ) -> Diagnosis:
         """Names the effects that are missing, at most so many together."""
         _positive(max_effects)
-        return Diagnosis(self._core().diagnose(asked(data, columns, decimal), max_effects, time_limit), self)
+        return Diagnosis(self._core().diagnose(asked(data, columns, decimal), max_effects, time_limit))
 
     def plan(
         self,
@@ -333,13 +325,19 @@ class Model:
 class Fit(Listing):
     """What a model leaves open, estimated."""
 
-    def __init__(self, answer: Answer, model: Model) -> None:
+    def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
         (tables,) = answer["tables"]
         self.tables: dict[str, Table] = tables_of(tables, answer["coordinates"])
         """The table of each observable: coordinates, what was measured, `u`, `predicted`, `residual`."""
-        self.model: Model = model._with_text(answer["model"] or model.text, "fitted")
+        self._model = Model._of(answer["model"]) if answer["model"] else None
+
+    @property
+    def model(self) -> Model:
         """The model with the fitted values and their uncertainties."""
+        if self._model is None:
+            raise ValueError("a fitted value lies outside of what a model may hold: none can be made of this fit")
+        return self._model
 
     @property
     def rows(self) -> Table:
@@ -363,11 +361,11 @@ class Fit(Listing):
 class Diagnosis(Listing):
     """The effects that are missing."""
 
-    def __init__(self, answer: Answer, model: Model) -> None:
+    def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
-        self.model: Optional[Model] = model._with_text(answer["model"], "completed") if answer["model"] else None
+        self.model: Optional[Model] = Model._of(answer["model"]) if answer["model"] else None
         """The model with the missing effects and every fitted value; None where no model may hold these."""
-        self.steps: list[Model] = _steps(model, answer["steps"])
+        self.steps: list[Model] = [Model._of(step) for step in answer["steps"]]
         """The model with one missing effect after the other: `fem.compare([model, *diagnosis.steps], data)` shows the
         error falling."""
         # Commands name files, of which there are none here.
@@ -426,13 +424,6 @@ def report(
     if path is not None:
         page.save(path)
     return page
-
-
-def _steps(model: Model, steps: Sequence[tuple[str, str]]) -> list[Model]:
-    models: list[Model] = []
-    for effect, text in steps:
-        models.append((models[-1] if models else model)._with_text(text, effect))
-    return models
 
 
 def _positive(max_effects: int) -> None:

@@ -30,10 +30,10 @@ pub struct Answer {
     pub coordinates: Vec<&'static str>,
     /// Notes and warnings for people.
     pub notes: Vec<String>,
-    /// The text of a model that came of it.
-    pub model: Option<String>,
-    /// Effects that are added one after the other, and the text of the model with each.
-    pub steps: Vec<(String, String)>,
+    /// A model that came of it.
+    pub model: Option<crate::model::Model>,
+    /// The model with one effect after the other.
+    pub steps: Vec<crate::model::Model>,
 }
 
 impl Answer {

@@ -1,13 +1,12 @@
 //! Models, and what is asked of them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, plan, refuse_mixed, steps};
+use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, fitted, plan, refuse_mixed, steps};
 use fem::diagnose::diagnose;
-use fem::fit::fitted_text;
 use fem::input::{Parameter, Source};
-use fem::model::{self, Data, Setting, add_effect};
+use fem::model::{self, Data, Entry, Setting, add_effect};
 use fem::output::Report;
 use fem::progress::Progress;
 use fem::units::Knowledge;
@@ -44,8 +43,8 @@ impl Model {
 
     /// Its text.
     #[getter]
-    fn text(&self) -> &str {
-        &self.0.source.text
+    fn text(&self) -> String {
+        self.0.text()
     }
 
     /// Its title, if it has one.
@@ -88,7 +87,8 @@ impl Model {
     fn add(&self, py: Python, effect: String, settings: Vec<(String, String)>) -> PyResult<Self> {
         let model = self.0.clone();
         compute(py, &Arc::default(), move |_| {
-            let settings: Vec<Setting> = settings.into_iter().map(|(key, value)| Setting { key, value }).collect();
+            let settings: Vec<Setting> =
+                settings.into_iter().map(|(key, value)| Setting { key, value: Entry::Text(value) }).collect();
             Ok(Self(Arc::new(add_effect(&model, &effect, &settings)?)))
         })
     }
@@ -111,7 +111,8 @@ impl Model {
             let found = fit(data)?;
             let residuals = data.residuals(&found.predicted);
             let tables = vec![tables_of_rows(data, &found.predicted, &residuals, &found.noise.sigma)];
-            let model = Some(fitted_text(data, &found));
+            // A fitted value that no model may hold leaves none.
+            let model = fitted(data, &found).ok().map(|better| marked(better, "fitted"));
             let answer = Answer::of(&Report::Fit(data, &found), data.model)?;
             Ok(Answer { tables, notes: data.notes_of_fit(), model, ..answer })
         })
@@ -123,8 +124,12 @@ impl Model {
             let found = diagnose(data, most_effects, progress)?;
             let notes = ask::notes(data, &found);
             // A fitted value that no model may hold leaves none.
-            let model = completed(data, &found).ok().map(|better| better.source.text.to_string());
-            let steps = steps(data, &found).into_iter().map(|(effect, model)| (effect, model.source.text.to_string()));
+            let model = completed(data, &found).ok().map(|better| marked(better, "completed"));
+            let mut marks = String::new();
+            let steps = steps(data, &found).into_iter().map(|(effect, model)| {
+                marks = if marks.is_empty() { effect } else { format!("{marks}-{effect}") };
+                marked(model, &marks)
+            });
             let steps = steps.collect();
             Ok(Answer { notes, model, steps, ..Answer::of(&Report::Diagnosis(data, &found), data.model)? })
         })
@@ -204,6 +209,15 @@ pub fn report(
         let made = page.made(progress)?;
         Ok((made.html, made.notes))
     })
+}
+
+/// A model under a name that tells it from that of which it came: `lathe-fitted.toml`.
+fn marked(mut model: model::Model, mark: &str) -> Model {
+    let place = Path::new(&*model.source.name);
+    let ending = place.extension().map_or(String::new(), |ending| format!(".{}", ending.to_string_lossy()));
+    let name = format!("{}-{mark}{ending}", model.stem().to_string_lossy());
+    model.source.name = place.with_file_name(name).to_string_lossy().into();
+    Model(Arc::new(model))
 }
 
 fn all(models: &[PyRef<Model>]) -> Vec<model::Model> {

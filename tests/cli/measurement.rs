@@ -232,7 +232,10 @@ fn a_fit_writes_the_sizes_that_it_finds() {
     let value = |i: usize| sizes[i]["value"].as_f64().unwrap();
     let fitted = place.read("fitted.toml");
     assert!(fitted.contains(&format!("size = \"{:.1} nm\" # of the datum", 1e3 * value(0))), "{fitted}");
-    assert!(fitted.contains(&format!("[measurement.zero-shift-2]\nsize = \"{:.4} um\"\nby", value(1))), "{fitted}");
+    assert!(
+        fitted.contains(&format!("[measurement.zero-shift-2]\nby = \"direction\"\nsize = \"{:.4} um\"\n", value(1))),
+        "{fitted}"
+    );
     // What was written is what a second look finds, and nothing is left to fit.
     let again = parsed(&place.fem(&["compare", "fitted.toml", "--with", DATA, "--json"]).out);
     let first = parsed(&place.fem(&["compare", "open.toml", "--with", DATA, "--json"]).out);

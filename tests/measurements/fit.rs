@@ -1,6 +1,7 @@
 //! Fitting the effects that are really there.
 
-use fem::fit::{fit, fitted_text};
+use fem::ask::fitted;
+use fem::fit::fit;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -40,15 +41,15 @@ fn the_truth_is_in_the_interval_and_nothing_but_noise_is_left() {
 fn a_fitted_model_reads_back_and_leaves_the_same() {
     let (name, truth) = truths().swap_remove(0);
     let hidden = case_with_effects(&name, &truth);
-    let fitted = fit(&hidden.data()).unwrap();
-    let text = fitted_text(&hidden.data(), &fitted);
+    let found = fit(&hidden.data()).unwrap();
+    let text = fitted(&hidden.data(), &found).unwrap().text();
     let model = Model::parse(Source::new("fitted.toml", text.clone())).unwrap();
     assert!(model.require_values().is_ok());
     assert_eq!(model.parameters.len(), hidden.model.parameters.len(), "uncertainties stand in the file");
     let predicted = model.system.with_effects(&model.effects).observe(&hidden.measurements.rows).unwrap();
     // Values are written to two digits of their uncertainty, so predictions agree to a part of the noise.
-    for (a, b) in predicted.iter().zip(&fitted.predicted) {
-        assert!((a - b).abs() < 0.5 * fitted.noise.rms(), "{a} and {b}");
+    for (a, b) in predicted.iter().zip(&found.predicted) {
+        assert!((a - b).abs() < 0.5 * found.noise.rms(), "{a} and {b}");
     }
     // Everything but the values stays.
     let untouched = |text: &str| {

@@ -1,9 +1,10 @@
 //! Where data end to tell: intervals, values that are written wrongly, data that were used before, and
 //! noise that nobody knows. The data are closed forms.
 
+use fem::ask::fitted;
 use fem::compare::compare;
 use fem::diagnose::{Verdict, diagnose};
-use fem::fit::{fit, fitted_text};
+use fem::fit::fit;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -83,10 +84,10 @@ fn a_value_that_the_data_contradict_is_told_and_no_cause_is_made_up_for_it() {
     let diagnosis = diagnose(&data, 3, &Progress::default()).unwrap();
     assert_eq!(diagnosis.verdict, Verdict::Adequate, "{:?}", diagnosis.cautions);
     assert!(diagnosis.cautions.iter().any(|c| c.contains("joint.stiffness is written as 40.0 +- 1.0 N/um")));
-    let fitted = fit(&data).unwrap();
-    assert!(fitted.estimates[0].warnings.iter().any(|w| w.contains("from what is written")), "{fitted:?}");
+    let found = fit(&data).unwrap();
+    assert!(found.estimates[0].warnings.iter().any(|w| w.contains("from what is written")), "{found:?}");
     // What was fitted to these rows knows them already.
-    let again = model(&fitted_text(&data, &fitted));
+    let again = model(&fitted(&data, &found).unwrap().text());
     assert!(Data::of(&again, rows.clone()).unwrap().was_fitted_before());
     assert!(!data.was_fitted_before());
     assert!(!Data::of(&again, rows).unwrap().some(|row| row > 0).was_fitted_before());

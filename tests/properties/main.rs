@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod edits;
 mod formula;
 mod look_alikes;
 mod roles;

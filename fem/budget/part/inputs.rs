@@ -88,7 +88,7 @@ fn read_parameter(t: &Reader, (parts, chosen): (&[ModelPart], &[usize]), path: &
     let found: Vec<(usize, usize)> = chosen.iter().filter_map(place).collect();
     let Some((first, at)) = found.first().copied() else {
         t.accept_any();
-        let paths = chosen.iter().flat_map(|i| parts[*i].model.parameters.iter().map(|p| p.path.as_str()));
+        let paths = chosen.iter().flat_map(|i| parts[*i].model.parameters.iter().map(|p| &*p.path));
         let meant = nearest(path, paths).map_or(String::new(), |near| format!("did you mean `{near}`? "));
         let message = format!("{} does not mark `{path}` as not exactly known", files(parts, chosen));
         t.problem("parameter", message, format!("{meant}write it there as \"60 +- 5 N/um\" is written"));

@@ -3,14 +3,13 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use toml_edit::Document;
-
 use super::effects;
 use super::layout::Layout;
 use super::system::{self, Whole};
 use super::test::{Campaign, Test, origins};
 use crate::input::{Kept, Parameter, Problem, Source};
-use crate::model::Model;
+use crate::model::tables::Tables;
+use crate::model::{Model, places};
 use crate::process::{Active, formula_effect};
 
 impl Model {
@@ -21,8 +20,6 @@ impl Model {
     /// differently.
     pub fn of_tests(models: Vec<Self>) -> Result<Self, Problem> {
         check_machine(&models)?;
-        // Nothing is written of them together.
-        let document = Arc::new(Document::parse(String::new()).map_err(|e| Problem::new(e.message()))?);
         let names = names(&models);
         let layout = Layout::new(&names.iter().copied().zip(models.iter().map(|m| m.process)).collect::<Vec<_>>());
         let shared = effects::gather(&names, &models, &layout);
@@ -50,8 +47,8 @@ impl Model {
             title: None,
             process,
             system: Arc::new(Whole(campaign.clone())),
-            effects: active,
             measurement,
+            places: places(&parameters, &active, &[]),
             parameters,
             quantities: Arc::default(),
             machine: campaign.tests[0].model.machine.clone(),
@@ -59,7 +56,9 @@ impl Model {
             entered: HashMap::new(),
             files: Vec::new(),
             kept: Kept::default(),
-            document,
+            // Nothing is written of them together.
+            tables: Tables::default(),
+            effects: active,
         })
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::effects::{Acting, Shared, agreed_of_unit};
 use super::forward::Together;
 use super::layout::Layout;
-use crate::input::{Parameter, Problem};
+use crate::input::{Parameter, ParameterId, Problem};
 use crate::model::Model;
 use crate::noise::MEASUREMENT;
 use crate::process::{Active, Description, Failure, ForwardModel};
@@ -134,21 +134,21 @@ pub fn origins(
         shared.iter().enumerate().find_map(|(number, effect)| match effect.in_test(test)? {
             Acting::Quantity(own) => (*own == path).then_some(Origin::Effect(number, 0)),
             Acting::Effect(own) => {
-                let entry = own.parameters.iter().position(|p| own.path(p) == path)?;
+                let entry = own.parameters.iter().position(|p| own.path(p) == *path)?;
                 Some(Origin::Effect(number, entry))
             }
         })
     };
     let (model, unit) = (&models[test], models[test].system.unit());
     // What the tables of several tests say of one unit, each for itself.
-    let tables = model.quantities.iter().filter(|q| model.process.of_unit().iter().any(|(path, _)| *path == q.path));
+    let tables = model.quantities.iter().filter(|q| model.process.of_unit().iter().any(|(path, _)| q.path == *path));
     let mut of_unit: Vec<(&str, Quantity)> = Vec::new();
     for quantity in tables.filter(|q| of_effect(&q.path).is_none()) {
         if let Some(unit) = unit {
             of_unit.push((&quantity.path, agreed_of_unit(unit, quantity, models)?));
         }
     }
-    let mut own = |path: String, quantity: Quantity, parameter: &Parameter| {
+    let mut own = |path: ParameterId, quantity: Quantity, parameter: &Parameter| {
         let known = parameters.iter().position(|other| other.path == path);
         Origin::Parameter(known.unwrap_or_else(|| {
             parameters.push(Parameter { path, quantity, span: None, ..parameter.clone() });
@@ -156,12 +156,14 @@ pub fn origins(
         }))
     };
     let origin = |parameter: &Parameter| {
-        let shared = of_unit.iter().find(|(path, _)| *path == parameter.path);
+        let shared = of_unit.iter().find(|(path, _)| parameter.path == *path);
         match (of_effect(&parameter.path), shared, unit) {
             (Some(origin), ..) => origin,
             (None, Some((_, quantity)), _) if quantity.knowledge == Knowledge::Known => Origin::Known(quantity.value),
-            (None, Some((_, quantity)), Some(unit)) => own(format!("{unit}.{}", parameter.path), *quantity, parameter),
-            _ => own(format!("{name}.{}", parameter.path), parameter.quantity, parameter),
+            (None, Some((_, quantity)), Some(unit)) => {
+                own(format!("{unit}.{}", parameter.path).into(), *quantity, parameter)
+            }
+            _ => own(format!("{name}.{}", parameter.path).into(), parameter.quantity, parameter),
         }
     };
     Ok(model.parameters.iter().map(origin).collect())

@@ -5,12 +5,12 @@ use std::path::Path;
 
 use crate::diagnose::{Cause, Diagnosis, Missing};
 use crate::fit::{Estimate, Fit};
-use crate::model::{Data, Setting};
+use crate::model::{Data, Entry, Setting};
 use crate::output::fit::Short;
 
 /// Name of a parameter of an effect.
 pub fn name(e: &Estimate) -> &str {
-    e.parameter.path.rsplit('.').next().unwrap_or_default()
+    e.parameter.path.key()
 }
 
 /// Tables in which the missing effects are added, in their order, with the settings that `fem add` takes.
@@ -32,12 +32,12 @@ pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     let Cause::Measurement { effect, by, along, period, observable, records, from_line, .. } = &missing.cause else {
         return fitted_settings(missing, fit);
     };
-    let listed = records.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
-    let text = |key: &str, value: String| Setting { key: key.into(), value };
-    let by = (!by.is_empty()).then(|| text("by", by.join(", ")));
+    let setting = |key: &str, value: Entry| Setting { key: key.into(), value };
+    let text = |key: &str, value: String| setting(key, Entry::Text(value));
+    let by = (!by.is_empty()).then(|| setting("by", Entry::Words(by.iter().map(ToString::to_string).collect())));
     let observable = observable.map(|name| text("observable", name.into()));
     let rows = if from_line.is_some() { "from" } else { "rows" };
-    let rows = (!records.is_empty()).then(|| text(rows, listed));
+    let rows = (!records.is_empty()).then(|| setting(rows, Entry::Rows(records.clone())));
     let along = along.map(|name| text("along", name.into()));
     let level = effect.beside.map(|other| text(other.size.key(), "0 um".into()));
     let period = period.map(|(si, kind)| text("period", format!("{:.6} {}", Short(kind.from_si(si)), kind.unit)));
@@ -53,7 +53,7 @@ pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
 fn size(e: &Estimate) -> Setting {
     let k = e.parameter.kind;
     let value = format!("{:.5} {}", Short(k.from_si(e.value)), k.unit);
-    Setting { key: name(e).into(), value: value.trim_end().into() }
+    Setting { key: name(e).into(), value: Entry::Text(value.trim_end().into()) }
 }
 
 /// Makes the settings with which an effect is added, as `fem add` takes them.
@@ -65,7 +65,7 @@ fn fitted_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
         let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
         let value =
             crate::fit::uncertain(k.from_si(e.value), (fit.birge_ratio() * e.std / k.canonical().factor).min(widest));
-        Setting { key: name(e).into(), value: format!("{value} {}", k.unit).trim_end().into() }
+        Setting { key: name(e).into(), value: Entry::Text(format!("{value} {}", k.unit).trim_end().into()) }
     };
     missing.estimates.iter().map(setting).collect()
 }

@@ -8,7 +8,7 @@ use serde_json::{Value as Json, json};
 use super::additions::{add, quoted, settings};
 use crate::compare::rms;
 use crate::diagnose::{Cause, Diagnosis, Missing, thinned};
-use crate::model::{Acting, Campaign, Data, Setting};
+use crate::model::{Acting, Campaign, Data, Entry, Setting};
 use crate::noise::{Acts, time_of};
 use crate::units::Kind;
 
@@ -118,7 +118,7 @@ pub fn commands(text: &mut String, campaign: &Campaign, data: &Data, d: &Diagnos
             let model = &campaign.tests[test].model;
             match acting {
                 Some(Acting::Quantity(path)) => {
-                    let value = all.first().map_or("", |setting| &setting.value);
+                    let value = all.first().map_or(String::new(), |setting| setting.value.to_string());
                     by_hand.push((test, format!("{path} = \"{value}\"")));
                 }
                 Some(Acting::Effect(own)) => files[test] = add(text, &files[test], own.name, &all),
@@ -145,17 +145,15 @@ pub fn commands(text: &mut String, campaign: &Campaign, data: &Data, d: &Diagnos
 fn in_test(campaign: &Campaign, data: &Data, test: usize, all: &[Setting]) -> Vec<Setting> {
     let own = data.observables.iter().filter(|seen| campaign.number_of(seen.position) == test);
     let several = own.count() > 1;
-    let setting = |setting: &Setting| match &*setting.key {
-        "observable" => {
-            let seen = data.observables.iter().find(|seen| seen.name == setting.value)?;
-            let value = campaign.name_in_test(seen.position).to_string();
+    let setting = |setting: &Setting| match (&*setting.key, &setting.value) {
+        ("observable", Entry::Text(name)) => {
+            let seen = data.observables.iter().find(|seen| seen.name == *name)?;
+            let value = Entry::Text(campaign.name_in_test(seen.position).to_string());
             several.then(|| Setting { value, ..setting.clone() })
         }
-        "rows" | "from" => {
-            let records = setting.value.split(", ").filter_map(|word| word.parse().ok());
-            let own = records.map(|record| file_of(data, record)).filter(|(file, _)| *file == test);
-            let value = own.map(|(_, record)| record.to_string()).collect::<Vec<_>>().join(", ");
-            Some(Setting { value, ..setting.clone() })
+        (_, Entry::Rows(records)) => {
+            let own = records.iter().map(|record| file_of(data, *record)).filter(|(file, _)| *file == test);
+            Some(Setting { value: Entry::Rows(own.map(|(_, record)| record).collect()), ..setting.clone() })
         }
         _ => Some(setting.clone()),
     };

@@ -57,7 +57,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "described": d.missing.iter().filter(|m| m.describes()).map(text::label).collect::<Vec<_>>(),
         "outliers": d.outliers.iter().map(|o| outlier(o, data)).collect::<Vec<_>>(),
         "after": after(d, kind),
-        "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.clone(), estimate(e))).collect::<Map<_, _>>(),
+        "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.to_string(), estimate(e))).collect::<Map<_, _>>(),
         "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
         "unexplained": remaining(data, d),
         "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
@@ -105,7 +105,7 @@ fn outlier(outlier: &Outlier, data: &Data) -> Json {
 
 fn missing(missing: &Missing, data: &Data) -> Json {
     let kind = data.kind();
-    let name = |e: &Estimate| e.parameter.path.rsplit('.').next().unwrap_or_default().to_string();
+    let name = |e: &Estimate| e.parameter.path.key().to_string();
     let measurement = match &missing.cause {
         Cause::Physical => None,
         Cause::Measurement { effect, by, observable, records, from_line, along, period, .. } => {

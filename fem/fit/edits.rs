@@ -1,0 +1,76 @@
+//! Fitted values and their uncertainties as edits of a model.
+
+use super::sizes::EstimatedSize;
+use crate::fit::Fit;
+use crate::model::{Data, Edit, Entry};
+use crate::units::unit_text;
+
+/// Edits that put what was fitted into the model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the
+/// unit that stood there. A parameter that the data leave open stays as it was, for a value would look better known
+/// than it is. Sizes of effects of the measurement have no `+-`. A comment at the top names the data.
+pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
+    let name = data.name.replace(['\n', '\r'], " ");
+    let remark = format!("Fitted to {name}, {}: what is known from it stands after `+-`.", data.mark());
+    let closed = fit.estimates.iter().filter(|estimate| estimate.is_closed());
+    let values = closed.filter_map(|estimate| {
+        let parameter = &estimate.parameter;
+        let name = unit_text(data.model.written(&parameter.path)?);
+        let unit = parameter.kind.unit_of(name).unwrap_or(parameter.kind.canonical());
+        let value = (estimate.value - unit.offset) / unit.factor;
+        let text = format!("{} {name}", uncertain(value, fit.birge_ratio() * estimate.std / unit.factor));
+        Some(Edit::Set { path: parameter.path.clone(), entry: Entry::Text(text.trim_end().into()) })
+    });
+    let sizes = fit.sizes.iter().filter(|size| size.is_told()).map(|size| sized(data, size));
+    std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).collect()
+}
+
+/// The size of an effect of the measurement, in the unit that stood there, or in the usual one where it was left out.
+fn sized(data: &Data, size: &EstimatedSize) -> Edit {
+    let parameter = &size.estimate.parameter;
+    let (kind, written) = (parameter.kind, data.model.written(&parameter.path));
+    let name = written.map(unit_text).filter(|name| kind.unit_of(name).is_ok()).unwrap_or(kind.unit);
+    let factor = kind.unit_of(name).unwrap_or(kind.canonical()).factor;
+    let number = five_digits(size.estimate.value / factor);
+    let entry = match name.is_empty() {
+        true => Entry::Number(number.parse().unwrap_or(size.estimate.value)),
+        false => Entry::Text(format!("{number} {name}")),
+    };
+    Edit::Set { path: parameter.path.clone(), entry }
+}
+
+/// A number with five significant digits.
+fn five_digits(value: f64) -> String {
+    let place = if value == 0.0 { 0 } else { (4 - value.abs().log10().floor() as i32).clamp(0, 12) };
+    format!("{value:.*}", place as usize)
+}
+
+/// Writes `59.2 +- 1.1`: the uncertainty with two digits, the value to the same place.
+pub fn uncertain(value: f64, std: f64) -> String {
+    if !(std.is_finite() && std > 0.0) {
+        return format!("{value}");
+    }
+    // A value keeps three digits however uncertain it is: rounded to 0 it might leave its bounds.
+    let of_value = if value == 0.0 { 0 } else { 2 - value.abs().log10().floor() as i32 };
+    let of_std = 1 - std.abs().log10().floor() as i32;
+    let place = if of_std < of_value && std > 0.1 * value.abs() { of_value } else { of_std };
+    if (0..=12).contains(&place) {
+        let digits = place as usize;
+        return format!("{value:.digits$} +- {std:.digits$}");
+    }
+    let unit = 10f64.powi(-place);
+    let round = |v: f64| (v / unit).round() * unit;
+    format!("{:e} +- {:e}", round(value), round(std))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_written_to_their_uncertainty() {
+        assert_eq!(uncertain(59.2437, 1.1432), "59.2 +- 1.1");
+        assert_eq!(uncertain(59.2437, 0.0123), "59.244 +- 0.012");
+        assert_eq!(uncertain(-0.5, 0.25), "-0.500 +- 0.250");
+        assert_eq!(uncertain(0.536, 700.0), "0.536 +- 700.000");
+    }
+}
