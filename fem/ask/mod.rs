@@ -9,6 +9,7 @@ mod completion;
 mod error;
 mod page;
 mod planning;
+mod revision;
 mod start;
 
 pub use catalogue::{Catalogue, catalogue};
@@ -18,4 +19,5 @@ pub use completion::{completed, fit, fitted, notes, steps};
 pub use error::{Error, Marks};
 pub use page::{Depth, Made, Page};
 pub use planning::plan;
+pub use revision::revised;
 pub use start::{STORY, StartingFile, starting_file, starting_files};

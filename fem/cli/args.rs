@@ -60,6 +60,8 @@ pub enum Command {
     Effects(Effects),
     /// Write a model with one more effect
     Add(Add),
+    /// Write a model with other values, or without some of its effects
+    Set(Set),
     /// Write a commented model to start from
     New(New),
     /// Write a model and measurements to try everything on
@@ -351,6 +353,30 @@ pub struct Add {
     /// Parameters, each with its unit
     #[arg(value_name = "KEY=VALUE")]
     pub settings: Vec<Setting>,
+    /// The file to write
+    #[arg(short, long, value_name = "NEW.toml")]
+    pub output: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Comments and the order of the file stay as they are.
+
+Examples:
+  fem set shaft.toml 'cut.depth=0.6 mm' batch.parts=40 -o longer.toml
+  fem set shaft.toml 'effects.tool-wear.rate=? um/km' -o open.toml
+  fem set shaft.toml --without tool-wear -o sharp.toml")]
+pub struct Set {
+    /// The model file; it is not changed
+    pub model: PathBuf,
+    /// Keys by their paths, each with its value
+    #[arg(value_name = "PATH=VALUE", required_unless_present = "without")]
+    pub values: Vec<Setting>,
+    /// Leave an effect out, of the process or of the measurement; may be given several times
+    #[arg(long, value_name = "EFFECT")]
+    pub without: Vec<String>,
     /// The file to write
     #[arg(short, long, value_name = "NEW.toml")]
     pub output: PathBuf,

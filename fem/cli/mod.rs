@@ -20,6 +20,7 @@ mod run;
 mod say;
 mod schema;
 mod serve;
+mod set;
 mod start;
 mod study;
 mod terminal;
@@ -51,6 +52,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Some(Command::Study(args)) => study::run(&args),
         Some(Command::Effects(args)) => effects::effects(&args),
         Some(Command::Add(args)) => add::add(&args),
+        Some(Command::Set(args)) => set::run(&args),
         Some(Command::Demo(args)) => demo::demo(&args),
         Some(Command::New(args)) => new::new(&args),
         Some(Command::Import(args)) => import::import(&args),

@@ -44,6 +44,10 @@ pub enum Entry {
     Text(String),
     /// A pure number.
     Number(f64),
+    /// A number of things.
+    Whole(i64),
+    /// Yes or no.
+    Flag(bool),
     /// Names in a text: `part, operator`.
     Words(Vec<String>),
     /// Rows of a file, from 1, in a text: `12, 40`.
@@ -55,6 +59,8 @@ impl std::fmt::Display for Entry {
         match self {
             Self::Text(text) => f.write_str(text),
             Self::Number(number) => write!(f, "{number}"),
+            Self::Whole(number) => write!(f, "{number}"),
+            Self::Flag(flag) => write!(f, "{flag}"),
             Self::Words(words) => f.write_str(&words.join(", ")),
             Self::Rows(rows) => f.write_str(&rows.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
         }
@@ -65,6 +71,8 @@ impl From<&Entry> for Value {
     fn from(entry: &Entry) -> Self {
         match entry {
             Entry::Number(number) => Self::from(*number),
+            Entry::Whole(number) => Self::from(*number),
+            Entry::Flag(flag) => Self::from(*flag),
             other => Self::from(other.to_string()),
         }
     }

@@ -61,6 +61,7 @@ const COMMANDS: &[&[&str]] = &[
     &["study", "plan.toml", "-o", "kept"],
     &["report", "model.toml", "-o", "page.html"],
     &["add", "model.toml", "gap", "gap=3 um", "-o", "new.toml"],
+    &["set", "model.toml", "title=other", "-o", "new.toml"],
     &["fit", "model.toml", "--with", "measured.csv", "--add-to", "new.toml"],
 ];
 

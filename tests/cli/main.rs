@@ -26,6 +26,7 @@ mod passes;
 mod records;
 mod report;
 mod ring;
+mod set;
 mod start;
 mod stiffness;
 mod story;

@@ -152,6 +152,7 @@ fn models_and_measurements_are_replaced_only_by_force() {
     place.write("measured.csv", model("story/measured.csv"));
     let commands: &[&[&str]] = &[
         &["add", "lathe.toml", "guideway-taper", "slope=3 um/m", "-o", "TO"],
+        &["set", "lathe.toml", "cut.depth=1 mm", "-o", "TO"],
         &["fit", "free.toml", "--with", "measured.csv", "--add-to", "TO"],
         &["diagnose", "free.toml", "--with", "measured.csv", "--max-effects", "1", "--add-to", "TO"],
         &["import", "measured.csv", "--process", "turning", "-o", "TO"],

@@ -149,7 +149,7 @@ impl Corpus {
         if which > 1 {
             measured = mutate::table(&measured, &mut rng);
         }
-        let mut command = words(match rng.below(24) {
+        let mut command = words(match rng.below(25) {
             0..=6 => "run model.toml -o out",
             7..=13 => "compare model.toml --with m.csv -o out",
             14..=17 => "fit model.toml --with m.csv --add-to fitted.toml",
@@ -157,6 +157,7 @@ impl Corpus {
             20 => "diagnose model.toml --with m.csv -o out --max-effects 2",
             21 => "plan model.toml",
             22 => "import m.csv --process turning -o taken.csv",
+            23 => "set model.toml title=other test.steps=7 -o other.toml",
             _ => "compare model.toml --with m.csv --json",
         });
         if let (Some(limit), "fit" | "diagnose" | "plan") = (limit, command[0].as_str()) {
