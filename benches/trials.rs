@@ -16,7 +16,7 @@ fn trials(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("trial");
     for process in ALL {
         let model = Model::parse(Source::new("model.toml", process.starting_model())).unwrap();
-        let admitted = process.effects().into_iter().filter(|e| model.system.admits(e.name).is_ok());
+        let admitted = process.effects().into_iter().filter(|e| model.system.admits(&e.name).is_ok());
         let effects: Vec<Active> = admitted.map(|e| e.typical()).collect();
         let rows = model.system.programme();
         group.throughput(Throughput::Elements(rows.len() as u64));

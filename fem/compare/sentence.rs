@@ -9,7 +9,7 @@ use crate::units::Kind;
 pub fn name(along: &Along, coordinates: &[Coordinate]) -> String {
     match &along.0[..] {
         [] => "everywhere".into(),
-        several => several.iter().map(|i| coordinates[*i].name).collect::<Vec<_>>().join(" and "),
+        several => several.iter().map(|i| &*coordinates[*i].name).collect::<Vec<_>>().join(" and "),
     }
 }
 

@@ -45,16 +45,16 @@ pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Mod
 }
 
 fn with_physical_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<String, Problem> {
-    let effect = effect_of(model.process, name)?;
+    let effect = effect_of(&*model.process, name)?;
     if model.effects.iter().any(|e| e.description.name == effect.name) {
         return Err(present(name).help("edit its values in the file"));
     }
     if let Err(reason) = model.system.admits(name) {
         return Err(Problem::new(reason).help("choose an effect that can act in this model"));
     }
-    let names: Vec<&str> = effect.parameters.iter().map(|p| p.name).collect();
-    check_settings(effect.name, &names, settings, |Setting { key, value }| {
-        let Some(parameter) = effect.parameters.iter().find(|p| p.name == key) else { return Ok(()) };
+    let names: Vec<&str> = effect.parameters.iter().map(|p| &*p.name).collect();
+    check_settings(&effect.name, &names, settings, |Setting { key, value }| {
+        let Some(parameter) = effect.parameters.iter().find(|p| p.name == *key) else { return Ok(()) };
         Quantity::parse(value, &parameter.kind).map(drop).map_err(|e| {
             let help = e.hint.unwrap_or_else(|| format!("write '{key}={}'", parameter.kind.example()));
             Problem::new(e.message).help(help)
@@ -74,8 +74,8 @@ fn with_measurement_effect(
         return Err(present(name).help(format!("edit its values in the file, or add another as `{other}`")));
     }
     let set = |key: &str| settings.iter().find(|s| s.key == key).map(|s| &s.value);
-    let only = set("observable").and_then(|o| model.process.observables().iter().position(|own| own.name == o));
-    let of = observed(model.process, only);
+    let only = set("observable").and_then(|o| model.process.observables().iter().position(|own| own.name == *o));
+    let of = observed(&*model.process, only);
     let keys = effect.all_keys();
     let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
     let sizes = effect.size_keys();
@@ -172,12 +172,12 @@ fn fill(table: &mut dyn TableLike, effect: &Description, settings: &[Setting]) {
         value.is_none_or(|q| q == Quantity::known(0.0))
     };
     for parameter in &*effect.parameters {
-        let value = match set(parameter.name) {
+        let value = match set(&parameter.name) {
             Some(setting) => written(&setting.value, parameter.kind.unit.is_empty()),
             None if parameter.default.is_some() || parameter.needed_with.is_some_and(is_zero) => continue,
             None => Value::from(format!("? {}", parameter.kind.unit).trim_end()),
         };
-        table.insert(parameter.name, Item::Value(value));
+        table.insert(&parameter.name, Item::Value(value));
     }
 }
 

@@ -19,7 +19,7 @@ impl Format for Json {
             Report::Run(model, found) => run(model, found),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
-                comparison::json(first.process, measurements, comparisons)
+                comparison::json(&*first.process, measurements, comparisons)
             }
             Report::Fit(data, found) => fit::json(data, found),
             Report::Diagnosis(data, found) => diagnosis::json(data, found),
@@ -55,8 +55,8 @@ fn run(model: &Model, run: &Run) -> Value {
         "model": &*model.source.name,
         "title": model.title,
         "process": model.process.name(),
-        "effects": model.effects.iter().map(|e| e.description.name).collect::<Vec<_>>(),
-        "measurement": measurement::json(&model.measurement, model.process, None),
+        "effects": model.effects.iter().map(|e| e.description.name.clone()).collect::<Vec<_>>(),
+        "measurement": measurement::json(&model.measurement, &*model.process, None),
         "findings": findings,
         "shares": run.contributions.iter().map(share).collect::<Vec<_>>(),
         "warnings": run.report.warnings,

@@ -195,7 +195,7 @@ pub fn first_extreme(values: &[f64], beats: fn(&f64, &f64) -> bool) -> usize {
 pub fn extremes(
     what: &str,
     observable: &Observable,
-    (coordinates, told): (&'static [Coordinate], &[usize]),
+    (coordinates, told): (&[Coordinate], &[usize]),
     rows: &Rows,
     values: &[f64],
 ) -> Vec<Figure> {
@@ -217,7 +217,7 @@ pub fn extremes(
             // Degrees need no name.
             let is_named = matches!(coordinate.holds, Holds::Quantity(kind) if kind != ANGLE);
             at.push(if is_named { format!("{} = {words}", coordinate.name) } else { words });
-            figure = figure.entry(coordinate.name, datum);
+            figure = figure.entry(coordinate.name.clone(), datum);
         }
         figure.line(format!("{:+.3} at {}", kind.shown(values[row]), at.join(", ")))
     };

@@ -75,19 +75,19 @@ pub fn dimension(holds: Holds) -> Dimension {
     }
 }
 
-/// Names that users have given: they stand where names of the catalogue stand, which are constants, and so
-/// live as long as the program, each once however often it is read.
-static NAMES: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
+/// Units that users have given: they stand where canonical units stand, which are constants, and so live as long as
+/// the program, each once however often it is read.
+static UNITS: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
 
-/// The name, for the life of the program.
-pub fn name(text: &str) -> &'static str {
+/// The unit, for the life of the program.
+pub fn unit(text: &str) -> &'static str {
     // A panic while the list was held leaves it whole: entries are added in one step each.
-    let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
-    let names = names.get_or_insert_default();
-    if let Some(known) = names.get(text) {
+    let mut units = UNITS.lock().unwrap_or_else(PoisonError::into_inner);
+    let units = units.get_or_insert_default();
+    if let Some(known) = units.get(text) {
         return known;
     }
     let kept: &'static str = Box::leak(text.to_string().into_boxed_str());
-    names.insert(kept);
+    units.insert(kept);
     kept
 }

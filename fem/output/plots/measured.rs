@@ -30,7 +30,7 @@ impl Rows<'_> {
         let rows = self.model.system.resolved(&self.measurements.rows);
         let several = self.measurements.observables.len() > 1;
         let one = |seen: &crate::measure::MeasuredObservable| {
-            let layout = Layout::of(self.model.process, &rows, &self.measurements.given, seen.position)?;
+            let layout = Layout::of(&*self.model.process, &rows, &self.measurements.given, seen.position)?;
             Some((if several { format!("-{}", seen.name) } else { String::new() }, layout))
         };
         self.measurements.observables.iter().filter_map(one).collect()

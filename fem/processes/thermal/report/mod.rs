@@ -82,7 +82,7 @@ fn profile(setup: &Setup, rows: &Rows, observed: &[f64]) -> Table {
     columns.extend([TEMPERATURE_OF_ROW].into_iter().chain(grows).map(|observable| {
         let mut values = vec![f64::NAN; rows.len()];
         own(rows, observable).for_each(|row| values[row] = observed[row]);
-        Column::quantities(OBSERVABLES[observable].name, OBSERVABLES[observable].kind, &values)
+        Column::quantities(OBSERVABLES[observable].name.clone(), OBSERVABLES[observable].kind, &values)
     }));
     Table { columns }
 }
