@@ -133,7 +133,7 @@ fn parameters(effect: &Description) -> String {
             (None, None) => "it is needed".into(),
         };
         let range = format!("{} to {}", p.range.0, p.range.1);
-        [code(&p.name), plain(p.about), code(p.kind.unit), range, neutral, left_out]
+        [code(&p.name), plain(p.about), code(&p.kind.unit), range, neutral, left_out]
     };
     let headings = ["key", "what it is", "unit", "plausible", "the effect vanishes at", "if left out"];
     format!("## Parameters\n\n{}", table(headings, effect.parameters.iter().map(row)))

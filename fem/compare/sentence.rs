@@ -29,7 +29,7 @@ pub fn sentence(
         };
     };
     let coordinate = &coordinates[along.0[0]];
-    let along = coordinate.holds.kind().map_or("", |k| k.unit);
+    let along = coordinate.holds.kind().map(|k| k.unit).unwrap_or_default();
     let per = if along.is_empty() { coordinate.name.to_string() } else { along.to_string() };
     match *trend {
         Trend::Linear { slope } => {

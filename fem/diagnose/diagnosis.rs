@@ -68,6 +68,7 @@ pub struct Outlier {
 
 /// Origin of a missing effect: the physical system or the measurement.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a diagnosis has a few, and nobody moves them about")]
 pub enum Cause {
     /// The machine's, the fixture's or the part's.
     Physical,

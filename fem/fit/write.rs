@@ -49,7 +49,7 @@ fn size_place(data: &Data, size: &EstimatedSize) -> Option<(std::ops::Range<usiz
     let written = value.clone().and_then(|span| text.get(span)).unwrap_or_default().trim_matches(['"', '\'']);
     let kind = estimate.parameter.kind;
     let unit = kind.unit_of(unit_text(written));
-    let name = if unit.is_ok() && value.is_some() { unit_text(written) } else { kind.unit };
+    let name = if unit.is_ok() && value.is_some() { unit_text(written) } else { &kind.unit };
     let factor = unit.unwrap_or(kind.canonical()).factor;
     let number = five_digits(estimate.value / factor);
     let quoted = if name.is_empty() { number } else { format!("\"{number} {name}\"") };

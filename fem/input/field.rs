@@ -104,7 +104,7 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     fn schema(&self) -> serde_json::Value {
-        match self.kind.unit {
+        match &*self.kind.unit {
             "" => json!({ "type": ["number", "string"], "description": self.about }),
             unit => {
                 let about = format!("{} (e.g. \"{}\")", self.about, self.kind.example());

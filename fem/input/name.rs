@@ -137,3 +137,27 @@ impl Hash for Name {
         self.as_str().hash(state);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_goes_with_the_last_of_its_names() {
+        let name = Name::from("feed-error".to_string());
+        let Text::Shared(text) = &name.0 else { panic!("a text of a user is no constant") };
+        let text = Arc::downgrade(text);
+        let other = name.clone();
+        drop(name);
+        assert_eq!(text.upgrade().as_deref(), Some(&*other));
+        drop(other);
+        assert_eq!(text.upgrade(), None);
+    }
+
+    #[test]
+    fn a_constant_and_a_shared_text_are_one_name() {
+        let (constant, shared) = (Name::new("x"), Name::from("x".to_string()));
+        assert_eq!(constant, shared);
+        assert_eq!((constant.to_string(), format!("{shared:?}")), ("x".to_string(), "\"x\"".to_string()));
+    }
+}

@@ -21,7 +21,7 @@ impl MeasuredObservable {
     /// Lists the observables that occur in rows.
     pub(super) fn of(rows: &Rows, observables: &[Observable]) -> Vec<Self> {
         let seen = observables.iter().enumerate().filter(|(i, _)| rows.observable.contains(i));
-        seen.map(|(i, o)| Self::new(i, o, o.kind.unit)).collect()
+        seen.map(|(i, o)| Self::new(i, o, &o.kind.unit)).collect()
     }
 
     pub(super) fn new(position: usize, observable: &Observable, unit: &str) -> Self {

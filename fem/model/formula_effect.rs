@@ -7,7 +7,7 @@ use crate::input::{Bounds, Name, Reader, did_you_mean};
 use crate::process::{
     Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect,
 };
-use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, unit_text};
+use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, UnitSymbol, unit_text};
 
 /// Keys that are no parameters.
 const WORDS: [&str; 2] = ["formula", "about"];
@@ -23,7 +23,12 @@ pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active
             let message = format!("`{key}` is a coordinate of {}", process.name());
             table.problem(&key, message, "give the parameter another name");
         }
-        let kind = kind(table.written(&key));
+        let Some(kind) = kind(table.written(&key)) else {
+            let message = format!("the unit of `{key}` has more than {} bytes", UnitSymbol::LONGEST);
+            table.problem(&key, message, "write it with fewer factors");
+            table.accept_any();
+            return None;
+        };
         values.push(table.quantity(key.clone(), kind, "a parameter of the formula").required());
         parameters.push(parameter(key, kind));
     }
@@ -57,12 +62,12 @@ pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active
     }
 }
 
-/// Kind of a written quantity: whatever its unit measures.
-fn kind(written: Option<&str>) -> Kind {
+/// Kind of a written quantity: whatever its unit measures; `None` where that is longer than any symbol.
+fn kind(written: Option<&str>) -> Option<Kind> {
     let unit = written.map_or("", unit_text).trim();
     match Unit::parse(unit) {
-        Ok(_) if !unit.is_empty() => Kind { name: "a quantity", unit: formula_effect::unit(unit), usual: "1" },
-        _ => NUMBER,
+        Ok(_) if !unit.is_empty() => Some(Kind { name: "a quantity", unit: UnitSymbol::written(unit)?, usual: "1" }),
+        _ => Some(NUMBER),
     }
 }
 

@@ -7,7 +7,7 @@ use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measu
 
 use crate::model::{Contribution, Model, Run};
 use crate::process::{Datum, Description, Figure, Neutral, Parameter, Process};
-use crate::units::Kind;
+use crate::units::{Kind, UnitSymbol};
 use crate::validation::{Case, Tolerance};
 
 /// One JSON document per report.
@@ -79,7 +79,7 @@ fn figure(figure: &Figure) -> Value {
 /// The units of a figure, and the keys under which they are told.
 struct Units {
     keys: Vec<(&'static str, Kind)>,
-    used: Vec<(String, &'static str)>,
+    used: Vec<(String, UnitSymbol)>,
 }
 
 impl Units {

@@ -45,7 +45,7 @@ fn is_size(effect: &MeasurementEffect, key: &Key) -> bool {
 fn unit(effect: &MeasurementEffect, key: &Key) -> Option<&'static str> {
     match effect.size {
         Size::Number(..) if is_size(effect, key) => Some(""),
-        Size::Quantity(parameter) if is_size(effect, key) => Some(parameter.kind.unit),
+        Size::Quantity(parameter) if is_size(effect, key) => Some(&parameter.kind.unit),
         _ => None,
     }
 }

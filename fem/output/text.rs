@@ -142,7 +142,7 @@ fn parameter_line(p: &Parameter) -> String {
         Neutral::Infinity => "vanishes at infinity".into(),
         Neutral::Shape => "shapes the effect".into(),
     };
-    let unit = if p.kind.unit.is_empty() { "-" } else { p.kind.unit };
+    let unit = if p.kind.unit.is_empty() { "-" } else { &p.kind.unit };
     let optional = match (p.default, p.needed_with) {
         (Some(si), _) => format!("; {} if left out", p.kind.from_si(si)),
         (None, Some(other)) => format!("; only with {other}"),

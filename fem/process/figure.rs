@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::{Coordinate, Holds, Observable, Rows};
-use crate::units::{ANGLE, Kind};
+use crate::units::{ANGLE, Kind, UnitSymbol};
 
 /// One thing that a run has found.
 #[derive(Clone, Debug, PartialEq)]
@@ -154,6 +154,12 @@ impl From<bool> for Datum {
 impl From<&'static str> for Datum {
     fn from(word: &'static str) -> Self {
         Self::Word(word.into())
+    }
+}
+
+impl From<UnitSymbol> for Datum {
+    fn from(symbol: UnitSymbol) -> Self {
+        Self::Word(String::from(symbol).into())
     }
 }
 

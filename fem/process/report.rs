@@ -2,7 +2,7 @@
 
 use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, Values, View};
 use crate::input::Name;
-use crate::units::Kind;
+use crate::units::{Kind, UnitSymbol};
 
 /// The results of a run, in terms that every output format understands.
 #[derive(Default)]
@@ -38,7 +38,7 @@ pub struct Column {
     /// Without the unit.
     pub name: Name,
     /// Unit of the numbers as written; `None` for a label such as a part number.
-    pub unit: Option<&'static str>,
+    pub unit: Option<UnitSymbol>,
     /// In that unit; of words, their positions among them.
     pub values: Vec<f64>,
     /// Words for which the values stand; empty for numbers.
@@ -66,7 +66,7 @@ impl Column {
     pub fn quantities(name: impl Into<Name>, kind: Kind, si: &[f64]) -> Self {
         let unit = kind.canonical();
         let values = si.iter().map(|v| (v - unit.offset) / unit.factor).collect();
-        Self::numbers(name, (!kind.unit.is_empty()).then_some(kind.unit), values)
+        Self::numbers(name, (!kind.unit.is_empty()).then_some(&kind.unit), values)
     }
 
     /// The values of a coordinate, SI, without the digits that conversion leaves: 1000 mm/min is written as
@@ -85,8 +85,11 @@ impl Column {
     }
 
     /// Numbers in a unit, or without one.
-    pub fn numbers(name: impl Into<Name>, unit: Option<&'static str>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), unit, values, words: &[] }
+    ///
+    /// # Panics
+    /// The unit is longer than any symbol.
+    pub fn numbers(name: impl Into<Name>, unit: Option<&str>, values: Vec<f64>) -> Self {
+        Self { name: name.into(), unit: unit.map(UnitSymbol::new), values, words: &[] }
     }
 
     /// Words, by their positions among all that there are.

@@ -62,7 +62,12 @@ fn tables_in_python<'py>(tables: Cow<'_, Vec<Tables>>, py: Python<'py>) -> PyRes
         let named = PyDict::new(py);
         for (name, table) in of_model {
             let columns = table.columns.into_iter().map(|column| {
-                (column.name.to_string(), column.unit, PyArray1::from_vec(py, column.values), column.words.to_vec())
+                (
+                    column.name.to_string(),
+                    column.unit.map(String::from),
+                    PyArray1::from_vec(py, column.values),
+                    column.words.to_vec(),
+                )
             });
             named.set_item(name, columns.collect::<Vec<_>>())?;
         }

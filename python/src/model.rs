@@ -76,7 +76,7 @@ impl Model {
             Knowledge::Free => (None, None),
         };
         let all = self.0.parameters.iter().map(|p| (p, told(p)));
-        all.map(|(p, (value, std))| (&*p.path, p.kind.unit, value, std)).collect()
+        all.map(|(p, (value, std))| (&*p.path, &*p.kind.unit, value, std)).collect()
     }
 
     /// Its text for a file at another place.

@@ -67,7 +67,7 @@ fn with_all_effects(process: &dyn Process) -> String {
         for parameter in effect.parameters.iter() {
             let value = parameter.example();
             let unit = parameter.kind.unit;
-            text += &match unit {
+            text += &match &*unit {
                 "1" | "" => format!("{} = {value}\n", parameter.name),
                 unit => format!("{} = \"{value} {unit}\"\n", parameter.name),
             };

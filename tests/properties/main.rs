@@ -111,7 +111,7 @@ fn the_catalogue_is_complete_and_consistent() {
                 assert!(!difference.is_empty());
             }
             for p in &*effect.parameters {
-                assert!(Unit::parse(p.kind.unit).is_ok());
+                assert!(Unit::parse(&p.kind.unit).is_ok());
                 assert!(p.range.0 < p.range.1, "{}.{}", effect.name, p.name);
                 assert!(
                     p.example() >= p.range.0 && p.example() <= p.range.1,

@@ -181,7 +181,7 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
         "text": next.experiment.words,
         "coordinate": next.experiment.coordinate,
         "values": next.experiment.values.iter().map(|v| kind.map_or(*v, |k| k.from_si(*v))).collect::<Vec<_>>(),
-        "unit": kind.map_or("", |k| k.unit),
+        "unit": kind.map(|k| k.unit).unwrap_or_default(),
         "observations": next.observations(),
         "repeats": next.repeats,
         "separation": next.separation,

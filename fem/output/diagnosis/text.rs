@@ -272,7 +272,7 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
 /// Writes a detection limit: `rate >= 0.4 um/km`, for a stiffness `<=`.
 pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     let entry = effect.parameters.iter().find(|p| p.name == parameter);
-    let unit = entry.map_or("", |p| p.kind.unit);
+    let unit = entry.map_or("", |p| &p.kind.unit);
     let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };
     let told = match entry.map(|p| p.neutral) {
         // A factor of 1.00042 is told by what it differs from 1.

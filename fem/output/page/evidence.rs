@@ -26,7 +26,7 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
             let fall = |a: String, b: String| if is_better { format!("{a} \u{2192} {b}") } else { a };
             facts.push(fact(
                 "root mean square error",
-                fall(format!("{before:.3}"), format!("{after:.3}")) + " " + kind.unit,
+                fall(format!("{before:.3}"), format!("{after:.3}")) + " " + &kind.unit,
             ));
             // As many parameters as conditions leave no lack of fit to judge.
             let shown = |chi2: f64| match chi2.is_finite() {

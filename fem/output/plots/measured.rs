@@ -6,6 +6,7 @@ use crate::measure::Measurements;
 use crate::model::Model;
 use crate::noise::Noise;
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series};
+use crate::units::UnitSymbol;
 
 /// Most points of a chart: more cannot be told apart, and make a page heavy.
 const MOST: usize = 800;
@@ -37,7 +38,7 @@ impl Rows<'_> {
     }
 
     /// Factor from SI to the unit in which differences of an observable are told, and that unit.
-    pub fn unit(&self, layout: &Layout) -> (f64, &'static str) {
+    pub fn unit(&self, layout: &Layout) -> (f64, UnitSymbol) {
         let position = layout.rows.first().map_or(0, |row| self.measurements.rows.observable[*row]);
         let kind = self.model.process.observables()[position].error_kind();
         (1.0 / kind.canonical().factor, kind.unit)
