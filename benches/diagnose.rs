@@ -37,7 +37,7 @@ fn timed(folder: &Path) -> Timed {
         Source::new(path.display().to_string(), std::fs::read_to_string(&path).unwrap())
     };
     let model = Model::parse(read("model.toml")).unwrap();
-    let data = Data::of(&model, Measurements::parse(read("measured.csv"), model.process).unwrap()).unwrap();
+    let data = Data::of(&model, Measurements::parse(read("measured.csv"), &*model.process).unwrap()).unwrap();
     let (mut seconds, mut evaluations) = (f64::INFINITY, 0);
     for _ in 0..TIMES {
         let start = Instant::now();

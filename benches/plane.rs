@@ -90,7 +90,7 @@ fn chuck() -> Result<(), Box<dyn Error>> {
     let model = Model::parse(Source::new("ring.toml", process.starting_model()))?;
     let angles: Vec<f64> = (0..108).map(|i| f64::from(i % 36) * TAU / 36.0).collect();
     let mut rows = model.system.programme();
-    let names: Vec<&str> = process.coordinates().iter().map(|c| c.name).collect();
+    let names: Vec<&str> = process.coordinates().iter().map(|c| &*c.name).collect();
     for (column, name) in rows.columns.iter_mut().zip(names) {
         let first = column[0];
         *column = match name {
@@ -101,7 +101,7 @@ fn chuck() -> Result<(), Box<dyn Error>> {
     }
     rows.observable = Values::shared(rows.observable[0], angles.len());
     let effects: Vec<_> =
-        process.effects().iter().filter(|e| model.system.admits(e.name).is_ok()).map(|e| e.typical()).collect();
+        process.effects().iter().filter(|e| model.system.admits(&e.name).is_ok()).map(|e| e.typical()).collect();
     let mut clock = Clock(Instant::now());
     model.system.with_effects(&effects).observe(&rows)?;
     clock.lap("the first trial");

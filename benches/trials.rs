@@ -8,7 +8,7 @@
 #![allow(missing_docs)]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use fem::input::Source;
+use fem::input::{Name, Source};
 use fem::model::{Model, add_effect};
 use fem::process::Active;
 use fem::processes::ALL;
@@ -17,7 +17,7 @@ fn trials(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("trial");
     for process in ALL {
         let model = Model::parse(Source::new("model.toml", process.starting_model())).unwrap();
-        let admitted = process.effects().into_iter().filter(|e| model.system.admits(e.name).is_ok());
+        let admitted = process.effects().into_iter().filter(|e| model.system.admits(&e.name).is_ok());
         let effects: Vec<Active> = admitted.map(|e| e.typical()).collect();
         let rows = model.system.programme();
         group.throughput(Throughput::Elements(rows.len() as u64));
@@ -42,8 +42,8 @@ fn additions(criterion: &mut Criterion) {
     for process in ALL {
         let model = Model::parse(Source::new("model.toml", process.starting_model())).unwrap();
         let names = process.effects().into_iter().map(|effect| effect.name);
-        let five: Vec<&str> = names.filter(|name| add_effect(&model, name, &[]).is_ok()).take(5).collect();
-        let add = |model: Model, name: &&str| add_effect(&model, name, &[]).unwrap_or(model);
+        let five: Vec<_> = names.filter(|name| add_effect(&model, name, &[]).is_ok()).take(5).collect();
+        let add = |model: Model, name: &Name| add_effect(&model, name, &[]).unwrap_or(model);
         group.bench_function(format!("{}, edited", process.name()), |b| {
             b.iter(|| five.iter().fold(model.clone(), add));
         });

@@ -12,7 +12,7 @@ use fem::progress::Progress;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let model = Model::load(Path::new("models/story/rigid.toml"))?;
-    let measurements = Measurements::load(Path::new("models/story/measured.csv"), model.process)?;
+    let measurements = Measurements::load(Path::new("models/story/measured.csv"), &*model.process)?;
     let data = Data::of(&model, measurements)?;
     let comparison = compare(&data)?;
     println!("{}: rms {:.3} um, adequate: {}", comparison.model, 1e6 * comparison.rms, comparison.adequate());

@@ -22,15 +22,15 @@ pub fn path(process: &str, effect: &str) -> PathBuf {
 
 /// The page with its pictures.
 pub fn page(process: &dyn Process, effect: &Description, hosts: &[Model]) -> Result<Vec<Made>, Box<dyn Error>> {
-    let host = hosts.iter().find(|host| host.system.admits(effect.name).is_ok());
+    let host = hosts.iter().find(|host| host.system.admits(&effect.name).is_ok());
     let host = host.ok_or_else(|| format!("{}: no model admits it", effect.name))?;
     let is_there = host.effects.iter().any(|e| e.description.name == effect.name);
-    let added = if is_there { None } else { Some(add_effect(host, effect.name, &settings(effect)).map_err(problem)?) };
+    let added = if is_there { None } else { Some(add_effect(host, &effect.name, &settings(effect)).map_err(problem)?) };
     let model = added.as_ref().unwrap_or(host);
     let active = model.effects.iter().find(|e| e.description.name == effect.name);
     let active = active.ok_or_else(|| format!("{}: it is not in its model", effect.name))?;
     let contributions = model.contribution_of(active, &Progress::default())?;
-    let path = path(process.name(), effect.name);
+    let path = path(process.name(), &effect.name);
     let mut made = Vec::new();
     for svg in signatures(model, &contributions) {
         let number = if made.is_empty() { String::new() } else { format!("-{}", made.len() + 1) };
@@ -41,7 +41,7 @@ pub fn page(process: &dyn Process, effect: &Description, hosts: &[Model]) -> Res
         signature(process, active, &made, &contributions, std::ptr::eq(host, &hosts[0])),
         format!("## Law\n\n{}\nSource: {}\n", block("text", &effect.law), cited(effect.source)),
         parameters(effect),
-        typical(process.name(), effect.name),
+        typical(process.name(), &effect.name),
         in_a_model(effect),
         alike(process, effect),
         needs(effect, hosts),
@@ -57,7 +57,7 @@ fn problem(problem: fem::input::Problem) -> String {
 
 /// Values in the middle of what is plausible, as one would write them.
 fn settings(effect: &Description) -> Vec<Setting> {
-    let setting = |p: &Parameter| Setting { key: p.name.into(), value: Entry::Text(usual(p)) };
+    let setting = |p: &Parameter| Setting { key: p.name.to_string(), value: Entry::Text(usual(p)) };
     effect.parameters.iter().map(setting).collect()
 }
 
@@ -91,7 +91,7 @@ fn signature(
             let kind = share.kind(observables);
             let told = |si: f64| format!("{:+.3} {}", kind.from_si(si), kind.unit).trim_end().to_string();
             [
-                plain(observables[share.observable].words),
+                plain(&observables[share.observable].words),
                 told(share.rms).trim_start_matches('+').to_string(),
                 told(share.smallest),
                 told(share.largest),
@@ -133,7 +133,7 @@ fn parameters(effect: &Description) -> String {
             (None, None) => "it is needed".into(),
         };
         let range = format!("{} to {}", p.range.0, p.range.1);
-        [code(p.name), plain(p.about), code(p.kind.unit), range, neutral, left_out]
+        [code(&p.name), plain(p.about), code(&p.kind.unit), range, neutral, left_out]
     };
     let headings = ["key", "what it is", "unit", "plausible", "the effect vanishes at", "if left out"];
     format!("## Parameters\n\n{}", table(headings, effect.parameters.iter().map(row)))
@@ -184,7 +184,7 @@ fn alike(process: &dyn Process, effect: &Description) -> String {
     let others = all.iter().filter(|other| !effect.look_alikes.iter().any(|(name, _)| *name == other.name));
     let from_others = others.flat_map(|other| {
         let named = other.look_alikes.iter().filter(|(name, _)| *name == effect.name);
-        named.map(|(_, difference)| [link(other.name), plain(difference)])
+        named.map(|(_, difference)| [link(&other.name), plain(difference)])
     });
     let rows: Vec<[String; 2]> = own.chain(from_others).collect();
     let text = match rows.is_empty() {
@@ -196,7 +196,7 @@ fn alike(process: &dyn Process, effect: &Description) -> String {
 
 /// Why it cannot act in some models, in their words.
 fn needs(effect: &Description, hosts: &[Model]) -> String {
-    let mut reasons: Vec<String> = hosts.iter().filter_map(|h| h.system.admits(effect.name).err()).collect();
+    let mut reasons: Vec<String> = hosts.iter().filter_map(|h| h.system.admits(&effect.name).err()).collect();
     reasons.dedup();
     if reasons.is_empty() {
         return String::new();

@@ -25,7 +25,7 @@ pub fn all(deep: usize) -> Result<Pages, Box<dyn Error>> {
         let page = |effect: &Description| effect::page(*process, effect, &hosts).map_err(|e| e.to_string());
         let all = effects.par_iter().map(page).collect::<Result<Vec<_>, String>>()?;
         let chapter =
-            |made: Vec<Made>, effect: &Description| (Chapter::new(effect.name, &made[0].path, deep + 4), made);
+            |made: Vec<Made>, effect: &Description| (Chapter::new(&effect.name, &made[0].path, deep + 4), made);
         pages.extend(all.into_iter().zip(&effects).map(|(made, effect)| chapter(made, effect)));
     }
     Ok(pages)
@@ -76,13 +76,13 @@ fn link(process: &str, effect: &str) -> String {
 }
 
 fn catalogue(process: &str, effects: &[Description]) -> String {
-    table(["effect", "what happens"], effects.iter().map(|e| [link(process, e.name), plain(&e.about)]))
+    table(["effect", "what happens"], effects.iter().map(|e| [link(process, &e.name), plain(&e.about)]))
 }
 
 fn alike(process: &str, effects: &[Description]) -> String {
     let rows = effects.iter().filter(|e| !e.look_alikes.is_empty()).map(|e| {
         let others: Vec<String> = e.look_alikes.iter().map(|(other, _)| link(process, other)).collect();
-        [link(process, e.name), others.join(", ")]
+        [link(process, &e.name), others.join(", ")]
     });
     table(["effect", "can look the same as"], rows) + "\nThe page of an effect says what separates it from each.\n"
 }

@@ -44,7 +44,7 @@ fn the_book_is_whole() {
     for process in ALL {
         assert!(once.contains(&PathBuf::from(format!("docs/processes/{}.md", process.name()))));
         for effect in &process.effects() {
-            let page = effect::path(process.name(), effect.name);
+            let page = effect::path(process.name(), &effect.name);
             assert!(once.contains(&page), "{} has no page", effect.name);
             assert!(files.contains_key(&page.with_extension("svg")), "{} has no picture", effect.name);
         }

@@ -37,10 +37,10 @@ pub fn catalogue(name: Option<&str>) -> Result<Catalogue, Error> {
     let owners = || processes::ALL.iter().map(|p| p.name()).chain([MEASUREMENT]);
     let of_owner = name.is_none_or(|n| owners().any(|owner| owner == n));
     let is_meant = |owner: &str, effect: &str| name.is_none_or(|n| n == if of_owner { owner } else { effect });
-    let chosen: Vec<_> = all.iter().filter(|(p, e)| is_meant(p.name(), e.name)).cloned().collect();
+    let chosen: Vec<_> = all.iter().filter(|(p, e)| is_meant(p.name(), &e.name)).cloned().collect();
     let of_measurement: Vec<_> = effects::all().filter(|e| is_meant(MEASUREMENT, e.name)).collect();
     if chosen.is_empty() && of_measurement.is_empty() {
-        let names = all.iter().map(|(_, e)| e.name).chain(effects::all().map(|e| e.name)).chain(owners());
+        let names = all.iter().map(|(_, e)| &*e.name).chain(effects::all().map(|e| e.name)).chain(owners());
         return Err(unknown(name.unwrap_or_default(), names).into());
     }
     let detail = if of_owner { Detail::Line } else { Detail::Page };

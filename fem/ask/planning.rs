@@ -22,7 +22,7 @@ pub fn plan(design: &Data, noise: &[String]) -> Result<(Plan, Option<String>), E
 /// # Errors
 /// A noise is no positive quantity of any observable.
 fn planned_noise(design: &Data, said: &[String]) -> Result<(Vec<f64>, Option<String>), Error> {
-    let process = design.model.process;
+    let process = &*design.model.process;
     let sigma = noise(process, said)?;
     let is_assumed = |position: usize| design.uncertainty.is_none() && sigma[position].is_none();
     let assumed = design.observables.iter().filter(|s| is_assumed(s.position)).map(|s| format!("1 {}", s.kind.unit));

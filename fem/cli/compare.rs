@@ -17,9 +17,8 @@ use crate::progress::Progress;
 pub fn run(args: &args::Compare) -> Result<(), Error> {
     let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     let Some(first) = models.first() else { return Ok(()) };
-    let process = first.process;
     refuse_mixed(&models)?;
-    let measurements = args.data.load(process, args.output.is_some())?;
+    let measurements = args.data.load(&*first.process, args.output.is_some())?;
     let progress = Arc::default();
     let compared = watched(&progress, || compare_all(&models, measurements, &progress, |_, found| found));
     let (comparisons, measurements) = compared?;

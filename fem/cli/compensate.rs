@@ -17,7 +17,7 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let is_asked = |control: &&Control| args.controls.iter().any(|name| name == control.name);
     let controls: Vec<&'static Control> = CONTROLS.iter().filter(is_asked).collect();
-    let data = Data::of(&model, args.data.load(model.process, false)?)?;
+    let data = Data::of(&model, args.data.load(&*model.process, false)?)?;
     let found = watched(&data.progress, || compensate(&data))?;
     let files = match &controls[..] {
         [] => supplied(&CONTROLS[0], &found, &args.axis, false).into_iter().collect(),

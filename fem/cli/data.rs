@@ -26,7 +26,7 @@ impl args::Reading {
 impl args::Data {
     /// Reads the measurements of a process, of several files as one; their text stays with those that `are_written`
     /// again.
-    pub fn load(&self, process: &'static dyn Process, are_written: bool) -> Result<Measurements, Error> {
+    pub fn load(&self, process: &dyn Process, are_written: bool) -> Result<Measurements, Error> {
         let all = Measurements::load_all(&self.with, process, &self.reading.said()?, false)?;
         Ok(if are_written { all } else { all.without_records() })
     }
@@ -44,7 +44,7 @@ impl args::Report {
         refuse_mixed(&models)?;
         let measurements = match models.last() {
             Some(model) if !self.with.is_empty() => {
-                Some(Measurements::load_all(&self.with, model.process, &self.reading.said()?, false)?)
+                Some(Measurements::load_all(&self.with, &*model.process, &self.reading.said()?, false)?)
             }
             _ => None,
         };

@@ -27,7 +27,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         guard.check(new)?;
     }
     let progress = args.limit.progress();
-    let data = Data::of(&model, args.data.load(model.process, false)?)?.watched(progress.clone());
+    let data = Data::of(&model, args.data.load(&*model.process, false)?)?.watched(progress.clone());
     let diagnosis = searched(args, &data, &progress, guard)?;
     if let Some(new) = &args.add_to {
         let better = completed(&data, &diagnosis)?;
@@ -57,7 +57,7 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
     let loaded: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     let reading = args.data.reading.said()?;
     let each: Vec<(&PathBuf, &dyn Process)> =
-        args.data.with.iter().zip(&loaded).map(|(path, model)| (path, model.process)).collect();
+        args.data.with.iter().zip(&loaded).map(|(path, model)| (path, &*model.process)).collect();
     let measured = Measurements::load_each(&each, &reading, false)?;
     let model = Model::of_tests(loaded)?;
     let progress = args.limit.progress();

@@ -17,7 +17,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
-    let data = Data::of(&model, args.data.load(model.process, false)?)?.watched(args.limit.progress());
+    let data = Data::of(&model, args.data.load(&*model.process, false)?)?.watched(args.limit.progress());
     let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {
         // A fitted value outside its bounds would make a file that cannot be read: better none.

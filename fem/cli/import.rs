@@ -24,7 +24,7 @@ pub fn import(args: &args::Import) -> Result<(), Error> {
     let text = measurements(&taken, *process, &format!("Taken from {}.", taken.name));
     files::write(&args.output, text.as_bytes(), guard)?;
     notes(&taken.notes);
-    let observed: Vec<&str> = taken.observables.iter().map(|o| o.name).collect();
+    let observed: Vec<&str> = taken.observables.iter().map(|o| &*o.name).collect();
     let rows = if taken.len() == 1 { "observation" } else { "observations" };
     let (to, from) = (args.output.display(), args.file.display());
     print(&format!("written {to}: {} {rows} of {} from {from}\n", taken.len(), observed.join(" and ")))

@@ -12,7 +12,7 @@ use crate::output::Report;
 pub fn run(args: &args::Plan) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let design = match args.with.is_empty() {
-        false => Data::of(&model, Measurements::load_all(&args.with, model.process, &args.reading.said()?, true)?)?,
+        false => Data::of(&model, Measurements::load_all(&args.with, &*model.process, &args.reading.said()?, true)?)?,
         true => Data::programme(&model)?,
     };
     let design = design.watched(args.limit.progress());

@@ -26,7 +26,7 @@ pub struct Along(pub Vec<usize>);
 /// those.
 pub struct Binnings<'a> {
     /// Coordinates of the process.
-    pub coordinates: &'static [Coordinate],
+    pub coordinates: &'a [Coordinate],
     /// The rows.
     pub measurements: &'a Measurements,
     /// Of each coordinate that varies, by its position.
@@ -37,7 +37,7 @@ pub struct Binnings<'a> {
 
 impl<'a> Binnings<'a> {
     /// The ways of binning the rows of a file.
-    pub fn new(coordinates: &'static [Coordinate], measurements: &'a Measurements) -> Self {
+    pub fn new(coordinates: &'a [Coordinate], measurements: &'a Measurements) -> Self {
         let is_sought = |i: &usize| !coordinates[*i].repeats && measurements.given.contains(i);
         let quantiles: Vec<(usize, Quantiles)> = (0..coordinates.len())
             .filter(is_sought)

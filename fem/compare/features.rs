@@ -16,6 +16,7 @@ use super::{SIGNIFICANCE, Trend};
 use crate::measure::Measurements;
 use crate::noise::{Noise, NoiseSource, beyond_f};
 use crate::process::Process;
+use crate::units::UnitSymbol;
 
 /// Number of rows beyond which the estimated noise is as good as known, and shuffles would take long.
 const MANY: usize = 20_000;
@@ -42,7 +43,7 @@ pub struct Feature {
     /// Coordinate and mean residual of each bin, in canonical units.
     pub curve: Vec<(f64, f64)>,
     /// Unit of the residuals of the curve.
-    pub unit: &'static str,
+    pub unit: UnitSymbol,
 }
 
 /// Finds the significant features, the largest share first. Observables that stand side by side are tested

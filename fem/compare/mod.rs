@@ -121,7 +121,7 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
     let (reduced_chi2, p_value) = reduced_chi2(&residuals, &noise, &repeats, data.datum_directions.len());
-    let features = features::find(model.process, measurements, &residuals, &noise);
+    let features = features::find(&*model.process, measurements, &residuals, &noise);
     let is_explained = p_value.is_none_or(|p| p >= SIGNIFICANCE) && features.is_empty();
     let suspects = if is_explained { suspects(&evidence) } else { Vec::new() };
     Comparison {

@@ -9,7 +9,7 @@ use crate::units::Kind;
 pub fn name(along: &Along, coordinates: &[Coordinate]) -> String {
     match &along.0[..] {
         [] => "everywhere".into(),
-        several => several.iter().map(|i| coordinates[*i].name).collect::<Vec<_>>().join(" and "),
+        several => several.iter().map(|i| &*coordinates[*i].name).collect::<Vec<_>>().join(" and "),
     }
 }
 
@@ -29,7 +29,7 @@ pub fn sentence(
         };
     };
     let coordinate = &coordinates[along.0[0]];
-    let along = coordinate.holds.kind().map_or("", |k| k.unit);
+    let along = coordinate.holds.kind().map(|k| k.unit).unwrap_or_default();
     let per = if along.is_empty() { coordinate.name.to_string() } else { along.to_string() };
     match *trend {
         Trend::Linear { slope } => {

@@ -14,6 +14,7 @@ use super::instrument::criterion;
 use super::lead::{bare, without};
 use super::residual_projection::ProjectedResidual;
 use super::search::SearchResult;
+use crate::input::Name;
 use crate::units::ANGLE;
 
 /// Standard deviation of the share of itself by which a law is off.
@@ -28,9 +29,9 @@ const LEFT: f64 = 0.1;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bend {
     /// Name of the effect.
-    pub effect: &'static str,
+    pub effect: Name,
     /// Coordinate along which it bends; `None` where it does with its own size.
-    pub along: Option<&'static str>,
+    pub along: Option<Name>,
     /// Largest share of itself by which it is off.
     pub share: f64,
     /// Fall of −2 ln L, the price of the bend paid.
@@ -107,7 +108,7 @@ pub fn bend(found: &SearchResult, set: &CandidateModel) -> Option<Bend> {
             if share > LARGEST {
                 return None;
             }
-            Some(Bend { effect: found.candidates[*member].effect.name, along, share, evidence })
+            Some(Bend { effect: found.candidates[*member].effect.name.clone(), along, share, evidence })
         });
         bends.max_by(|a, b| a.evidence.total_cmp(&b.evidence))
     };
@@ -122,13 +123,13 @@ fn signature(found: &SearchResult, set: &CandidateModel, member: usize) -> Optio
 }
 
 /// Shapes that the share may have over the rows, a column each, with the coordinate along which they run.
-fn shapes(set: &CandidateModel, signature: &[f64]) -> Vec<(Option<&'static str>, DMatrix<f64>)> {
+fn shapes(set: &CandidateModel, signature: &[f64]) -> Vec<(Option<Name>, DMatrix<f64>)> {
     let data = set.objective.data;
     let coordinates = data.model.process.coordinates();
     let along = data.given.iter().flat_map(|i| {
         let (coordinate, column) = (&coordinates[*i], &data.rows.columns[*i].to_vec());
         let waves = (coordinate.holds.kind() == Some(ANGLE)).then(|| waves(column));
-        curve(column).into_iter().chain(waves).map(|shape| (Some(coordinate.name), shape))
+        curve(column).into_iter().chain(waves).map(|shape| (Some(coordinate.name.clone()), shape))
     });
     let largest = signature.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
     // Another exponent: to first order a law is off by the logarithm of its size.

@@ -188,7 +188,7 @@ fn few_places(best: &CandidateModel) -> Option<String> {
     let places = data.levels(&[at]).into_iter().max().map_or(0, |most| most + 1);
     let free = best.objective.variables.len() - best.objective.priors();
     (!best.members.is_empty() && places < free + MORE).then(|| {
-        let along = coordinates[at].name;
+        let along = &coordinates[at].name;
         format!("{places} values of `{along}` hardly tell these causes from a {name}: measure at further ones between")
     })
 }

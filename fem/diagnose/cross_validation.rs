@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::candidate_model::CandidateModel;
+use crate::input::Name;
 use crate::model::Data;
 use crate::process::Holds;
 
@@ -12,7 +13,7 @@ const FOLDS: usize = 12;
 /// Folds of the cross-validation: the coordinate by which rows are grouped, and the fold of each row.
 pub struct Folds {
     /// Name of the coordinate: `part`, `run`, `direction`, or the first coordinate.
-    pub coordinate: &'static str,
+    pub coordinate: Name,
     group: Vec<usize>,
     count: usize,
 }
@@ -54,7 +55,7 @@ impl Folds {
             false => levels.partition_point(|l| l < v) * count / levels.len(),
         };
         let group = column.iter().map(group).collect();
-        Self { coordinate: data.model.process.coordinates()[coordinate].name, group, count }
+        Self { coordinate: data.model.process.coordinates()[coordinate].name.clone(), group, count }
     }
 
     /// Root mean square of the held-out residuals, in standard uncertainties of the rows, to first order

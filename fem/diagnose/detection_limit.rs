@@ -2,6 +2,7 @@
 
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
+use crate::input::Name;
 use crate::process::Neutral;
 
 /// Standard uncertainties by which a sensitivity must exceed the threshold for a detection in nine cases of
@@ -14,7 +15,7 @@ const HIDDEN: f64 = 0.05;
 #[derive(Clone, Debug, PartialEq)]
 pub struct DetectionLimit {
     /// Linear parameter that tells its size.
-    pub parameter: &'static str,
+    pub parameter: Name,
     /// Smallest value that would have been detected, canonical unit; for a stiffness the largest. It is the
     /// median over the grid of nonlinear parameters.
     pub smallest: Option<f64>,
@@ -56,5 +57,10 @@ pub fn detection_limit(
         Neutral::Value(_) | Neutral::Shape => shown < entry.range.1,
     };
     let detectable = own_share >= HIDDEN && reachable && shown.is_finite();
-    Some(DetectionLimit { parameter: entry.name, smallest: shown.is_finite().then_some(shown), own_share, detectable })
+    Some(DetectionLimit {
+        parameter: entry.name.clone(),
+        smallest: shown.is_finite().then_some(shown),
+        own_share,
+        detectable,
+    })
 }

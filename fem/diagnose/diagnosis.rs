@@ -6,6 +6,7 @@ use super::next::Next;
 use super::verdict::{GoodnessOfFit, Verdict};
 use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
+use crate::input::Name;
 use crate::noise::{MeasurementEffect, NoiseLevel, Term};
 use crate::process::Description;
 use crate::units::Kind;
@@ -43,7 +44,7 @@ pub struct Diagnosis {
     /// Next measurement, where effects are confounded.
     pub next: Option<Next>,
     /// Coordinate by which rows were held out in cross-validation.
-    pub cross_validation_by: Option<&'static str>,
+    pub cross_validation_by: Option<Name>,
     /// Number of evaluations at which the model could not be computed, and of all evaluations.
     pub trials: (usize, usize),
 }
@@ -67,6 +68,7 @@ pub struct Outlier {
 
 /// Origin of a missing effect: the physical system or the measurement.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a diagnosis has a few, and nobody moves them about")]
 pub enum Cause {
     /// The machine's, the fixture's or the part's.
     Physical,
@@ -75,13 +77,13 @@ pub enum Cause {
         /// Its entry in the catalogue.
         effect: &'static MeasurementEffect,
         /// Coordinates whose levels group the rows.
-        by: Vec<&'static str>,
+        by: Vec<Name>,
         /// Coordinate along which the part lies askew or a wave runs.
-        along: Option<&'static str>,
+        along: Option<Name>,
         /// Period of a wave along it, SI, with its kind.
         period: Option<(f64, Kind)>,
         /// Observable on which it acts, where the file has several.
-        observable: Option<&'static str>,
+        observable: Option<Name>,
         /// Records of the file, counted from 1: those that are outlying, or the first after a step.
         records: Vec<usize>,
         /// Where the first row after a step stands, for people.
@@ -93,7 +95,7 @@ pub enum Cause {
 
 impl Cause {
     /// An effect of the measurement on all rows.
-    pub fn of(effect: &'static MeasurementEffect, observable: Option<&'static str>) -> Self {
+    pub fn of(effect: &'static MeasurementEffect, observable: Option<Name>) -> Self {
         Self::Measurement {
             effect,
             by: Vec::new(),

@@ -50,14 +50,14 @@ pub fn missing_effects(
             instrument::plain(base, repeats, &noise.terms[..=number]).0.with(noise.terms[..=number].to_vec(), data);
         let solution = minimise(&mut grown.objective, &plain.solution.position, &[], StoppingCriterion::FULL);
         grown.solution = solution.unwrap_or_else(|| plain.solution.clone());
-        let along = term.along.map(|along| data.model.process.coordinates()[along.coordinate]);
+        let along = term.along.map(|along| &data.model.process.coordinates()[along.coordinate]);
         Missing {
             cause: Cause::Measurement {
                 effect: term.effect,
-                along: along.map(|coordinate| coordinate.name),
+                along: along.map(|coordinate| coordinate.name.clone()),
                 period: term.period.zip(along.and_then(|coordinate| coordinate.holds.kind())),
-                by: term.by.iter().map(|i| grouping_name(data.model.process, *i)).collect(),
-                observable: term.observable.map(|o| data.model.process.observables()[o].name),
+                by: term.by.iter().map(|i| grouping_name(&*data.model.process, *i)).collect(),
+                observable: term.observable.map(|o| data.model.process.observables()[o].name.clone()),
                 records: records(term, data),
                 from: term.effect.has(FROM).then(|| term.rows.first().map(|r| data.place(*r))).flatten(),
                 from_line: term.effect.has(FROM).then(|| term.rows.first().map(|r| data.line(*r))).flatten(),
@@ -78,7 +78,7 @@ pub fn missing_effects(
 /// Cause behind an effect that was found among the candidates.
 pub fn cause(effect: &Description) -> Cause {
     match effects::all().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
-        Some(entry) => Cause::of(entry, effect.observable),
+        Some(entry) => Cause::of(entry, effect.observable.clone()),
         None => Cause::Physical,
     }
 }

@@ -132,7 +132,7 @@ pub fn absent_readings(data: &Data) -> Vec<Description> {
     let is_absent = |effect: &MeasurementEffect| data.model.measurement.iter().all(|term| term.effect != effect);
     let of = |effect: &'static MeasurementEffect| match effect.acts {
         Acts::Times(_) => {
-            let time = time_of(data.model.process).filter(|time| data.given.contains(time));
+            let time = time_of(&*data.model.process).filter(|time| data.given.contains(time));
             time.map_or(Vec::new(), |_| vec![Term::new(effect)])
         }
         _ => own_observables(data).into_iter().map(|observable| Term { observable, ..Term::new(effect) }).collect(),
@@ -151,8 +151,8 @@ pub fn description(term: &Term, data: &Data) -> Description {
     };
     Description {
         table: MEASUREMENT,
-        name: term.effect.name,
-        observable: term.observable.map(|o| data.model.process.observables()[o].name),
+        name: term.effect.name.into(),
+        observable: term.observable.map(|o| data.model.process.observables()[o].name.clone()),
         about: term.effect.about.into(),
         law: term.effect.law.into(),
         source: term.effect.source,

@@ -111,5 +111,5 @@ fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
 /// Effects of the process that the model does not have and that could act in it.
 fn absent(model: &Model) -> Vec<Description> {
     let is_absent = |d: &Description| model.effects.iter().all(|e| e.description != *d);
-    model.process.effects().into_iter().filter(is_absent).filter(|d| model.system.admits(d.name).is_ok()).collect()
+    model.process.effects().into_iter().filter(is_absent).filter(|d| model.system.admits(&d.name).is_ok()).collect()
 }

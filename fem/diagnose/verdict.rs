@@ -85,7 +85,7 @@ pub fn rms(trial: &CandidateModel) -> f64 {
 /// Structure of the residuals of a fitted model.
 pub fn features(trial: &CandidateModel) -> Vec<Feature> {
     let objective = &trial.objective;
-    find_features(objective.data.model.process, objective.data, &trial.residuals(), &objective.noise)
+    find_features(&*objective.data.model.process, objective.data, &trial.residuals(), &objective.noise)
 }
 
 /// Verdict on the model before and with the best set.

@@ -28,7 +28,7 @@ pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
 fn sized(data: &Data, size: &EstimatedSize) -> Edit {
     let parameter = &size.estimate.parameter;
     let (kind, written) = (parameter.kind, data.model.written(&parameter.path));
-    let name = written.map(unit_text).filter(|name| kind.unit_of(name).is_ok()).unwrap_or(kind.unit);
+    let name = written.map(unit_text).filter(|name| kind.unit_of(name).is_ok()).unwrap_or(&kind.unit);
     let factor = kind.unit_of(name).unwrap_or(kind.canonical()).factor;
     let number = five_digits(size.estimate.value / factor);
     let entry = match name.is_empty() {

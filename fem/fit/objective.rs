@@ -131,11 +131,11 @@ impl<'a> Objective<'a> {
 
     /// Extent, along its coordinate, of the places that were measured or can be felt, SI.
     fn extent(&self, entry: &process::Parameter) -> Option<(f64, f64)> {
-        if let Some(reach) = entry.along.and_then(|along| self.data.model.system.reach(along)) {
+        if let Some(reach) = entry.along.as_ref().and_then(|along| self.data.model.system.reach(along)) {
             return Some(reach);
         }
         let coordinates = self.data.model.process.coordinates();
-        let column = coordinates.iter().position(|c| Some(c.name) == entry.along)?;
+        let column = coordinates.iter().position(|c| Some(&c.name) == entry.along.as_ref())?;
         let ends = |rows: &Rows| {
             let values = || rows.columns[column].iter().copied().filter(|v| v.is_finite());
             (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))

@@ -3,17 +3,17 @@
 use serde_json::json;
 use toml_edit::{Item, Value};
 
-use super::{Bounds, Problem, Reader, did_you_mean};
+use super::{Bounds, Name, Problem, Reader, did_you_mean};
 use crate::units::{Kind, Knowledge, LARGEST, Quantity};
 
 impl<'a> Reader<'a> {
     /// A key with a quantity of `kind`.
-    pub fn quantity(&self, key: &'static str, kind: Kind, about: &'static str) -> Field<'_, 'a> {
+    pub fn quantity(&self, key: impl Into<Name>, kind: Kind, about: &'static str) -> Field<'_, 'a> {
         Field::new(self, key, kind, about)
     }
 
     /// A key with a whole number.
-    pub fn count(&self, key: &'static str, about: &'static str) -> Count<'_, 'a> {
+    pub fn count(&self, key: impl Into<Name>, about: &'static str) -> Count<'_, 'a> {
         Count::new(self, key, about)
     }
 
@@ -32,7 +32,7 @@ impl<'a> Reader<'a> {
 #[must_use = "say whether the key is required, optional or has a default"]
 pub struct Field<'r, 'a> {
     pub(super) reader: &'r Reader<'a>,
-    pub(super) key: &'static str,
+    pub(super) key: Name,
     pub(super) kind: Kind,
     pub(super) about: &'static str,
     bounds: Bounds,
@@ -40,8 +40,8 @@ pub struct Field<'r, 'a> {
 }
 
 impl<'r, 'a> Field<'r, 'a> {
-    pub(super) fn new(reader: &'r Reader<'a>, key: &'static str, kind: Kind, about: &'static str) -> Self {
-        Self { reader, key, kind, about, bounds: Bounds::Any, is_chosen: false }
+    pub(super) fn new(reader: &'r Reader<'a>, key: impl Into<Name>, kind: Kind, about: &'static str) -> Self {
+        Self { reader, key: key.into(), kind, about, bounds: Bounds::Any, is_chosen: false }
     }
 
     /// Is chosen by whoever computes, as a step or a size of elements: no measurement tells it, and it is never unknown.
@@ -77,7 +77,7 @@ impl<'r, 'a> Field<'r, 'a> {
         match self.read() {
             Some(value) => value,
             None => {
-                self.reader.missing(self.key, &self.example(), self.about);
+                self.reader.missing(&self.key, &self.example(), self.about);
                 f64::NAN
             }
         }
@@ -100,11 +100,11 @@ impl<'r, 'a> Field<'r, 'a> {
     }
 
     pub(super) fn describe(&self, required: bool) {
-        self.reader.describe(self.key, || self.schema(), required);
+        self.reader.describe(&self.key, || self.schema(), required);
     }
 
     fn schema(&self) -> serde_json::Value {
-        match self.kind.unit {
+        match &*self.kind.unit {
             "" => json!({ "type": ["number", "string"], "description": self.about }),
             unit => {
                 let about = format!("{} (e.g. \"{}\")", self.about, self.kind.example());
@@ -117,9 +117,9 @@ impl<'r, 'a> Field<'r, 'a> {
 
     /// `None` where the key is absent; NaN, with a problem noted, where it is wrong.
     fn read(&self) -> Option<f64> {
-        let item = self.reader.item(self.key)?;
+        let item = self.reader.item(self.key.clone())?;
         match self.parse(item).and_then(|q| self.check(q)) {
-            Ok(quantity) => Some(self.reader.note(self.key, self.kind, self.bounds, quantity, item.span())),
+            Ok(quantity) => Some(self.reader.note(&self.key, self.kind, self.bounds, quantity, item.span())),
             Err(problem) => {
                 self.reader.refuse(problem.at(item.span()));
                 Some(f64::NAN)
@@ -181,14 +181,14 @@ impl<'r, 'a> Field<'r, 'a> {
 #[must_use = "say whether the key is required or has a default"]
 pub struct Count<'r, 'a> {
     reader: &'r Reader<'a>,
-    key: &'static str,
+    key: Name,
     about: &'static str,
     range: (usize, usize),
 }
 
 impl<'r, 'a> Count<'r, 'a> {
-    pub(super) fn new(reader: &'r Reader<'a>, key: &'static str, about: &'static str) -> Self {
-        Self { reader, key, about, range: (0, 1_000_000) }
+    pub(super) fn new(reader: &'r Reader<'a>, key: impl Into<Name>, about: &'static str) -> Self {
+        Self { reader, key: key.into(), about, range: (0, 1_000_000) }
     }
 
     /// Both ends belong to what is allowed.
@@ -213,7 +213,7 @@ impl<'r, 'a> Count<'r, 'a> {
     pub fn required(self) -> usize {
         self.describe(serde_json::Value::Null, true);
         self.read().unwrap_or_else(|| {
-            self.reader.missing(self.key, &format!("{} = {}", self.key, self.range.0), self.about);
+            self.reader.missing(&self.key, &format!("{} = {}", self.key, self.range.0), self.about);
             self.range.0
         })
     }
@@ -226,11 +226,11 @@ impl<'r, 'a> Count<'r, 'a> {
             }
             shape
         };
-        self.reader.describe(self.key, schema, required);
+        self.reader.describe(&self.key, schema, required);
     }
 
     fn read(&self) -> Option<usize> {
-        let item = self.reader.item(self.key)?;
+        let item = self.reader.item(self.key.clone())?;
         let (low, high) = self.range;
         match item.as_integer().and_then(|i| usize::try_from(i).ok()).filter(|i| (low..=high).contains(i)) {
             Some(count) => Some(count),

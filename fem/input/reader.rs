@@ -19,7 +19,7 @@ use std::sync::Arc;
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{Item, TableLike};
 
-use super::{Bounds, Kept, Parameter, ParameterId, Problem, nearest};
+use super::{Bounds, Kept, Name, Parameter, ParameterId, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// Most problems that are kept while a file is read.
@@ -106,7 +106,7 @@ pub struct Reader<'a> {
     ground: Ground<'a>,
     path: String,
     findings: std::rc::Rc<Findings>,
-    asked: RefCell<Vec<&'static str>>,
+    asked: RefCell<Vec<Name>>,
     /// Keys that should be there, until it is known whether one of them is only misspelt.
     absent: RefCell<Vec<(String, Problem)>>,
     shape: RefCell<Shape>,
@@ -172,9 +172,10 @@ impl<'a> Reader<'a> {
     }
 
     /// A key with any text.
-    pub fn text(&self, key: &'static str, about: &'static str) -> Option<String> {
-        self.describe(key, || json!({ "type": "string", "description": about }), false);
-        let item = self.item(key)?;
+    pub fn text(&self, key: impl Into<Name>, about: &'static str) -> Option<String> {
+        let key = key.into();
+        self.describe(&key, || json!({ "type": "string", "description": about }), false);
+        let item = self.item(key.clone())?;
         if item.as_str().is_none() {
             self.refuse(
                 Problem::new(format!("`{key}`: expected a text, found {}", item.type_name()))
@@ -286,12 +287,14 @@ impl<'a> Reader<'a> {
         self.findings.parted.borrow_mut().push(key.to_string());
     }
 
-    pub(super) fn item(&self, key: &'static str) -> Option<&'a Item> {
-        self.asked.borrow_mut().push(key);
-        match &self.ground {
-            Ground::Given(table, _) => table.get(key).filter(|item| !item.is_none()),
+    pub(super) fn item(&self, key: impl Into<Name>) -> Option<&'a Item> {
+        let key = key.into();
+        let item = match &self.ground {
+            Ground::Given(table, _) => table.get(&key).filter(|item| !item.is_none()),
             _ => None,
-        }
+        };
+        self.asked.borrow_mut().push(key);
+        item
     }
 
     pub(super) fn refuse(&self, problem: Problem) {
@@ -381,14 +384,14 @@ impl<'a> Reader<'a> {
         let mut absent = self.absent.take();
         let asked = self.asked.borrow();
         for (key, item) in table.iter() {
-            if asked.contains(&key) || self.is_open.get() {
+            if asked.iter().any(|name| *name == key) || self.is_open.get() {
                 continue;
             }
             if item.is_table_like() && self.findings.parted.borrow().contains(&self.path) {
                 continue;
             }
             let place = if self.path.is_empty() { "this file".to_string() } else { format!("`{}`", self.path) };
-            let near = nearest(key, asked.iter().copied().filter(|a| !table.contains_key(a)));
+            let near = nearest(key, asked.iter().map(Name::as_str).filter(|a| !table.contains_key(a)));
             let help = match near {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => format!("its keys are {}", asked.join(", ")),

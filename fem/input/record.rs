@@ -144,7 +144,7 @@ impl Field<'_, '_> {
     /// The record that a table in the place of the quantity names; the constant NaN where that cannot be read.
     fn recorded(&self, along: Along) -> Option<Varying> {
         let read = |table: &Reader| self.record(table, along);
-        let record = self.reader.table_instead(self.key, self.about, read)?;
+        let record = self.reader.table_instead(&self.key, self.about, read)?;
         Some(record.map_or(Varying::Constant(f64::NAN), Varying::Record))
     }
 
@@ -158,7 +158,7 @@ impl Field<'_, '_> {
         let file = file?;
         let columns = [
             Wanted { key: along.name, name: coordinate.unwrap_or(along.name.into()), kind: along.kind },
-            Wanted { key: "value", name: value.unwrap_or(self.key.into()), kind: self.kind },
+            Wanted { key: "value", name: value.unwrap_or_else(|| self.key.to_string()), kind: self.kind },
         ];
         let asked = (file.path.clone(), columns);
         let record = table.kept::<Records>().get_or(asked, |(_, columns)| read(&file, columns));

@@ -19,11 +19,11 @@ pub fn less_commanded(
 ) -> Result<(), Problem> {
     for coordinate in vocabulary.coordinates {
         let (Some(observable), Some(kind)) = (coordinate.actual, coordinate.holds.kind()) else { continue };
-        let observable = vocabulary.observables[observable].name;
+        let observable = &vocabulary.observables[observable].name;
         let column = |of: &dyn Fn(&str) -> bool| headings.iter().position(|h| h.is_known && of(&h.name));
-        let is_actual = |name: &str| name == "actual" || name.strip_prefix("actual_") == Some(coordinate.name);
+        let is_actual = |name: &str| name == "actual" || name.strip_prefix("actual_") == Some(&*coordinate.name);
         let (Some(actual), commanded) = (column(&is_actual), column(&|name| name == coordinate.name)) else { continue };
-        let is_observed = column(&|name| name == observable).is_some();
+        let is_observed = column(&|name| name == *observable).is_some();
         if let (true, _) | (_, None) = (is_observed, commanded) {
             headings[actual].is_known = false;
             continue;

@@ -63,7 +63,7 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
     }
     // A column that is wrong has been reported already, and is not missing.
     let absent = missing(&header, &unknown, vocabulary);
-    let observable_told = vocabulary.observables.iter().any(|o| wrong.contains(&o.name));
+    let observable_told = vocabulary.observables.iter().any(|o| wrong.contains(&&*o.name));
     let not_asked = observable_told || purpose == Purpose::Design;
     let told = |name: &str| wrong.contains(&name) || (name.is_empty() && not_asked);
     problems.extend(absent.into_iter().filter(|(name, _)| !told(name)).map(|(_, problem)| problem));
@@ -99,7 +99,7 @@ fn unfit(name: &str, kind: &Kind, error: UnitError) -> Problem {
 }
 
 fn note(name: &str, vocabulary: Vocabulary) -> String {
-    let names = vocabulary.coordinates.iter().map(|c| c.name).chain(vocabulary.observables.iter().map(|o| o.name));
+    let names = vocabulary.coordinates.iter().map(|c| &*c.name).chain(vocabulary.observables.iter().map(|o| &*o.name));
     match nearest(name, names) {
         Some(near) => format!("the column `{name}` is not used; did you mean `{near}`?"),
         None => format!("the column `{name}` is not used"),
@@ -108,7 +108,7 @@ fn note(name: &str, vocabulary: Vocabulary) -> String {
 
 /// Lists the columns that must be there and are not, by name; one of the `unknown` columns may be it,
 /// misspelt.
-fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'static str, Problem)> {
+fn missing<'p>(header: &Header, unknown: &[&str], vocabulary: Vocabulary<'p>) -> Vec<(&'p str, Problem)> {
     let meant = |name: &str| {
         let same = |other: &&&str| nearest(&other.to_lowercase(), [name]).is_some();
         unknown.iter().find(same).map_or(String::new(), |other| format!("is `{other}` meant? "))
@@ -119,7 +119,7 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
             vocabulary.observables.iter().map(|o| format!("{} [{}]", o.name, o.kind.unit)).collect();
         let problem = Problem::new("no column holds what was observed");
         let near: String =
-            vocabulary.observables.iter().map(|o| meant(o.name)).find(|m| !m.is_empty()).unwrap_or_default();
+            vocabulary.observables.iter().map(|o| meant(&o.name)).find(|m| !m.is_empty()).unwrap_or_default();
         let help = format!("{near}add a column {}, or {}", names.join(" or "), said(&names[0], vocabulary));
         problems.push(("", problem.help(help)));
     }
@@ -138,8 +138,8 @@ fn missing(header: &Header, unknown: &[&str], vocabulary: Vocabulary) -> Vec<(&'
             let problem = Problem::new(format!("the column `{}` is missing: {}", coordinate.name, coordinate.about));
             let name = format!("{}{unit}", coordinate.name);
             let said = said(&name, vocabulary);
-            let help = format!("{}add a column {name}, or {said}", meant(coordinate.name));
-            problems.push((coordinate.name, problem.help(help)));
+            let help = format!("{}add a column {name}, or {said}", meant(&coordinate.name));
+            problems.push((&coordinate.name, problem.help(help)));
         }
     }
     problems
@@ -157,7 +157,7 @@ fn check_uncertainty(header: &mut Header, vocabulary: Vocabulary, problems: &mut
         [] => vec![(0, vocabulary.observables[0].kind)],
         seen => seen.iter().map(|s| (s.position, s.kind)).collect(),
     };
-    let name = |position: usize| vocabulary.observables[position].name;
+    let name = |position: usize| &*vocabulary.observables[position].name;
     let mut given = Vec::new();
     for column in &mut header.columns {
         let Column::Uncertainty(of, unit) = column else { continue };

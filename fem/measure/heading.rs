@@ -134,7 +134,7 @@ fn condition(text: &str, heading: &str, vocabulary: Vocabulary) -> Result<Condit
     };
     let (name, value) = (plain(name), value.trim());
     let Some(coordinate) = vocabulary.coordinates.iter().position(|c| c.name == name) else {
-        let known: Vec<&str> = vocabulary.coordinates.iter().map(|c| c.name).collect();
+        let known: Vec<&str> = vocabulary.coordinates.iter().map(|c| &*c.name).collect();
         return wrong(format!("`{name}` is no coordinate"), format!("known are {}", known.join(", ")));
     };
     let Holds::Quantity(kind) = vocabulary.coordinates[coordinate].holds else {

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::reading::{Reading, is_meant};
 use super::records::Records;
 use super::{MeasuredObservable, Measurements};
-use crate::input::{InputError, Problem, Source, name_and_unit};
+use crate::input::{InputError, Name, Problem, Source, name_and_unit};
 use crate::process::Process;
 use crate::units::Unit;
 
@@ -26,8 +26,8 @@ pub struct MeasuredFile {
 }
 
 /// Name of a coordinate by which rows are grouped.
-pub fn grouping_name(process: &dyn Process, by: usize) -> &'static str {
-    process.coordinates().get(by).map_or(FILE_WORD, |coordinate| coordinate.name)
+pub fn grouping_name(process: &dyn Process, by: usize) -> Name {
+    process.coordinates().get(by).map_or(FILE_WORD.into(), |coordinate| coordinate.name.clone())
 }
 
 impl Measurements {

@@ -164,7 +164,7 @@ impl Measurements {
     pub fn kind(&self) -> Kind {
         match &self.observables[..] {
             [one] => one.kind,
-            _ => Kind { name: "a standard uncertainty", unit: "sigma", usual: "1" },
+            _ => Kind::new("a standard uncertainty", "sigma", "1"),
         }
     }
 

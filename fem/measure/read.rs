@@ -143,7 +143,7 @@ fn unobserved(lines: &[u64]) -> Option<String> {
 
 struct Builder<'a> {
     header: &'a Header,
-    vocabulary: Vocabulary,
+    vocabulary: Vocabulary<'a>,
     purpose: Purpose,
     measurements: Measurements,
     /// Lines of the rows in which nothing was observed.
@@ -151,7 +151,7 @@ struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn new(header: &'a Header, vocabulary: Vocabulary, purpose: Purpose, cells: Vec<String>, rows: usize) -> Self {
+    fn new(header: &'a Header, vocabulary: Vocabulary<'a>, purpose: Purpose, cells: Vec<String>, rows: usize) -> Self {
         let has_u = header.columns.iter().any(|c| matches!(c, Column::Uncertainty(..)));
         let given = header.columns.iter().filter_map(|c| match c {
             Column::Coordinate(i, _) => Some(*i),

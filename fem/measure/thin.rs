@@ -55,7 +55,7 @@ mod tests {
         let mut columns = vec![Vec::new(); process.coordinates().len()];
         for row in 0..18_000 {
             for (coordinate, column) in process.coordinates().iter().zip(&mut columns) {
-                column.push(match coordinate.name {
+                column.push(match &*coordinate.name {
                     "x" => 0.1 * (row % 6) as f64,
                     "time" => (row / 6) as f64,
                     _ => f64::NAN,

@@ -33,14 +33,14 @@ pub fn lengthened(
     let names = names(&headings)?;
     if let Some(name) = fixed
         .iter()
-        .map(|(i, _)| vocabulary.coordinates[*i].name)
+        .map(|(i, _)| &*vocabulary.coordinates[*i].name)
         .find(|name| plain.iter().any(|i| headings[*i].name == *name && headings[*i].is_known))
     {
         let problem = Problem::new(format!("`{name}` stands in a heading and has a column"));
         return Err(problem.help(format!("leave one of them out: --columns '{name}=-'")));
     }
     let mut long: Vec<Heading> = plain.iter().map(|i| headings[*i].clone()).collect();
-    long.extend(fixed.iter().map(|(i, unit)| made(vocabulary.coordinates[*i].name, unit)));
+    long.extend(fixed.iter().map(|(i, unit)| made(&vocabulary.coordinates[*i].name, unit)));
     long.extend(names.iter().map(|(name, unit)| made(name, unit)));
     let all = has_own.then_some(&[] as &[Condition]).into_iter().chain(places.iter().copied());
     let all: Vec<&[Condition]> = all.collect();

@@ -41,16 +41,16 @@ pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Mod
 type Keys = Vec<(String, Entry)>;
 
 fn of_process(model: &Model, name: &str, settings: &[Setting]) -> Result<Keys, Problem> {
-    let effect = effect_of(model.process, name)?;
+    let effect = effect_of(&*model.process, name)?;
     if model.effects.iter().any(|e| e.description.name == effect.name) {
         return Err(present(name).help("edit its values in the file"));
     }
     if let Err(reason) = model.system.admits(name) {
         return Err(Problem::new(reason).help("choose an effect that can act in this model"));
     }
-    let names: Vec<&str> = effect.parameters.iter().map(|p| p.name).collect();
-    check_settings(effect.name, &names, settings, |Setting { key, value }| {
-        let Some(parameter) = effect.parameters.iter().find(|p| p.name == key) else { return Ok(()) };
+    let names: Vec<&str> = effect.parameters.iter().map(|p| &*p.name).collect();
+    check_settings(&effect.name, &names, settings, |Setting { key, value }| {
+        let Some(parameter) = effect.parameters.iter().find(|p| p.name == *key) else { return Ok(()) };
         Quantity::parse(&value.to_string(), &parameter.kind).map(drop).map_err(|e| {
             let help = e.hint.unwrap_or_else(|| format!("write '{key}={}'", parameter.kind.example()));
             Problem::new(e.message).help(help)
@@ -72,7 +72,7 @@ fn of_measurement(
     let set = |key: &str| settings.iter().find(|s| s.key == key).map(|s| &s.value);
     let said = set("observable").map(Entry::to_string);
     let only = said.and_then(|o| model.process.observables().iter().position(|own| own.name == o));
-    let of = observed(model.process, only);
+    let of = observed(&*model.process, only);
     let keys = effect.all_keys();
     let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
     let sizes = effect.size_keys();
@@ -144,7 +144,7 @@ fn filled(effect: &Description, settings: &[Setting]) -> Keys {
         let value = set(name).zip(kind(name)).and_then(|(s, kind)| Quantity::parse(&s.value.to_string(), &kind).ok());
         value.is_none_or(|q| q == Quantity::known(0.0))
     };
-    let entry = |parameter: &Parameter| match set(parameter.name) {
+    let entry = |parameter: &Parameter| match set(&parameter.name) {
         Some(setting) => Some(written(&setting.value, parameter.kind.unit.is_empty())),
         None if parameter.default.is_some() || parameter.needed_with.is_some_and(is_zero) => None,
         None => Some(Entry::Text(format!("? {}", parameter.kind.unit).trim_end().into())),

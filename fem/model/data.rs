@@ -45,7 +45,7 @@ impl<'m> Data<'m> {
     /// # Errors
     /// Rows lie off the model's body or beyond its programme; each is named with its line.
     pub fn of(model: &'m Model, measurements: Measurements) -> Result<Self, InputError> {
-        let time = time_of(model.process);
+        let time = time_of(&*model.process);
         let rows = at_true_times(&measurements.rows, &model.measurement, time);
         let misplaced = model.system.misplaced(&rows);
         if misplaced.is_empty() {
@@ -73,7 +73,7 @@ impl<'m> Data<'m> {
     /// Makes a design of rows that the model itself proposes, which need no check. Of its effects of the
     /// measurement those are at work that name no rows.
     pub(crate) fn proposed(model: &'m Model, name: &str, rows: Rows) -> Self {
-        let data = Self::within(model, Measurements::planned(model.process, name, rows));
+        let data = Self::within(model, Measurements::planned(&*model.process, name, rows));
         let own = terms::of_design(model, &data);
         data.with_terms(own)
     }
@@ -161,7 +161,7 @@ impl<'m> Data<'m> {
         residuals: &'a [f64],
         mean: &'a DMatrix<f64>,
     ) -> Evidence<'a> {
-        let (process, measurements, as_read) = (self.model.process, &self.measurements, self.as_read());
+        let (process, measurements, as_read) = (&*self.model.process, &self.measurements, self.as_read());
         Evidence { process, measurements, as_read, noise, repeats, residuals, mean, scan: OnceLock::new() }
     }
 

@@ -3,28 +3,33 @@
 use std::f64::consts::TAU;
 
 use crate::formula::{Formula, FormulaError};
-use crate::input::{Bounds, Reader, did_you_mean};
+use crate::input::{Bounds, Name, Reader, did_you_mean};
 use crate::process::{
     Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect,
 };
-use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, unit_text};
+use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, UnitSymbol, unit_text};
 
 /// Keys that are no parameters.
 const WORDS: [&str; 2] = ["formula", "about"];
 
 /// Reads a formula effect; `None`, with the problems noted, where it cannot be used.
-pub fn read(name: &'static str, table: &Reader, process: &dyn Process) -> Option<Active> {
+pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active> {
     let about = table.text("about", "what it is, for people").unwrap_or_else(|| "written in the model file".into());
     let text = table.text("formula", "what is added to the observed value, over coordinates and parameters")?;
     let (mut parameters, mut values) = (Vec::new(), Vec::new());
     for key in table.keys().into_iter().filter(|k| !WORDS.contains(&k.as_str())) {
-        let key = formula_effect::name(&key);
-        if coordinates(process).any(|(c, _)| c == key) {
+        let key = Name::from(key);
+        if coordinates(process).any(|(c, _)| *c == key) {
             let message = format!("`{key}` is a coordinate of {}", process.name());
-            table.problem(key, message, "give the parameter another name");
+            table.problem(&key, message, "give the parameter another name");
         }
-        let kind = kind(table.written(key));
-        values.push(table.quantity(key, kind, "a parameter of the formula").required());
+        let Some(kind) = kind(table.written(&key)) else {
+            let message = format!("the unit of `{key}` has more than {} bytes", UnitSymbol::LONGEST);
+            table.problem(&key, message, "write it with fewer factors");
+            table.accept_any();
+            return None;
+        };
+        values.push(table.quantity(key.clone(), kind, "a parameter of the formula").required());
         parameters.push(parameter(key, kind));
     }
     let law = law(&text, &parameters, process, |parameter| {
@@ -39,7 +44,7 @@ pub fn read(name: &'static str, table: &Reader, process: &dyn Process) -> Option
             }
             let description = Description {
                 table: EFFECTS,
-                name,
+                name: name.clone(),
                 observable: None,
                 about: about.into(),
                 law: text.into(),
@@ -57,17 +62,17 @@ pub fn read(name: &'static str, table: &Reader, process: &dyn Process) -> Option
     }
 }
 
-/// Kind of a written quantity: whatever its unit measures.
-fn kind(written: Option<&str>) -> Kind {
+/// Kind of a written quantity: whatever its unit measures; `None` where that is longer than any symbol.
+fn kind(written: Option<&str>) -> Option<Kind> {
     let unit = written.map_or("", unit_text).trim();
     match Unit::parse(unit) {
-        Ok(_) if !unit.is_empty() => Kind { name: "a quantity", unit: formula_effect::name(unit), usual: "1" },
-        _ => NUMBER,
+        Ok(_) if !unit.is_empty() => Some(Kind { name: "a quantity", unit: UnitSymbol::written(unit)?, usual: "1" }),
+        _ => Some(NUMBER),
     }
 }
 
 /// Describes a parameter of which only the kind is known.
-fn parameter(name: &'static str, kind: Kind) -> Parameter {
+fn parameter(name: Name, kind: Kind) -> Parameter {
     Parameter {
         name,
         kind,
@@ -86,23 +91,23 @@ fn law(
     text: &str,
     parameters: &[Parameter],
     process: &dyn Process,
-    unused: impl Fn(&'static str),
+    unused: impl Fn(&str),
 ) -> Result<FormulaLaw, FormulaError> {
     let formula = Formula::parse(text)?;
-    let coordinates: Vec<(&'static str, Dimension)> = coordinates(process).collect();
+    let coordinates: Vec<(&Name, Dimension)> = coordinates(process).collect();
     let (mut meanings, mut dimensions) = (Vec::new(), Vec::new());
     for name in &formula.names {
-        let parameter = parameters.iter().position(|p| p.name == name.text);
-        let coordinate = coordinates.iter().position(|c| c.0 == name.text);
+        let parameter = parameters.iter().position(|p| *p.name == *name.text);
+        let coordinate = coordinates.iter().position(|c| **c.0 == *name.text);
         let (meaning, dimension) = match (parameter, coordinate) {
             (Some(i), _) => (Meaning::Parameter(i), parameters[i].kind.canonical().dimension),
             (None, Some(i)) => (Meaning::Coordinate(i), coordinates[i].1),
             (None, None) => {
-                let known = || parameters.iter().map(|p| p.name).chain(coordinates.iter().map(|c| c.0));
+                let known = || parameters.iter().map(|p| &*p.name).chain(coordinates.iter().map(|c| &**c.0));
                 let meant = did_you_mean(&name.text, known(), '`');
                 let message =
                     format!("`{}` is neither a coordinate of {} nor a parameter here", name.text, process.name());
-                let listed = coordinates.iter().map(|c| c.0).collect::<Vec<_>>().join(", ");
+                let listed = coordinates.iter().map(|c| &**c.0).collect::<Vec<_>>().join(", ");
                 let help = format!(
                     "{meant}the coordinates are {listed}; a parameter is a key of this table: {} = \"5 um\"",
                     name.text
@@ -115,7 +120,7 @@ fn law(
     }
     for (i, parameter) in parameters.iter().enumerate() {
         if !meanings.contains(&Meaning::Parameter(i)) {
-            unused(parameter.name);
+            unused(&parameter.name);
         }
     }
     let dimension = formula.dimension(&dimensions)?;
@@ -133,6 +138,6 @@ fn law(
 }
 
 /// The coordinates of a process, which names may stand for in its formulas.
-fn coordinates(process: &dyn Process) -> impl Iterator<Item = (&'static str, Dimension)> {
-    process.coordinates().iter().map(|c| (c.name, formula_effect::dimension(c.holds)))
+fn coordinates(process: &dyn Process) -> impl Iterator<Item = (&Name, Dimension)> {
+    process.coordinates().iter().map(|c| (&c.name, formula_effect::dimension(c.holds)))
 }

@@ -7,6 +7,7 @@ mod edit;
 mod formula_effect;
 mod machine;
 mod named;
+mod process;
 mod require;
 mod run;
 mod schema;
@@ -18,6 +19,7 @@ pub use add::{Setting, add_effect};
 pub use campaign::{Acting, Campaign, Shared, Test};
 pub use data::Data;
 pub use machine::Machine;
+pub use process::ModelProcess;
 pub use run::{Contribution, Run};
 pub use schema::schema;
 pub use tables::{Edit, Entry};
@@ -30,11 +32,11 @@ use std::sync::Arc;
 use toml_edit::Table;
 
 use crate::input::{
-    FileKey, Found, InputError, Instead, Kept, Names, Parameter, ParameterId, Problem, Reader, Source, did_you_mean,
-    nearest,
+    FileKey, Found, InputError, Instead, Kept, Name, Names, Parameter, ParameterId, Problem, Reader, Source,
+    did_you_mean, nearest,
 };
 use crate::noise::{self, MEASUREMENT, Term};
-use crate::process::{self, Active, Contradiction, Description, ForwardModel, Process, System};
+use crate::process::{Active, Contradiction, Description, ForwardModel, Process, System};
 use crate::processes;
 use tables::Tables;
 
@@ -49,7 +51,7 @@ pub struct Model {
     /// The key `title`, if the file has it.
     pub title: Option<String>,
     /// Process that it models.
-    pub process: &'static dyn Process,
+    pub process: ModelProcess,
     /// Ideal system that its tables describe.
     pub system: Arc<dyn System>,
     /// Effects, in the order of the file.
@@ -138,7 +140,7 @@ impl Model {
         let places = places(&parameters, &effects, &measurement);
         Ok(Self {
             title,
-            process,
+            process: ModelProcess::Catalogue(process),
             system,
             effects,
             measurement,
@@ -157,7 +159,7 @@ impl Model {
 
     /// A forward model as the instrument of these terms shows it.
     fn behind(&self, part: Box<dyn ForwardModel>, terms: &[Term]) -> Box<dyn ForwardModel> {
-        noise::behind(part, terms, self.process, noise::time_of(self.process))
+        noise::behind(part, terms, &*self.process, noise::time_of(&*self.process))
     }
 
     /// Forward model as it is written, with what its instrument shows of measured rows.
@@ -233,7 +235,7 @@ fn find_process(document: &Table) -> Result<&'static dyn Process, Problem> {
 #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
 fn read(
     model: &Reader,
-    process: &'static dyn Process,
+    process: &dyn Process,
 ) -> (Option<String>, Option<Machine>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
@@ -244,16 +246,16 @@ fn read(
     (title, machine, system, effects, noise::read(model, process))
 }
 
-fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&dyn System>) -> Vec<Active> {
+fn read_effects(model: &Reader, process: &dyn Process, system: Option<&dyn System>) -> Vec<Active> {
     let known = process.effects();
-    let names: Vec<&'static str> = known.iter().map(|d| d.name).collect();
+    let names: Vec<Name> = known.iter().map(|d| d.name.clone()).collect();
     let find = |name: &str, is_formula: bool| match names.iter().find(|n| **n == name) {
-        Some(known) => Ok(*known),
-        None if is_formula => Ok(process::formula_effect::name(name)),
+        Some(known) => Ok(known.clone()),
+        None if is_formula => Ok(name.to_string().into()),
         None => Err(unknown_effect(name, process, &names)),
     };
-    let read = |name: &'static str, table: &Reader| {
-        let Some(description) = known.iter().find(|d| d.name == name) else {
+    let read = |name: &Name, table: &Reader| {
+        let Some(description) = known.iter().find(|d| d.name == *name) else {
             return formula_effect::read(name, table, process);
         };
         if let Some(Err(reason)) = system.map(|s| s.admits(name)) {
@@ -272,7 +274,7 @@ fn read_effects(model: &Reader, process: &'static dyn Process, system: Option<&d
     model.named_tables("effects", about, names, read).into_iter().flatten().collect()
 }
 
-fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> Problem {
+fn unknown_effect(name: &str, process: &dyn Process, names: &[Name]) -> Problem {
     let owner = processes::ALL.iter().find(|p| p.effects().iter().any(|d| d.name == name));
     if let Some(owner) = owner {
         let message = format!("`{name}` is an effect of `{}`, not of `{}`", owner.name(), process.name());
@@ -283,7 +285,7 @@ fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> 
         return Problem::new(message).help(format!("write [measurement.{name}]"));
     }
     let problem = Problem::new(format!("`{name}` is no effect known here"));
-    match nearest(name, names.iter().copied().chain(noise::effects::all().map(|e| e.name))) {
+    match nearest(name, names.iter().map(Name::as_str).chain(noise::effects::all().map(|e| e.name))) {
         Some(near) => problem.help(format!("did you mean `{near}`? `fem effects {}` lists all", process.name())),
         None => problem.help(format!(
             "`fem effects {}` lists those that are; an effect of your own has a `formula`",
@@ -295,6 +297,6 @@ fn unknown_effect(name: &str, process: &dyn Process, names: &[&'static str]) -> 
 /// Finds an effect of a process by its name.
 pub fn effect_of(process: &dyn Process, name: &str) -> Result<Description, Problem> {
     let known = process.effects();
-    let names: Vec<&'static str> = known.iter().map(|d| d.name).collect();
+    let names: Vec<Name> = known.iter().map(|d| d.name.clone()).collect();
     known.into_iter().find(|d| d.name == name).ok_or_else(|| unknown_effect(name, process, &names))
 }

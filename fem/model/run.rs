@@ -1,6 +1,7 @@
 //! Runs a model: the prediction, and the change that each effect makes in it.
 
 use super::Model;
+use crate::input::Name;
 use crate::process::{Active, Failure, Observable, RunReport, Values};
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -20,7 +21,7 @@ pub struct Run {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contribution {
     /// Name of the effect, or `ideal`.
-    pub name: &'static str,
+    pub name: Name,
     /// Observable that changes, by its position in the process's list.
     pub observable: usize,
     /// Root mean square over all points.
@@ -50,9 +51,9 @@ impl Model {
     pub fn run(&self, progress: &Progress) -> Result<Run, Failure> {
         let forward = self.forward();
         let prediction = forward.predict(progress)?;
-        let mut changes = vec![("ideal", self.system.with_effects(&[]).predict(progress)?)];
+        let mut changes = vec![(Name::new("ideal"), self.system.with_effects(&[]).predict(progress)?)];
         for effect in &self.effects {
-            changes.push((effect.description.name, self.changes(effect, &prediction, progress)?));
+            changes.push((effect.description.name.clone(), self.changes(effect, &prediction, progress)?));
         }
         let contributions = self.contributions(&changes);
         Ok(Run { report: forward.report(prediction.clone())?, prediction, contributions })
@@ -73,7 +74,7 @@ impl Model {
     /// The computation failed.
     pub fn contribution_of(&self, effect: &Active, progress: &Progress) -> Result<Vec<Contribution>, Failure> {
         let prediction = self.forward().predict(progress)?;
-        Ok(self.contributions(&[(effect.description.name, self.changes(effect, &prediction, progress)?)]))
+        Ok(self.contributions(&[(effect.description.name.clone(), self.changes(effect, &prediction, progress)?)]))
     }
 
     /// Contribution of an effect to every observation, SI: the prediction less that without the effect.
@@ -84,16 +85,17 @@ impl Model {
     }
 
     /// Summaries of changes at every point of the programme, observable by observable.
-    fn contributions(&self, changes: &[(&'static str, Vec<f64>)]) -> Vec<Contribution> {
+    fn contributions(&self, changes: &[(Name, Vec<f64>)]) -> Vec<Contribution> {
         let programme = self.system.programme().observable;
         let observed = (0..self.process.observables().len()).filter(|o| programme.contains(o));
-        let contributions = observed.flat_map(|o| changes.iter().map(move |(name, changes)| (*name, o, changes)));
+        let contributions =
+            observed.flat_map(|o| changes.iter().map(move |(name, changes)| (name.clone(), o, changes)));
         contributions.map(|(name, o, changes)| contribution(name, o, changes, &programme)).collect()
     }
 }
 
 /// Summarises the changes at the points of the programme at which this observable is predicted.
-fn contribution(name: &'static str, observable: usize, changes: &[f64], programme: &Values<usize>) -> Contribution {
+fn contribution(name: Name, observable: usize, changes: &[f64], programme: &Values<usize>) -> Contribution {
     let own = changes.iter().zip(programme.iter()).filter(|(_, o)| **o == observable);
     let changes: Vec<f64> = own.map(|(change, _)| *change).collect();
     let square: f64 = changes.iter().map(|change| change * change).sum();

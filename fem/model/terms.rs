@@ -47,7 +47,7 @@ fn resolve(model: &Model, term: &Term, measurements: &Measurements, observed: &[
     let is_of_one = matches!(term.effect.size, Size::OfObservable(..)) || matches!(term.effect.acts, Acts::Shows(_));
     let refuse = |message: String, help: String| Problem::new(message).help(help).at(place(model, &term.table));
     if several && term.observable.is_none() && is_of_one {
-        let names: Vec<&str> = measurements.observables.iter().map(|s| s.name).collect();
+        let names: Vec<&str> = measurements.observables.iter().map(|s| &*s.name).collect();
         let help = format!("{file} has {}: add observable = \"{}\"", names.join(" and "), names[0]);
         return Err(refuse(format!("`{name}` does not say on which observable it acts"), help));
     }
@@ -137,11 +137,11 @@ pub fn of_design(model: &Model, measurements: &Measurements) -> Vec<Term> {
 /// Cautions about terms, resolved to the rows of a file, that cannot be meant as they stand.
 pub fn cautions(model: &Model, terms: &[Term], measurements: &Measurements) -> Vec<String> {
     let absent = model.measurement.iter().filter(|t| !is_in_file(t, measurements)).map(|t| {
-        let name = t.observable.map_or("", |o| model.process.observables()[o].name);
+        let name = t.observable.map_or("", |o| &model.process.observables()[o].name);
         format!("`measurement.{}` has no effect: {} has no {name}", t.table, measurements.name)
     });
     let own = terms.iter().filter_map(|term| {
-        caution(model.process, term, measurements).map(|text| format!("`measurement.{}` {text}", term.table))
+        caution(&*model.process, term, measurements).map(|text| format!("`measurement.{}` {text}", term.table))
     });
     absent.chain(own).collect()
 }

@@ -85,7 +85,7 @@ impl Model {
     fn assembled(&self, system: &dyn System, effects: Vec<Active>, mut terms: Vec<Term>) -> Box<dyn ForwardModel> {
         let (readings, effects): (Vec<_>, Vec<_>) =
             effects.into_iter().partition(|e| e.description.table == MEASUREMENT);
-        terms.extend(readings.iter().filter_map(|reading| noise::reading(reading, self.process)));
+        terms.extend(readings.iter().filter_map(|reading| noise::reading(reading, &*self.process)));
         self.behind(system.with_effects(&effects), &terms)
     }
 
@@ -114,7 +114,7 @@ impl Model {
     fn read_instead(&self, instead: Instead) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
         let ((_, _, system, effects, terms), found) =
             Reader::of_file(self.tables.now(), self.source.folder(), &self.kept, instead, |model| {
-                read(model, self.process)
+                read(model, &*self.process)
             });
         match (system, found.problems.first()) {
             (Some(system), None) => Ok((system, effects, terms)),

@@ -21,7 +21,7 @@ const MOST_SENSORS: usize = 16;
 /// Residuals of a model with the noise by which they are judged.
 pub struct Evidence<'a> {
     /// The process.
-    pub process: &'static dyn Process,
+    pub process: &'a dyn Process,
     /// Rows.
     pub measurements: &'a Measurements,
     /// Values of the rows as they were read, SI.

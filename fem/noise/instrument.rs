@@ -10,7 +10,8 @@ use crate::units::TIME;
 /// is the part itself.
 struct Instrument {
     part: Box<dyn ForwardModel>,
-    process: &'static dyn Process,
+    /// The zero of the scale of each observable, SI: that of a thermometer is 0 degC.
+    zeros: Vec<f64>,
     /// Effects that change readings, with their values.
     terms: Vec<Term>,
     /// The coordinate that is a time, by its position.
@@ -26,7 +27,8 @@ pub fn is_size_of(path: &str, term: &Term) -> bool {
 /// The term that an effect of the measurement makes which a search has added.
 pub fn reading(reading: &Active, process: &dyn Process) -> Option<Term> {
     let effect = effects::all().find(|e| e.name == reading.description.name)?;
-    let observable = process.observables().iter().position(|o| Some(o.name) == reading.description.observable);
+    let observable =
+        process.observables().iter().position(|o| Some(&o.name) == reading.description.observable.as_ref());
     Some(Term { observable, size: *reading.values.first()?, ..Term::new(effect) })
 }
 
@@ -34,11 +36,15 @@ pub fn reading(reading: &Active, process: &dyn Process) -> Option<Term> {
 pub fn behind(
     part: Box<dyn ForwardModel>,
     terms: &[Term],
-    process: &'static dyn Process,
+    process: &dyn Process,
     time: Option<usize>,
 ) -> Box<dyn ForwardModel> {
     let terms: Vec<Term> = terms.iter().filter(|t| t.effect.acts.is_reading()).cloned().collect();
-    if terms.is_empty() { part } else { Box::new(Instrument { part, process, terms, time }) }
+    if terms.is_empty() {
+        return part;
+    }
+    let zeros = process.observables().iter().map(|o| o.kind.to_si(0.0)).collect();
+    Box::new(Instrument { part, zeros, terms, time })
 }
 
 /// The coordinate that is a time, by its position in the process's list.
@@ -73,8 +79,7 @@ impl ForwardModel for Instrument {
             let Acts::Shows(shown) = gain.effect.acts else { continue };
             let own = values.iter_mut().zip(rows.observable.iter());
             for (value, observable) in own.filter(|(_, o)| gain.observable.is_none_or(|own| own == **o)) {
-                // The scale of a thermometer begins at 0 degC.
-                let zero = self.process.observables()[*observable].kind.to_si(0.0);
+                let zero = self.zeros[*observable];
                 *value = zero + shown(gain.size, *value - zero);
             }
         }

@@ -18,7 +18,7 @@ type Covariances = Cache<(PathBuf, u64), GivenCovariance, 4>;
 
 /// Reads every measurement effect of a model. A size that is unknown (`?`) is not a number; rows are records
 /// of the file, counted from 1.
-pub fn read(model: &Reader, process: &'static dyn Process) -> Vec<Term> {
+pub fn read(model: &Reader, process: &dyn Process) -> Vec<Term> {
     let names: Vec<&'static str> = effects::all().map(|e| e.name).collect();
     let about = "what instrument, datum or surroundings do to the measurements";
     let read = |known: &'static str, name: &str, table: &Reader| match effects::named(known) {
@@ -29,7 +29,7 @@ pub fn read(model: &Reader, process: &'static dyn Process) -> Vec<Term> {
 }
 
 /// The terms of a table: one, or two where two sizes stand in it.
-fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process: &'static dyn Process) -> Vec<Term> {
+fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process: &dyn Process) -> Vec<Term> {
     let mut term = Term { table: name.to_string(), ..Term::new(effect) };
     if effect.has(BY) {
         term.by = coordinates(table, process);
@@ -61,7 +61,7 @@ fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process
     }
     match (effect.acts, effect.size, effect.beside) {
         (_, Size::Quantity(Parameter { name, kind, about, .. }), _) => {
-            let field = table.quantity(name, *kind, about);
+            let field = table.quantity(name.clone(), *kind, about);
             let field = if kind.unit.is_empty() { field.positive() } else { field };
             check_time(effect, table, process);
             vec![Term { size: field.required(), ..term }]
@@ -112,11 +112,11 @@ fn sized(mut term: Term, table: &Reader, process: &dyn Process) -> Option<Term> 
 
 /// The coordinate along which an effect changes, with its kind; `None` where none is said, and the problem is noted.
 fn along(table: &Reader, process: &dyn Process, effect: &MeasurementEffect) -> Option<(Along, Kind)> {
-    let names = || process.coordinates().iter().map(|c| c.name);
+    let names = || process.coordinates().iter().map(|c| &*c.name);
     let said = table.text(ALONG.name, ALONG.about);
     let listed = || {
         let is_quantity = |c: &&Coordinate| matches!(c.holds, Holds::Quantity(_));
-        let all = process.coordinates().iter().filter(is_quantity).map(|c| c.name);
+        let all = process.coordinates().iter().filter(is_quantity).map(|c| &*c.name);
         format!("known are {}", all.collect::<Vec<_>>().join(", "))
     };
     let Some(said) = said else {
@@ -190,7 +190,7 @@ fn check_time(effect: &MeasurementEffect, table: &Reader, process: &dyn Process)
 }
 
 fn coordinates(table: &Reader, process: &dyn Process) -> Vec<usize> {
-    let names = || process.coordinates().iter().map(|c| c.name).chain([FILE_WORD]);
+    let names = || process.coordinates().iter().map(|c| &*c.name).chain([FILE_WORD]);
     let mut all = Vec::new();
     for name in table.text(BY.name, BY.about).iter().flat_map(|by| by.split(',')).map(str::trim) {
         match names().position(|n| n == name) {
@@ -208,7 +208,7 @@ fn coordinates(table: &Reader, process: &dyn Process) -> Vec<usize> {
 
 fn observable(table: &Reader, process: &dyn Process) -> Option<usize> {
     let name = table.text(OBSERVABLE.name, OBSERVABLE.about)?;
-    let names = || process.observables().iter().map(|o| o.name);
+    let names = || process.observables().iter().map(|o| &*o.name);
     let position = names().position(|n| n == name);
     if position.is_none() {
         let meant = did_you_mean(&name, names(), '"');

@@ -127,7 +127,7 @@ impl Size {
     pub fn key(self) -> &'static str {
         match self {
             Self::OfObservable(key, _) | Self::Number(key, _) | Self::File(key, _) => key,
-            Self::Quantity(parameter) => parameter.name,
+            Self::Quantity(parameter) => &parameter.name,
         }
     }
 

@@ -31,7 +31,7 @@ fn all(process: &dyn Process) -> Vec<Column> {
     let dimension = |i: usize| observables[i].kind.canonical().dimension;
     let alike = |i: usize| (0..observables.len()).filter(|j| dimension(*j) == dimension(i)).count() > 1;
     let observed = observables.iter().enumerate().map(|(i, o)| Column {
-        heading: heading(o.name, o.kind.unit),
+        heading: heading(&o.name, &o.kind.unit),
         need: match observables.len() {
             1 => "observed".into(),
             _ if alike(i) => "observed, or the other".into(),
@@ -40,19 +40,19 @@ fn all(process: &dyn Process) -> Vec<Column> {
         about: format!("what effects change: {}", o.words),
     });
     let of_coordinate = |c: &Coordinate| {
-        let unit = c.holds.kind().map_or("", |kind| kind.unit);
+        let unit = c.holds.kind().map(|kind| kind.unit).unwrap_or_default();
         let actual = c.actual.map(|observable| Column {
-            heading: heading(&format!("actual_{}", c.name), unit),
+            heading: heading(&format!("actual_{}", c.name), &unit),
             need: format!("instead of {}", observables[observable].name),
             about: format!("which then is its difference from {}", c.name),
         });
-        let own = Column { heading: heading(c.name, unit), need: need(c, process), about: about(c) };
+        let own = Column { heading: heading(&c.name, &unit), need: need(c, process), about: about(c) };
         std::iter::once(own).chain(actual).collect::<Vec<_>>()
     };
     let coordinates = process.coordinates().iter().flat_map(of_coordinate);
     let several = observables.len() > 1 && !alike(0);
     let uncertain = observables.iter().take(if several { observables.len() } else { 1 }).map(|o| Column {
-        heading: heading(&if several { format!("u_{}", o.name) } else { "u".into() }, o.error_kind().unit),
+        heading: heading(&if several { format!("u_{}", o.name) } else { "u".into() }, &o.error_kind().unit),
         need: "if known".into(),
         about: "standard uncertainty of the row; from repeats, or estimated, where it is left out".into(),
     });
@@ -65,7 +65,7 @@ fn heading(name: &str, unit: &str) -> String {
 
 /// Whether the column is needed, and its default where it is left out.
 fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
-    let only = |observable: usize| process.observables()[observable].name;
+    let only = |observable: usize| &process.observables()[observable].name;
     match coordinate.absent {
         Absent::Refused => "needed".into(),
         Absent::NeededBy(observable) => format!("needed with {}", only(observable)),

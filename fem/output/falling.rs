@@ -1,6 +1,7 @@
 //! The error falling, effect by effect, as SVG: one bar a model, on a logarithmic scale down to the noise.
 
 use super::chart::{Axis, Svg};
+use crate::units::UnitSymbol;
 
 /// The error of a model and of what was added to it step by step.
 pub struct Falling {
@@ -11,7 +12,7 @@ pub struct Falling {
     /// Standard uncertainty of the measurements.
     pub noise: f64,
     /// Unit of both.
-    pub unit: &'static str,
+    pub unit: UnitSymbol,
 }
 
 /// Width of the page, of the labels and of the bars at their longest, in pixels.
@@ -67,7 +68,7 @@ mod tests {
     #[test]
     fn equal_ratios_are_equal_lengths() {
         let steps = [("a < b", 8.0), ("+ c", 4.0), ("+ d", 2.0)].map(|(l, v)| (l.to_string(), v));
-        let falling = Falling { title: "R & D".into(), steps: steps.into(), noise: 1.0, unit: "um" };
+        let falling = Falling { title: "R & D".into(), steps: steps.into(), noise: 1.0, unit: UnitSymbol::new("um") };
         let text = falling.svg().file();
         let width = |part: &str| part.split('"').next().unwrap().parse::<f64>().unwrap();
         let bars: Vec<f64> = text.split("<rect").skip(1).map(|r| width(r.split("width=\"").nth(1).unwrap())).collect();
@@ -79,7 +80,8 @@ mod tests {
 
     #[test]
     fn a_perfect_model_is_drawn_too() {
-        let falling = Falling { title: String::new(), steps: vec![("a".into(), 0.0)], noise: 0.0, unit: "um" };
+        let falling =
+            Falling { title: String::new(), steps: vec![("a".into(), 0.0)], noise: 0.0, unit: UnitSymbol::new("um") };
         assert!(
             !falling.svg().file().contains("NaN") && !falling.svg().file().contains("inf"),
             "{}",

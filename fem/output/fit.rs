@@ -49,7 +49,7 @@ pub fn json(data: &Data, fit: &Fit) -> Json {
         "files": files(data),
         "observations": data.len(),
         "noise": super::comparison::noise(&fit.noise.level(data), kind),
-        "measurement": super::measurement::json(&fit.noise.terms, data.model.process, Some(data)),
+        "measurement": super::measurement::json(&fit.noise.terms, &*data.model.process, Some(data)),
         "rms": kind.from_si(fit.rms),
         "unit": kind.unit,
         "chi2_per_dof": finite(fit.reduced_chi2),
@@ -78,7 +78,7 @@ pub fn text(data: &Data, fit: &Fit) -> String {
         data.name,
         data.len(),
         super::comparison::noise_text(&fit.noise.level(data), data),
-        super::measurement::at_work(&data.model.source.name, &fit.noise.terms, data.model.process, Some(data)),
+        super::measurement::at_work(&data.model.source.name, &fit.noise.terms, &*data.model.process, Some(data)),
     );
     for caution in cautions(data, fit) {
         text.push_str(&format!("caution: {caution}\n\n"));

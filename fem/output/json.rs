@@ -7,7 +7,7 @@ use super::{OutputError, budget, comparison, compensation, diagnosis, fit, measu
 
 use crate::model::{Contribution, Model, Run};
 use crate::process::{Datum, Description, Figure, Neutral, Parameter, Process};
-use crate::units::Kind;
+use crate::units::{Kind, UnitSymbol};
 use crate::validation::{Case, Tolerance};
 
 /// One JSON document per report.
@@ -19,7 +19,7 @@ impl Format for Json {
             Report::Run(model, found) => run(model, found),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
-                comparison::json(first.process, measurements, comparisons)
+                comparison::json(&*first.process, measurements, comparisons)
             }
             Report::Fit(data, found) => fit::json(data, found),
             Report::Diagnosis(data, found) => diagnosis::json(data, found),
@@ -55,8 +55,8 @@ fn run(model: &Model, run: &Run) -> Value {
         "model": &*model.source.name,
         "title": model.title,
         "process": model.process.name(),
-        "effects": model.effects.iter().map(|e| e.description.name).collect::<Vec<_>>(),
-        "measurement": measurement::json(&model.measurement, model.process, None),
+        "effects": model.effects.iter().map(|e| e.description.name.clone()).collect::<Vec<_>>(),
+        "measurement": measurement::json(&model.measurement, &*model.process, None),
         "findings": findings,
         "shares": run.contributions.iter().map(share).collect::<Vec<_>>(),
         "warnings": run.report.warnings,
@@ -79,7 +79,7 @@ fn figure(figure: &Figure) -> Value {
 /// The units of a figure, and the keys under which they are told.
 struct Units {
     keys: Vec<(&'static str, Kind)>,
-    used: Vec<(String, &'static str)>,
+    used: Vec<(String, UnitSymbol)>,
 }
 
 impl Units {

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
+use crate::input::Name;
 use crate::measure::{Measurements, grouping_name};
 use crate::noise::{Key, MEASUREMENT, MeasurementEffect, Shape, Size, Term, effects};
 use crate::process::Process;
@@ -44,7 +45,7 @@ fn is_size(effect: &MeasurementEffect, key: &Key) -> bool {
 fn unit(effect: &MeasurementEffect, key: &Key) -> Option<&'static str> {
     match effect.size {
         Size::Number(..) if is_size(effect, key) => Some(""),
-        Size::Quantity(parameter) if is_size(effect, key) => Some(parameter.kind.unit),
+        Size::Quantity(parameter) if is_size(effect, key) => Some(&parameter.kind.unit),
         _ => None,
     }
 }
@@ -95,7 +96,7 @@ pub fn words(term: &Term, process: &dyn Process, measurements: Option<&Measureme
     let mut text = term.effect.name.to_string();
     text.push_str(&grouped(&coordinates(term, process)));
     if let Some(along) = term.along {
-        let coordinate = process.coordinates()[along.coordinate];
+        let coordinate = &process.coordinates()[along.coordinate];
         let _ = write!(text, " along {}", coordinate.name);
         if let Some((period, kind)) = term.period.zip(coordinate.holds.kind()) {
             let _ = write!(text, " once in {:.3} {}", kind.from_si(period), kind.unit);
@@ -136,17 +137,17 @@ fn kind(term: &Term, process: &dyn Process, measurements: Option<&Measurements>)
 }
 
 /// The coordinates that group rows, in words: ` by run and direction`.
-pub fn grouped(by: &[&str]) -> String {
+pub fn grouped(by: &[Name]) -> String {
     if by.is_empty() { String::new() } else { format!(" by {}", by.join(" and ")) }
 }
 
 /// Name in the field, and explanation, of a curve along these coordinates that no law has.
-pub fn curve(effect: &MeasurementEffect, by: &[&str], process: &dyn Process) -> Option<(&'static str, &'static str)> {
+pub fn curve(effect: &MeasurementEffect, by: &[Name], process: &dyn Process) -> Option<(&'static str, &'static str)> {
     let own = process.coordinates().iter().filter(|c| by.contains(&c.name));
     own.filter_map(|c| c.curve).next().filter(|_| effect.shape == Some(Shape::Curve))
 }
 
-fn coordinates(term: &Term, process: &dyn Process) -> Vec<&'static str> {
+fn coordinates(term: &Term, process: &dyn Process) -> Vec<Name> {
     term.by.iter().map(|i| grouping_name(process, *i)).collect()
 }
 
@@ -165,12 +166,12 @@ pub fn json(terms: &[Term], process: &dyn Process, measurements: Option<&Measure
             "effect": term.effect.name,
             "table": Some(&term.table).filter(|table| !table.is_empty()),
             "by": coordinates(term, process),
-            "along": term.along.map(|a| process.coordinates()[a.coordinate].name),
+            "along": term.along.map(|a| &process.coordinates()[a.coordinate].name),
             "period": term.period.zip(term.along).map(|(period, along)| {
                 let kind = process.coordinates()[along.coordinate].holds.kind();
                 kind.map(|kind| json!({ "value": kind.from_si(period), "unit": kind.unit }))
             }),
-            "observable": term.observable.map(|o| process.observables()[o].name),
+            "observable": term.observable.map(|o| &process.observables()[o].name),
             "rows": term.rows.iter().map(record).collect::<Vec<_>>(),
             "parameter": term.effect.size.key(),
             "size": size,

@@ -20,7 +20,7 @@ pub fn json(design: &Data, plan: &Plan) -> Json {
             "effect": d.name,
             "observable": d.observable,
             "visible": v.as_ref().is_some_and(|v| v.detectable),
-            "parameter": v.as_ref().map(|v| v.parameter),
+            "parameter": v.as_ref().map(|v| &v.parameter),
             "smallest": v.as_ref().and_then(|v| v.smallest),
             "unit": unit,
             "own_share": v.as_ref().map(|v| v.own_share),
@@ -31,12 +31,12 @@ pub fn json(design: &Data, plan: &Plan) -> Json {
         "model": &*design.model.source.name,
         "design": design.name,
         "observations": plan.rows,
-        "measurement": measurement::json(&plan.terms, design.model.process, Some(design)),
-        "left_aside": measurement::json(&plan.unknown, design.model.process, Some(design)),
+        "measurement": measurement::json(&plan.terms, &*design.model.process, Some(design)),
+        "left_aside": measurement::json(&plan.unknown, &*design.model.process, Some(design)),
         "cautions": design.cautions,
         "noise": if noise.len() == 1 { noise.remove(0) } else { json!(noise) },
         "effects": plan.effects.iter().map(effect).collect::<Vec<_>>(),
-        "alike": plan.alike.iter().map(|a| json!({ "effects": [a.one.name, a.other.name], "separation": a.separation })).collect::<Vec<_>>(),
+        "alike": plan.alike.iter().map(|a| json!({ "effects": [&a.one.name, &a.other.name], "separation": a.separation })).collect::<Vec<_>>(),
         "next_measurement": plan.next.as_ref().map(|n| next_json(n, design.model)),
     })
 }
@@ -52,7 +52,7 @@ pub fn text(design: &Data, plan: &Plan) -> String {
     let mut text =
         format!("{}: {} rows of {}, noise {}\n", design.model.source.name, plan.rows, design.name, noise.join(" and "));
     let model = &design.model.source.name;
-    text.push_str(&measurement::at_work(model, &plan.terms, design.model.process, Some(design)));
+    text.push_str(&measurement::at_work(model, &plan.terms, &*design.model.process, Some(design)));
     if !plan.unknown.is_empty() {
         let names: Vec<&str> = plan.unknown.iter().map(|t| t.effect.name).collect();
         let _ = writeln!(text, "{} left aside, for no size is known", names.join(", "));
@@ -64,7 +64,7 @@ pub fn text(design: &Data, plan: &Plan) -> String {
     let width = plan.effects.iter().map(|e| e.0.label().len()).max().unwrap_or(0);
     let _ = writeln!(text, "\nwould be seen, nine times in ten at a usual shape, from");
     for (d, v) in visible() {
-        let size = v.smallest.map_or(String::new(), |s| bound(d, v.parameter, s));
+        let size = v.smallest.map_or(String::new(), |s| bound(d, &v.parameter, s));
         let _ = writeln!(text, "  {:<width$}  {size:<28} {:>3.0} % of it is its own", d.label(), 100.0 * v.own_share);
     }
     let hidden: Vec<_> =

@@ -29,7 +29,7 @@ impl Format for Text {
             Report::Run(model, found) => run(model, found, self.columns),
             Report::Comparison(models, measurements, comparisons) => {
                 let [first, ..] = models else { return Ok(String::new()) };
-                comparison::text(first.process, measurements, comparisons, self.columns)
+                comparison::text(&*first.process, measurements, comparisons, self.columns)
             }
             Report::Fit(data, found) => fit::text(data, found),
             Report::Diagnosis(data, found) => diagnosis::text(data, found, self.columns),
@@ -67,7 +67,7 @@ fn run(model: &Model, run: &Run, columns: usize) -> String {
         let lines = figure.lines.join(&format!("\n{:27}", ""));
         let _ = writeln!(text, "  {:<24} {lines}", figure.label);
     }
-    let own = measurement::at_work(&model.source.name, &model.measurement, model.process, None);
+    let own = measurement::at_work(&model.source.name, &model.measurement, &*model.process, None);
     if !own.is_empty() {
         let _ = writeln!(text, "\n{own}a run predicts the part, and leaves the instrument aside");
     }
@@ -89,7 +89,7 @@ fn changes(text: &mut String, observables: &[Observable], shares: &[Contribution
     let unit = if whole == change { whole.to_string() } else { format!("{whole}, changes in {change}") };
     let _ = writeln!(text, "\n  {title:<27} {:>10} {:>10} {:>10}   {unit}", "rms", "from", "to");
     for share in shares {
-        let name = if share.name == "ideal" { "without any effect" } else { share.name };
+        let name = if share.name == "ideal" { "without any effect" } else { &share.name };
         let kind = share.kind(observables);
         let [rms, low, high] = [share.rms, share.smallest, share.largest].map(|si| kind.from_si(si));
         let _ = writeln!(text, "  {name:<27} {rms:>10.3} {low:>+10.3} {high:>+10.3}");
@@ -142,7 +142,7 @@ fn parameter_line(p: &Parameter) -> String {
         Neutral::Infinity => "vanishes at infinity".into(),
         Neutral::Shape => "shapes the effect".into(),
     };
-    let unit = if p.kind.unit.is_empty() { "-" } else { p.kind.unit };
+    let unit = if p.kind.unit.is_empty() { "-" } else { &p.kind.unit };
     let optional = match (p.default, p.needed_with) {
         (Some(si), _) => format!("; {} if left out", p.kind.from_si(si)),
         (None, Some(other)) => format!("; only with {other}"),

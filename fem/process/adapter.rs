@@ -19,11 +19,11 @@ impl<D: Definition> Process for D {
         D::ABOUT
     }
 
-    fn observables(&self) -> &'static [Observable] {
+    fn observables(&self) -> &[Observable] {
         D::OBSERVABLES
     }
 
-    fn coordinates(&self) -> &'static [Coordinate] {
+    fn coordinates(&self) -> &[Coordinate] {
         D::COORDINATES
     }
 
@@ -98,7 +98,7 @@ impl<D: Definition> System for Ready<D> {
         all
     }
 
-    fn unit(&self) -> Option<&'static str> {
+    fn unit(&self) -> Option<&str> {
         D::unit(&self.setup)
     }
 

@@ -16,7 +16,7 @@ pub fn assembled<D: Definition>(model: &str, effects: &str) -> Option<Assembled<
     let read = |table: &Reader| {
         let active = |(name, _): (&str, _)| {
             let description = known.iter().find(|d| d.name == name)?;
-            Some(table.table(description.name, "", |t| description.read(t)))
+            Some(table.table(description.name.clone(), "", |t| description.read(t)))
         };
         effects.iter().map(active).collect::<Option<Vec<Active>>>()
     };

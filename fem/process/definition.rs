@@ -84,7 +84,7 @@ pub trait Definition: Sync + Sized + 'static {
     fn candidate_experiments(setup: &Self::Setup, rows: &Rows) -> Vec<CandidateExperiment>;
 
     /// The unit of a machine that is tested, where the model names one.
-    fn unit(_setup: &Self::Setup) -> Option<&'static str> {
+    fn unit(_setup: &Self::Setup) -> Option<&str> {
         None
     }
 

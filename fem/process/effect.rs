@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::{Belongs, Failure, FormulaLaw};
-use crate::input::{Bounds, ParameterId, Reader};
+use crate::input::{Bounds, Name, ParameterId, Reader};
 use crate::units::Kind;
 
 /// An effect of the catalogue, as data: what it is, what it needs of a set-up `S`, and its law, which
@@ -59,7 +59,7 @@ impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
     fn description(&'static self) -> Description {
         Description {
             table: EFFECTS,
-            name: self.name,
+            name: Name::new(self.name),
             observable: None,
             about: Cow::Borrowed(self.about),
             law: Cow::Borrowed(self.law),
@@ -93,9 +93,9 @@ pub struct Description {
     /// Table of a model file under which it stands: [`EFFECTS`], or that of the measurement.
     pub table: &'static str,
     /// The word in `[effects.NAME]`.
-    pub name: &'static str,
+    pub name: Name,
     /// Observable on which an effect of the measurement acts, where there are several.
-    pub observable: Option<&'static str>,
+    pub observable: Option<Name>,
     /// The phenomenon, in one sentence.
     pub about: Cow<'static, str>,
     /// The equation.
@@ -114,7 +114,7 @@ pub struct Description {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     /// The key.
-    pub name: &'static str,
+    pub name: Name,
     /// Its kind, with the canonical unit.
     pub kind: Kind,
     /// Its meaning, in a few words.
@@ -130,7 +130,7 @@ pub struct Parameter {
     /// A parameter without which this one may be left out: while that one is zero it has nothing to shape.
     pub needed_with: Option<&'static str>,
     /// The coordinate along which it is a place, if it is one.
-    pub along: Option<&'static str>,
+    pub along: Option<Name>,
     /// In the canonical unit, where values that differ by it are the same: results stand within half of it
     /// on either side of zero.
     pub period: Option<f64>,
@@ -161,12 +161,15 @@ pub struct Active {
 impl Description {
     /// Name for people: with the observable, where several effects have the name.
     pub fn label(&self) -> Cow<'static, str> {
-        self.observable.map_or(self.name.into(), |observable| format!("{} of {observable}", self.name).into())
+        match &self.observable {
+            Some(observable) => format!("{} of {observable}", self.name).into(),
+            None => self.name.clone().into(),
+        }
     }
 
     /// Path of one of its parameters in a model file.
     pub fn path(&self, parameter: &Parameter) -> ParameterId {
-        let of = self.observable.map_or(String::new(), |name| format!("-{name}"));
+        let of = self.observable.as_ref().map_or(String::new(), |name| format!("-{name}"));
         format!("{}.{}{of}.{}", self.table, self.name, parameter.name).into()
     }
 
@@ -174,7 +177,7 @@ impl Description {
     pub fn read(&self, table: &Reader) -> Active {
         let mut values: Vec<f64> = Vec::with_capacity(self.parameters.len());
         for p in &*self.parameters {
-            let field = table.quantity(p.name, p.kind, p.about).bounds(p.bounds);
+            let field = table.quantity(p.name.clone(), p.kind, p.about).bounds(p.bounds);
             let is_zero = |name: &str| {
                 let read = || self.parameters.iter().zip(&values);
                 read().any(|(p, v)| p.name == name && *v == 0.0) && !table.is_uncertain(name)
@@ -218,7 +221,18 @@ impl Parameter {
         bounds: Bounds,
         range: (f64, f64),
     ) -> Self {
-        Self { name, kind, about, neutral, range, bounds, default: None, needed_with: None, along: None, period: None }
+        Self {
+            name: Name::new(name),
+            kind,
+            about,
+            neutral,
+            range,
+            bounds,
+            default: None,
+            needed_with: None,
+            along: None,
+            period: None,
+        }
     }
 
     /// A stiffness: infinite is neutral.
@@ -274,16 +288,27 @@ impl Parameter {
         along: &'static str,
         range: (f64, f64),
     ) -> Self {
-        let place = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
-        Self { along: Some(along), ..place }
+        Self {
+            name: Name::new(name),
+            kind,
+            about,
+            neutral: Neutral::Shape,
+            range,
+            bounds: Bounds::Any,
+            default: None,
+            needed_with: None,
+            along: Some(Name::new(along)),
+            period: None,
+        }
     }
 
     /// A phase, which shapes the effect without switching it and comes round after `period` (in the
     /// canonical unit).
     pub const fn phase(name: &'static str, kind: Kind, about: &'static str, period: f64) -> Self {
         let range = (-0.5 * period, 0.5 * period);
-        let phase = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
-        Self { period: Some(period), ..phase }
+        let mut phase = Self::new(name, kind, about, Neutral::Shape, Bounds::Any, range);
+        phase.period = Some(period);
+        phase
     }
 
     /// Multiple of the period that brings a value (SI) into the half-open period about zero when added; zero where

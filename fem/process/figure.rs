@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::{Coordinate, Holds, Observable, Rows};
-use crate::units::{ANGLE, Kind};
+use crate::units::{ANGLE, Kind, UnitSymbol};
 
 /// One thing that a run has found.
 #[derive(Clone, Debug, PartialEq)]
@@ -157,6 +157,12 @@ impl From<&'static str> for Datum {
     }
 }
 
+impl From<UnitSymbol> for Datum {
+    fn from(symbol: UnitSymbol) -> Self {
+        Self::Word(String::from(symbol).into())
+    }
+}
+
 impl From<String> for Datum {
     fn from(word: String) -> Self {
         Self::Word(word.into())
@@ -195,7 +201,7 @@ pub fn first_extreme(values: &[f64], beats: fn(&f64, &f64) -> bool) -> usize {
 pub fn extremes(
     what: &str,
     observable: &Observable,
-    (coordinates, told): (&'static [Coordinate], &[usize]),
+    (coordinates, told): (&[Coordinate], &[usize]),
     rows: &Rows,
     values: &[f64],
 ) -> Vec<Figure> {
@@ -217,7 +223,7 @@ pub fn extremes(
             // Degrees need no name.
             let is_named = matches!(coordinate.holds, Holds::Quantity(kind) if kind != ANGLE);
             at.push(if is_named { format!("{} = {words}", coordinate.name) } else { words });
-            figure = figure.entry(coordinate.name, datum);
+            figure = figure.entry(coordinate.name.clone(), datum);
         }
         figure.line(format!("{:+.3} at {}", kind.shown(values[row]), at.join(", ")))
     };

@@ -1,9 +1,6 @@
 //! Formula effects, which users write: a formula over the process's coordinates and the effect's own
 //! parameters, added to what is observed.
 
-use std::collections::HashSet;
-use std::sync::{Mutex, PoisonError};
-
 use super::{Holds, Rows};
 use crate::formula::Formula;
 use crate::units::Dimension;
@@ -73,21 +70,4 @@ pub fn dimension(holds: Holds) -> Dimension {
         Holds::Quantity(kind) => kind.canonical().dimension,
         Holds::Number(_) | Holds::Word(_) => Dimension::NONE,
     }
-}
-
-/// Names that users have given: they stand where names of the catalogue stand, which are constants, and so
-/// live as long as the program, each once however often it is read.
-static NAMES: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
-
-/// The name, for the life of the program.
-pub fn name(text: &str) -> &'static str {
-    // A panic while the list was held leaves it whole: entries are added in one step each.
-    let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
-    let names = names.get_or_insert_default();
-    if let Some(known) = names.get(text) {
-        return known;
-    }
-    let kept: &'static str = Box::leak(text.to_string().into_boxed_str());
-    names.insert(kept);
-    kept
 }

@@ -18,10 +18,10 @@ pub trait Process: Sync {
 
     /// Quantities that it predicts and that can be measured. Observables of one dimension are two ways to tell the
     /// same, and a file has one of them; those of different dimensions may stand side by side.
-    fn observables(&self) -> &'static [Observable];
+    fn observables(&self) -> &[Observable];
 
     /// The coordinates and conditions under which it is measured.
-    fn coordinates(&self) -> &'static [Coordinate];
+    fn coordinates(&self) -> &[Coordinate];
 
     /// A commented model to start from.
     fn starting_model(&self) -> &'static str;
@@ -76,7 +76,7 @@ pub trait System: Send + Sync {
     fn candidate_experiments(&self, rows: &Rows) -> Vec<CandidateExperiment>;
 
     /// The unit of a machine that is tested, where the model names one.
-    fn unit(&self) -> Option<&'static str>;
+    fn unit(&self) -> Option<&str>;
 
     /// The rows as a positioning test, where they are one: then errors can be compensated.
     fn positioning(&self) -> Option<&dyn Positioning>;

@@ -1,20 +1,26 @@
 //! Observables of a process, and the coordinates and conditions under which they are observed.
 
 use super::Values;
+use crate::input::Name;
 use crate::units::{Kind, LENGTH, MICRO, TEMPERATURE, TEMPERATURE_RISE};
 
 /// A quantity that is predicted and can be measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Observable {
     /// Column name in files.
-    pub name: &'static str,
+    pub name: Name,
     /// In a sentence: what effects change.
-    pub words: &'static str,
+    pub words: Name,
     /// Its kind, with the unit in which results give it.
     pub kind: Kind,
 }
 
 impl Observable {
+    /// An observable by its column name, what effects change in a sentence, and its kind.
+    pub const fn new(name: &'static str, words: &'static str, kind: Kind) -> Self {
+        Self { name: Name::new(name), words: Name::new(words), kind }
+    }
+
     /// Kind of errors and changes of it: in micrometres those of a length, in kelvins those of a temperature.
     pub fn error_kind(&self) -> Kind {
         match self.kind {
@@ -26,10 +32,10 @@ impl Observable {
 }
 
 /// A column that says where, when or under which conditions something is observed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {
     /// Column name in files.
-    pub name: &'static str,
+    pub name: Name,
     /// Its meaning, in a few words.
     pub about: &'static str,
     /// Content of the column: a quantity, a number or a word.
@@ -47,7 +53,28 @@ pub struct Coordinate {
 impl Coordinate {
     /// A coordinate in which rows that repeat each other agree.
     pub const fn new(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Self {
-        Self { name, about, holds, absent, repeats: false, actual: None, curve: None }
+        Self { name: Name::new(name), about, holds, absent, repeats: false, actual: None, curve: None }
+    }
+
+    /// Rows that differ in it alone repeat each other.
+    #[must_use]
+    pub const fn repeating(mut self) -> Self {
+        self.repeats = true;
+        self
+    }
+
+    /// An observable, by its position, is the actual value of the coordinate less this commanded one.
+    #[must_use]
+    pub const fn of_actual(mut self, observable: usize) -> Self {
+        self.actual = Some(observable);
+        self
+    }
+
+    /// A curve along it that no law has bears this name in the field, and is explained so.
+    #[must_use]
+    pub const fn with_curve(mut self, name: &'static str, explanation: &'static str) -> Self {
+        self.curve = Some((name, explanation));
+        self
     }
 }
 
@@ -196,7 +223,7 @@ pub struct CandidateExperiment {
     /// Instruction, as a sentence for the shop.
     pub words: String,
     /// The coordinate that is new.
-    pub coordinate: &'static str,
+    pub coordinate: Name,
     /// Its new values, SI.
     pub values: Vec<f64>,
     /// The rows to measure.

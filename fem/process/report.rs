@@ -1,7 +1,8 @@
 //! Report of a run as plain data, before anyone has decided how to write it.
 
 use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, Values, View};
-use crate::units::Kind;
+use crate::input::Name;
+use crate::units::{Kind, UnitSymbol};
 
 /// The results of a run, in terms that every output format understands.
 #[derive(Default)]
@@ -35,9 +36,9 @@ pub struct Table {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Without the unit.
-    pub name: &'static str,
+    pub name: Name,
     /// Unit of the numbers as written; `None` for a label such as a part number.
-    pub unit: Option<&'static str>,
+    pub unit: Option<UnitSymbol>,
     /// In that unit; of words, their positions among them.
     pub values: Vec<f64>,
     /// Words for which the values stand; empty for numbers.
@@ -48,24 +49,24 @@ impl Table {
     /// Rows with some of their coordinates, by their positions in the process's list, and what was observed
     /// (SI): with every condition written out it reads back as a measurement file.
     pub fn of_rows(
-        (coordinates, shown): (&'static [Coordinate], &[usize]),
+        (coordinates, shown): (&[Coordinate], &[usize]),
         rows: &Rows,
-        observable: &'static Observable,
+        observable: &Observable,
         observed: &[f64],
     ) -> Self {
         let mut columns: Vec<Column> =
             shown.iter().map(|i| Column::coordinate(&coordinates[*i], &rows.columns[*i])).collect();
-        columns.push(Column::quantities(observable.name, observable.kind, observed));
+        columns.push(Column::quantities(observable.name.clone(), observable.kind, observed));
         Self { columns }
     }
 }
 
 impl Column {
     /// Quantities, given in SI.
-    pub fn quantities(name: &'static str, kind: Kind, si: &[f64]) -> Self {
+    pub fn quantities(name: impl Into<Name>, kind: Kind, si: &[f64]) -> Self {
         let unit = kind.canonical();
         let values = si.iter().map(|v| (v - unit.offset) / unit.factor).collect();
-        Self::numbers(name, (!kind.unit.is_empty()).then_some(kind.unit), values)
+        Self::numbers(name, (!kind.unit.is_empty()).then_some(&kind.unit), values)
     }
 
     /// The values of a coordinate, SI, without the digits that conversion leaves: 1000 mm/min is written as
@@ -74,23 +75,26 @@ impl Column {
         let si = si.to_vec();
         match coordinate.holds {
             Holds::Quantity(kind) => {
-                let mut column = Self::quantities(coordinate.name, kind, &si);
+                let mut column = Self::quantities(coordinate.name.clone(), kind, &si);
                 column.values.iter_mut().for_each(|v| *v = clean(*v));
                 column
             }
-            Holds::Number(_) => Self::numbers(coordinate.name, None, si),
-            Holds::Word(words) => Self::words(coordinate.name, si, words),
+            Holds::Number(_) => Self::numbers(coordinate.name.clone(), None, si),
+            Holds::Word(words) => Self::words(coordinate.name.clone(), si, words),
         }
     }
 
     /// Numbers in a unit, or without one.
-    pub fn numbers(name: &'static str, unit: Option<&'static str>, values: Vec<f64>) -> Self {
-        Self { name, unit, values, words: &[] }
+    ///
+    /// # Panics
+    /// The unit is longer than any symbol.
+    pub fn numbers(name: impl Into<Name>, unit: Option<&str>, values: Vec<f64>) -> Self {
+        Self { name: name.into(), unit: unit.map(UnitSymbol::new), values, words: &[] }
     }
 
     /// Words, by their positions among all that there are.
-    pub fn words(name: &'static str, values: Vec<f64>, words: &'static [&'static str]) -> Self {
-        Self { name, unit: None, values, words }
+    pub fn words(name: impl Into<Name>, values: Vec<f64>, words: &'static [&'static str]) -> Self {
+        Self { name: name.into(), unit: None, values, words }
     }
 }
 

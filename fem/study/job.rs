@@ -54,7 +54,7 @@ impl Plan {
     fn measured(&self, task: Task, model: &Model, file: &Path) -> Result<Vec<Cell>, String> {
         let wrong = |error: InputError| error.problems.first().map_or_else(String::new, |p| p.message.clone());
         let failed = |failure: Failure| failure.message;
-        let read = Measurements::load_all(&[file.to_path_buf()], model.process, &Reading::default(), false);
+        let read = Measurements::load_all(&[file.to_path_buf()], &*model.process, &Reading::default(), false);
         let data = Data::of(model, read.map_err(wrong)?).map_err(wrong)?;
         let names = self.results.iter().map(|result| result.offered.name.as_str());
         if task == Task::Fit {
@@ -62,7 +62,7 @@ impl Plan {
             return Ok(names.map(|name| of_fit(&fit, name)).collect());
         }
         let found = diagnose(&data, MOST_EFFECTS, &Progress::default()).map_err(failed)?;
-        let missing: Vec<&str> = found.missing.iter().map(|m| m.effect.name).collect();
+        let missing: Vec<&str> = found.missing.iter().map(|m| &*m.effect.name).collect();
         let missing = if missing.is_empty() { "nothing".into() } else { missing.join(" + ") };
         let cell = |name: &str| match name {
             "verdict" => Cell::Word(found.verdict.word().into()),

@@ -104,7 +104,7 @@ impl Plan {
             let told = |si: f64| kind.map_or(si, |kind| kind.from_si(si));
             ResultColumn {
                 name: wanted.offered.name.clone(),
-                unit: kind.map_or("", |kind| kind.unit).into(),
+                unit: kind.map(|kind| kind.unit).unwrap_or_default().into(),
                 is_word: wanted.offered.is_word,
                 tolerance: wanted.tolerance.map(|(low, high)| (told(low), told(high))),
             }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Dimension, Unit, UnitError};
+use super::{Dimension, Unit, UnitError, UnitSymbol};
 
 /// A kind of quantity: what it is called and the canonical unit in which results and JSON give it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,14 +10,14 @@ pub struct Kind {
     /// Name with its article, as in "expected a length".
     pub name: &'static str,
     /// Canonical unit; empty for a pure number.
-    pub unit: &'static str,
+    pub unit: UnitSymbol,
     /// A usual value in that unit, for examples.
     pub usual: &'static str,
 }
 
 macro_rules! kinds {
     ($($constant:ident = $name:literal in $unit:literal, as $usual:literal;)*) => {
-        $(#[doc = concat!("Canonical unit `", $unit, "`.")] pub const $constant: Kind = Kind { name: $name, unit: $unit, usual: $usual };)*
+        $(#[doc = concat!("Canonical unit `", $unit, "`.")] pub const $constant: Kind = Kind::new($name, $unit, $usual);)*
         /// Every kind, for whole-table tests.
         pub const ALL: &[Kind] = &[$($constant),*];
     };
@@ -81,7 +81,7 @@ kinds! {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
     number: f64,
-    unit: &'static str,
+    unit: UnitSymbol,
 }
 
 impl fmt::Display for Shown {
@@ -92,10 +92,18 @@ impl fmt::Display for Shown {
 }
 
 impl Kind {
+    /// A kind by its name with the article, its canonical unit, and a usual value in that.
+    ///
+    /// # Panics
+    /// The unit is longer than any symbol; a constant of it does not compile.
+    pub const fn new(name: &'static str, unit: &str, usual: &'static str) -> Self {
+        Self { name, unit: UnitSymbol::new(unit), usual }
+    }
+
     /// The canonical unit, parsed. The units of [`ALL`] are checked by a test, so a failure can only come
     /// from a `Kind` made elsewhere; it then counts as a pure number.
     pub fn canonical(&self) -> Unit {
-        Unit::parse(self.unit).unwrap_or(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE })
+        Unit::parse(&self.unit).unwrap_or(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE })
     }
 
     /// `si` in the canonical unit.
@@ -148,7 +156,7 @@ impl Kind {
             "" => UnitError::new("the unit is missing"),
             text => UnitError::new(format!("`{text}` measures {}, not {}", measured(unit.dimension), self.name)),
         };
-        match self.unit {
+        match &*self.unit {
             "" => error.hint("write the number alone"),
             canonical => error.hint(format!("write it in {canonical} or another unit of {}", self.bare_name())),
         }
@@ -185,7 +193,7 @@ mod tests {
     #[test]
     fn every_canonical_unit_parses_and_converts_back() {
         for kind in ALL {
-            assert!(Unit::parse(kind.unit).is_ok(), "{}", kind.unit);
+            assert!(Unit::parse(&kind.unit).is_ok(), "{}", kind.unit);
             // A zero point far off costs some digits.
             let digits = 1.0 + kind.canonical().offset.abs();
             assert!((kind.from_si(kind.to_si(3.7)) - 3.7).abs() < 1e-14 * digits, "{}", kind.name);

@@ -8,10 +8,12 @@ mod dimension;
 mod kind;
 mod parse;
 mod quantity;
+mod symbol;
 mod unit;
 
 pub use dimension::Dimension;
 pub use kind::*;
 pub use kind::{Kind, Shown};
 pub use quantity::{Knowledge, LARGEST, Quantity, unit_text};
+pub use symbol::UnitSymbol;
 pub use unit::{Unit, UnitError};

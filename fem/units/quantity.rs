@@ -98,7 +98,7 @@ fn number<'a>(text: &'a str, kind: &Kind) -> Result<(f64, &'a str), UnitError> {
         }
         end += 1;
     }
-    let expected = || match kind.unit {
+    let expected = || match &*kind.unit {
         "" => format!("a number such as `{}`", kind.example()),
         _ => format!("a number and a unit, such as `{}`", kind.example()),
     };

@@ -27,7 +27,7 @@ pub struct Answer {
     #[pyo3(into_py_with = tables_in_python)]
     pub tables: Vec<Tables>,
     /// Names of columns that say where, when and under which conditions.
-    pub coordinates: Vec<&'static str>,
+    pub coordinates: Vec<String>,
     /// Notes and warnings for people.
     pub notes: Vec<String>,
     /// A model that came of it.
@@ -46,7 +46,7 @@ impl Answer {
             json: Json.write(report)?,
             text: Text::default().write(report)?,
             figures: figures(report),
-            coordinates: model.process.coordinates().iter().map(|c| c.name).collect(),
+            coordinates: model.process.coordinates().iter().map(|c| c.name.to_string()).collect(),
             ..Self::default()
         })
     }
@@ -61,10 +61,14 @@ fn tables_in_python<'py>(tables: Cow<'_, Vec<Tables>>, py: Python<'py>) -> PyRes
     for of_model in tables.into_owned() {
         let named = PyDict::new(py);
         for (name, table) in of_model {
-            let columns = table
-                .columns
-                .into_iter()
-                .map(|column| (column.name, column.unit, PyArray1::from_vec(py, column.values), column.words.to_vec()));
+            let columns = table.columns.into_iter().map(|column| {
+                (
+                    column.name.to_string(),
+                    column.unit.map(String::from),
+                    PyArray1::from_vec(py, column.values),
+                    column.words.to_vec(),
+                )
+            });
             named.set_item(name, columns.collect::<Vec<_>>())?;
         }
         told.append(named)?;
@@ -77,7 +81,7 @@ pub fn tables_of_run(model: &Model, run: &mut Run) -> Tables {
     let profile = std::mem::take(&mut run.report.profile);
     let shown = |name: &str| profile.columns.iter().any(|c| c.name == name);
     let coordinates = model.process.coordinates();
-    let shown: Vec<usize> = (0..coordinates.len()).filter(|i| shown(coordinates[*i].name)).collect();
+    let shown: Vec<usize> = (0..coordinates.len()).filter(|i| shown(&coordinates[*i].name)).collect();
     let programme = model.system.programme();
     let mut changes = Tables::new();
     for of_observable in run.contributions.chunk_by(|a, b| a.observable == b.observable) {
@@ -85,7 +89,8 @@ pub fn tables_of_run(model: &Model, run: &mut Run) -> Tables {
         let own = observed_rows(&programme, position);
         let columns = shown.iter().map(|i| Column::coordinate(&coordinates[*i], &programme.columns[*i].some(&own)));
         let observables = model.process.observables();
-        let contributions = of_observable.iter().map(|c| Column::quantities(c.name, c.kind(observables), &c.changes));
+        let contributions =
+            of_observable.iter().map(|c| Column::quantities(c.name.clone(), c.kind(observables), &c.changes));
         let columns = columns.chain(contributions).collect();
         changes.push((format!("changes of {}", observables[position].name), Table { columns }));
     }
@@ -112,7 +117,7 @@ fn table_of_rows(
     [predicted, residuals]: [&[f64]; 2],
     sigma: &Values,
 ) -> (String, Table) {
-    let process = data.model.process;
+    let process = &*data.model.process;
     let observable: &Observable = &process.observables()[seen.position];
     let own = observed_rows(&data.rows, seen.position);
     let of = |column: &[f64]| picked(column, &own);
@@ -120,7 +125,7 @@ fn table_of_rows(
         data.given.iter().map(|i| Column::coordinate(&process.coordinates()[*i], &rows.columns[*i].some(&own)));
     let (kind, of_errors) = (observable.kind, observable.error_kind());
     let values = [
-        Column::quantities(observable.name, kind, &of(&data.observed)),
+        Column::quantities(observable.name.clone(), kind, &of(&data.observed)),
         Column::quantities("u", of_errors, &sigma.some(&own).to_vec()),
         Column::quantities("predicted", kind, &of(predicted)),
         Column::quantities("residual", of_errors, &of(residuals)),

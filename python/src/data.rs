@@ -28,7 +28,7 @@ impl Asked {
     ///
     /// # Errors
     /// What is wrong with them.
-    pub fn read(&self, process: &'static dyn Process, is_design: bool) -> Result<Measurements, ask::Error> {
+    pub fn read(&self, process: &dyn Process, is_design: bool) -> Result<Measurements, ask::Error> {
         let decimal = self.decimal.as_deref().map(|mark| if mark == "," { Decimal::Comma } else { Decimal::Point });
         let said = Reading::new(&self.columns, decimal)?;
         if self.parts.iter().all(|(_, text)| text.is_none()) {
@@ -49,7 +49,7 @@ impl Asked {
     /// # Errors
     /// What is wrong with them, or with the model for them.
     pub fn of<'m>(&self, model: &'m Model, is_design: bool) -> Result<Data<'m>, ask::Error> {
-        let measurements = self.read(model.process, is_design)?;
+        let measurements = self.read(&*model.process, is_design)?;
         Data::of(model, measurements).map_err(|e| ask::Error::of_data(e, model))
     }
 

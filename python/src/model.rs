@@ -62,7 +62,7 @@ impl Model {
     /// The names of its effects.
     #[getter]
     fn effects(&self) -> Vec<&str> {
-        self.0.effects.iter().map(|e| e.description.name).collect()
+        self.0.effects.iter().map(|e| &*e.description.name).collect()
     }
 
     /// What it does not know exactly: path, unit, value and standard uncertainty; an unknown one has neither.
@@ -75,7 +75,7 @@ impl Model {
             Knowledge::Free => (None, None),
         };
         let all = self.0.parameters.iter().map(|p| (p, told(p)));
-        all.map(|(p, (value, std))| (&*p.path, p.kind.unit, value, std)).collect()
+        all.map(|(p, (value, std))| (&*p.path, &*p.kind.unit, value, std)).collect()
     }
 
     /// Its text for a file at another place.
@@ -181,7 +181,7 @@ pub fn compare(py: Python, models: Vec<PyRef<Model>>, data: Asked) -> PyResult<A
         refuse_mixed(&models)?;
         let Some(first) = models.first() else { return Ok(Answer::default()) };
         let each = |data: &Data, found| (tables_of_comparison(data, &found), found);
-        let (compared, measurements) = compare_all(&models, data.read(first.process, false)?, progress, each)?;
+        let (compared, measurements) = compare_all(&models, data.read(&*first.process, false)?, progress, each)?;
         let (tables, comparisons): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
         let report = Report::Comparison(&models, &measurements, &comparisons);
         Ok(Answer { tables, notes: measurements.notes.clone(), ..Answer::of(&report, first)? })
@@ -204,7 +204,7 @@ pub fn report(
         let Some(last) = models.last() else { return Ok(Default::default()) };
         let named = models.iter().flat_map(model::Model::paths).chain(data.iter().flat_map(Asked::files));
         let files = named.filter(|path| path.is_file()).collect();
-        let measurements = data.as_ref().map(|data| data.read(last.process, false)).transpose()?;
+        let measurements = data.as_ref().map(|data| data.read(&*last.process, false)).transpose()?;
         let page = Page { models: &models, measurements, files, most_effects, depth: Depth::Diagnosed, live: None };
         let made = page.made(progress)?;
         Ok((made.html, made.notes))

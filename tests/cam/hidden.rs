@@ -23,7 +23,7 @@ fn three_cams(causes: &Causes, sigma: f64, seed: u64) -> String {
 
 fn diagnosis(text: String) -> Diagnosis {
     let model = model(0.5, "");
-    let rows = Measurements::parse(Source::new("m.csv", text), model.process).unwrap();
+    let rows = Measurements::parse(Source::new("m.csv", text), &*model.process).unwrap();
     diagnose(&Data::of(&model, rows).unwrap(), MOST_EFFECTS, &Progress::default()).unwrap()
 }
 
@@ -41,7 +41,7 @@ fn hidden_causes_are_named() {
     let mut inside = 0;
     for (i, (effect, causes, parameter, truth)) in cases.iter().enumerate() {
         let diagnosis = diagnosis(three_cams(causes, 1.0, i as u64 + 1));
-        let named: Vec<&str> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
+        let named: Vec<&str> = diagnosis.missing.iter().map(|m| &*m.effect.name).collect();
         assert_eq!((named, diagnosis.verdict), (vec![*effect], Verdict::MissingEffect), "{effect}");
         assert!(diagnosis.missing[0].indistinguishable_from.is_empty(), "{effect}");
         let path = format!("effects.{effect}.{parameter}");
@@ -66,7 +66,7 @@ fn several_hidden_causes_are_named() {
     ];
     for (i, (effects, causes)) in cases.iter().enumerate() {
         let diagnosis = diagnosis(three_cams(causes, 1.0, i as u64 + 40));
-        let mut named: Vec<&str> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
+        let mut named: Vec<&str> = diagnosis.missing.iter().map(|m| &*m.effect.name).collect();
         named.sort_unstable();
         assert_eq!((named.as_slice(), diagnosis.verdict), (*effects, Verdict::MissingEffect));
     }
@@ -86,11 +86,12 @@ fn what_one_cam_cannot_tell_apart_is_listed_with_what_would() {
     let causes = Causes { lag: 4e-4, ..Causes::default() };
     let diagnosis = diagnosis(measured(&starting_cam(0.5, false, SPEED), &causes, 1.0, 3));
     let class = &diagnosis.missing[0];
-    let mut names: Vec<&str> = class.indistinguishable_from.iter().map(|e| e.name).chain([class.effect.name]).collect();
+    let mut names: Vec<&str> =
+        class.indistinguishable_from.iter().map(|e| &*e.name).chain([&*class.effect.name]).collect();
     names.sort_unstable();
     assert_eq!(names, ["centre-height", "servo-lag"]);
     let next = diagnosis.next.as_ref().unwrap();
-    assert!(["cam_speed", "direction"].contains(&next.experiment.coordinate), "{}", next.experiment.words);
+    assert!(["cam_speed", "direction"].contains(&&*next.experiment.coordinate), "{}", next.experiment.words);
 }
 
 #[test]

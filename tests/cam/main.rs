@@ -71,7 +71,7 @@ fn every_effect_grinds_what_brute_force_grinds() {
                 let job = starting_cam(step, is_reversed, speed);
                 let model = model(step, effects);
                 let text = measured(&job, causes, 0.0, 1);
-                let rows = Measurements::parse(Source::new("m.csv", text), model.process).unwrap();
+                let rows = Measurements::parse(Source::new("m.csv", text), &*model.process).unwrap();
                 let predicted = model.forward().observe(&rows.rows).unwrap();
                 // Brute force puts the wheel down in even steps: what it misses between them is of the
                 // order of their length, more where play ends between two.

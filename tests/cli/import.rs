@@ -205,8 +205,8 @@ fn processes_name_the_columns_of_their_files() {
         let started = place.fem(&["new", name]).out;
         let listed = place.fem(&["effects", name]).out;
         let columns = listed.split("columns of its measurement files").nth(1).unwrap();
-        let coordinates = process.coordinates().iter().map(|c| c.name);
-        for column in coordinates.chain(process.observables().iter().map(|o| o.name)) {
+        let coordinates = process.coordinates().iter().map(|c| &c.name);
+        for column in coordinates.chain(process.observables().iter().map(|o| &o.name)) {
             assert!(columns.contains(&format!("\n  {column} ")), "{name}: {column}\n{columns}");
         }
         for line in columns.lines().skip(1) {

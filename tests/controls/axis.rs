@@ -127,7 +127,7 @@ impl Axis {
                 }
             }
         }
-        let measured = Measurements::parse(Source::new("m.csv", text), model.process).unwrap();
+        let measured = Measurements::parse(Source::new("m.csv", text), &*model.process).unwrap();
         let data = Data::of(&model, measured).unwrap();
         compensate(&data, model.system.positioning().unwrap()).unwrap()
     }

@@ -39,7 +39,7 @@ fn what_an_instrument_does_is_named() {
         let (mut all, mut named, mut held) = (0, 0, 0);
         for seed in seeds {
             let diagnosis = score::diagnosis(&spoil(process.nothing(seed))).unwrap();
-            let said: Vec<_> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
+            let said: Vec<_> = diagnosis.missing.iter().map(|m| &*m.effect.name).collect();
             println!("{effect} {seed}: {said:?}");
             all += 1;
             let own = diagnosis.missing.first().filter(|m| m.effect.name == effect && m.cause != Cause::Physical);
@@ -76,16 +76,17 @@ radial_force = "300 N""#;
             let line = |i: usize| format!("{},{},0.5\n", 20 * i, value(i - 1, 20.0 * i as f64));
             format!("x [mm],diameter_error [um],u [um]\n{}", (1..25).map(line).collect::<String>())
         };
-        let read = |text| Measurements::parse(Source::new("rows.csv", text), model.process).unwrap();
+        let read = |text| Measurements::parse(Source::new("rows.csv", text), &*model.process).unwrap();
         let predicted = model.forward().observe(&read(rows(&mut |_, _| 0.0)).rows).unwrap();
         let text = rows(&mut |i, x| 1e6 * predicted[i] + 4.0 * (TAU * x / 90.0 + phase).sin() + 0.5 * random.normal());
         let data = Data::of(&model, read(text)).unwrap();
         let said = diagnose(&data, 3, &Progress::default()).unwrap();
-        let names: Vec<_> = said.missing.iter().map(|m| m.effect.name).collect();
+        let names: Vec<_> = said.missing.iter().map(|m| &*m.effect.name).collect();
         assert_eq!((said.verdict, &names[..]), (Verdict::Unexplained, &["wave"][..]), "{seed}");
-        let Cause::Measurement { along: Some("x"), period: Some((period, _)), .. } = said.missing[0].cause else {
+        let Cause::Measurement { along: Some(along), period: Some((period, _)), .. } = &said.missing[0].cause else {
             panic!("{seed}: a wave along x has a period")
         };
+        assert_eq!(*along, "x", "{seed}");
         // Standard uncertainty of a frequency: sqrt(6)/(pi T) sigma/a/sqrt(n), here 0.35 mm of 90 (Bretthorst 1988).
         assert!((1e3 * period - 90.0).abs() < 1.4, "{seed}: {period}");
     }

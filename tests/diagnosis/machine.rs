@@ -60,7 +60,7 @@ impl Said {
     fn of(diagnosis: &Diagnosis, truth: &[&str]) -> Self {
         let mut named: Vec<String> = diagnosis.missing.iter().map(|m| m.effect.name.to_string()).collect();
         named.sort();
-        let others = || diagnosis.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(|d| d.name));
+        let others = || diagnosis.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(|d| d.name.clone()));
         let has_truth = truth.iter().all(|t| named.iter().any(|n| n == t) || others().any(|n| n == *t));
         Self { beside: others().count(), named, has_truth }
     }
@@ -79,7 +79,7 @@ fn diagnoses(tests: &Tests, truth: &[&str]) -> (Said, Said) {
         Model::parse(Source::new(path.display().to_string(), text.to_string())).unwrap_or_else(|e| panic!("{e}"))
     };
     let read = |name: &str, text: &str, model: &Model| {
-        Measurements::parse(Source::new(name, text.to_string()), model.process).unwrap()
+        Measurements::parse(Source::new(name, text.to_string()), &*model.process).unwrap()
     };
     let (shafts, tailstock) = (model("shafts.toml", &tests.shafts), model("tailstock.toml", &tests.tailstock));
     let measured = vec![read("shafts.csv", &tests.turned, &shafts), read("tailstock.csv", &tests.loaded, &tailstock)];

@@ -39,7 +39,7 @@ pub struct Score {
 pub fn diagnosis(case: &Case) -> Result<Diagnosis, fem::process::Failure> {
     let model = Model::parse(Source::new("case.toml", case.model.clone())).expect("the model is right");
     let source = Source::new("case.csv", case.data.clone());
-    let data = Measurements::parse(source, model.process).expect("so are the data");
+    let data = Measurements::parse(source, &*model.process).expect("so are the data");
     diagnose(&Data::of(&model, data).expect("every row lies in the model"), MOST_EFFECTS, &Progress::default())
 }
 
@@ -47,7 +47,7 @@ pub fn diagnosis(case: &Case) -> Result<Diagnosis, fem::process::Failure> {
 pub fn score(case: &Case) -> Score {
     let model = Model::parse(Source::new("case.toml", case.model.clone())).expect("the model is right");
     let read = |text: &str| {
-        Measurements::parse(Source::new("case.csv", text.to_string()), model.process).expect("so are the data")
+        Measurements::parse(Source::new("case.csv", text.to_string()), &*model.process).expect("so are the data")
     };
     let (data, fresh) = (read(&case.data), read(&case.fresh));
     let data = Data::of(&model, data).expect("every row lies in the model");
@@ -90,8 +90,8 @@ pub fn score(case: &Case) -> Score {
 }
 
 /// The effect and those that cannot be told from it.
-pub fn class(missing: &fem::diagnose::Missing) -> Vec<&'static str> {
-    std::iter::once(missing.effect.name).chain(missing.indistinguishable_from.iter().map(|e| e.name)).collect()
+pub fn class(missing: &fem::diagnose::Missing) -> Vec<&str> {
+    std::iter::once(&missing.effect).chain(&missing.indistinguishable_from).map(|e| &*e.name).collect()
 }
 
 /// Over the parameters of hidden effects that were named themselves.
@@ -139,7 +139,7 @@ fn said(case: &Case, diagnosis: &Diagnosis, hidden: &[&str], classes: &[Vec<&str
 pub fn apart(case: &Case) -> f64 {
     let model = Model::parse(Source::new("revealed.toml", case.revealed.clone())).expect("the model is right");
     let exact = Source::new("exact.csv", case.exact.clone());
-    let exact = Measurements::parse(exact, model.process).expect("so are the data");
+    let exact = Measurements::parse(exact, &*model.process).expect("so are the data");
     let rows = model.system.resolved(&exact.rows);
     let predicted = model.forward().observe(&rows).expect("the model can be computed");
     let mut differences: Vec<f64> = predicted.iter().zip(&exact.observed).map(|(p, e)| p - e).collect();

@@ -63,7 +63,7 @@ impl Tally {
         let is_told = wanted.is_empty() || names(&diagnosis).any(|name| wanted.contains(&name));
         self.told[1] += usize::from(is_told);
         if !is_told || case.truth.hidden.is_empty() && !physical.is_empty() {
-            let said: Vec<&str> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
+            let said: Vec<&str> = diagnosis.missing.iter().map(|m| &*m.effect.name).collect();
             let hidden: Vec<&str> = case.truth.hidden.iter().map(|h| h.effect).collect();
             println!("{trouble:?} and {hidden:?}: {said:?}");
             if let Some(directory) = std::env::var_os("FEM_MISSES") {
@@ -104,6 +104,6 @@ impl Tally {
 }
 
 /// Effects of the measurement that were named.
-fn names(diagnosis: &Diagnosis) -> impl Iterator<Item = &'static str> + '_ {
-    diagnosis.missing.iter().filter(|m| m.cause != Cause::Physical).map(|m| m.effect.name)
+fn names(diagnosis: &Diagnosis) -> impl Iterator<Item = &str> {
+    diagnosis.missing.iter().filter(|m| m.cause != Cause::Physical).map(|m| &*m.effect.name)
 }

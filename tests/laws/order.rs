@@ -49,7 +49,7 @@ fn measured<'m>(model: &'m Model, truth: &Model, noise: &[f64], order: &[usize])
     let sigma = 0.01 * (ends.1 - ends.0);
     let own: Vec<usize> = order.iter().copied().filter(|row| *row < rows.len()).collect();
     let observed = own.iter().map(|row| exact[*row] + sigma * noise[*row]).collect();
-    let planned = Measurements::planned(model.process, "rows", rows.some(&own));
+    let planned = Measurements::planned(&*model.process, "rows", rows.some(&own));
     Data::of(model, Measurements { observed, uncertainty: Some(Values::shared(sigma, own.len())), ..planned }).unwrap()
 }
 
@@ -80,13 +80,13 @@ proptest! {
 }
 
 /// What a diagnosis names, each with what is as likely in its place.
-fn classes(diagnosis: &Diagnosis) -> Vec<Vec<&'static str>> {
-    let class = |missing: &Missing| {
-        let mut all: Vec<_> = missing.indistinguishable_from.iter().map(|effect| effect.name).collect();
-        all.push(missing.effect.name);
+fn classes(diagnosis: &Diagnosis) -> Vec<Vec<&str>> {
+    fn class(missing: &Missing) -> Vec<&str> {
+        let mut all: Vec<&str> = missing.indistinguishable_from.iter().map(|effect| &*effect.name).collect();
+        all.push(&missing.effect.name);
         all.sort_unstable();
         all
-    };
+    }
     diagnosis.missing.iter().map(class).collect()
 }
 

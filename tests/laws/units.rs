@@ -62,12 +62,12 @@ fn with_all_effects(process: &dyn Process) -> String {
     let own = start.split("# What").next().unwrap().split("# Ways").next().unwrap().split("[effects.").next().unwrap();
     let bare = super::model(own);
     let mut text = own.to_string();
-    for effect in process.effects().iter().filter(|effect| bare.system.admits(effect.name).is_ok()) {
+    for effect in process.effects().iter().filter(|effect| bare.system.admits(&effect.name).is_ok()) {
         text += &format!("[effects.{}]\n", effect.name);
         for parameter in effect.parameters.iter() {
             let value = parameter.example();
             let unit = parameter.kind.unit;
-            text += &match unit {
+            text += &match &*unit {
                 "1" | "" => format!("{} = {value}\n", parameter.name),
                 unit => format!("{} = \"{value} {unit}\"\n", parameter.name),
             };
@@ -158,7 +158,7 @@ proptest! {
             };
             let head = format!("x [{}],radial_force [{}],diameter_error [{}],u [{}]\n", x.0, force.0, error.0, error.0);
             let text = head + &rows.iter().map(line).collect::<String>();
-            let measured = Measurements::parse(Source::new("rows.csv", text), model.process).unwrap();
+            let measured = Measurements::parse(Source::new("rows.csv", text), &*model.process).unwrap();
             let comparison = compare(&Data::of(&model, measured).unwrap()).unwrap();
             [comparison.rms * 1e6, comparison.reduced_chi2]
         };

@@ -38,7 +38,7 @@ fn measured(header: &str, more: impl Fn(f64, f64) -> f64, cells: impl Fn(f64) ->
         }
     }
     let model = Model::parse(Source::new("model.toml", MODEL)).unwrap();
-    Measurements::parse(Source::new("measured.csv", text), model.process).unwrap()
+    Measurements::parse(Source::new("measured.csv", text), &*model.process).unwrap()
 }
 
 fn with_u(more: impl Fn(f64, f64) -> f64) -> Measurements {

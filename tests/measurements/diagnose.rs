@@ -23,7 +23,7 @@ fn what_is_hidden_is_named_or_stands_in_the_class_of_what_is() {
         let classes: Vec<Vec<&str>> = diagnosis
             .missing
             .iter()
-            .map(|m| std::iter::once(&m.effect).chain(&m.indistinguishable_from).map(|e| e.name).collect())
+            .map(|m| std::iter::once(&m.effect).chain(&m.indistinguishable_from).map(|e| &*e.name).collect())
             .collect();
         let hidden: Vec<&String> = truth["hidden"].as_object().unwrap().keys().collect();
         assert_eq!(classes.len(), hidden.len(), "{name}: {classes:?} for {hidden:?}");
@@ -42,7 +42,7 @@ fn what_is_hidden_is_named_or_stands_in_the_class_of_what_is() {
 fn rows(text: &str) -> (Model, Measurements) {
     let model = include_str!("../../models/story/rigid.toml");
     let model = Model::parse(Source::new("rigid.toml", model.to_string())).unwrap();
-    let measurements = Measurements::parse(Source::new("rows.csv", text.to_string()), model.process).unwrap();
+    let measurements = Measurements::parse(Source::new("rows.csv", text.to_string()), &*model.process).unwrap();
     (model, measurements)
 }
 
@@ -101,9 +101,9 @@ fn play_beside_a_curve_that_no_law_has_is_no_zero() {
             }
         }
     }
-    let measurements = Measurements::parse(Source::new("axis.csv", text), model.process).unwrap();
+    let measurements = Measurements::parse(Source::new("axis.csv", text), &*model.process).unwrap();
     let diagnosis = of(&model, measurements);
-    let names: Vec<&str> = diagnosis.missing.iter().map(|m| m.effect.name).collect();
+    let names: Vec<&str> = diagnosis.missing.iter().map(|m| &*m.effect.name).collect();
     let play = diagnosis.missing.iter().find(|m| m.effect.name == "backlash");
     let play = play.unwrap_or_else(|| panic!("{names:?}"));
     let gap = &play.estimates[0];
@@ -121,17 +121,21 @@ fn what_the_measurement_explains_as_well_blames_no_joint() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/trouble/joint");
     let diagnosed = |name: &str| {
         let model = Model::load(&folder.join(name).join("model.toml")).unwrap();
-        let measurements = Measurements::load(&folder.join(name).join("measured.csv"), model.process).unwrap();
+        let measurements = Measurements::load(&folder.join(name).join("measured.csv"), &*model.process).unwrap();
         let diagnosis = of(&model, measurements);
         assert_eq!(diagnosis.verdict_after, Verdict::Adequate, "{name}");
         diagnosis
     };
     for (name, told) in [("zeros", &["outliers", "zero-shift"][..]), ("memory", &["correlated-noise"])] {
-        let names: Vec<&str> = diagnosed(name).missing.iter().map(|m| m.effect.name).collect();
+        let missing = diagnosed(name).missing;
+        let names: Vec<&str> = missing.iter().map(|m| &*m.effect.name).collect();
         assert_eq!(names, told, "{name}");
     }
     let step = diagnosed("jump").missing;
-    let classes: Vec<&str> =
-        step.iter().flat_map(|m| std::iter::once(&m.effect).chain(&m.indistinguishable_from)).map(|e| e.name).collect();
+    let classes: Vec<&str> = step
+        .iter()
+        .flat_map(|m| std::iter::once(&m.effect).chain(&m.indistinguishable_from))
+        .map(|e| &*e.name)
+        .collect();
     assert!(classes.contains(&"jump"), "{classes:?}");
 }

@@ -85,7 +85,7 @@ fn the_profile_of_a_linear_parameter_is_a_parabola() {
         format!("{force},{},1\n", force / 100.0 + 3.0 + if i % 2 == 0 { 0.1 } else { -0.1 })
     };
     let csv = "force [N],displacement [um],u [um]\n".to_string() + &(1..=16).map(row).collect::<String>();
-    let measurements = Measurements::parse(Source::new("measured.csv", csv), model.process).unwrap();
+    let measurements = Measurements::parse(Source::new("measured.csv", csv), &*model.process).unwrap();
     let fit = fit(&Data::of(&model, measurements).unwrap()).unwrap();
     let found = &fit.estimates[0];
     assert!((found.value - 3e-6).abs() < 1e-11, "{}", found.value);

@@ -17,7 +17,7 @@ fn shown(instrument: &str, times: &[f64]) -> Vec<f64> {
     let model = Model::parse(Source::new("rod.toml", format!("{ROD}\n{instrument}"))).unwrap();
     let rows: String = times.iter().map(|t| format!("{t},100,20\n")).collect();
     let file = Source::new("rod.csv", format!("time [min],x [mm],temperature [degC]\n{rows}"));
-    let rows = Measurements::parse(file, model.process).unwrap();
+    let rows = Measurements::parse(file, &*model.process).unwrap();
     model.forward().observe(&rows.rows).unwrap().iter().map(|kelvin| kelvin - 273.15).collect()
 }
 

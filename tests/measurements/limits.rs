@@ -18,7 +18,7 @@ fn model(text: &str) -> Model {
 }
 
 fn measured(model: &Model, text: String) -> Measurements {
-    Measurements::parse(Source::new("measured.csv", text), model.process).unwrap()
+    Measurements::parse(Source::new("measured.csv", text), &*model.process).unwrap()
 }
 
 /// Noise of standard deviation one: the golden-ratio sequence through the inverse of a sum of uniforms.

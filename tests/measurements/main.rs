@@ -53,13 +53,13 @@ fn case_with_effects(name: &str, truth: &Json) -> Hidden {
         }
     }
     let model = Model::parse(Source::new("model.toml", text)).unwrap();
-    let measurements = Measurements::load(&directory.join("measured.csv"), model.process).unwrap();
+    let measurements = Measurements::load(&directory.join("measured.csv"), &*model.process).unwrap();
     Hidden { model, measurements, truth: truth.clone() }
 }
 
 fn case(name: &str) -> (Model, Measurements) {
     let directory = folder().join(name);
     let model = Model::load(&directory.join("model.toml")).unwrap();
-    let measurements = Measurements::load(&directory.join("measured.csv"), model.process).unwrap();
+    let measurements = Measurements::load(&directory.join("measured.csv"), &*model.process).unwrap();
     (model, measurements)
 }

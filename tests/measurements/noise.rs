@@ -82,7 +82,7 @@ fn rows(model: &Model, rows: &[(usize, f64, f64)], u: Option<f64>) -> Measuremen
     for (run, x, y) in rows {
         text += &format!("{run},{x},+,{y}{}\n", u.map_or(String::new(), |u| format!(",{u}")));
     }
-    Measurements::parse(Source::new("rows.csv", text), model.process).unwrap()
+    Measurements::parse(Source::new("rows.csv", text), &*model.process).unwrap()
 }
 
 fn runs() -> Vec<(usize, f64, f64)> {

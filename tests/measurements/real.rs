@@ -12,7 +12,7 @@ use fem::progress::Progress;
 fn with<T>(name: &str, tell: impl FnOnce(&Data) -> T) -> T {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/real").join(name);
     let model = Model::load(&folder.join("model.toml")).unwrap();
-    let measurements = Measurements::load(&folder.join("measured.csv"), model.process).unwrap();
+    let measurements = Measurements::load(&folder.join("measured.csv"), &*model.process).unwrap();
     tell(&Data::of(&model, measurements).unwrap())
 }
 
@@ -20,12 +20,12 @@ fn diagnosed(name: &str) -> Diagnosis {
     with(name, |data| diagnose(data, MOST_EFFECTS, &Progress::default()).unwrap())
 }
 
-fn physical(diagnosis: &Diagnosis) -> Vec<&'static str> {
-    diagnosis.missing.iter().filter(|m| m.cause == Cause::Physical).map(|m| m.effect.name).collect()
+fn physical(diagnosis: &Diagnosis) -> Vec<&str> {
+    diagnosis.missing.iter().filter(|m| m.cause == Cause::Physical).map(|m| &*m.effect.name).collect()
 }
 
-fn of_measurement(diagnosis: &Diagnosis) -> Vec<&'static str> {
-    diagnosis.missing.iter().filter(|m| m.cause != Cause::Physical).map(|m| m.effect.name).collect()
+fn of_measurement(diagnosis: &Diagnosis) -> Vec<&str> {
+    diagnosis.missing.iter().filter(|m| m.cause != Cause::Physical).map(|m| &*m.effect.name).collect()
 }
 
 /// The means of the runs fall from +26.6 to -17.0 um, equally at all positions: the zero or the sensor
@@ -89,8 +89,8 @@ fn a_table_is_made_without_readings_that_contradict_their_repeats() {
 fn a_slack_or_a_gauge_off_its_zero() {
     let diagnosis = diagnosed("wire-steel");
     let [cause] = &diagnosis.missing[..] else { panic!("{:?}", physical(&diagnosis)) };
-    let others = cause.indistinguishable_from.iter().map(|d| d.name);
-    let class: Vec<&str> = others.chain([cause.effect.name]).collect();
+    let others = cause.indistinguishable_from.iter().map(|d| &*d.name);
+    let class: Vec<&str> = others.chain([&*cause.effect.name]).collect();
     assert!(class.contains(&"datum-offset") && class.contains(&"gap"), "{class:?}");
     assert!(cause.estimates.iter().all(|e| e.warnings.iter().all(|w| !w.contains("bound"))));
 }
@@ -122,7 +122,7 @@ fn a_cutter_wears_in_three_periods() {
     let [wear, offset, breakdown] = &physical(&diagnosis)[..] else { panic!("{:?}", physical(&diagnosis)) };
     assert_eq!((*wear, *breakdown), ("tool-wear", "tool-breakdown"));
     let offset = diagnosis.missing.iter().find(|m| m.effect.name == *offset).unwrap();
-    let class = offset.indistinguishable_from.iter().map(|d| d.name).chain([offset.effect.name]);
+    let class = offset.indistinguishable_from.iter().map(|d| &*d.name).chain([&*offset.effect.name]);
     assert!(class.collect::<Vec<_>>().contains(&"setting-error"));
 }
 

@@ -67,3 +67,23 @@ fn every_study_gives_the_number_of_its_header() {
     let share = 100.0 * numbers.acceptance.unwrap().share();
     assert!((share - stated).abs() < 0.0006, "{share} for {stated}");
 }
+
+#[test]
+fn tests_of_a_machine_are_the_same_whenever_they_are_read() {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/tailstock");
+    let read = || {
+        let each = ["shafts.toml", "tailstock.toml"].map(|name| Model::load(&directory.join(name)).unwrap());
+        Model::of_tests(each.into()).unwrap()
+    };
+    let (one, other) = (read(), read());
+    assert_eq!(one.process.observables(), other.process.observables());
+    assert_eq!(one.process.coordinates(), other.process.coordinates());
+    assert_eq!(one.process.effects(), other.process.effects());
+    assert_eq!(one.parameters, other.parameters);
+    let observables: Vec<&str> = one.process.observables().iter().map(|o| &*o.name).collect();
+    assert!(observables.contains(&"displacement of tailstock"), "{observables:?}");
+    // The process outlives the model that it was made with as long as somebody holds it.
+    let process = one.process.clone();
+    drop(one);
+    assert_eq!(process.effects(), other.process.effects());
+}

@@ -22,7 +22,7 @@ fn apart(meeting: &Meeting) -> [f64; 2] {
     let read = || -> Result<_, String> {
         let model = Model::parse(Source::new("pair.toml", meeting.model.clone())).map_err(|e| format!("{e:?}"))?;
         let source = Source::new("pair.csv", meeting.data.clone());
-        let measured = Measurements::parse(source, model.process).map_err(|e| format!("{e:?}"))?;
+        let measured = Measurements::parse(source, &*model.process).map_err(|e| format!("{e:?}"))?;
         let data = Data::of(&model, measured).map_err(|e| format!("{e:?}"))?;
         let residuals = compare(&data).map_err(|e| e.to_string())?.residuals;
         Ok((residuals, data.observed.clone(), data.rows.observable.to_vec()))
@@ -91,7 +91,8 @@ fn both_know_the_same_effects() {
     ];
     for (process, name) in processes {
         let own = fem::processes::ALL.iter().find(|own| own.name() == name).unwrap();
-        let mut known: Vec<&str> = own.effects().iter().map(|effect| effect.name).collect();
+        let effects = own.effects();
+        let mut known: Vec<&str> = effects.iter().map(|effect| &*effect.name).collect();
         let mut met: Vec<&str> = process.catalogue.iter().map(|(name, _)| *name).collect();
         known.sort_unstable();
         met.sort_unstable();

@@ -52,7 +52,8 @@ fn check(before: &Model, edited: &Model) {
 fn a_model_with_an_effect_more_is_the_model_of_its_text() {
     for process in ALL {
         let (mut added, mut refused) = (0, Vec::new());
-        let names = process.effects().into_iter().map(|effect| effect.name);
+        let of_process = process.effects();
+        let names = of_process.iter().map(|effect| &*effect.name);
         for name in names.chain(of_measurement::all().map(|effect| effect.name)) {
             let settings = match name {
                 "step" => vec![Setting { key: "from".into(), value: Entry::Rows(vec![3]) }],
@@ -71,9 +72,8 @@ fn a_model_with_an_effect_more_is_the_model_of_its_text() {
             added += 1;
         }
         // What is along a coordinate, by conditions or in a file has no meaning before somebody says which.
-        assert!(added >= process.effects().len() + 3, "{}: {refused:?}", process.name());
-        let of_process = process.effects();
-        assert!(of_process.iter().all(|effect| !refused.contains(&effect.name)), "{}: {refused:?}", process.name());
+        assert!(added >= of_process.len() + 3, "{}: {refused:?}", process.name());
+        assert!(of_process.iter().all(|effect| !refused.contains(&&*effect.name)), "{}: {refused:?}", process.name());
     }
 }
 
@@ -153,7 +153,7 @@ fn files_are_found_from_another_folder_whatever_was_edited() {
     std::fs::write(at("rod.toml"), start.replace(line, recorded)).unwrap();
     let model = Model::load(&at("rod.toml")).unwrap();
     let known = model.process.effects().into_iter().map(|effect| effect.name);
-    let more = known.filter_map(|name| add_effect(&model, name, &[]).ok()).next().unwrap();
+    let more = known.filter_map(|name| add_effect(&model, &name, &[]).ok()).next().unwrap();
     let there = at("new/rod.toml");
     for model in [model, more] {
         assert_eq!(model.text_at(&at("other.toml")), model.text());

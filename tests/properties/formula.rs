@@ -144,9 +144,8 @@ fn factor(unit: &str) -> f64 {
     Unit::parse(unit).unwrap().factor
 }
 
-/// Every number of a report in SI by a path: entries of figures, columns of tables, points of plots, fields
-/// of frames.
-fn numbers(twin: &Twin, effect: &str) -> Vec<(String, f64)> {
+/// The model of a twin with this effect.
+fn model(twin: &Twin, effect: &str) -> Model {
     // The starting model without its effects, which stand last.
     let start = || {
         let text = ALL.iter().find(|p| p.name() == twin.process).unwrap().starting_model();
@@ -154,8 +153,13 @@ fn numbers(twin: &Twin, effect: &str) -> Vec<(String, f64)> {
     };
     let own = format!("process = \"{}\"\n{}", twin.process, twin.model);
     let text = if twin.model.is_empty() { start() } else { own };
-    let model = Model::parse(Source::new("model.toml", format!("{text}\n{effect}"))).unwrap();
-    let report = model.run(&Progress::default()).unwrap().report;
+    Model::parse(Source::new("model.toml", format!("{text}\n{effect}"))).unwrap()
+}
+
+/// Every number of a report in SI by a path: entries of figures, columns of tables, points of plots, fields
+/// of frames.
+fn numbers(twin: &Twin, effect: &str) -> Vec<(String, f64)> {
+    let report = model(twin, effect).run(&Progress::default()).unwrap().report;
     let mut all = Vec::new();
     for figure in &report.figures {
         for (key, datum) in &figure.entries {
@@ -164,7 +168,7 @@ fn numbers(twin: &Twin, effect: &str) -> Vec<(String, f64)> {
     }
     for (name, table) in report.tables.iter().map(|(n, t)| (*n, t)).chain([("profile", &report.profile)]) {
         for column in &table.columns {
-            let unit = factor(column.unit.unwrap_or(""));
+            let unit = factor(&column.unit.unwrap_or_default());
             all.extend(column.values.iter().map(|v| (format!("{name}.csv/{}", column.name), unit * v)));
         }
     }
@@ -215,4 +219,31 @@ fn a_formula_reaches_every_figure() {
             assert!(near || a == b || (a.is_nan() && b.is_nan()), "{}: {path} is {a} and {b}", twin.process);
         }
     }
+}
+
+#[test]
+fn a_formula_is_the_same_whenever_it_is_read() {
+    for twin in TWINS {
+        let read = || model(twin, twin.formula);
+        let (one, other) = (read(), read());
+        assert!(one.effects.iter().any(|effect| effect.formula.is_some()), "{}", twin.process);
+        assert_eq!(one.effects, other.effects, "{}", twin.process);
+        // They share nothing: what is left of one does not hang on the other.
+        drop(other);
+        assert_eq!(one.effects, read().effects, "{}", twin.process);
+    }
+}
+
+#[test]
+fn a_unit_too_long_for_a_kind_is_refused() {
+    let stiffness = ALL.iter().find(|p| p.name() == "stiffness").unwrap().starting_model();
+    let read = |unit: &str| {
+        let own = format!("[effects.mine]\nformula = \"a*force\"\na = \"1 {unit}\"\n");
+        Model::parse(Source::new("model.toml", format!("{stiffness}\n{own}")))
+    };
+    assert_eq!(read("um/N").unwrap().effects.last().unwrap().description.parameters[0].kind.unit, "um/N");
+    let long = format!("um/N{}", "*m/m".repeat(20));
+    let problems = read(&long).map(|_| ()).unwrap_err().problems;
+    assert_eq!(problems.len(), 1, "{problems:?}");
+    assert_eq!(problems[0].message, "the unit of `a` has more than 47 bytes");
 }

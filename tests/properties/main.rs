@@ -55,7 +55,7 @@ fn beside(process: &dyn Process, effect: &Description) -> Vec<Active> {
 
 /// The first model that admits an effect, without its own effects.
 fn host<'a>(models: &'a [Model], effect: &Description) -> &'a Model {
-    models.iter().find(|m| m.system.admits(effect.name).is_ok()).unwrap()
+    models.iter().find(|m| m.system.admits(&effect.name).is_ok()).unwrap()
 }
 
 fn predict(model: &Model, effects: &[Active]) -> Vec<f64> {
@@ -84,7 +84,7 @@ fn a_neutral_effect_changes_nothing_and_a_plausible_one_something() {
 fn effects_act_in_any_order() {
     for process in ALL {
         for model in models(*process) {
-            let admitted = process.effects().into_iter().filter(|e| model.system.admits(e.name).is_ok());
+            let admitted = process.effects().into_iter().filter(|e| model.system.admits(&e.name).is_ok());
             let forward: Vec<Active> = admitted.map(|e| e.typical()).collect();
             let backward: Vec<Active> = forward.iter().rev().cloned().collect();
             let (a, b) = (predict(&model, &forward), predict(&model, &backward));
@@ -99,7 +99,7 @@ fn effects_act_in_any_order() {
 fn the_catalogue_is_complete_and_consistent() {
     for process in ALL {
         let effects = process.effects();
-        let names: HashSet<&str> = effects.iter().map(|e| e.name).collect();
+        let names: HashSet<&str> = effects.iter().map(|e| &*e.name).collect();
         assert_eq!(names.len(), effects.len(), "two effects share a name");
         for effect in &effects {
             assert!(effect.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", effect.name);
@@ -112,7 +112,7 @@ fn the_catalogue_is_complete_and_consistent() {
                 assert!(!difference.is_empty());
             }
             for p in &*effect.parameters {
-                assert!(Unit::parse(p.kind.unit).is_ok());
+                assert!(Unit::parse(&p.kind.unit).is_ok());
                 assert!(p.range.0 < p.range.1, "{}.{}", effect.name, p.name);
                 assert!(
                     p.example() >= p.range.0 && p.example() <= p.range.1,

@@ -21,7 +21,7 @@ fn effects_of_a_role_have_the_same_parameters() {
     for (role, effect) in &all {
         for (_, other) in all.iter().filter(|(same, _)| same == role) {
             let of = |d: &Description| {
-                d.parameters.iter().map(|p| (p.name, p.kind, p.neutral, p.bounds)).collect::<Vec<_>>()
+                d.parameters.iter().map(|p| (p.name.clone(), p.kind, p.neutral, p.bounds)).collect::<Vec<_>>()
             };
             assert_eq!(of(effect), of(other), "{} and {}", effect.name, other.name);
         }
@@ -56,7 +56,7 @@ fn a_tailstock_gives_way_alike_to_the_cut_and_to_a_test() {
         );
         Model::parse(Source::new("joint.toml", tables)).unwrap()
     };
-    let process = lathe.process;
+    let process = &*lathe.process;
     let at = |name: &str| process.coordinates().iter().position(|c| c.name == name).unwrap();
     let end = lathe.system.programme().columns[at("x")].iter().copied().fold(0.0, f64::max);
     let mut columns = vec![vec![f64::NAN]; process.coordinates().len()];

@@ -121,7 +121,7 @@ fn read_varying(t: &Reader, (parts, chosen): (&[ModelPart], &[usize]), name: &st
     let found: Vec<(usize, usize, Kind)> = chosen.iter().filter_map(|i| column(*i)).collect();
     let Some(&(first, at, kind)) = found.first() else {
         t.accept_any();
-        let quantities = |i: &usize| coordinates(*i).iter().filter(|c| c.holds.kind().is_some()).map(|c| c.name);
+        let quantities = |i: &usize| coordinates(*i).iter().filter(|c| c.holds.kind().is_some()).map(|c| &*c.name);
         let mut listed: Vec<&str> = chosen.iter().flat_map(quantities).collect();
         listed.sort_unstable();
         listed.dedup();

@@ -52,7 +52,7 @@ fn read_part(t: &Reader, broken: &RefCell<Option<InputError>>) -> Option<ModelPa
         t.optional_table("less", "the same, taken off", |t| t.accept_any());
         return None;
     };
-    let acting: Vec<&str> = model.effects.iter().map(|e| e.description.name).collect();
+    let acting: Vec<&str> = model.effects.iter().map(|e| &*e.description.name).collect();
     if let Some(unknown) = effect.as_deref().filter(|name| !acting.contains(name)) {
         let meant = did_you_mean(unknown, acting.iter().copied(), '`');
         let message = format!("{} has no effect `{unknown}`", model.source.name);
@@ -78,7 +78,7 @@ fn choose(t: &Reader, model: &Model, name: Option<&str>) -> usize {
         Some(name) => lengths().find(|i| observables[*i].name == name),
     };
     if chosen.is_none() {
-        let names: Vec<&str> = lengths().map(|i| observables[i].name).collect();
+        let names: Vec<&str> = lengths().map(|i| &*observables[i].name).collect();
         let message = format!("`{}` observes no such length", model.process.name());
         t.problem("observable", message, format!("a budget adds lengths up; known are {}", names.join(", ")));
     }
@@ -153,13 +153,15 @@ fn check(t: &Reader, model: &Model, rows: &Rows, key: impl Fn(usize) -> &'static
 
 /// Reads a coordinate; one that the programme runs over is not asked for.
 fn read_coordinate(t: &Reader, coordinate: &Coordinate, is_needed: bool) -> f64 {
-    let Coordinate { name, about, holds, absent, .. } = *coordinate;
+    let Coordinate { ref name, about, holds, absent, .. } = *coordinate;
     let given = match holds {
         Holds::Quantity(_) if absent == Absent::Refused && !is_needed => None,
-        Holds::Quantity(kind) if absent == Absent::Refused => Some(t.quantity(name, kind, about).required()),
-        Holds::Quantity(kind) => t.quantity(name, kind, about).optional(),
-        Holds::Number(first) => t.count(name, about).between(first as usize, usize::MAX).optional().map(|n| n as f64),
-        Holds::Word(words) => t.text(name, about).map(|word| match words.iter().position(|w| *w == word) {
+        Holds::Quantity(kind) if absent == Absent::Refused => Some(t.quantity(name.clone(), kind, about).required()),
+        Holds::Quantity(kind) => t.quantity(name.clone(), kind, about).optional(),
+        Holds::Number(first) => {
+            t.count(name.clone(), about).between(first as usize, usize::MAX).optional().map(|n| n as f64)
+        }
+        Holds::Word(words) => t.text(name.clone(), about).map(|word| match words.iter().position(|w| *w == word) {
             Some(position) => position as f64,
             None => {
                 let listed: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();

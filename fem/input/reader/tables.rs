@@ -4,7 +4,7 @@ use serde_json::json;
 use toml_edit::{Item, Value};
 
 use super::{Ground, Problem, Reader};
-use crate::input::did_you_mean;
+use crate::input::{Name, did_you_mean};
 
 /// Whether a table's name is a known one, or that of a further table of its kind: `zero-shift-2`.
 pub fn is_one_of(name: &str, known: &str) -> bool {
@@ -15,24 +15,25 @@ pub fn is_one_of(name: &str, known: &str) -> bool {
 /// The names that tables of the user's choice may have.
 pub struct Names<'n> {
     /// Those that are known, for the schema.
-    pub known: &'n [&'static str],
+    pub known: &'n [Name],
     /// The key that marks a table as the user's own.
     pub mark: &'static str,
     /// The name to keep, given one and whether its table is marked.
-    pub find: &'n dyn Fn(&str, bool) -> Result<&'static str, Problem>,
+    pub find: &'n dyn Fn(&str, bool) -> Result<Name, Problem>,
 }
 
 impl<'a> Reader<'a> {
     /// A table that must be there.
-    pub fn table<T>(&self, key: &'static str, about: &'static str, read: impl FnOnce(&Reader<'a>) -> T) -> T {
-        let ground = match self.item(key) {
-            Some(item) => self.ground_of(key, item, "a table"),
+    pub fn table<T>(&self, key: impl Into<Name>, about: &'static str, read: impl FnOnce(&Reader<'a>) -> T) -> T {
+        let key = key.into();
+        let ground = match self.item(key.clone()) {
+            Some(item) => self.ground_of(&key, item, "a table"),
             None => {
-                self.missing(key, &format!("[{key}]"), about);
+                self.missing(&key, &format!("[{key}]"), about);
                 Ground::Absent
             }
         };
-        self.read_child(key, about, ground, true, read)
+        self.read_child(&key, about, ground, true, read)
     }
 
     /// A table that may be left out.
@@ -128,7 +129,7 @@ impl<'a> Reader<'a> {
         key: &'static str,
         about: &'static str,
         names: Names,
-        read: impl Fn(&'static str, &Reader<'a>) -> T,
+        read: impl Fn(&Name, &Reader<'a>) -> T,
     ) -> Vec<T> {
         let item = self.item(key);
         let parent = match (&self.ground, item) {
@@ -138,11 +139,11 @@ impl<'a> Reader<'a> {
         };
         let mut values = Vec::new();
         for name in parent.names(&names) {
-            let ground = match parent.item(name) {
-                Some(item) => parent.ground_of(name, item, "a table"),
+            let ground = match parent.item(name.clone()) {
+                Some(item) => parent.ground_of(&name, item, "a table"),
                 None => Ground::Described,
             };
-            parent.read_child(name, about, ground, false, |reader| values.push(read(name, reader)));
+            parent.read_child(&name, about, ground, false, |reader| values.push(read(&name, reader)));
         }
         if matches!(self.ground, Ground::Described) {
             let schema = || {
@@ -170,7 +171,7 @@ impl<'a> Reader<'a> {
         known: &[&'static str],
         read: impl Fn(&'static str, &str, &Reader<'a>) -> T,
     ) -> Vec<T> {
-        let is_read = self.asked.borrow().contains(&key);
+        let is_read = self.asked.borrow().iter().any(|name| *name == key);
         let mut values = Vec::new();
         if matches!(self.ground, Ground::Described) {
             let parent = self.child(Ground::Described, key);
@@ -209,7 +210,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The names in the order in which the file has them (all that are known, where there is no file).
-    fn names(&self, names: &Names) -> Vec<&'static str> {
+    fn names(&self, names: &Names) -> Vec<Name> {
         let Ground::Given(table, _) = &self.ground else { return names.known.to_vec() };
         let mut found = Vec::new();
         for (name, item) in table.iter() {
@@ -258,21 +259,21 @@ impl<'a> Reader<'a> {
     /// table. In the schema it is an alternative to what has been described behind the key.
     pub(in crate::input) fn table_instead<T>(
         &self,
-        key: &'static str,
+        key: &Name,
         about: &str,
         read: impl FnOnce(&Reader<'a>) -> T,
     ) -> Option<T> {
         let ground = match &self.ground {
             Ground::Described => Ground::Described,
             Ground::Given(own, _) if own.get(key).is_some_and(Item::is_table_like) => {
-                self.ground_of(key, self.item(key)?, "a table")
+                self.ground_of(key, self.item(key.clone())?, "a table")
             }
             Ground::Given(..) | Ground::Absent => return None,
         };
         let reader = self.child(ground, key);
         let value = read(&reader);
         reader.finish();
-        if let Some(own) = self.shape.borrow_mut().properties.get_mut(key) {
+        if let Some(own) = self.shape.borrow_mut().properties.get_mut(key.as_str()) {
             *own = json!({ "description": about, "anyOf": [own.take(), reader.shape.take().into_schema(about)] });
         }
         Some(value)

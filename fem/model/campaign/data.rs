@@ -59,7 +59,7 @@ fn check(name: &str, measured: &[Measurements]) -> Result<(), InputError> {
 /// No rows yet, of no file.
 fn nothing(model: &Model, name: &str) -> Measurements {
     let columns = vec![Values::default(); model.process.coordinates().len()];
-    let planned = Measurements::planned(model.process, name, Rows { columns, observable: Values::default() });
+    let planned = Measurements::planned(&*model.process, name, Rows { columns, observable: Values::default() });
     Measurements { files: Vec::new(), given: Vec::new(), ..planned }
 }
 
@@ -78,7 +78,7 @@ fn append(all: &mut Measurements, campaign: &Campaign, test: usize, own: Measure
     all.lines.extend(own.lines.iter());
     for seen in own.observables {
         let position = layout.observable(test, seen.position);
-        let name = layout.observables[position].name;
+        let name = layout.observables[position].name.clone();
         let unit = own.header.iter().find(|cell| name_and_unit(cell).0 == seen.name).map(|cell| name_and_unit(cell).1);
         all.header.push(format!("{name} [{}]", unit.unwrap_or_default()));
         all.observables.push(MeasuredObservable { position, name, ..seen });
@@ -93,7 +93,7 @@ fn append(all: &mut Measurements, campaign: &Campaign, test: usize, own: Measure
 /// particular is said of each of the test's.
 fn placed(campaign: &Campaign, test: usize, term: &Term, own: &Data, first: usize) -> Vec<Term> {
     let rows: Vec<usize> = term.rows.iter().map(|row| row + first).collect();
-    let term = Term { rows, ..campaign.layout.term(test, campaign.tests[test].name, term) };
+    let term = Term { rows, ..campaign.layout.term(test, &campaign.tests[test].name, term) };
     if term.observable.is_some() || matches!(term.effect.acts, Acts::Weighs) {
         return vec![term];
     }

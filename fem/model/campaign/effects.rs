@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 use super::layout::Layout;
-use crate::input::{Parameter, Problem};
+use crate::input::{Name, Parameter, Problem};
 use crate::model::Model;
-use crate::process::{Active, Belongs, Description, UnitRole, formula_effect};
+use crate::process::{Active, Belongs, Description, UnitRole};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// An effect as it acts in the tests of one machine.
@@ -28,17 +28,17 @@ pub enum Acting {
 
 /// Key under which effects of several tests are one.
 #[derive(Clone, Debug, PartialEq)]
-enum Identity {
+enum Identity<'m> {
     /// Of one test.
-    Own(usize, &'static str),
+    Own(usize, Name),
     /// Of the machine, as tests of a process see it.
-    OfMachine(&'static str, &'static str),
+    OfMachine(&'static str, Name),
     /// Of a unit of the machine.
-    OfUnit(&'static str, UnitRole),
+    OfUnit(&'m str, UnitRole),
 }
 
 /// The effects of tests, in the order in which they are met.
-pub fn gather(names: &[&'static str], models: &[Model], layout: &Layout) -> Vec<Shared> {
+pub fn gather(names: &[Name], models: &[Model], layout: &Layout) -> Vec<Shared> {
     let mut all: Vec<(Identity, Shared)> = Vec::new();
     for (test, own) in catalogues(models) {
         let identity = identity(test, &models[test], &own);
@@ -67,7 +67,7 @@ pub fn gather(names: &[&'static str], models: &[Model], layout: &Layout) -> Vec<
 fn catalogues(models: &[Model]) -> Vec<(usize, Description)> {
     let of_model = |(test, model): (usize, &Model)| {
         let formulas = model.effects.iter().filter(|e| e.formula.is_some()).map(|e| e.description.clone());
-        let known = model.process.effects().into_iter().filter(|own| model.system.admits(own.name).is_ok());
+        let known = model.process.effects().into_iter().filter(|own| model.system.admits(&own.name).is_ok());
         known.chain(formulas).map(|own| (test, own)).collect::<Vec<_>>()
     };
     let all = models.iter().enumerate().flat_map(of_model);
@@ -75,37 +75,38 @@ fn catalogues(models: &[Model]) -> Vec<(usize, Description)> {
     [others, tested].concat()
 }
 
-fn identity(test: usize, model: &Model, own: &Description) -> Identity {
+fn identity<'m>(test: usize, model: &'m Model, own: &Description) -> Identity<'m> {
     match own.belongs {
-        Belongs::Test => Identity::Own(test, own.name),
-        Belongs::Machine => Identity::OfMachine(model.process.name(), own.name),
+        Belongs::Test => Identity::Own(test, own.name.clone()),
+        Belongs::Machine => Identity::OfMachine(model.process.name(), own.name.clone()),
         Belongs::Unit(unit, role) => Identity::OfUnit(unit, role),
-        Belongs::Tested(role) => {
-            model.system.unit().map_or(Identity::Own(test, own.name), |unit| Identity::OfUnit(unit, role))
-        }
+        Belongs::Tested(role) => model
+            .system
+            .unit()
+            .map_or_else(|| Identity::Own(test, own.name.clone()), |unit| Identity::OfUnit(unit, role)),
     }
 }
 
 /// An effect as it is told among those of all tests.
 fn described(identity: &Identity, own: &Description, test: usize, layout: &Layout) -> Description {
     let name = match (identity, own.belongs) {
-        (Identity::OfUnit(unit, _), Belongs::Tested(_)) => formula_effect::name(&format!("{unit}-{}", own.name)),
-        _ => own.name,
+        (Identity::OfUnit(unit, _), Belongs::Tested(_)) => format!("{unit}-{}", own.name).into(),
+        _ => own.name.clone(),
     };
     let parameters = own.parameters.iter().map(|p| {
-        let along = p.along.and_then(|along| layout.named(test, along));
+        let along = p.along.as_ref().and_then(|along| layout.named(test, along));
         crate::process::Parameter { along, ..p.clone() }
     });
     Description { name, parameters: parameters.collect(), ..own.clone() }
 }
 
 /// Gives effects of the same name, which are not one, the names of their tests as well.
-fn name_apart(effects: &mut [Shared], names: &[&'static str]) {
-    let all: Vec<&'static str> = effects.iter().map(|e| e.description.name).collect();
+fn name_apart(effects: &mut [Shared], names: &[Name]) {
+    let all: Vec<Name> = effects.iter().map(|e| e.description.name.clone()).collect();
     for effect in effects {
-        let name = effect.description.name;
-        if let (true, Some((test, _))) = (all.iter().filter(|n| **n == name).count() > 1, effect.acts.first()) {
-            effect.description.name = formula_effect::name(&format!("{name}-{}", names[*test]));
+        let name = &effect.description.name;
+        if let (true, Some((test, _))) = (all.iter().filter(|n| *n == name).count() > 1, effect.acts.first()) {
+            effect.description.name = format!("{name}-{}", names[*test]).into();
         }
     }
 }

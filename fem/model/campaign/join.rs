@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use super::effects;
 use super::layout::Layout;
-use super::system::{self, Whole};
+use super::system::Whole;
 use super::test::{Campaign, Test, origins};
-use crate::input::{Kept, Parameter, Problem, Source};
+use crate::input::{Kept, Name, Parameter, Problem, Source};
 use crate::model::tables::Tables;
-use crate::model::{Model, places};
-use crate::process::{Active, formula_effect};
+use crate::model::{Model, ModelProcess, places};
+use crate::process::Active;
 
 impl Model {
     /// Tests of one machine, each with a model, as one model.
@@ -21,7 +21,7 @@ impl Model {
     pub fn of_tests(models: Vec<Self>) -> Result<Self, Problem> {
         check_machine(&models)?;
         let names = names(&models);
-        let layout = Layout::new(&names.iter().copied().zip(models.iter().map(|m| m.process)).collect::<Vec<_>>());
+        let layout = Layout::new(names.iter().zip(models.iter().map(|m| &*m.process)));
         let shared = effects::gather(&names, &models, &layout);
         let (mut active, mut parameters): (Vec<Active>, Vec<Parameter>) = (Vec::new(), Vec::new());
         for effect in &shared {
@@ -37,15 +37,15 @@ impl Model {
         let each = names.iter().enumerate();
         let origins = each.map(|(test, name)| origins((test, name), &models, &shared, &mut parameters));
         let origins = origins.collect::<Result<Vec<_>, Problem>>()?;
-        let tests = names.iter().zip(models).zip(origins).map(|((name, model), origins)| Test { name, model, origins });
+        let tests =
+            names.into_iter().zip(models).zip(origins).map(|((name, model), origins)| Test { name, model, origins });
         let tests: Vec<Test> = tests.collect();
         let files: Vec<String> = tests.iter().map(|test| test.model.source.name.to_string()).collect();
-        let process = system::process(&layout, &shared);
         let campaign = Arc::new(Campaign { tests, effects: shared, layout });
         Ok(Self {
             source: Source::new(files.join(" and "), ""),
             title: None,
-            process,
+            process: ModelProcess::Tests(campaign.clone()),
             system: Arc::new(Whole(campaign.clone())),
             measurement,
             places: places(&parameters, &active, &[]),
@@ -64,12 +64,12 @@ impl Model {
 }
 
 /// Names of tests: those of their files, made apart.
-fn names(models: &[Model]) -> Vec<&'static str> {
-    let mut names: Vec<&'static str> = Vec::new();
+fn names(models: &[Model]) -> Vec<Name> {
+    let mut names: Vec<Name> = Vec::new();
     for model in models {
         let stem = model.stem().to_string_lossy().replace(|c: char| !c.is_alphanumeric() && c != '_', "-");
         let further = (2..).map(|number| format!("{stem}-{number}"));
-        let mut all = std::iter::once(stem.clone()).chain(further).map(|name| formula_effect::name(&name));
+        let mut all = std::iter::once(stem.clone()).chain(further).map(Name::from);
         names.extend(all.find(|name| !names.contains(name)));
     }
     names

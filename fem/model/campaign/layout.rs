@@ -1,7 +1,8 @@
 //! Where the rows of each test stand among those of all.
 
+use crate::input::Name;
 use crate::noise::Term;
-use crate::process::{Absent, Coordinate, Observable, Process, Rows, Values, formula_effect};
+use crate::process::{Absent, Coordinate, Observable, Process, Rows, Values};
 
 /// The observables of all tests, each test's its own, and the union of their coordinates.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,14 +19,14 @@ pub struct Layout {
 
 impl Layout {
     /// The layout of tests, given their names and processes.
-    pub fn new(tests: &[(&'static str, &'static dyn Process)]) -> Self {
+    pub fn new<'t>(tests: impl IntoIterator<Item = (&'t Name, &'t dyn Process)>) -> Self {
         let mut layout = Self { observables: Vec::new(), first: vec![0], coordinates: Vec::new(), columns: Vec::new() };
         for (test, process) in tests {
             let first = layout.observables.len();
             let own = process.observables().iter().map(|o| Observable {
-                name: formula_effect::name(&format!("{} of {test}", o.name)),
-                words: formula_effect::name(&format!("{} of {test}", o.words)),
-                ..*o
+                name: format!("{} of {test}", o.name).into(),
+                words: format!("{} of {test}", o.words).into(),
+                kind: o.kind,
             });
             layout.observables.extend(own);
             layout.first.push(layout.observables.len());
@@ -37,18 +38,18 @@ impl Layout {
 
     /// Number of a coordinate of a test, whose observables begin at `first`: one that is there, or a new one.
     fn column(&mut self, own: &Coordinate, first: usize, process: &str) -> usize {
-        let is_same = |c: &Coordinate| (c.name, c.holds, c.repeats) == (own.name, own.holds, own.repeats);
+        let is_same = |c: &Coordinate| (&c.name, c.holds, c.repeats) == (&own.name, own.holds, own.repeats);
         if let Some(same) = self.coordinates.iter().position(is_same) {
             return same;
         }
         let is_taken = self.coordinates.iter().any(|c| c.name == own.name);
-        let name = if is_taken { formula_effect::name(&format!("{} of {process}", own.name)) } else { own.name };
+        let name = if is_taken { format!("{} of {process}", own.name).into() } else { own.name.clone() };
         let absent = match own.absent {
             Absent::NeededBy(observable) => Absent::NeededBy(first + observable),
             Absent::ModelOf(observable) => Absent::ModelOf(first + observable),
             other => other,
         };
-        self.coordinates.push(Coordinate { name, absent, actual: own.actual.map(|o| first + o), ..*own });
+        self.coordinates.push(Coordinate { name, absent, actual: own.actual.map(|o| first + o), ..own.clone() });
         self.coordinates.len() - 1
     }
 
@@ -69,10 +70,11 @@ impl Layout {
     }
 
     /// Name, among the coordinates of all tests, of a test's own coordinate.
-    pub fn named(&self, test: usize, own: &str) -> Option<&'static str> {
-        let columns = self.columns[test].iter().map(|number| self.coordinates[*number].name);
-        let is_own = |name: &&str| *name == own || name.strip_prefix(own).is_some_and(|rest| rest.starts_with(" of "));
-        columns.into_iter().find(is_own)
+    pub fn named(&self, test: usize, own: &str) -> Option<Name> {
+        let mut columns = self.columns[test].iter().map(|number| &self.coordinates[*number].name);
+        let is_own =
+            |name: &&Name| **name == *own || name.strip_prefix(own).is_some_and(|rest| rest.starts_with(" of "));
+        columns.find(is_own).cloned()
     }
 
     /// The rows of a test among all of these, by their numbers, and as its process knows them.

@@ -1,10 +1,8 @@
 //! Several tests as one process and one system.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
-use super::effects::Shared;
 use super::forward::Together;
-use super::layout::Layout;
 use super::test::{Campaign, Test};
 use crate::input::Reader;
 use crate::process::{
@@ -12,38 +10,7 @@ use crate::process::{
     Observable, Places, Positioning, Process, Rows, Spot, System, UnitRole,
 };
 
-/// Observables, coordinates and effects of several tests: a process in all but a file of its own.
-#[derive(Clone, Debug, PartialEq)]
-struct Signature {
-    observables: &'static [Observable],
-    coordinates: &'static [Coordinate],
-    effects: Vec<Description>,
-}
-
-/// Signatures that were asked for. Processes are constants, and so these live as long as the program, each once
-/// however often its tests are read.
-static KNOWN: Mutex<Vec<&'static Signature>> = Mutex::new(Vec::new());
-
-/// The process that tests make together.
-pub fn process(layout: &Layout, effects: &[Shared]) -> &'static dyn Process {
-    let effects: Vec<Description> = effects.iter().map(|e| e.description.clone()).collect();
-    // A panic while the list was held leaves it whole: entries are added in one step each.
-    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    let is_same = |other: &&&Signature| {
-        (other.observables, other.coordinates) == (&layout.observables[..], &layout.coordinates[..])
-            && other.effects == effects
-    };
-    if let Some(same) = known.iter().find(is_same) {
-        return *same;
-    }
-    let observables = layout.observables.clone().leak();
-    let kept: &'static Signature =
-        Box::leak(Box::new(Signature { observables, coordinates: layout.coordinates.clone().leak(), effects }));
-    known.push(kept);
-    kept
-}
-
-impl Process for Signature {
+impl Process for Campaign {
     fn name(&self) -> &'static str {
         "tests of one machine"
     }
@@ -52,12 +19,12 @@ impl Process for Signature {
         "several tests of one machine"
     }
 
-    fn observables(&self) -> &'static [Observable] {
-        self.observables
+    fn observables(&self) -> &[Observable] {
+        &self.layout.observables
     }
 
-    fn coordinates(&self) -> &'static [Coordinate] {
-        self.coordinates
+    fn coordinates(&self) -> &[Coordinate] {
+        &self.layout.coordinates
     }
 
     fn starting_model(&self) -> &'static str {
@@ -65,7 +32,7 @@ impl Process for Signature {
     }
 
     fn effects(&self) -> Vec<Description> {
-        self.effects.clone()
+        self.effects.iter().map(|effect| effect.description.clone()).collect()
     }
 
     fn of_unit(&self) -> &'static [(&'static str, UnitRole)] {
@@ -155,7 +122,7 @@ impl System for Whole {
             all.extend(test.model.system.candidate_experiments(&own).into_iter().map(|experiment| {
                 CandidateExperiment {
                     words: format!("{}: {}", test.file(), experiment.words),
-                    coordinate: layout.named(number, experiment.coordinate).unwrap_or(experiment.coordinate),
+                    coordinate: layout.named(number, &experiment.coordinate).unwrap_or(experiment.coordinate),
                     rows: layout.among_all(number, &experiment.rows),
                     ..experiment
                 }
@@ -164,7 +131,7 @@ impl System for Whole {
         all
     }
 
-    fn unit(&self) -> Option<&'static str> {
+    fn unit(&self) -> Option<&str> {
         None
     }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::effects::{Acting, Shared, agreed_of_unit};
 use super::forward::Together;
 use super::layout::Layout;
-use crate::input::{Parameter, ParameterId, Problem};
+use crate::input::{Name, Parameter, ParameterId, Problem};
 use crate::model::Model;
 use crate::noise::MEASUREMENT;
 use crate::process::{Active, Description, Failure, ForwardModel};
@@ -24,7 +24,7 @@ pub struct Campaign {
 /// One of several tests of a machine.
 pub struct Test {
     /// Its name: that of its model without folder and ending, or the next that is free.
-    pub name: &'static str,
+    pub name: Name,
     /// Its model.
     pub model: Model,
     /// Where each of the model's parameters has its value from.
@@ -59,9 +59,9 @@ impl Campaign {
     }
 
     /// Name within its test of an observable, given by its number among all tests.
-    pub fn name_in_test(&self, observable: usize) -> &'static str {
+    pub fn name_in_test(&self, observable: usize) -> &str {
         let (test, own) = self.layout.own_observable(observable);
-        self.tests[test].model.process.observables()[own].name
+        &self.tests[test].model.process.observables()[own].name
     }
 
     /// The tests with these parameters, SI, and effects.
@@ -93,7 +93,7 @@ impl Campaign {
         let own = |active: &Active| {
             let description = match active.description.table {
                 MEASUREMENT => self.own_reading(test, active)?,
-                _ => match self.effect(active.description.name)?.in_test(test)? {
+                _ => match self.effect(&active.description.name)?.in_test(test)? {
                     Acting::Effect(own) => own.clone(),
                     Acting::Quantity(_) => return None,
                 },
@@ -106,10 +106,10 @@ impl Campaign {
     /// Effect of an instrument on a test, with the observable as the test's process names it; `None` where it is
     /// another test's.
     fn own_reading(&self, test: usize, reading: &Active) -> Option<Description> {
-        let Some(name) = reading.description.observable else { return Some(reading.description.clone()) };
-        let number = self.layout.observables.iter().position(|o| o.name == name)?;
+        let Some(name) = &reading.description.observable else { return Some(reading.description.clone()) };
+        let number = self.layout.observables.iter().position(|o| o.name == *name)?;
         let (of, own) = self.layout.own_observable(number);
-        let observable = Some(self.tests[test].model.process.observables().get(own)?.name);
+        let observable = Some(self.tests[test].model.process.observables().get(own)?.name.clone());
         (of == test).then(|| Description { observable, ..reading.description.clone() })
     }
 }

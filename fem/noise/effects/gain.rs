@@ -6,7 +6,7 @@ use crate::process::Parameter;
 use crate::units::Kind;
 
 /// Kind of the factor: the example is a scale that shows two per cent too much.
-const FACTOR: Kind = Kind { name: "a pure number", unit: "", usual: "1.02" };
+const FACTOR: Kind = Kind::new("a pure number", "", "1.02");
 
 /// A scale that is off by a fifth is broken rather than out of adjustment.
 static OFF: Parameter = Parameter::factor("factor", FACTOR, "what the instrument shows over what there is", (0.8, 1.2));

@@ -45,6 +45,6 @@ fn unit(seen: &MeasuredObservable) -> Unit {
 /// K.
 fn names(seen: &MeasuredObservable, several: bool) -> [String; 2] {
     let of = if several { format!("_{}", seen.name) } else { String::new() };
-    let residual = if unit(seen).offset == 0.0 { &seen.unit } else { seen.kind.unit };
+    let residual = if unit(seen).offset == 0.0 { &*seen.unit } else { &*seen.kind.unit };
     [format!("predicted{of} [{}]", seen.unit), format!("residual{of} [{residual}]")]
 }

@@ -43,7 +43,7 @@ pub fn json(data: &Data, c: &Compensation, supplied: &[Supplied]) -> Json {
         "agreement": { "rms": um(c.model.rms), "adequate": c.model.adequate, "fitted": c.model.fitted },
         "cautions": c.cautions,
         "wrong_readings": c.wrong_readings.iter().map(wrong).collect::<Vec<_>>(),
-        "measurement": measurement::json(&data.terms, data.model.process, Some(data)),
+        "measurement": measurement::json(&data.terms, &*data.model.process, Some(data)),
     });
     if supplied.iter().any(|s| s.is_asked) {
         all["controls"] = supplied.iter().map(control).collect();

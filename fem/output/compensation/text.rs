@@ -26,7 +26,7 @@ pub fn text(data: &Data, c: &Compensation, supplied: &[Supplied]) -> String {
     for cause in &c.causes {
         let _ = writeln!(text, "  {}\n    {}", cause.finding, cause.remedy);
     }
-    let own = measurement::at_work(&data.model.source.name, &data.terms, data.model.process, Some(data));
+    let own = measurement::at_work(&data.model.source.name, &data.terms, &*data.model.process, Some(data));
     if !own.is_empty() {
         let _ = write!(text, "\n{own}");
     }

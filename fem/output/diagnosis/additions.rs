@@ -19,7 +19,7 @@ pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Vec<Setting
     let mut addition = |missing: &Missing| {
         let name = match &missing.cause {
             Cause::Physical => missing.effect.name.to_string(),
-            Cause::Measurement { .. } => data.model.free_table(missing.effect.name, &names),
+            Cause::Measurement { .. } => data.model.free_table(&missing.effect.name, &names),
         };
         names.push(name.clone());
         (name, settings(missing, &diagnosis.fit))
@@ -35,10 +35,10 @@ pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     let setting = |key: &str, value: Entry| Setting { key: key.into(), value };
     let text = |key: &str, value: String| setting(key, Entry::Text(value));
     let by = (!by.is_empty()).then(|| setting("by", Entry::Words(by.iter().map(ToString::to_string).collect())));
-    let observable = observable.map(|name| text("observable", name.into()));
+    let observable = observable.as_ref().map(|name| text("observable", name.to_string()));
     let rows = if from_line.is_some() { "from" } else { "rows" };
     let rows = (!records.is_empty()).then(|| setting(rows, Entry::Rows(records.clone())));
-    let along = along.map(|name| text("along", name.into()));
+    let along = along.as_ref().map(|name| text("along", name.to_string()));
     let level = effect.beside.map(|other| text(other.size.key(), "0 um".into()));
     let period = period.map(|(si, kind)| text("period", format!("{:.6} {}", Short(kind.from_si(si)), kind.unit)));
     let texts = [by, along, period, observable, rows, level].into_iter().flatten();

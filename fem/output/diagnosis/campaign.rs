@@ -13,10 +13,10 @@ use crate::noise::{Acts, time_of};
 use crate::units::Kind;
 
 /// How well an observable of a test fits, in its kind.
-struct TestFit {
+struct TestFit<'d> {
     model: String,
     data: String,
-    observable: &'static str,
+    observable: &'d str,
     kind: Kind,
     rows: usize,
     before: f64,
@@ -25,7 +25,7 @@ struct TestFit {
 }
 
 /// The fit of every observable of every test, without rows that are wrong by themselves.
-fn test_fits(data: &Data, d: &Diagnosis) -> Vec<TestFit> {
+fn test_fits<'d>(data: &'d Data, d: &Diagnosis) -> Vec<TestFit<'d>> {
     let Some(campaign) = &data.model.campaign else { return Vec::new() };
     let some = thinned(data);
     let used = some.as_ref().unwrap_or(data);
@@ -70,7 +70,7 @@ pub fn fits(text: &mut String, data: &Data, d: &Diagnosis) {
 fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usize, Option<&'c Acting>)> {
     match &missing.cause {
         Cause::Physical => {
-            let shared = campaign.effect(missing.effect.name);
+            let shared = campaign.effect(&missing.effect.name);
             shared.map_or(Vec::new(), |shared| shared.acts.iter().map(|(test, acting)| (*test, Some(acting))).collect())
         }
         Cause::Measurement { observable: Some(name), .. } => {
@@ -78,7 +78,7 @@ fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usiz
             seen.map(|seen| (campaign.number_of(seen.position), None)).into_iter().collect()
         }
         Cause::Measurement { effect, records, .. } => {
-            let has_time = |test: usize| time_of(campaign.tests[test].model.process).is_some();
+            let has_time = |test: usize| time_of(&*campaign.tests[test].model.process).is_some();
             let all = (0..campaign.tests.len()).filter(|test| match records[..] {
                 [] => !matches!(effect.acts, Acts::Times(_)) || has_time(*test),
                 _ => records.iter().any(|record| file_of(data, *record).0 == *test),
@@ -121,10 +121,10 @@ pub fn commands(text: &mut String, campaign: &Campaign, data: &Data, d: &Diagnos
                     let value = all.first().map_or(String::new(), |setting| setting.value.to_string());
                     by_hand.push((test, format!("{path} = \"{value}\"")));
                 }
-                Some(Acting::Effect(own)) => files[test] = add(text, &files[test], own.name, &all),
+                Some(Acting::Effect(own)) => files[test] = add(text, &files[test], &own.name, &all),
                 None => {
                     let names = tables.entry(test).or_default();
-                    let name = model.free_table(missing.effect.name, names);
+                    let name = model.free_table(&missing.effect.name, names);
                     names.push(name.clone());
                     files[test] = add(text, &files[test], &name, &in_test(campaign, data, test, &all));
                 }
@@ -180,9 +180,9 @@ pub fn extend(all: &mut Json, campaign: &Campaign, data: &Data, d: &Diagnosis) {
     for (number, missing) in d.missing.iter().enumerate() {
         let place = |(test, acting): (usize, Option<&Acting>)| {
             let (own, path) = match acting {
-                Some(Acting::Effect(own)) => (Some(own.name), None),
+                Some(Acting::Effect(own)) => (Some(&own.name), None),
                 Some(Acting::Quantity(path)) => (None, Some(*path)),
-                None => (Some(missing.effect.name), None),
+                None => (Some(&missing.effect.name), None),
             };
             json!({ "model": &*campaign.tests[test].model.source.name, "effect": own, "quantity": path })
         };

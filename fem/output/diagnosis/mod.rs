@@ -49,7 +49,7 @@ pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
         "observations_used": d.rows,
         "cautions": d.cautions,
         "noise": super::comparison::noise(&d.noise, kind),
-        "measurement": super::measurement::json(&data.terms, data.model.process, Some(data)),
+        "measurement": super::measurement::json(&data.terms, &*data.model.process, Some(data)),
         "before": goodness(&d.before, kind),
         "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
         "verdict": d.verdict.word(),
@@ -122,13 +122,13 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "along": measurement.map(|m| m.5),
         "period": measurement.and_then(|m| *m.6).map(|(period, kind)| json!({ "value": kind.from_si(period), "unit": kind.unit })),
         "separated_by": measurement.map(|m| m.0.separates),
-        "known_as": measurement.and_then(|m| curve(m.0, m.1, data.model.process)).map(|c| c.0),
+        "known_as": measurement.and_then(|m| curve(m.0, m.1, &*data.model.process)).map(|c| c.0),
         "rms_after": kind.from_si(missing.goodness.rms),
         "chi2_per_dof_after": finite(missing.goodness.reduced_chi2),
         "held_out_after": missing.goodness.cross_validation.filter(|h| h.is_finite()),
         "p_value": missing.p_value,
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
-        "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| e.name).collect::<Vec<_>>(),
+        "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "bend": missing.bend.as_ref().map(|b| json!({ "along": b.along, "share": b.share })),
     })
 }
@@ -169,7 +169,7 @@ fn said_to_separate(d: &Diagnosis) -> Option<Json> {
     let (a, b, by) = told.into_iter().next()?;
     Some(json!({
         "text": by, "coordinate": null, "values": [], "unit": "", "observations": null, "repeats": null,
-        "separation": null, "enough": null, "separates": [[a.name, b.name]],
+        "separation": null, "enough": null, "separates": [[&a.name, &b.name]],
     }))
 }
 
@@ -181,12 +181,12 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
         "text": next.experiment.words,
         "coordinate": next.experiment.coordinate,
         "values": next.experiment.values.iter().map(|v| kind.map_or(*v, |k| k.from_si(*v))).collect::<Vec<_>>(),
-        "unit": kind.map_or("", |k| k.unit),
+        "unit": kind.map(|k| k.unit).unwrap_or_default(),
         "observations": next.observations(),
         "repeats": next.repeats,
         "separation": next.separation,
         "enough": next.enough,
-        "separates": next.pairs.iter().map(|(a, b)| json!([a.name, b.name])).collect::<Vec<_>>(),
+        "separates": next.pairs.iter().map(|(a, b)| json!([&a.name, &b.name])).collect::<Vec<_>>(),
     })
 }
 

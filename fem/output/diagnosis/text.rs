@@ -19,7 +19,7 @@ pub fn text(data: &Data, diagnosis: &Diagnosis, columns: usize) -> String {
     let noise = comparison::noise_text(&d.noise, data);
     let mut text =
         format!("{} against {}: {} observations, noise {noise}\n", data.model.source.name, data.name, data.len());
-    text.push_str(&measurement::at_work(&data.model.source.name, &data.terms, data.model.process, Some(data)));
+    text.push_str(&measurement::at_work(&data.model.source.name, &data.terms, &*data.model.process, Some(data)));
     if let Some(machine) = data.model.machine.as_ref().filter(|_| data.model.campaign.is_some()) {
         let name = machine.name.as_ref().map_or(String::new(), |name| format!(", {name}"));
         let _ = writeln!(text, "tests of one machine: {}{name}", machine.path.display());
@@ -58,7 +58,7 @@ fn structure_remains(d: &Diagnosis) -> bool {
 }
 
 pub fn verdict(d: &Diagnosis) -> String {
-    let names = d.missing.iter().map(|m| m.effect.name).collect::<Vec<_>>().join(", ");
+    let names = d.missing.iter().map(|m| &*m.effect.name).collect::<Vec<_>>().join(", ");
     match d.verdict {
         Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
         Verdict::MissingEffect => {
@@ -98,8 +98,8 @@ pub fn label(missing: &Missing) -> String {
     match &missing.cause {
         Cause::Physical => missing.effect.name.to_string(),
         Cause::Measurement { by, observable, along, period, .. } => {
-            let of = observable.map_or(String::new(), |name| format!(" of {name}"));
-            let along = along.map_or(String::new(), |name| format!(" along {name}"));
+            let of = observable.clone().map_or(String::new(), |name| format!(" of {name}"));
+            let along = along.clone().map_or(String::new(), |name| format!(" along {name}"));
             let period = period.map_or(String::new(), |(period, kind)| {
                 format!(", once in {:.4} {}", Short(kind.from_si(period)), kind.unit)
             });
@@ -132,7 +132,7 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
     }
     let _ = writeln!(text, "  {}", chance(missing.p_value));
     if let Some(bend) = &missing.bend {
-        let along = bend.along.map_or("with its own size".into(), |name| format!("along {name}"));
+        let along = bend.along.clone().map_or("with its own size".into(), |name| format!("along {name}"));
         let share = 100.0 * bend.share;
         let _ = writeln!(text, "  its shape is not wholly this law: it bends {along}, by up to {share:.0} % of itself");
     }
@@ -141,7 +141,7 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
         let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.label());
     }
     if let Cause::Measurement { effect, by, records, from, .. } = &missing.cause {
-        if let Some((name, about)) = measurement::curve(effect, by, data.model.process) {
+        if let Some((name, about)) = measurement::curve(effect, by, &*data.model.process) {
             let _ = writeln!(text, "  in this process a {name}: {about}");
         }
         if let Some(place) = from {
@@ -174,18 +174,18 @@ fn outlying(text: &mut String, records: &[usize], data: &Data, d: &Diagnosis) {
 /// Finds what would separate two effects by the catalogue.
 pub fn separated(one: &Description, other: &Description) -> Option<&'static str> {
     let said = |a: &Description, b: &str| a.look_alikes.iter().find(|l| l.0 == b).map(|l| l.1);
-    let of_measurement = |d: &Description| measurement::entry_named(d.name).map(|effect| effect.separates);
-    let of_one = said(one, other.name).or_else(|| said(other, one.name));
+    let of_measurement = |d: &Description| measurement::entry_named(&d.name).map(|effect| effect.separates);
+    let of_one = said(one, &other.name).or_else(|| said(other, &one.name));
     of_one.or_else(|| of_measurement(one)).or_else(|| of_measurement(other))
 }
 
 /// Pairs of a cause and what cannot be told from it of which one is the measurement's, with what the catalogue
 /// says would separate them.
-pub fn separated_pairs(d: &Diagnosis) -> Vec<(&'static str, &'static str, &'static str)> {
+pub fn separated_pairs(d: &Diagnosis) -> Vec<(&str, &str, &'static str)> {
     let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |other| (&m.effect, other)));
     let is_one =
-        |(a, b): &(&Description, &Description)| [a, b].iter().any(|d| measurement::entry_named(d.name).is_some());
-    pairs.filter(is_one).filter_map(|(a, b)| Some((a.name, b.name, separated(a, b)?))).collect()
+        |(a, b): &(&Description, &Description)| [a, b].iter().any(|d| measurement::entry_named(&d.name).is_some());
+    pairs.filter(is_one).filter_map(|(a, b)| Some((&*a.name, &*b.name, separated(a, b)?))).collect()
 }
 
 /// Writes the p-value of an effect.
@@ -205,7 +205,7 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
         .zip(std::iter::once(&d.before).chain(d.missing.iter().map(|m| &m.goodness)))
         .collect();
     let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0).max(5);
-    let held = d.cross_validation_by.map_or(String::new(), |by| format!("held out by {by}"));
+    let held = d.cross_validation_by.clone().map_or(String::new(), |by| format!("held out by {by}"));
     let _ = writeln!(text, "\n  {:<width$} {:>11} {:>11}   {held}", "model", "rms", "chi2/dof");
     let sigma = kind.from_si(d.noise.together());
     for (label, goodness) in lines {
@@ -222,7 +222,7 @@ fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
 pub fn unexplained(data: &Data, d: &Diagnosis) -> String {
     match &d.remaining[..] {
         [] if !d.suspects.is_empty() => {
-            let all = d.suspects.iter().map(|term| measurement::words(term, data.model.process, Some(data)));
+            let all = d.suspects.iter().map(|term| measurement::words(term, &*data.model.process, Some(data)));
             format!("the noise is not what it is taken for: the rows ask for {}", all.collect::<Vec<_>>().join("; "))
         }
         [] if d.after.is_as_noise() => "nothing but noise beside what is described and not explained".into(),
@@ -236,7 +236,7 @@ pub fn unexplained(data: &Data, d: &Diagnosis) -> String {
 fn own_effect(text: &mut String, data: &Data, d: &Diagnosis) {
     let coordinates = data.model.process.coordinates();
     let kind = |i: usize| match coordinates[i].holds {
-        Holds::Quantity(kind) => Some((coordinates[i].name, kind)),
+        Holds::Quantity(kind) => Some((&coordinates[i].name, kind)),
         Holds::Number(_) | Holds::Word(_) => None,
     };
     let remaining = d.remaining.iter().flat_map(|f| f.along.0.iter().copied());
@@ -264,7 +264,7 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
         return "not judged while structure remains".into();
     }
     match v.smallest.filter(|_| v.detectable) {
-        Some(smallest) => format!("would have been seen from {} on", bound(&outlook.effect, v.parameter, smallest)),
+        Some(smallest) => format!("would have been seen from {} on", bound(&outlook.effect, &v.parameter, smallest)),
         None => "cannot be seen in these data".into(),
     }
 }
@@ -272,7 +272,7 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
 /// Writes a detection limit: `rate >= 0.4 um/km`, for a stiffness `<=`.
 pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     let entry = effect.parameters.iter().find(|p| p.name == parameter);
-    let unit = entry.map_or("", |p| p.kind.unit);
+    let unit = entry.map_or("", |p| &p.kind.unit);
     let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };
     let told = match entry.map(|p| p.neutral) {
         // A factor of 1.00042 is told by what it differs from 1.
@@ -297,7 +297,7 @@ fn not_seen(text: &mut String, d: &Diagnosis) {
         let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, at a usual shape, from");
         let width = rest.iter().map(|c| c.effect.label().len()).max().unwrap_or(0);
         for c in rest.iter().filter(seen) {
-            let v = c.detection_limit.as_ref().and_then(|v| v.smallest.map(|s| bound(&c.effect, v.parameter, s)));
+            let v = c.detection_limit.as_ref().and_then(|v| v.smallest.map(|s| bound(&c.effect, &v.parameter, s)));
             let _ = writeln!(text, "  {:<width$}  {}", c.effect.label(), v.unwrap_or_default());
         }
     }

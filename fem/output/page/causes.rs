@@ -5,6 +5,7 @@ use super::section::Section;
 use super::subject::{Evidence, Subject};
 use crate::diagnose::{Cause, Diagnosis, Missing};
 use crate::fit::Estimate;
+use crate::input::Name;
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, draw, escaped};
 use crate::output::fit::Short;
 use crate::output::{diagnosis, measurement, plots};
@@ -28,7 +29,7 @@ pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
     Section { id: "causes", title: "The causes", blocks: cards }
 }
 
-fn card(number: &str, missing: &Missing, curves: &[(&str, Chart)], subject: &Subject) -> String {
+fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], subject: &Subject) -> String {
     let effect = &missing.effect;
     let mut html = format!(
         "<article class=\"cause\"><h3><span class=\"number\">{number}</span>{}</h3><p>{}</p>",
@@ -43,7 +44,7 @@ fn card(number: &str, missing: &Missing, curves: &[(&str, Chart)], subject: &Sub
     html.push_str(&estimates("Values, with the 95 % intervals of their profiles", &missing.estimates));
     html.push_str(&html::paragraph("note", &(capital(&diagnosis::chance(missing.p_value)) + ".")));
     if let Some(bend) = &missing.bend {
-        let along = bend.along.map_or("with its own size".into(), |name| format!("along {name}"));
+        let along = bend.along.clone().map_or("with its own size".into(), |name| format!("along {name}"));
         let share = 100.0 * bend.share;
         let text = format!("Its shape is not wholly this law: it bends {along}, by up to {share:.0} % of itself.");
         html.push_str(&html::paragraph("caution", &text));
@@ -74,7 +75,7 @@ fn card(number: &str, missing: &Missing, curves: &[(&str, Chart)], subject: &Sub
         html.push_str(&html::list(&rivals));
     }
     if let Cause::Measurement { effect, by, from, .. } = &missing.cause {
-        if let Some((name, about)) = measurement::curve(effect, by, subject.model().process) {
+        if let Some((name, about)) = measurement::curve(effect, by, &*subject.model().process) {
             html.push_str(&html::paragraph("", &format!("In this process a {name}: {about}.")));
         }
         if let Some(place) = from {

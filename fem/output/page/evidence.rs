@@ -26,7 +26,7 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
             let fall = |a: String, b: String| if is_better { format!("{a} \u{2192} {b}") } else { a };
             facts.push(fact(
                 "root mean square error",
-                fall(format!("{before:.3}"), format!("{after:.3}")) + " " + kind.unit,
+                fall(format!("{before:.3}"), format!("{after:.3}")) + " " + &kind.unit,
             ));
             // As many parameters as conditions leave no lack of fit to judge.
             let shown = |chi2: f64| match chi2.is_finite() {
@@ -122,7 +122,7 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step]) -> Section {
 /// The table of the steps of a diagnosis.
 fn refitted(found: &Evidence, steps: &[Step], noise: f64) -> String {
     let unit = found.data.kind().unit;
-    let held = found.diagnosis.and_then(|d| d.cross_validation_by).map(|by| format!("held out by {by}"));
+    let held = found.diagnosis.and_then(|d| d.cross_validation_by.clone()).map(|by| format!("held out by {by}"));
     let held = held.unwrap_or_else(|| "held out".into());
     let number = |v: f64| match v.is_finite() {
         true => Cell::Number(format!("{v:.3}"), v),

@@ -31,7 +31,7 @@ pub fn sections(subject: &Subject) -> Vec<Section> {
     let share = |s: &crate::model::Contribution| {
         let kind = s.kind(observables);
         let [rms, low, high] = [s.rms, s.smallest, s.largest].map(|si| kind.from_si(si));
-        let name = if s.name == "ideal" { "without any effect" } else { s.name };
+        let name = if s.name == "ideal" { "without any effect" } else { &s.name };
         vec![
             Cell::Text(name.into()),
             Cell::Text(observables[s.observable].name.replace('_', " ")),

@@ -218,7 +218,8 @@ impl Variable {
             Holds::Word(words) => words.iter().map(|w| (*w).to_string()).collect(),
             Holds::Quantity(_) | Holds::Number(_) => Vec::new(),
         };
-        let axis = Axis { words, ..Axis::new(coordinate.name.replace('_', " "), kind.map_or("", |k| k.unit)) };
+        let axis =
+            Axis { words, ..Axis::new(coordinate.name.replace('_', " "), kind.map(|k| k.unit).unwrap_or_default()) };
         Some(Self { axis, kind, values, levels })
     }
 

@@ -6,6 +6,7 @@ use crate::measure::Measurements;
 use crate::model::Model;
 use crate::noise::Noise;
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series};
+use crate::units::UnitSymbol;
 
 /// Most points of a chart: more cannot be told apart, and make a page heavy.
 const MOST: usize = 800;
@@ -30,14 +31,14 @@ impl Rows<'_> {
         let rows = self.model.system.resolved(&self.measurements.rows);
         let several = self.measurements.observables.len() > 1;
         let one = |seen: &crate::measure::MeasuredObservable| {
-            let layout = Layout::of(self.model.process, &rows, &self.measurements.given, seen.position)?;
+            let layout = Layout::of(&*self.model.process, &rows, &self.measurements.given, seen.position)?;
             Some((if several { format!("-{}", seen.name) } else { String::new() }, layout))
         };
         self.measurements.observables.iter().filter_map(one).collect()
     }
 
     /// Factor from SI to the unit in which differences of an observable are told, and that unit.
-    pub fn unit(&self, layout: &Layout) -> (f64, &'static str) {
+    pub fn unit(&self, layout: &Layout) -> (f64, UnitSymbol) {
         let position = layout.rows.first().map_or(0, |row| self.measurements.rows.observable[*row]);
         let kind = self.model.process.observables()[position].error_kind();
         (1.0 / kind.canonical().factor, kind.unit)

@@ -2,6 +2,7 @@
 
 use super::layout::Layout;
 use super::positioning;
+use crate::input::Name;
 use crate::model::{Contribution, Model, Run};
 use crate::output::chart::{Axis, Chart, Form, Plane, Series};
 use crate::units::Kind;
@@ -17,7 +18,7 @@ pub fn predicted(model: &Model, run: &Run) -> Vec<Chart> {
     }
     let mut charts = Vec::new();
     for &observable in &seen {
-        let Some(layout) = Layout::of(model.process, &rows, &all, observable) else { continue };
+        let Some(layout) = Layout::of(&*model.process, &rows, &all, observable) else { continue };
         let kind = observables[observable].kind;
         let of = if seen.len() > 1 { format!("-{}", observables[observable].name) } else { String::new() };
         let value = |row: usize| kind.from_si(run.prediction[layout.rows[row]]);
@@ -84,13 +85,13 @@ fn about_zero(cells: &[[f64; 3]]) -> Option<(f64, f64)> {
 }
 
 /// Change by each effect along the abscissa: for each effect by its name a chart of the groups.
-pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(&'static str, Chart)> {
+pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(Name, Chart)> {
     let rows = model.system.programme();
     let all: Vec<usize> = (0..model.process.coordinates().len()).collect();
     let observables = model.process.observables();
     let mut charts = Vec::new();
     for share in contributions.iter().filter(|c| c.name != "ideal") {
-        let Some(layout) = Layout::of(model.process, &rows, &all, share.observable) else { continue };
+        let Some(layout) = Layout::of(&*model.process, &rows, &all, share.observable) else { continue };
         let kind: Kind = share.kind(observables);
         let value = |row: usize| kind.from_si(share.changes.get(row).copied().unwrap_or(f64::NAN));
         let series: Vec<Series> = layout.lines(&value);
@@ -100,7 +101,7 @@ pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(&'static s
         let title = format!("what {} changes", share.name);
         let note = "the prediction with all effects less that without this one".to_string();
         charts.push((
-            share.name,
+            share.name.clone(),
             Chart { name: format!("change-{}", share.name), title, note, plane: Plane::Curves { x, y, series } },
         ));
     }

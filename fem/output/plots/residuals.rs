@@ -73,7 +73,7 @@ pub fn maps(rows: &Rows, limits: Option<f64>) -> Vec<Chart> {
                 .pairs()
                 .into_iter()
                 .take(MOST_MAPS)
-                .map(|pair| map(rows, &layout, pair, (factor, unit, limits), &of)),
+                .map(|pair| map(rows, &layout, pair, (factor, &unit, limits), &of)),
         );
     }
     charts

@@ -8,7 +8,7 @@ use crate::process::{
 use crate::units::{LENGTH, MICRO, TIME};
 
 /// Actual less commanded position.
-pub const OBSERVABLES: &[Observable] = &[Observable { name: "deviation", words: "the position", kind: MICRO }];
+pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the position", MICRO)];
 
 /// Positions in [`COORDINATES`]: the commanded position.
 pub const POSITION: usize = 0;
@@ -21,16 +21,11 @@ pub const TIME_OF_ROW: usize = 3;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    Coordinate {
-        actual: Some(0),
-        curve: Some((
-            "pitch-profile",
-            "what screw and scale are off by at every target; a pitch table can take it out",
-        )),
-        ..Coordinate::new("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused)
-    },
+    Coordinate::new("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused)
+        .of_actual(0)
+        .with_curve("pitch-profile", "what screw and scale are off by at every target; a pitch table can take it out"),
     Coordinate::new("direction", "of approach, + or -", Holds::Word(DIRECTIONS), Absent::Refused),
-    Coordinate { repeats: true, ..Coordinate::new("run", "number of the run", Holds::Number(1), Absent::Value(1.0)) },
+    Coordinate::new("run", "number of the run", Holds::Number(1), Absent::Value(1.0)).repeating(),
     Coordinate::new("time", "since the test began, cold", Holds::Quantity(TIME), Absent::Value(0.0)),
 ];
 /// As files write them.
@@ -136,7 +131,7 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
     let at_once = |targets: &[f64], time: f64| rows(there_and_back(targets, run, |_| time));
     let experiment = |words: &str, coordinate: usize, values, rows| CandidateExperiment {
         words: words.into(),
-        coordinate: COORDINATES[coordinate].name,
+        coordinate: COORDINATES[coordinate].name.clone(),
         values,
         rows,
     };

@@ -6,7 +6,7 @@ use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, 
 use crate::units::{ANGLE, MICRO, SPINDLE_SPEED};
 
 /// The deviation along the normal of the profile, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable { name: "deviation", words: "the cam", kind: MICRO }];
+pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the cam", MICRO)];
 
 /// Positions in [`COORDINATES`]: the polar angle of the point.
 pub const ANGLE_OF_ROW: usize = 0;
@@ -104,7 +104,7 @@ pub fn candidate_experiments(setup: &Setup) -> Vec<CandidateExperiment> {
     let experiment = |words: &str, column: usize, pass: Pass| {
         let rows = around((0..72).map(|i| f64::from(5 * i).to_radians()).collect(), pass);
         let values = vec![rows.columns[column][0]];
-        CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name, values, rows }
+        CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name.clone(), values, rows }
     };
     let slower = Pass { speed: 0.5 * usual.speed, ..usual };
     let reversed = Pass { is_reversed: true, ..usual };

@@ -8,7 +8,7 @@ use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, 
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 
 /// The deviation of the tool from its path, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable { name: "deviation", words: "the contour", kind: MICRO }];
+pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the contour", MICRO)];
 
 /// Positions in [`COORDINATES`]: the polar angle of the commanded point.
 pub const ANGLE_OF_ROW: usize = 0;
@@ -135,7 +135,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
                       angles: Vec<f64>| {
         let values = value.map_or_else(|| angles.clone(), |v| vec![v]);
         let rows = at_feed(feed, direction, angles);
-        CandidateExperiment { words, coordinate: COORDINATES[coordinate].name, values, rows }
+        CandidateExperiment { words, coordinate: COORDINATES[coordinate].name.clone(), values, rows }
     };
     let around = |direction, feed| {
         let all = angles(&Setup { feed, points: 72, ..setup.clone() }, direction);

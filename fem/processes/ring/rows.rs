@@ -11,7 +11,7 @@ use crate::process::{
 use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
 
 /// The radial deviation of the bore, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable { name: "deviation", words: "the bore", kind: MICRO }];
+pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the bore", MICRO)];
 
 /// Positions in [`COORDINATES`]: the angle from jaw 1.
 pub const ANGLE_OF_ROW: usize = 0;
@@ -144,7 +144,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
         let mut values = rows.columns[column].to_vec();
         values.sort_unstable_by(f64::total_cmp);
         values.dedup();
-        CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name, values, rows }
+        CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name.clone(), values, rows }
     };
     let mut experiments = vec![
         experiment("bore another ring at half the jaw force", JAW_FORCE, &|_| 0.5 * setup.jaw_force),

@@ -54,8 +54,8 @@ impl Definition for Stiffness {
         rows::programme(setup)
     }
 
-    fn unit(setup: &Setup) -> Option<&'static str> {
-        setup.unit
+    fn unit(setup: &Setup) -> Option<&str> {
+        setup.unit.as_deref()
     }
 
     fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {

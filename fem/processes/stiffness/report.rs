@@ -226,7 +226,7 @@ fn preload(curve: &Curve, forward: &Forward) -> Figure {
 fn plots(forces: &[f64], up: &[f64], down: &[f64]) -> Vec<Plot> {
     let plot = |title: &str, values: &[f64]| Plot {
         title: title.into(),
-        x_unit: FORCE.unit,
+        x_unit: &FORCE.unit,
         points: forces.iter().zip(values).map(|(f, y)| (FORCE.from_si(*f), MICRO.from_si(*y))).collect(),
     };
     let back: Vec<f64> = down.iter().rev().copied().collect();

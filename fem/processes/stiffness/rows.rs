@@ -6,7 +6,7 @@ use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, 
 use crate::units::{FORCE, MICRO};
 
 /// The displacement by which the joint gives way.
-pub const OBSERVABLES: &[Observable] = &[Observable { name: "displacement", words: "the displacement", kind: MICRO }];
+pub const OBSERVABLES: &[Observable] = &[Observable::new("displacement", "the displacement", MICRO)];
 
 /// Positions in [`COORDINATES`]: the force.
 pub const FORCE_OF_ROW: usize = 0;
@@ -73,7 +73,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
         (from..=count).map(|i| setup.max_force * (to * f64::from(i) / f64::from(count))).collect()
     };
     let experiment = |words: String, coordinate: usize, values, rows| {
-        let coordinate = COORDINATES[coordinate].name;
+        let coordinate = COORDINATES[coordinate].name.clone();
         CandidateExperiment { words, coordinate, values, rows }
     };
     let (fine, whole) = (part(0.1, 20), part(1.0, 50));

@@ -1,7 +1,6 @@
 //! The tables of a stiffness model.
 
 use crate::input::Reader;
-use crate::process::formula_effect;
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the force goes from its largest.
@@ -19,12 +18,12 @@ impl Loading {
 }
 
 /// Everything a stiffness model says but its effects. SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
     /// Stiffness k of the ideal joint, N/m.
     pub stiffness: f64,
     /// The unit of a machine that the joint is, where it is one.
-    pub unit: Option<&'static str>,
+    pub unit: Option<String>,
     /// Force at which loading ends, N.
     pub max_force: f64,
     /// Steps from no force to the largest, and as many back.
@@ -40,7 +39,6 @@ impl Setup {
             let stiffness = t.quantity("stiffness", STIFFNESS, "stiffness of the ideal joint").positive().required();
             (stiffness, t.text("unit", "the unit of the machine that is loaded, as its file names it: \"tailstock\""))
         });
-        let unit = unit.map(|unit| formula_effect::name(&unit));
         let (max_force, steps, loading) = model.table("test", "how it is loaded and unloaded", |t| {
             let max_force = t.quantity("max_force", FORCE, "force at which loading ends").positive().required();
             let steps = t.count("steps", "steps up to it, and down again").between(1, 1_000_000).or(20);

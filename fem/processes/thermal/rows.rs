@@ -6,8 +6,8 @@ use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
 
 /// Growth first, for it is what a workpiece feels.
 pub const OBSERVABLES: &[Observable] = &[
-    Observable { name: "elongation", words: "the elongation", kind: MICRO },
-    Observable { name: "temperature", words: "temperatures", kind: TEMPERATURE },
+    Observable::new("elongation", "the elongation", MICRO),
+    Observable::new("temperature", "temperatures", TEMPERATURE),
 ];
 
 /// Positions in [`OBSERVABLES`].
@@ -142,7 +142,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let evenly =
         |from: f64, to: f64| (1..=TIMES).map(|i| from + (to - from) * i as f64 / TIMES as f64).collect::<Vec<f64>>();
     let experiment = |words: &str, coordinate: usize, values: &[f64], rows: Rows| {
-        let coordinate = COORDINATES[coordinate].name;
+        let coordinate = COORDINATES[coordinate].name.clone();
         CandidateExperiment { words: words.into(), coordinate, values: values.to_vec(), rows }
     };
     let seen = |observable: usize| rows.observable.contains(&observable);

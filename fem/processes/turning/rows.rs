@@ -18,10 +18,8 @@ const REST: f64 = 4.0 * 3600.0;
 const FURTHER: f64 = 1.5;
 
 /// A diameter is the set diameter plus its error.
-pub const OBSERVABLES: &[Observable] = &[
-    Observable { name: "diameter_error", words: "the diameter", kind: MICRO },
-    Observable { name: "diameter", words: "the diameter", kind: LENGTH },
-];
+pub const OBSERVABLES: &[Observable] =
+    &[Observable::new("diameter_error", "the diameter", MICRO), Observable::new("diameter", "the diameter", LENGTH)];
 /// Position of the whole diameter in [`OBSERVABLES`].
 pub const DIAMETER: usize = 1;
 
@@ -189,7 +187,7 @@ pub fn conditions(setup: &Setup, rows: &Rows, row: usize, diameter: f64) -> Cond
 pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
     let mut experiments = Vec::new();
     let mut add = |words: String, column: usize, values: Vec<f64>, rows: Rows| {
-        experiments.push(CandidateExperiment { words, coordinate: COORDINATES[column].name, values, rows });
+        experiments.push(CandidateExperiment { words, coordinate: COORDINATES[column].name.clone(), values, rows });
     };
     let places = measured_places(rows);
     let last = (0..rows.len()).filter_map(|r| rows.get(PART, r)).fold(1.0, f64::max);

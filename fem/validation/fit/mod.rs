@@ -48,7 +48,7 @@ fn rows(problem: &Problem, start: usize) -> Vec<Case> {
 /// Value and standard deviation of every parameter, SI; `None` where there is no fit.
 fn fitted(problem: &Problem, start: usize) -> Option<Vec<(f64, f64)>> {
     let model = Model::parse(Source::new("nist.toml", text(problem, start))).ok()?;
-    let rows = Measurements::parse(Source::new("nist.csv", problem.data.to_string()), model.process).ok()?;
+    let rows = Measurements::parse(Source::new("nist.csv", problem.data.to_string()), &*model.process).ok()?;
     let data = Data::of(&model, rows).ok()?;
     let mut objective = Objective::new(&data).ok()?;
     let mut solution = starts::best(&mut objective).ok()?;

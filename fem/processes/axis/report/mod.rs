@@ -134,7 +134,7 @@ fn plot(evaluation: &Evaluation, direction: Direction) -> Plot {
     let point = |t: &Target| Some((LENGTH.from_si(t.position), MICRO.from_si(t.side(direction)?.mean)));
     Plot {
         title: format!("mean deviation [um] over position [mm], approached in {}", direction.sign()),
-        x_unit: LENGTH.unit,
+        x_unit: &LENGTH.unit,
         points: evaluation.targets.iter().filter_map(point).collect(),
     }
 }

@@ -82,7 +82,7 @@ fn profile(setup: &Setup, rows: &Rows, observed: &[f64]) -> Table {
     columns.extend([TEMPERATURE_OF_ROW].into_iter().chain(grows).map(|observable| {
         let mut values = vec![f64::NAN; rows.len()];
         own(rows, observable).for_each(|row| values[row] = observed[row]);
-        Column::quantities(OBSERVABLES[observable].name, OBSERVABLES[observable].kind, &values)
+        Column::quantities(OBSERVABLES[observable].name.clone(), OBSERVABLES[observable].kind, &values)
     }));
     Table { columns }
 }
@@ -180,7 +180,7 @@ fn plots(rows: &Rows, observed: &[f64]) -> Vec<Plot> {
         let kind = OBSERVABLES[observable].kind;
         let point = |row: usize| (TIME.from_si(rows.columns[TIME_OF_ROW][row]), kind.from_si(observed[row]));
         let points = own(rows, observable).filter(is_shown).map(point).collect();
-        Plot { title, x_unit: TIME.unit, points }
+        Plot { title, x_unit: &TIME.unit, points }
     };
     let mut plots = Vec::new();
     if rows.observable.contains(&ELONGATION) {

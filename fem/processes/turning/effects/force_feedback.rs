@@ -34,7 +34,7 @@ pub fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {
     let Force::Law(ForceLaw { depth_exponent: x, .. }) = &setup.cut.force else { return None };
     let exponent = *effect.values.first().filter(|_| effect.description.name == FORCE_FEEDBACK.name)?;
     ((exponent - x).abs() > SAME).then(|| Contradiction {
-        parameter: FORCE_FEEDBACK.parameters[0].name,
+        parameter: &FORCE_FEEDBACK.parameters[0].name,
         message: format!(
             "`exponent` is {exponent}, and x is {x} in the force law: a cut has one exponent of the depth"
         ),

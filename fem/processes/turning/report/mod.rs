@@ -141,7 +141,7 @@ fn schedule(setup: &Setup) -> Figure {
 fn plots(positions: &[f64], errors: &[f64]) -> Vec<Plot> {
     let of_x = |(number, errors): (usize, &[f64])| Plot {
         title: format!("diameter error [um] over x [mm], part {number}"),
-        x_unit: LENGTH.unit,
+        x_unit: &LENGTH.unit,
         points: positions.iter().zip(errors).map(|(x, e)| (LENGTH.from_si(*x), MICRO.from_si(*e))).collect(),
     };
     let parts: Vec<(usize, &[f64])> = (1..).zip(errors.chunks(positions.len())).collect();
