@@ -10,7 +10,7 @@ use super::watch::watched;
 use crate::input::Problem;
 use crate::output::files::Guard;
 use crate::output::study::{Earlier, StudyFolder, line, merge};
-use crate::output::{Folder, Format, Report};
+use crate::output::{Folder, StudyAnswer};
 use crate::progress::Progress;
 use crate::study::{Layout, Shard, Summary, in_order, load};
 
@@ -53,7 +53,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     let (rows, summary) = folder.finish()?;
     if undone > 0 {
         say!("note: the time was over; {undone} jobs are left. The same command goes on with them");
-        return print(&page(&Report::Study(&layout, &summary), args.json)?);
+        return print(&page(&StudyAnswer(&layout, &summary), args.json));
     }
     if shard != Shard::ALL {
         say!("note: these are the jobs of shard {shard}; `fem study merge` puts all of them together");
@@ -74,10 +74,10 @@ fn write_and_print(
     guard: Guard,
     json: bool,
 ) -> Result<(), Error> {
-    let report = Report::Study(layout, summary);
-    let written = Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
+    let answer = StudyAnswer(layout, summary);
+    let written = Folder { directory, guard }.write("study", &answer, &Progress::default())?;
     let list = if json { String::new() } else { format!("{written}  {}\n", rows.display()) };
-    print(&(page(&report, json)? + &list))
+    print(&(page(&answer, json) + &list))
 }
 
 /// Folder `out/<plan name>`, of a shard with its number.
