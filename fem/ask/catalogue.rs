@@ -3,7 +3,7 @@
 use super::Error;
 use crate::input::{Problem, nearest};
 use crate::noise::{MEASUREMENT, effects};
-use crate::output::{CatalogueAnswer, Detail};
+use crate::output::CatalogueAnswer;
 use crate::process::{Description, Process};
 use crate::processes;
 
@@ -23,9 +23,8 @@ pub fn catalogue(name: Option<&str>) -> Result<CatalogueAnswer, Error> {
         let names = all.iter().map(|(_, e)| e.name).chain(effects::all().map(|e| e.name)).chain(owners());
         return Err(unknown(name.unwrap_or_default(), names).into());
     }
-    let detail = if of_owner { Detail::Line } else { Detail::Page };
     let process = processes::ALL.iter().copied().find(|p| name == Some(p.name()));
-    Ok(CatalogueAnswer { effects: chosen, of_measurement, detail, process })
+    Ok(CatalogueAnswer { effects: chosen, of_measurement, is_list: of_owner, process })
 }
 
 fn unknown<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Problem {

@@ -1,9 +1,9 @@
 //! The command `fem run`.
 
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::args;
+use super::data::default_directory;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
@@ -19,7 +19,7 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let progress = Arc::new(Progress::default());
     let run = watched(&progress, || model.run(&progress))?;
     let answer = RunAnswer(&model, &run);
-    let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model));
+    let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model, "model"));
     let reads = model.paths();
     let guard = Guard { reads: &reads, force: args.force };
     let written = match &args.plot {
@@ -31,10 +31,4 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     }
     let list = if args.json { String::new() } else { written };
     print(&(page(&answer, args.json) + &list))
-}
-
-/// Directory `out/<model name>`.
-fn default_directory(model: &Path) -> PathBuf {
-    let stem = model.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
-    Path::new("out").join(stem.unwrap_or("model".as_ref()))
 }

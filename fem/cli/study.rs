@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::args;
+use super::data::default_directory;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
@@ -31,7 +32,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     let plan = load(file)?;
     let layout = plan.layout();
     let shard = args.shard.unwrap_or(Shard::ALL);
-    let directory = args.output.clone().unwrap_or_else(|| default_directory(file, shard));
+    let directory = args.output.clone().unwrap_or_else(|| directory(file, shard));
     let reads = plan.paths();
     let earlier = Earlier { restart: args.restart, force: args.force };
     let mut folder = StudyFolder::open(&directory, &layout, shard, earlier, &reads)?;
@@ -81,11 +82,10 @@ fn write_and_print(
 }
 
 /// Folder `out/<plan name>`, of a shard with its number.
-fn default_directory(plan: &Path, shard: Shard) -> PathBuf {
-    let stem = plan.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
-    let stem = stem.unwrap_or("plan".as_ref()).to_string_lossy();
-    match shard {
-        Shard::ALL => Path::new("out").join(&*stem),
-        Shard { number, of } => Path::new("out").join(format!("{stem}-{number}-of-{of}")),
+fn directory(plan: &Path, shard: Shard) -> PathBuf {
+    let mut directory = default_directory(plan, "plan").into_os_string();
+    if shard != Shard::ALL {
+        directory.push(format!("-{}-of-{}", shard.number, shard.of));
     }
+    directory.into()
 }

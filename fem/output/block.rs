@@ -1,4 +1,4 @@
-//! Pieces of which answers are made for people. Text ([`super::text`]) and page ([`super::page`]) lay out the same ones.
+//! Pieces of which answers are made for people. Text and page lay out the same ones.
 
 use super::number;
 use crate::process::Plot;

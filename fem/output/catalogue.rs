@@ -11,32 +11,23 @@ use super::measurement;
 use crate::noise::MeasurementEffect;
 use crate::process::{Description, Neutral, Parameter, Process};
 
-/// How much is told of each of many.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Detail {
-    /// A line.
-    Line,
-    /// A page.
-    Page,
-}
-
 /// The catalogue of effects, or a part of it.
 pub struct CatalogueAnswer {
     /// Effects of processes, each with its own.
     pub effects: Vec<(&'static dyn Process, Description)>,
     /// Effects of the measurement.
     pub of_measurement: Vec<&'static MeasurementEffect>,
-    /// How much is told of each.
-    pub detail: Detail,
+    /// Whether each is told in a line, and not on a page.
+    pub is_list: bool,
     /// The process that was asked for, whose columns are listed behind its effects.
     pub process: Option<&'static dyn Process>,
 }
 
 impl Answer for CatalogueAnswer {
     fn blocks(&self) -> Vec<Block> {
-        let text = match self.detail {
-            Detail::Line => catalogue(&self.effects, &self.of_measurement),
-            Detail::Page => {
+        let text = match self.is_list {
+            true => list(&self.effects, &self.of_measurement),
+            false => {
                 let own = self.effects.iter().map(|(process, e)| page(process.name(), e));
                 own.chain(self.of_measurement.iter().map(|e| measurement::page(e))).collect::<Vec<_>>().join("\n")
             }
@@ -81,7 +72,7 @@ fn entry(process: &dyn Process, effect: &Description) -> Value {
 }
 
 /// The catalogue, process by process, and what they share: one line per effect.
-fn catalogue(entries: &[(&dyn Process, Description)], of_measurement: &[&MeasurementEffect]) -> String {
+fn list(entries: &[(&dyn Process, Description)], of_measurement: &[&MeasurementEffect]) -> String {
     let mut text = String::new();
     for of_process in entries.chunk_by(|a, b| a.0.name() == b.0.name()) {
         let process = of_process[0].0;

@@ -1,4 +1,4 @@
-//! Writing results: for people, for programs, for ParaView. Each command has one [`Answer`], which [`text`], [`json()`],
+//! Writing results: for people, for programs, for ParaView. Each command has one [`Answer`], which [`text()`], [`json()`],
 //! [`figures`] and a [`Folder`] take. Files appear whole or not at all.
 
 mod answer;
@@ -35,7 +35,7 @@ pub mod vtk;
 
 pub use answer::{Answer, figures};
 pub use budget::BudgetAnswer;
-pub use catalogue::{CatalogueAnswer, Detail};
+pub use catalogue::CatalogueAnswer;
 pub use columns::{columns, commented};
 pub use comparison::ComparisonAnswer;
 pub use compensation::{CONTROLS, CompensationAnswer, Control, LINUXCNC, Supplied, supplied};
