@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use fem::model::{Model, Run};
-use fem::output::{Report, columns, figures};
+use fem::output::{RunAnswer, columns, figures};
 use fem::process::{Description, Process};
 use fem::processes::ALL;
 use fem::progress::Progress;
@@ -36,7 +36,7 @@ fn page(process: &dyn Process, model: &Model) -> Result<Vec<Made>, Box<dyn Error
     let path = PathBuf::from(format!("docs/processes/{name}.md"));
     let run = model.run(&Progress::default())?;
     let file = |stem: &str| format!("{name}-{stem}.svg");
-    let pictures = figures(&Report::Run(model, &run));
+    let pictures = figures(&RunAnswer(model, &run));
     let shown: String = pictures.iter().map(|(stem, _)| format!("![{name}: {stem}]({})\n\n", file(stem))).collect();
     let effects = process.effects();
     let text = [

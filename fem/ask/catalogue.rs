@@ -2,36 +2,16 @@
 
 use super::Error;
 use crate::input::{Problem, nearest};
-use crate::noise::{MEASUREMENT, MeasurementEffect, effects};
-use crate::output::{Detail, Report, columns};
+use crate::noise::{MEASUREMENT, effects};
+use crate::output::CatalogueAnswer;
 use crate::process::{Description, Process};
 use crate::processes;
-
-/// The catalogue, or a part of it.
-pub struct Catalogue {
-    effects: Vec<(&'static dyn Process, Description)>,
-    of_measurement: Vec<&'static MeasurementEffect>,
-    detail: Detail,
-    process: Option<&'static dyn Process>,
-}
-
-impl Catalogue {
-    /// As a report.
-    pub fn report(&self) -> Report<'_> {
-        Report::Effects(&self.effects, &self.of_measurement, self.detail)
-    }
-
-    /// Columns of the process's measurement files, which end the report's text; empty where no process was asked for.
-    pub fn columns(&self) -> String {
-        self.process.map_or(String::new(), |process| format!("\n{}", columns(process)))
-    }
-}
 
 /// The catalogue, or what it has of a process or an effect.
 ///
 /// # Errors
 /// There is nothing of this name.
-pub fn catalogue(name: Option<&str>) -> Result<Catalogue, Error> {
+pub fn catalogue(name: Option<&str>) -> Result<CatalogueAnswer, Error> {
     let all: Vec<(&'static dyn Process, Description)> =
         processes::ALL.iter().flat_map(|p| p.effects().into_iter().map(move |e| (*p, e))).collect();
     let owners = || processes::ALL.iter().map(|p| p.name()).chain([MEASUREMENT]);
@@ -43,9 +23,8 @@ pub fn catalogue(name: Option<&str>) -> Result<Catalogue, Error> {
         let names = all.iter().map(|(_, e)| &*e.name).chain(effects::all().map(|e| e.name)).chain(owners());
         return Err(unknown(name.unwrap_or_default(), names).into());
     }
-    let detail = if of_owner { Detail::Line } else { Detail::Page };
     let process = processes::ALL.iter().copied().find(|p| name == Some(p.name()));
-    Ok(Catalogue { effects: chosen, of_measurement, detail, process })
+    Ok(CatalogueAnswer { effects: chosen, of_measurement, is_list: of_owner, process })
 }
 
 fn unknown<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Problem {

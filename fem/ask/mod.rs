@@ -12,7 +12,7 @@ mod planning;
 mod revision;
 mod start;
 
-pub use catalogue::{Catalogue, catalogue};
+pub use catalogue::catalogue;
 pub use comparison::{compare_all, refuse_mixed};
 pub use compensation::compensate;
 pub use completion::{completed, fit, fitted, notes, steps};

@@ -11,31 +11,31 @@ use crate::ask::{compare_all, refuse_mixed};
 use crate::input::{InputError, Problem};
 use crate::model::Model;
 use crate::output::files::Guard;
-use crate::output::{Folder, Format, Pictures, Report};
-use crate::progress::Progress;
+use crate::output::{ComparisonAnswer, Folder};
 
 pub fn run(args: &args::Compare) -> Result<(), Error> {
     let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     let Some(first) = models.first() else { return Ok(()) };
+    let process = &*first.process;
     refuse_mixed(&models)?;
-    let measurements = args.data.load(&*first.process, args.output.is_some())?;
+    let measurements = args.data.load(process, args.output.is_some())?;
     let progress = Arc::default();
     let compared = watched(&progress, || compare_all(&models, measurements, &progress, |_, found| found));
     let (comparisons, measurements) = compared?;
-    let report = Report::Comparison(&models, &measurements, &comparisons);
+    let answer = ComparisonAnswer { process, models: &models, measurements: &measurements, comparisons: &comparisons };
     if args.output.is_some() || args.plot.is_some() {
         refuse_namesakes(&models)?;
     }
-    let guard = Guard { reads: &args.data.with, force: args.force };
+    let reads: Vec<PathBuf> = models.iter().flat_map(Model::paths).chain(args.data.with.iter().cloned()).collect();
+    let guard = Guard { reads: &reads, force: args.force };
     if let Some(directory) = &args.plot {
-        let reads: Vec<PathBuf> = models.iter().flat_map(Model::paths).chain(args.data.with.iter().cloned()).collect();
-        Pictures { directory, guard: Guard { reads: &reads, ..guard } }.write(&report)?;
+        Folder { directory, guard }.write_figures(&answer)?;
     }
     if let Some(directory) = &args.output {
-        Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
+        Folder { directory, guard }.write("compare", &answer, &progress)?;
     }
     notes(&measurements.notes);
-    print(&page(&report, args.json)?)
+    print(&page(&answer, args.json))
 }
 
 /// Several models are written into a folder each, by the names of their files.

@@ -10,8 +10,7 @@ use crate::compensate::Compensation;
 use crate::input::Problem;
 use crate::model::{Data, Model};
 use crate::output::files::Guard;
-use crate::output::{CONTROLS, Control, Folder, Format, LINUXCNC, Report, Supplied, supplied};
-use crate::progress::Progress;
+use crate::output::{CONTROLS, CompensationAnswer, Control, Folder, LINUXCNC, Supplied, supplied};
 
 pub fn run(args: &args::Compensate) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
@@ -23,20 +22,19 @@ pub fn run(args: &args::Compensate) -> Result<(), Error> {
         [] => supplied(&CONTROLS[0], &found, &args.axis, false).into_iter().collect(),
         asked => asked.iter().map(|control| asked_for(control, &found, &args.axis)).collect::<Result<Vec<_>, _>>()?,
     };
-    let report = Report::Compensation(&data, &found, &files);
+    let answer = CompensationAnswer(&data, &found, &files);
     let mut written = String::new();
     if let Some(directory) = &args.output {
         let reads = args.data.reads(&args.model);
-        written =
-            Folder { directory, guard: Guard { reads: &reads, force: args.force }, progress: &Progress::default() }
-                .write(&report)?;
+        let guard = Guard { reads: &reads, force: args.force };
+        written = Folder { directory, guard }.write("compensate", &answer, &data.progress)?;
         if files.is_empty() {
             say!("note: no {LINUXCNC}: it takes fewer targets than these");
         }
     }
     notes(&data.notes);
     let list = if args.json { "" } else { &written };
-    print(&(page(&report, args.json)? + list))
+    print(&(page(&answer, args.json) + list))
 }
 
 /// Files for a control that the user has named.

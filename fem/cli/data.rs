@@ -1,6 +1,6 @@
 //! Models and measurements as the command line names them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::args;
@@ -32,7 +32,7 @@ impl args::Data {
     }
 
     /// A model and the files of its measurements, which nothing may overwrite.
-    pub fn reads(&self, model: &std::path::Path) -> Vec<PathBuf> {
+    pub fn reads(&self, model: &Path) -> Vec<PathBuf> {
         std::iter::once(model.to_path_buf()).chain(self.with.iter().cloned()).collect()
     }
 }
@@ -52,4 +52,10 @@ impl args::Report {
         let most_effects = usize::from(self.max_effects);
         Page { models: &models, measurements, files, most_effects, depth, live }.made(progress)
     }
+}
+
+/// Folder `out/NAME` for what is made of a file; `usual` where that has no name.
+pub fn default_directory(file: &Path, usual: &str) -> PathBuf {
+    let stem = file.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
+    Path::new("out").join(stem.unwrap_or(usual.as_ref()))
 }

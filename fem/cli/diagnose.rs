@@ -14,7 +14,7 @@ use crate::input::{InputError, Problem};
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::files::{self, Guard};
-use crate::output::{Folder, Format, Report};
+use crate::output::{DiagnosisAnswer, Folder};
 use crate::process::Process;
 use crate::progress::{Progress, Stretch};
 
@@ -74,7 +74,7 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard:
         say!("{}", stretches(&progress.profile()));
     }
     if let Some(directory) = &args.output {
-        Folder { directory, guard, progress }.write(&Report::Diagnosis(data, &diagnosis))?;
+        Folder { directory, guard }.write("diagnose", &DiagnosisAnswer(data, &diagnosis), progress)?;
     }
     Ok(diagnosis)
 }
@@ -82,7 +82,7 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard:
 /// Prints a diagnosis.
 fn print_diagnosis(args: &args::Diagnose, data: &Data, diagnosis: &Diagnosis) -> Result<(), Error> {
     notes(&ask::notes(data, diagnosis));
-    print(&page(&Report::Diagnosis(data, diagnosis), args.json)?)
+    print(&page(&DiagnosisAnswer(data, diagnosis), args.json))
 }
 
 /// A table of what the stretches of a computation took.

@@ -7,7 +7,7 @@ use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::ask::{fit, fitted};
 use crate::model::{Data, Model};
-use crate::output::Report;
+use crate::output::FitAnswer;
 use crate::output::files::{self, Guard};
 
 pub fn run(args: &args::Fit) -> Result<(), Error> {
@@ -30,5 +30,5 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
         }
     }
     notes(&data.notes_of_fit());
-    print(&page(&Report::Fit(&data, &fit), args.json)?)
+    print(&page(&FitAnswer(&data, &fit), args.json))
 }

@@ -7,7 +7,7 @@ use super::watch::watched;
 use crate::ask::plan;
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
-use crate::output::Report;
+use crate::output::PlanAnswer;
 
 pub fn run(args: &args::Plan) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
@@ -18,5 +18,5 @@ pub fn run(args: &args::Plan) -> Result<(), Error> {
     let design = design.watched(args.limit.progress());
     let (plan, note) = watched(&design.progress, || plan(&design, &args.noise))?;
     notes(note.as_slice());
-    print(&page(&Report::Plan(&design, &plan), args.json)?)
+    print(&page(&PlanAnswer(&design, &plan), args.json))
 }

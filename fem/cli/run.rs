@@ -1,16 +1,16 @@
 //! The command `fem run`.
 
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::args;
+use super::data::default_directory;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
 use super::watch::watched;
 use crate::model::Model;
 use crate::output::files::Guard;
-use crate::output::{Folder, Format, Pictures, Report};
+use crate::output::{Folder, RunAnswer};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Run) -> Result<(), Error> {
@@ -18,25 +18,17 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     model.require_part()?;
     let progress = Arc::new(Progress::default());
     let run = watched(&progress, || model.run(&progress))?;
-    let report = Report::Run(&model, &run);
-    let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model));
-    let guard = Guard { reads: &[], force: args.force };
+    let answer = RunAnswer(&model, &run);
+    let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model, "model"));
+    let reads = model.paths();
+    let guard = Guard { reads: &reads, force: args.force };
     let written = match &args.plot {
-        Some(directory) => Pictures { directory, guard: Guard { reads: &model.paths(), ..guard } }.write(&report)?,
-        None => {
-            let folder = Folder { directory: &directory, guard, progress: &progress };
-            watched(&progress, || folder.write(&report))?
-        }
+        Some(directory) => Folder { directory, guard }.write_figures(&answer)?,
+        None => watched(&progress, || Folder { directory: &directory, guard }.write("run", &answer, &progress))?,
     };
     for warning in &run.report.warnings {
         say!("warning: {warning}");
     }
     let list = if args.json { String::new() } else { written };
-    print(&(page(&report, args.json)? + &list))
-}
-
-/// Directory `out/<model name>`.
-fn default_directory(model: &Path) -> PathBuf {
-    let stem = model.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
-    Path::new("out").join(stem.unwrap_or("model".as_ref()))
+    print(&(page(&answer, args.json) + &list))
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::args;
+use super::data::default_directory;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
@@ -10,7 +11,7 @@ use super::watch::watched;
 use crate::input::Problem;
 use crate::output::files::Guard;
 use crate::output::study::{Earlier, StudyFolder, line, merge};
-use crate::output::{Folder, Format, Report};
+use crate::output::{Folder, StudyAnswer};
 use crate::progress::Progress;
 use crate::study::{Layout, Shard, Summary, in_order, load};
 
@@ -31,7 +32,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     let plan = load(file)?;
     let layout = plan.layout();
     let shard = args.shard.unwrap_or(Shard::ALL);
-    let directory = args.output.clone().unwrap_or_else(|| default_directory(file, shard));
+    let directory = args.output.clone().unwrap_or_else(|| directory(file, shard));
     let reads = plan.paths();
     let earlier = Earlier { restart: args.restart, force: args.force };
     let mut folder = StudyFolder::open(&directory, &layout, shard, earlier, &reads)?;
@@ -53,7 +54,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     let (rows, summary) = folder.finish()?;
     if undone > 0 {
         say!("note: the time was over; {undone} jobs are left. The same command goes on with them");
-        return print(&page(&Report::Study(&layout, &summary), args.json)?);
+        return print(&page(&StudyAnswer(&layout, &summary), args.json));
     }
     if shard != Shard::ALL {
         say!("note: these are the jobs of shard {shard}; `fem study merge` puts all of them together");
@@ -74,18 +75,17 @@ fn write_and_print(
     guard: Guard,
     json: bool,
 ) -> Result<(), Error> {
-    let report = Report::Study(layout, summary);
-    let written = Folder { directory, guard, progress: &Progress::default() }.write(&report)?;
+    let answer = StudyAnswer(layout, summary);
+    let written = Folder { directory, guard }.write("study", &answer, &Progress::default())?;
     let list = if json { String::new() } else { format!("{written}  {}\n", rows.display()) };
-    print(&(page(&report, json)? + &list))
+    print(&(page(&answer, json) + &list))
 }
 
 /// Folder `out/<plan name>`, of a shard with its number.
-fn default_directory(plan: &Path, shard: Shard) -> PathBuf {
-    let stem = plan.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
-    let stem = stem.unwrap_or("plan".as_ref()).to_string_lossy();
-    match shard {
-        Shard::ALL => Path::new("out").join(&*stem),
-        Shard { number, of } => Path::new("out").join(format!("{stem}-{number}-of-{of}")),
+fn directory(plan: &Path, shard: Shard) -> PathBuf {
+    let mut directory = default_directory(plan, "plan").into_os_string();
+    if shard != Shard::ALL {
+        directory.push(format!("-{}-of-{}", shard.number, shard.of));
     }
+    directory.into()
 }

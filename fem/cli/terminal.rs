@@ -5,7 +5,7 @@ use std::io::Write;
 use super::error::Error;
 use super::look;
 use super::say::say;
-use crate::output::{Format, Json, Report, Text};
+use crate::output::{Answer, json, text};
 
 /// Prints to stdout; a reader that has gone away (`fem … | head`) is no error.
 pub fn print(text: &str) -> Result<(), Error> {
@@ -16,14 +16,13 @@ pub fn print(text: &str) -> Result<(), Error> {
     }
 }
 
-/// A report for people, or as JSON.
-pub fn page(report: &Report, json: bool) -> Result<String, Error> {
-    if json {
-        return Ok(Json.write(report)?);
+/// An answer for people, or as JSON.
+pub fn page(answer: &dyn Answer, is_json: bool) -> String {
+    if is_json {
+        return json(answer);
     }
     let columns = look::columns();
-    let text = columns.map_or(Text::default(), |columns| Text { columns }).write(report)?;
-    Ok(look::fitted(&text, columns, look::is_ascii()))
+    look::fitted(&text(answer, columns), columns, look::is_ascii())
 }
 
 /// Prints the notes of a file of measurements.

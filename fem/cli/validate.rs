@@ -6,7 +6,7 @@ use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
 use crate::input::{Problem, nearest};
-use crate::output::Report;
+use crate::output::ValidationAnswer;
 use crate::validation::{self, Case};
 
 /// Sources that an error lists: those of most rows.
@@ -21,7 +21,7 @@ pub fn validate(args: &args::Validate) -> Result<(), Error> {
     if let (Some(text), true) = (&args.source, cases.is_empty()) {
         return Err(Error::from(unknown(text, &all)));
     }
-    print(&page(&Report::Validation(&cases, all.len()), args.json)?)?;
+    print(&page(&ValidationAnswer(&cases, all.len()), args.json))?;
     if cases.iter().all(Case::passed) { Ok(()) } else { Err(Error::Found) }
 }
 

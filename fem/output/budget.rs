@@ -1,9 +1,11 @@
-//! Writes a budget as text and JSON.
+//! The answer of `fem budget`: errors added up.
 
 use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
+use super::answer::Answer;
+use super::block::Block;
 use crate::budget::{
     Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, ModelPart, Share, Source, Unknown, rules,
 };
@@ -19,25 +21,113 @@ fn um(si: f64) -> f64 {
     1e6 * si
 }
 
-/// `fem budget --json`: `fem-budget/1`.
-pub fn json(budget: &Budget, estimate: Option<&Estimate>) -> Json {
-    json!({
-        "schema": "fem-budget/1",
-        "budget": &*budget.file.name,
-        "title": budget.title,
-        "model": budget.models.parts.first().map(|m| m.model.source.name.to_string()),
-        "models": budget.models.parts.iter().map(model_json).collect::<Vec<_>>(),
-        "unit": UNIT,
-        "t": budget.t,
-        "risk": budget.risk(),
-        "tolerance": budget.tolerance.map(|(lower, upper)| [um(lower), um(upper)]),
-        "handbook": estimate.map(|e| handbook_json(&e.handbook)),
-        "monte_carlo": estimate.map(|e| drawn_json(budget, &e.monte_carlo)),
-        "pessimism": estimate.and_then(pessimism),
-        "contributions": estimate.map(|e| e.shares.iter().map(share_json).collect::<Vec<_>>()),
-        "drill": budget.drill.as_ref().map(drill_json),
-        "warnings": warnings(budget, estimate),
-    })
+/// The errors of a budget, and what they add up to, where it has any.
+pub struct BudgetAnswer<'a>(pub &'a Budget, pub Option<&'a Estimate>);
+
+impl Answer for BudgetAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        let Self(budget, estimate) = *self;
+        let title = budget.title.as_deref().unwrap_or(&budget.file.name).replace(|c: char| c.is_control(), " ");
+        let mut text = format!("{title}\nbudget: errors added up by the handbook's rules and by Monte Carlo\n\n");
+        if let Some(estimate) = estimate {
+            handbook_text(&mut text, budget, &estimate.handbook);
+            drawn_text(&mut text, budget, &estimate.monte_carlo);
+            if let Some(pessimism) = pessimism(estimate) {
+                line(&mut text, "handbook over drawn", &format!("{pessimism:.3}"));
+            }
+            tornado(&mut text, &estimate.shares);
+        }
+        if let Some(drill) = &budget.drill {
+            if estimate.is_some() {
+                text.push('\n');
+            }
+            drill_text(&mut text, drill);
+        }
+        vec![Block::Lines(text)]
+    }
+
+    /// `fem budget --json`: `fem-budget/1`.
+    fn json(&self) -> Json {
+        let Self(budget, estimate) = *self;
+        json!({
+            "schema": "fem-budget/1",
+            "budget": &*budget.file.name,
+            "title": budget.title,
+            "model": budget.models.parts.first().map(|m| m.model.source.name.to_string()),
+            "models": budget.models.parts.iter().map(model_json).collect::<Vec<_>>(),
+            "unit": UNIT,
+            "t": budget.t,
+            "risk": budget.risk(),
+            "tolerance": budget.tolerance.map(|(lower, upper)| [um(lower), um(upper)]),
+            "handbook": estimate.map(|e| handbook_json(&e.handbook)),
+            "monte_carlo": estimate.map(|e| drawn_json(budget, &e.monte_carlo)),
+            "pessimism": estimate.and_then(pessimism),
+            "contributions": estimate.map(|e| e.shares.iter().map(share_json).collect::<Vec<_>>()),
+            "drill": budget.drill.as_ref().map(drill_json),
+            "warnings": self.warnings(),
+        })
+    }
+}
+
+impl BudgetAnswer<'_> {
+    /// Warnings for the user.
+    pub fn warnings(&self) -> Vec<String> {
+        let Self(budget, estimate) = *self;
+        let mut warnings = Vec::new();
+        if let Some(drill) = budget.drill.filter(|d| d.drill_tolerance < 0.0 || d.wear < 0.0 || d.left() < -1e-15) {
+            let lacking = (-drill.left()).max(-drill.drill_tolerance).max(-drill.wear);
+            warnings.push(format!(
+                "the tolerance of the hole does not suffice for its drill: {:.3} um are lacking",
+                um(lacking)
+            ));
+        }
+        let Some(estimate) = estimate else { return warnings };
+        let drawn = &estimate.monte_carlo;
+        if 0.5 * budget.risk() * (drawn.samples as f64) < LEAST_BEYOND {
+            warnings.push(format!(
+                "{} samples are too few for a risk of {:.2} %: take {:.0} or more",
+                drawn.samples,
+                100.0 * budget.risk(),
+                2.0 * LEAST_BEYOND / budget.risk()
+            ));
+        }
+        if drawn.redrawn > 0 {
+            warnings.push(format!(
+                "{} draws fell where the model has no value, and were drawn again: laws are cut off there",
+                drawn.redrawn
+            ));
+        }
+        for error in &budget.errors {
+            if let Source::Clamping { c, force, exponent } = error.source {
+                /// Range of that ratio in which the rule agrees with the samples.
+                const CLOSE: std::ops::Range<f64> = 0.8..1.25;
+                let half = 0.5 * rules::clamping_scatter(c, force, exponent);
+                let ratio = error.value.abs() / half;
+                // (30) takes the whole of it, and says so.
+                let is_whole = (ratio - 2.0).abs() < 1e-9;
+                if CLOSE.contains(&ratio) || is_whole || error.value.abs() == half {
+                    continue;
+                }
+                warnings.push(format!(
+                    "`{}` moves by {:.3} um either way from least to largest; (47) makes {:.3} um of it, from whole ranges of the force at either c",
+                    error.name,
+                    um(half),
+                    um(error.value)
+                ));
+            }
+        }
+        for (group, _) in &estimate.handbook.groups {
+            let member =
+                |e: &&crate::budget::Contribution| e.group.as_ref() == Some(group) && e.kind == Kind::Systematic;
+            if let Some(error) = budget.errors.iter().find(member) {
+                warnings.push(format!(
+                    "`{}` is systematic, and stands under the root with its group `{group}`; the rule adds it arithmetically: see the total one by one",
+                    error.name
+                ));
+            }
+        }
+        warnings
+    }
 }
 
 fn model_json(part: &ModelPart) -> Json {
@@ -114,84 +204,6 @@ fn unknown(unknown: Unknown) -> &'static str {
 fn pessimism(estimate: &Estimate) -> Option<f64> {
     let ratio = estimate.handbook.total / estimate.monte_carlo.extent;
     ratio.is_finite().then_some(ratio)
-}
-
-/// Warnings for the user.
-pub fn warnings(budget: &Budget, estimate: Option<&Estimate>) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if let Some(drill) = budget.drill.filter(|d| d.drill_tolerance < 0.0 || d.wear < 0.0 || d.left() < -1e-15) {
-        let lacking = (-drill.left()).max(-drill.drill_tolerance).max(-drill.wear);
-        warnings.push(format!(
-            "the tolerance of the hole does not suffice for its drill: {:.3} um are lacking",
-            um(lacking)
-        ));
-    }
-    let Some(estimate) = estimate else { return warnings };
-    let drawn = &estimate.monte_carlo;
-    if 0.5 * budget.risk() * (drawn.samples as f64) < LEAST_BEYOND {
-        warnings.push(format!(
-            "{} samples are too few for a risk of {:.2} %: take {:.0} or more",
-            drawn.samples,
-            100.0 * budget.risk(),
-            2.0 * LEAST_BEYOND / budget.risk()
-        ));
-    }
-    if drawn.redrawn > 0 {
-        warnings.push(format!(
-            "{} draws fell where the model has no value, and were drawn again: laws are cut off there",
-            drawn.redrawn
-        ));
-    }
-    for error in &budget.errors {
-        if let Source::Clamping { c, force, exponent } = error.source {
-            /// Range of that ratio in which the rule agrees with the samples.
-            const CLOSE: std::ops::Range<f64> = 0.8..1.25;
-            let half = 0.5 * rules::clamping_scatter(c, force, exponent);
-            let ratio = error.value.abs() / half;
-            // (30) takes the whole of it, and says so.
-            let is_whole = (ratio - 2.0).abs() < 1e-9;
-            if CLOSE.contains(&ratio) || is_whole || error.value.abs() == half {
-                continue;
-            }
-            warnings.push(format!(
-                "`{}` moves by {:.3} um either way from least to largest; (47) makes {:.3} um of it, from whole ranges of the force at either c",
-                error.name,
-                um(half),
-                um(error.value)
-            ));
-        }
-    }
-    for (group, _) in &estimate.handbook.groups {
-        let member = |e: &&crate::budget::Contribution| e.group.as_ref() == Some(group) && e.kind == Kind::Systematic;
-        if let Some(error) = budget.errors.iter().find(member) {
-            warnings.push(format!(
-                "`{}` is systematic, and stands under the root with its group `{group}`; the rule adds it arithmetically: see the total one by one",
-                error.name
-            ));
-        }
-    }
-    warnings
-}
-
-/// Writes a budget for people. Writing to a String does not fail.
-pub fn text(budget: &Budget, estimate: Option<&Estimate>) -> String {
-    let title = budget.title.as_deref().unwrap_or(&budget.file.name).replace(|c: char| c.is_control(), " ");
-    let mut text = format!("{title}\nbudget: errors added up by the handbook's rules and by Monte Carlo\n\n");
-    if let Some(estimate) = estimate {
-        handbook_text(&mut text, budget, &estimate.handbook);
-        drawn_text(&mut text, budget, &estimate.monte_carlo);
-        if let Some(pessimism) = pessimism(estimate) {
-            line(&mut text, "handbook over drawn", &format!("{pessimism:.3}"));
-        }
-        tornado(&mut text, &estimate.shares);
-    }
-    if let Some(drill) = &budget.drill {
-        if estimate.is_some() {
-            text.push('\n');
-        }
-        drill_text(&mut text, drill);
-    }
-    text
 }
 
 fn line(text: &mut String, label: &str, told: &str) {

@@ -1,14 +1,108 @@
-//! Writes a fit as text and JSON.
-
-use std::fmt::Write;
+//! The answer of `fem fit`: what a model leaves open, estimated.
 
 use serde_json::{Value as Json, json};
 
-use super::measurement::files;
+use super::answer::Answer;
+use super::block::{Block, Cell, Column, Table};
+use super::json::finite;
+use super::measurement::{self, files};
 use crate::compare::SIGNIFICANCE;
 use crate::fit::{Estimate, Fit};
 use crate::model::Data;
+use crate::progress::Progress;
 use crate::units::Knowledge;
+
+/// The fit of a model to data: estimates, goodness, correlations.
+pub struct FitAnswer<'a>(pub &'a Data<'a>, pub &'a Fit);
+
+impl Answer for FitAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        let Self(data, fit) = *self;
+        let (name, kind) = (&data.model.source.name, data.kind());
+        let noise = super::comparison::noise_text(&fit.noise.level(data), data);
+        let at_work = measurement::at_work(name, &fit.noise.terms, &*data.model.process, Some(data));
+        let mut blocks = vec![Block::Lines(format!(
+            "{name} fitted to {}: {} observations, noise {noise}\n{at_work}",
+            data.name,
+            data.len()
+        ))];
+        blocks.extend(cautions(data, fit).cloned().map(Block::Caution));
+        let sizes = fit.sizes.iter().flat_map(|s| rows(&s.estimate, true));
+        let columns = [Column::wide("parameter"), Column::new("value", 24), Column::remark("95 % interval", 0)];
+        let rows = fit.estimates.iter().flat_map(|e| rows(e, false)).chain(sizes);
+        blocks.push(Block::Table(Table::new(columns, rows)));
+        for (i, j, c) in &fit.correlated {
+            let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
+            blocks.push(Block::Lines(format!("\n  {a} and {b} can hardly be told apart (correlation {c:+.3})\n")));
+        }
+        let verdict = match adequate(fit) {
+            _ if !fit.reduced_chi2.is_finite() => {
+                "as many parameters as conditions leave nothing to judge the model by"
+            }
+            Some(true) => "the noise explains what is left",
+            Some(false) => "more is left than the noise explains: something is missing, or what is written is wrong",
+            None => "whether that is noise cannot be told without repeats or a column u",
+        };
+        let chi2 = Some(fit.reduced_chi2).filter(|chi2| chi2.is_finite());
+        let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {chi2:.3}"));
+        let rms = kind.from_si(fit.rms);
+        blocks.push(Block::Lines(format!("\n  rms {rms:.3} {}{chi2}: {verdict}\n", kind.unit)));
+        if fit.failures > 0 {
+            let failed = format!("{} of {} trial values", fit.failures, fit.evaluations);
+            blocks.push(Block::Sentence(format!("the model could not be computed at {failed}")));
+        }
+        blocks
+    }
+
+    /// `fem fit --json`: `fem-fit/1`.
+    fn json(&self) -> Json {
+        let Self(data, fit) = *self;
+        let kind = data.kind();
+        let estimate = |e: &Estimate| {
+            let k = e.parameter.kind;
+            let factor = k.canonical().factor;
+            let end = |si: Option<f64>| si.map(|v| k.from_si(v));
+            let prior = match e.parameter.quantity.knowledge {
+                Knowledge::Rough(std) => json!({ "value": k.from_si(e.parameter.quantity.value), "std": std / factor }),
+                Knowledge::Free | Knowledge::Known => Json::Null,
+            };
+            json!({
+                "parameter": &*e.parameter.path,
+                "value": finite(k.from_si(e.value)),
+                "unit": k.unit,
+                "std": finite(e.std / factor),
+                "interval95": [end(e.interval.low), end(e.interval.high)],
+                "prior": prior,
+                "warnings": e.warnings,
+            })
+        };
+        let name = |i: usize| &*fit.estimates[i].parameter.path;
+        json!({
+            "schema": "fem-fit/1",
+            "model": &*data.model.source.name,
+            "data": data.name,
+            "files": files(data),
+            "observations": data.len(),
+            "noise": super::comparison::noise(&fit.noise.level(data), kind),
+            "measurement": measurement::json(&fit.noise.terms, &*data.model.process, Some(data)),
+            "rms": kind.from_si(fit.rms),
+            "unit": kind.unit,
+            "chi2_per_dof": finite(fit.reduced_chi2),
+            "p_value": fit.p_value,
+            "adequate": adequate(fit),
+            "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
+            "sizes": fit.sizes.iter().map(|s| estimate(&s.estimate)).collect::<Vec<_>>(),
+            "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
+            "failed_trials": fit.failures,
+            "evaluations": fit.evaluations,
+            "cautions": cautions(data, fit).collect::<Vec<_>>(),
+        })
+    }
+
+    fn progress(&self) -> Option<&Progress> {
+        Some(&self.0.progress)
+    }
+}
 
 /// Whether the noise explains the residuals of the fitted model; unknown where the noise is only estimated.
 fn adequate(fit: &Fit) -> Option<bool> {
@@ -20,99 +114,9 @@ fn cautions<'a>(data: &'a Data, fit: &'a Fit) -> impl Iterator<Item = &'a String
     data.cautions.iter().chain(&fit.doubts)
 }
 
-/// Makes the JSON of `fem fit --json`: `fem-fit/1`.
-pub fn json(data: &Data, fit: &Fit) -> Json {
-    let kind = data.kind();
-    let estimate = |e: &Estimate| {
-        let k = e.parameter.kind;
-        let factor = k.canonical().factor;
-        let end = |si: Option<f64>| si.map(|v| k.from_si(v));
-        let prior = match e.parameter.quantity.knowledge {
-            Knowledge::Rough(std) => json!({ "value": k.from_si(e.parameter.quantity.value), "std": std / factor }),
-            Knowledge::Free | Knowledge::Known => Json::Null,
-        };
-        json!({
-            "parameter": &*e.parameter.path,
-            "value": finite(k.from_si(e.value)),
-            "unit": k.unit,
-            "std": finite(e.std / factor),
-            "interval95": [end(e.interval.low), end(e.interval.high)],
-            "prior": prior,
-            "warnings": e.warnings,
-        })
-    };
-    let name = |i: usize| &*fit.estimates[i].parameter.path;
-    json!({
-        "schema": "fem-fit/1",
-        "model": &*data.model.source.name,
-        "data": data.name,
-        "files": files(data),
-        "observations": data.len(),
-        "noise": super::comparison::noise(&fit.noise.level(data), kind),
-        "measurement": super::measurement::json(&fit.noise.terms, &*data.model.process, Some(data)),
-        "rms": kind.from_si(fit.rms),
-        "unit": kind.unit,
-        "chi2_per_dof": finite(fit.reduced_chi2),
-        "p_value": fit.p_value,
-        "adequate": adequate(fit),
-        "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
-        "sizes": fit.sizes.iter().map(|s| estimate(&s.estimate)).collect::<Vec<_>>(),
-        "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
-        "failed_trials": fit.failures,
-        "evaluations": fit.evaluations,
-        "cautions": cautions(data, fit).collect::<Vec<_>>(),
-    })
-}
-
-/// Makes the JSON of a number, null where it is not finite.
-pub(super) fn finite(value: f64) -> Json {
-    if value.is_finite() { json!(value) } else { Json::Null }
-}
-
-/// Writes the estimates, the goodness of fit and the correlations.
-pub fn text(data: &Data, fit: &Fit) -> String {
-    let kind = data.kind();
-    let mut text = format!(
-        "{} fitted to {}: {} observations, noise {}\n{}\n",
-        data.model.source.name,
-        data.name,
-        data.len(),
-        super::comparison::noise_text(&fit.noise.level(data), data),
-        super::measurement::at_work(&data.model.source.name, &fit.noise.terms, &*data.model.process, Some(data)),
-    );
-    for caution in cautions(data, fit) {
-        text.push_str(&format!("caution: {caution}\n\n"));
-    }
-    let sizes = fit.sizes.iter().map(|s| (&s.estimate, true));
-    let all: Vec<(&Estimate, bool)> = fit.estimates.iter().map(|e| (e, false)).chain(sizes).collect();
-    let width = all.iter().map(|(e, _)| e.parameter.path.chars().count()).max().unwrap_or(0);
-    // Writing to a String does not fail, here and below.
-    let _ = writeln!(text, "  {:<width$} {:>24}   95 % interval", "parameter", "value");
-    for (e, is_size) in all {
-        line(&mut text, e, is_size, width);
-    }
-    for (i, j, c) in &fit.correlated {
-        let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
-        let _ = writeln!(text, "\n  {a} and {b} can hardly be told apart (correlation {c:+.3})");
-    }
-    let verdict = match adequate(fit) {
-        _ if !fit.reduced_chi2.is_finite() => "as many parameters as conditions leave nothing to judge the model by",
-        Some(true) => "the noise explains what is left",
-        Some(false) => "more is left than the noise explains: something is missing, or what is written is wrong",
-        None => "whether that is noise cannot be told without repeats or a column u",
-    };
-    let chi2 = Some(fit.reduced_chi2).filter(|chi2| chi2.is_finite());
-    let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {chi2:.3}"));
-    let _ = writeln!(text, "\n  rms {:.3} {}{chi2}: {verdict}", kind.from_si(fit.rms), kind.unit);
-    if fit.failures > 0 {
-        let _ =
-            writeln!(text, "  the model could not be computed at {} of {} trial values", fit.failures, fit.evaluations);
-    }
-    text
-}
-
-/// Writes an estimate; the size of an effect of the measurement has an interval, and no `+-` in a file.
-fn line(text: &mut String, e: &Estimate, is_size: bool, width: usize) {
+/// The rows of an estimate and its warnings; the size of an effect of the measurement has an interval, and no `+-` in a
+/// file.
+fn rows(e: &Estimate, is_size: bool) -> Vec<Vec<Cell>> {
     let k = e.parameter.kind;
     let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.5}", Short(k.from_si(v))));
     let (value, std) = (k.from_si(e.value), e.std / k.canonical().factor);
@@ -122,10 +126,9 @@ fn line(text: &mut String, e: &Estimate, is_size: bool, width: usize) {
         (false, false) => format!("{:.4} +- ?", Short(value)),
     };
     let interval = format!("{} to {} {}", end(e.interval.low), end(e.interval.high), k.unit);
-    let _ = writeln!(text, "  {:<width$} {value:>24}   {}", e.parameter.path, interval);
-    for warning in &e.warnings {
-        let _ = writeln!(text, "  {:<width$} {:>24}   {warning}", "", "");
-    }
+    let own = [e.parameter.path.to_string(), value, interval];
+    let warnings = e.warnings.iter().map(|warning| [String::new(), String::new(), warning.clone()]);
+    [own].into_iter().chain(warnings).map(|cells| cells.map(Cell::Text).into()).collect()
 }
 
 /// Number that is written with as many significant digits as its precision asks for.

@@ -1,7 +1,10 @@
-//! Writing results: for people, for programs, for ParaView. Each command has one [`Report`], and each
-//! [`Format`] is a way to write it. Files appear whole or not at all.
+//! Writing results: for people, for programs, for ParaView. Each command has one [`Answer`], which [`text()`], [`json()`],
+//! [`figures`] and a [`Folder`] take. Files appear whole or not at all.
 
+mod answer;
+mod block;
 mod budget;
+mod catalogue;
 mod chart;
 mod columns;
 mod comparison;
@@ -19,25 +22,33 @@ mod measurement;
 mod measurements;
 mod number;
 mod page;
-mod pictures;
 mod plan;
 mod plot;
 mod plots;
-mod report;
+mod run;
 mod sketch;
+mod staged;
 pub mod study;
 mod text;
+mod validation;
 pub mod vtk;
 
-pub use budget::warnings as budget_warnings;
+pub use answer::{Answer, figures};
+pub use budget::BudgetAnswer;
+pub use catalogue::CatalogueAnswer;
 pub use columns::{columns, commented};
-pub use compensation::{CONTROLS, Control, LINUXCNC, Supplied, supplied};
-pub use diagnosis::additions;
+pub use comparison::ComparisonAnswer;
+pub use compensation::{CONTROLS, CompensationAnswer, Control, LINUXCNC, Supplied, supplied};
+pub use diagnosis::{DiagnosisAnswer, additions};
 pub use error::OutputError;
+pub use fit::FitAnswer;
 pub use folder::Folder;
-pub use json::Json;
+pub use json::json;
 pub use measurements::measurements;
 pub use page::{Evidence, Subject, page, trouble};
-pub use pictures::{Pictures, figures, signatures};
-pub use report::{Detail, Format, Report};
-pub use text::Text;
+pub use plan::PlanAnswer;
+pub use plots::signatures;
+pub use run::RunAnswer;
+pub use study::StudyAnswer;
+pub use text::text;
+pub use validation::ValidationAnswer;

@@ -9,11 +9,6 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A number with so many decimals; a dash stands where there is none.
-pub fn or_dash(value: f64, decimals: usize) -> String {
-    if value.is_finite() { fixed(value, decimals) } else { "-".into() }
-}
-
 /// A number with so many decimals, and its sign, `+` where it rounds to nothing.
 pub fn signed(value: f64, decimals: usize) -> String {
     let text = fixed(value, decimals);
@@ -40,6 +35,5 @@ mod tests {
         assert_eq!([-0.04, 0.04, -0.06, 0.06].map(|v| signed(v, 1)), ["+0.0", "+0.0", "-0.1", "+0.1"]);
         assert_eq!([0.12, 0.0, -4e-8, 1.00001].map(|m| mm(m, 3)), ["120", "0", "0", "1000.01"]);
         assert_eq!(fixed(-f64::INFINITY, 2), "-inf".to_string());
-        assert_eq!([1.5, f64::NAN, f64::INFINITY].map(|v| or_dash(v, 1)), ["1.5", "-", "-"]);
     }
 }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use fem::compare::Comparison;
 use fem::measure::MeasuredObservable;
 use fem::model::{Data, Model, Run};
-use fem::output::{Format, Json, OutputError, Report, Text, figures};
+use fem::output::{self, figures, json, text};
 use fem::process::{Column, Observable, Rows, Table, Values};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -37,18 +37,15 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Writes a report about a model.
-    ///
-    /// # Errors
-    /// None: nothing is written to a file.
-    pub fn of(report: &Report, model: &Model) -> Result<Self, OutputError> {
-        Ok(Self {
-            json: Json.write(report)?,
-            text: Text::default().write(report)?,
-            figures: figures(report),
+    /// The answer of a command about a model.
+    pub fn of(answer: &dyn output::Answer, model: &Model) -> Self {
+        Self {
+            json: json(answer),
+            text: text(answer, None),
+            figures: figures(answer),
             coordinates: model.process.coordinates().iter().map(|c| c.name.to_string()).collect(),
             ..Self::default()
-        })
+        }
     }
 }
 

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fem::ask;
-use fem::output::{Format, Json, Report, Text, budget_warnings};
+use fem::output::{BudgetAnswer, json, text};
 use fem::progress::Progress;
 use pyo3::prelude::*;
 
@@ -47,7 +47,7 @@ fn demo() -> (&'static str, &'static str) {
 fn catalogue(py: Python, name: Option<String>) -> PyResult<(String, String)> {
     compute(py, &Arc::default(), move |_| {
         let found = ask::catalogue(name.as_deref())?;
-        Ok((Json.write(&found.report())?, Text::default().write(&found.report())? + &found.columns()))
+        Ok((json(&found), text(&found, None)))
     })
 }
 
@@ -57,9 +57,8 @@ fn budget(py: Python, path: PathBuf) -> PyResult<(String, String, Vec<String>)> 
     compute(py, &Arc::default(), move |progress: &Arc<Progress>| {
         let file = fem::budget::load(&path)?;
         let estimate = fem::budget::estimate(&file, progress)?;
-        let report = Report::Budget(&file, estimate.as_ref());
-        let warnings = budget_warnings(&file, estimate.as_ref());
-        Ok((Json.write(&report)?, Text::default().write(&report)?, warnings))
+        let answer = BudgetAnswer(&file, estimate.as_ref());
+        Ok((json(&answer), text(&answer, None), answer.warnings()))
     })
 }
 

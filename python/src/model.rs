@@ -7,7 +7,7 @@ use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, fitte
 use fem::diagnose::diagnose;
 use fem::input::{Parameter, Source};
 use fem::model::{self, Data, Entry, Setting, add_effect};
-use fem::output::Report;
+use fem::output::{ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, PlanAnswer, RunAnswer};
 use fem::progress::Progress;
 use fem::units::Knowledge;
 use pyo3::prelude::*;
@@ -99,7 +99,7 @@ impl Model {
         compute(py, &Arc::default(), move |progress| {
             model.require_part()?;
             let mut run = model.run(progress)?;
-            let answer = Answer::of(&Report::Run(&model, &run), &model)?;
+            let answer = Answer::of(&RunAnswer(&model, &run), &model);
             let notes = run.report.warnings.clone();
             Ok(Answer { tables: vec![tables_of_run(&model, &mut run)], notes, ..answer })
         })
@@ -113,7 +113,7 @@ impl Model {
             let tables = vec![tables_of_rows(data, &found.predicted, &residuals, &found.noise.sigma)];
             // A fitted value that no model may hold leaves none.
             let model = fitted(data, &found).ok().map(|better| marked(better, "fitted"));
-            let answer = Answer::of(&Report::Fit(data, &found), data.model)?;
+            let answer = Answer::of(&FitAnswer(data, &found), data.model);
             Ok(Answer { tables, notes: data.notes_of_fit(), model, ..answer })
         })
     }
@@ -131,7 +131,8 @@ impl Model {
                 marked(model, &marks)
             });
             let steps = steps.collect();
-            Ok(Answer { notes, model, steps, ..Answer::of(&Report::Diagnosis(data, &found), data.model)? })
+            let answer = Answer::of(&DiagnosisAnswer(data, &found), data.model);
+            Ok(Answer { notes, model, steps, ..answer })
         })
     }
 
@@ -145,7 +146,8 @@ impl Model {
             };
             let design = design.watched(progress.clone());
             let (found, note) = plan(&design, &noise)?;
-            Ok(Answer { notes: note.into_iter().collect(), ..Answer::of(&Report::Plan(&design, &found), &model)? })
+            let answer = Answer::of(&PlanAnswer(&design, &found), &model);
+            Ok(Answer { notes: note.into_iter().collect(), ..answer })
         })
     }
 
@@ -154,7 +156,7 @@ impl Model {
         self.of_data(py, Arc::default(), data, |data, _| {
             let found = compensate(data)?;
             let notes = data.notes.clone();
-            Ok(Answer { notes, ..Answer::of(&Report::Compensation(data, &found, &[]), data.model)? })
+            Ok(Answer { notes, ..Answer::of(&CompensationAnswer(data, &found, &[]), data.model) })
         })
     }
 }
@@ -183,8 +185,13 @@ pub fn compare(py: Python, models: Vec<PyRef<Model>>, data: Asked) -> PyResult<A
         let each = |data: &Data, found| (tables_of_comparison(data, &found), found);
         let (compared, measurements) = compare_all(&models, data.read(&*first.process, false)?, progress, each)?;
         let (tables, comparisons): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
-        let report = Report::Comparison(&models, &measurements, &comparisons);
-        Ok(Answer { tables, notes: measurements.notes.clone(), ..Answer::of(&report, first)? })
+        let answer = ComparisonAnswer {
+            process: &*first.process,
+            models: &models,
+            measurements: &measurements,
+            comparisons: &comparisons,
+        };
+        Ok(Answer { tables, notes: measurements.notes.clone(), ..Answer::of(&answer, first) })
     })
 }
 

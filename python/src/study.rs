@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use fem::input::{Problem, Source};
 use fem::output::files::Guard;
 use fem::output::study::{Earlier, StudyFolder, line};
-use fem::output::{Folder, Format, Json, Report, Text};
+use fem::output::{Folder, StudyAnswer, json, text};
 use fem::process::Failure;
 use fem::study::{Layout, Plan, Shard, in_order, load, parse};
 use pyo3::prelude::*;
@@ -100,12 +100,12 @@ impl Study {
         compute(py, &Arc::default(), move |progress| {
             let folder = locked(&shared).take();
             let (rows, summary) = folder.ok_or_else(ended)?.finish()?;
-            let report = Report::Study(&layout, &summary);
+            let answer = StudyAnswer(&layout, &summary);
             if let Some(directory) = kept.as_deref().filter(|_| done == jobs) {
                 let guard = Guard { reads: &plan.paths(), force: false };
-                Folder { directory, guard, progress }.write(&report)?;
+                Folder { directory, guard }.write("study", &answer, progress)?;
             }
-            Ok((Json.write(&report)?, Text::default().write(&report)?, rows))
+            Ok((json(&answer), text(&answer, None), rows))
         })
     }
 }

@@ -99,6 +99,13 @@ pub struct Point {
     pub u: f64,
 }
 
+impl Series {
+    /// A series with what is written beside its end.
+    pub fn new(label: impl Into<String>, colour: usize, form: Form, points: Vec<Point>) -> Self {
+        Self { label: label.into(), colour, form, points }
+    }
+}
+
 impl Point {
     /// A point without a bar.
     pub const fn new(x: f64, y: f64) -> Self {

@@ -13,6 +13,11 @@ pub fn draw(chart: &Chart) -> Svg {
     }
 }
 
+/// Draws a chart, behind its name.
+pub fn named(chart: &Chart) -> (String, Svg) {
+    (chart.name.clone(), draw(chart))
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::data::{Axis, Form, Point, Series};

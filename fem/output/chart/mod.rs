@@ -12,7 +12,7 @@ mod style;
 mod svg;
 
 pub use data::{Axis, Chart, Form, Plane, Point, Series};
-pub use draw::draw;
+pub use draw::{draw, named};
 pub use number::{grouped, number};
 pub use style::{COLOURS, sheet};
 pub use svg::{Mark, Svg, escaped};

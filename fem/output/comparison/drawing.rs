@@ -1,20 +1,17 @@
 //! Draws measured and predicted deviations on the contour, magnified.
 
-use super::around::{BENT, goes_around};
-use crate::process::{Coordinate, Curve, Drawing, Holds, Places, Rows, Spot};
+use super::shapes::{BENT, goes_around};
+use crate::output::plots::{Judged, Rows};
+use crate::process::{self, Coordinate, Curve, Drawing, Holds, Spot};
 
 /// Most frames that can be told apart in one picture.
 const MOST_FRAMES: usize = 4;
 
-/// Draws the rows of each frame: dots for measured values, a line for predicted ones (SI, with the residuals of every
-/// row). Every coordinate of `rows` is resolved.
-pub fn drawing(
-    nominal: Vec<Vec<Spot>>,
-    coordinates: &[Coordinate],
-    rows: &Rows,
-    places: &Places,
-    (predicted_values, residuals): (&[f64], &[f64]),
-) -> Drawing {
+/// Draws the rows of each frame on the contour, where the process has one: dots for measured values, a line for
+/// predicted ones.
+pub fn drawing(rows: &Rows, judged: &Judged) -> Option<Drawing> {
+    let (model, resolved) = (rows.model, &rows.resolved);
+    let (places, nominal) = (model.system.places(&rows.measurements.rows)?, model.system.contour()?);
     let mut frames: Vec<(f64, Vec<usize>)> = Vec::new();
     for (row, frame) in places.frames.iter().enumerate() {
         match frames.iter_mut().find(|f| f.0 == *frame) {
@@ -24,7 +21,7 @@ pub fn drawing(
     }
     let of =
         if frames.len() > MOST_FRAMES { format!(", {MOST_FRAMES} of {} sets", frames.len()) } else { String::new() };
-    let names = names(coordinates, rows, &frames);
+    let names = names(model.process.coordinates(), resolved, &frames);
     let spot = |row: usize, deviation: f64| {
         let ([x, y, _], [u, v, _]) = (places.points[row], places.directions[row]);
         Spot { at: [x, y], outward: [u, v], deviation: deviation - places.references[row] }
@@ -33,13 +30,13 @@ pub fn drawing(
     for (family, ((_, own), name)) in frames.iter().zip(&names).take(MOST_FRAMES).enumerate() {
         let mut own = own.clone();
         own.sort_by(|a, b| places.along[*a].total_cmp(&places.along[*b]));
-        let measured = own.iter().map(|r| spot(*r, predicted_values[*r] + residuals[*r])).collect();
-        let predicted = own.iter().map(|r| spot(*r, predicted_values[*r])).collect();
+        let measured = own.iter().map(|r| spot(*r, judged.measured[*r])).collect();
+        let predicted = own.iter().map(|r| spot(*r, judged.predicted[*r])).collect();
         let curve = |what, is_measured, pieces| Curve { label: format!("{what}{name}"), family, is_measured, pieces };
         curves.push(curve("predicted", false, lines(predicted)));
         curves.push(curve("measured", true, vec![measured]));
     }
-    Drawing { name: "compared", title: format!("measured and predicted{of}"), nominal, curves }
+    Some(Drawing { name: "compared", title: format!("measured and predicted{of}"), nominal, curves })
 }
 
 /// Makes lines through spots that follow each other, broken at corners and closed all around.
@@ -62,7 +59,7 @@ fn lines(spots: Vec<Spot>) -> Vec<Vec<Spot>> {
 
 /// Names each frame by the coordinates that are the same within every frame and differ between some, as `,
 /// cw, 500 mm/min`.
-fn names(coordinates: &[Coordinate], rows: &Rows, frames: &[(f64, Vec<usize>)]) -> Vec<String> {
+fn names(coordinates: &[Coordinate], rows: &process::Rows, frames: &[(f64, Vec<usize>)]) -> Vec<String> {
     let value = |column: usize, row: &usize| rows.columns[column][*row];
     let tells = |column: &usize| {
         let same = |own: &[usize]| own.iter().all(|r| value(*column, r) == value(*column, &own[0]));

@@ -1,24 +1,21 @@
-//! Writes a comparison with measurements as text, JSON and CSV.
+//! The answer of `fem compare`: models held against measurements.
 
-mod around;
+mod answer;
 mod drawing;
 mod residuals;
 mod shapes;
 mod text;
 
+pub use answer::ComparisonAnswer;
 pub use drawing::drawing;
-pub use residuals::residuals;
-pub use shapes::shapes;
-pub use text::text;
-pub(super) use text::{noise as noise_text, notable_features, verdict};
+pub(super) use text::{compared, features, noise as noise_text, residual_curve, verdict};
 
 use serde_json::{Value as Json, json};
 
-use super::measurement;
-use crate::compare::{Agreement, Comparison, Feature};
+use crate::compare::{Agreement, Feature};
 use crate::measure::{MeasuredObservable, Measurements};
 use crate::noise::{NoiseLevel, NoiseSource};
-use crate::process::{Coordinate, Holds, Process};
+use crate::process::{Coordinate, Holds};
 use crate::units::Kind;
 
 impl NoiseSource {
@@ -31,47 +28,6 @@ impl NoiseSource {
             Self::Estimated => "estimated",
         }
     }
-}
-
-/// Makes the JSON of `fem compare --json`: `fem-comparison/1`.
-pub fn json(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Json {
-    let kind = measurements.kind();
-    let first = comparisons.first();
-    let noise = first.map(|c| noise(&c.noise.level(measurements), kind));
-    let terms = |c: &Comparison| measurement::json(&c.noise.terms, process, Some(measurements));
-    let model = |c: &Comparison| {
-        json!({
-            "model": c.model,
-            "rms": kind.from_si(c.rms),
-            "bias": kind.from_si(c.bias),
-            "unit": kind.unit,
-            "worst": {
-                "error": kind.from_si(c.worst_error),
-                "row": measurements.record(c.worst),
-                "line": measurements.line(c.worst),
-                "file": measurements.file_of(c.worst).unwrap_or(&measurements.name),
-                "at": place(process.coordinates(), measurements, c.worst),
-            },
-            "chi2_per_dof": c.reduced_chi2,
-            "p_value": c.p_value,
-            "adequate": c.adequacy(),
-            "features": c.features.iter().map(feature).collect::<Vec<_>>(),
-            "observables": observables(measurements, |s| c.agreement(measurements, s)),
-            "measurement": terms(c),
-            "cautions": c.cautions,
-            "suspects": measurement::json(&c.suspects, process, Some(measurements)),
-        })
-    };
-    json!({
-        "schema": "fem-comparison/1",
-        "data": measurements.name,
-        "files": measurement::files(measurements),
-        "observations": measurements.len(),
-        "noise": noise,
-        "measurement": first.map(terms),
-        "models": comparisons.iter().map(model).collect::<Vec<_>>(),
-        "notes": measurements.notes,
-    })
 }
 
 /// Makes the JSON of the noise, in the unit of the errors of all rows.

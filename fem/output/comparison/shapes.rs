@@ -1,7 +1,6 @@
 //! Animates the measured and the predicted shape.
 
-use super::around::goes_around;
-use crate::compare::Comparison;
+use crate::output::plots::Judged;
 use crate::process::{Animation, Body, Cell, Ends, Field, Frame, Grid, Observable, Places, Role, Rows, Skin, View};
 use crate::units::{Kind, LENGTH, NUMBER};
 
@@ -11,12 +10,22 @@ const MOST_MARKS: usize = 2000;
 /// Half of the size of a mark, as a part of the size of the shape.
 const MARK: f64 = 0.006;
 
+/// Smallest cosine between the outward directions of rows that belong to one line.
+pub const BENT: f64 = 0.8;
+
+/// Whether places in their order, by their outward directions, go all around, and not only there and back again.
+pub fn goes_around<const N: usize>(outward: &[[f64; N]]) -> bool {
+    let [first, .., last] = outward else { return false };
+    let near = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > BENT;
+    outward.len() > 8 && near(first, last) && !near(first, &outward[outward.len() / 2])
+}
+
 /// Makes a frame for each value that rows have in common. Points are the measured rows, joined by a line in
 /// the order of their places, which closes where they go all around; `measured`, `predicted` and `residual` are
 /// values of the observable, and the vectors move the points by the measured and the predicted values. Behind them
 /// stand the same points again, which `displacement` moves by the predicted values, and the first ones by the
 /// measured.
-pub fn shapes(observables: &[Observable], rows: &Rows, places: &Places, comparison: &Comparison) -> Animation {
+pub fn shapes(observables: &[Observable], rows: &Rows, places: &Places, judged: &Judged) -> Animation {
     let mut order: Vec<usize> = (0..places.frames.len()).collect();
     let key = |row: &usize| (places.frames[*row], places.along[*row]);
     order.sort_by(|a, b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
@@ -26,7 +35,7 @@ pub fn shapes(observables: &[Observable], rows: &Rows, places: &Places, comparis
         Some(one) => [observables[*one].error_kind(), observables[*one].kind],
         None => [NUMBER; 2],
     };
-    let all: Vec<Frame> = frames.map(|rows| frame(rows, kinds, places, comparison)).collect();
+    let all: Vec<Frame> = frames.map(|rows| frame(rows, kinds, places, judged)).collect();
     Animation {
         name: "compared",
         shown: "residual",
@@ -40,15 +49,14 @@ pub fn shapes(observables: &[Observable], rows: &Rows, places: &Places, comparis
 }
 
 /// The frame of rows that have one value in common, in the order of their places.
-fn frame(all: &[usize], [error, kind]: [Kind; 2], places: &Places, comparison: &Comparison) -> Frame {
+fn frame(all: &[usize], [error, kind]: [Kind; 2], places: &Places, judged: &Judged) -> Frame {
     let rows: Vec<usize> = all.iter().copied().step_by(all.len().div_ceil(MOST_MARKS)).collect();
     let at = places.frames[rows[0]];
     // Once for what was measured, once for what is predicted.
     let twice = || rows.iter().chain(&rows);
-    let residual = |r: usize| comparison.residuals[r];
-    let predicted = |r: usize| comparison.predicted[r];
-    // Measured values as they were compared, without datum directions.
-    let measured = |r: usize| predicted(r) + residual(r);
+    let residual = |r: usize| judged.residuals[r];
+    let predicted = |r: usize| judged.predicted[r];
+    let measured = |r: usize| judged.measured[r];
     let scalar = |value: &dyn Fn(usize) -> f64| twice().map(|r| value(*r)).collect::<Vec<f64>>();
     let by = |value: f64, r: usize| places.directions[r].map(|d| d * (value - places.references[r]));
     let moved = |value: &dyn Fn(usize) -> f64| twice().map(|r| by(value(*r), *r)).collect::<Vec<[f64; 3]>>();

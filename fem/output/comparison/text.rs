@@ -1,49 +1,51 @@
-//! Writes a comparison for people.
-
-use std::fmt::Write;
+//! A comparison for people.
 
 use super::place;
 use crate::compare::{Comparison, Feature};
 use crate::measure::{MeasuredObservable, Measurements};
 use crate::noise::{NoiseLevel, NoiseSource};
-use crate::output::{measurement, plot};
+use crate::output::block::{Block, Cell, Column, Table};
+use crate::output::measurement;
 use crate::process::{Plot, Process};
 
-/// Writes the models side by side, and where each fails.
-pub fn text(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison], columns: usize) -> String {
+/// The models side by side, and where each fails.
+pub fn blocks(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Vec<Block> {
+    let level = comparisons.first().map(|first| noise(&first.noise.level(measurements), measurements));
+    let noise = level.map_or(String::new(), |level| format!(", noise {level}"));
+    let mut head = format!("{}: {} observations{noise}\n", measurements.name, measurements.len());
+    for c in comparisons {
+        head += &measurement::at_work(&c.model, &c.noise.terms, process, Some(measurements));
+    }
+    let mut blocks = vec![Block::Lines(head)];
+    let cautions = comparisons.iter().flat_map(|c| c.cautions.iter().map(|caution| format!("{}: {caution}", c.model)));
+    blocks.extend(cautions.map(Block::Caution));
+    blocks.push(Block::Table(compared(measurements, comparisons)));
+    let unit = measurements.kind().unit;
+    blocks.push(Block::Sentence(format!("rms, bias and worst in {unit}, measured less predicted")));
+    let failed = comparisons.iter().filter(|c| c.adequacy() == Some(false));
+    blocks.extend(failed.flat_map(|c| where_it_fails(process, measurements, c)));
+    blocks
+}
+
+/// The models with their errors and the verdicts on them.
+pub(in crate::output) fn compared(measurements: &Measurements, comparisons: &[Comparison]) -> Table {
     let kind = measurements.kind();
-    let mut text = format!("{}: {} observations", measurements.name, measurements.len());
-    // Writing to a String does not fail, here and below.
-    if let Some(first) = comparisons.first() {
-        let _ = writeln!(text, ", noise {}", noise(&first.noise.level(measurements), measurements));
-    }
-    for c in comparisons {
-        text.push_str(&measurement::at_work(&c.model, &c.noise.terms, process, Some(measurements)));
-    }
-    for (c, caution) in comparisons.iter().flat_map(|c| c.cautions.iter().map(move |caution| (c, caution))) {
-        let _ = writeln!(text, "\ncaution: {}: {caution}", c.model);
-    }
-    let width = comparisons.iter().map(|c| c.model.chars().count()).max().unwrap_or(0).max(5);
-    let _ = writeln!(
-        text,
-        "\n  {:<width$} {:>11} {:>11} {:>11} {:>11}   verdict",
-        "model", "rms", "bias", "worst", "chi2/dof"
-    );
-    for c in comparisons {
+    let row = |c: &Comparison| {
         let [rms, bias, worst] = [c.rms, c.bias, c.worst_error].map(|si| kind.from_si(si));
-        let _ = writeln!(
-            text,
-            "  {:<width$} {rms:>11.3} {bias:>+11.3} {worst:>+11.3} {:>11.3}   {}",
-            c.model,
-            c.reduced_chi2,
-            verdict(c)
-        );
-    }
-    let _ = writeln!(text, "  rms, bias and worst in {}, measured less predicted", kind.unit);
-    for c in comparisons.iter().filter(|c| c.adequacy() == Some(false)) {
-        where_it_fails(&mut text, process, measurements, c, columns);
-    }
-    text
+        vec![
+            Cell::Text(c.model.clone()),
+            Cell::number(rms),
+            Cell::signed(bias),
+            Cell::signed(worst),
+            Cell::number(c.reduced_chi2),
+            Cell::Text(verdict(c).into()),
+        ]
+    };
+    let numbers = ["rms", "bias", "worst", "chi2/dof"].map(|name| Column::new(name, 11));
+    let columns = [Column::wide("model")].into_iter().chain(numbers).chain([Column::remark("verdict", 0)]);
+    let unit = kind.unit;
+    let caption = format!("As fem compare says of the models as they are written, in {unit}, measured less predicted");
+    Table { caption, ..Table::new(columns, comparisons.iter().map(row)) }
 }
 
 /// The verdict on a model as it is written, in a few words.
@@ -77,39 +79,36 @@ pub(in crate::output) fn noise(noise: &NoiseLevel, measurements: &Measurements) 
 /// Smallest share of a feature that is notable where there are larger ones.
 const SMALLEST_SHARE: f64 = 0.03;
 
-/// Features with a share worth reporting; of fewer than three, all.
-pub(in crate::output) fn notable_features(features: &[Feature]) -> impl Iterator<Item = &Feature> {
-    features.iter().filter(|f| f.share >= SMALLEST_SHARE || features.len() < 3)
+/// Features with a share worth reporting, behind their shares; of fewer than three, all.
+pub(in crate::output) fn features(all: &[Feature]) -> Block {
+    let notable = all.iter().filter(|f| f.share >= SMALLEST_SHARE || all.len() < 3);
+    Block::Labelled(notable.map(|f| (format!("{:>3.0} %", 100.0 * f.share), f.text.clone())).collect())
 }
 
-fn where_it_fails(
-    text: &mut String,
-    process: &dyn Process,
-    measurements: &Measurements,
-    c: &Comparison,
-    columns: usize,
-) {
-    let _ = writeln!(text, "\nwhere {} fails", c.model);
+/// The residuals along the first coordinate over which they make a curve.
+pub(in crate::output) fn residual_curve(features: &[Feature]) -> Option<Block> {
+    let feature = features.iter().find(|f| f.curve.len() > 2)?;
+    let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
+    Some(Block::Curve(Plot { title, x_unit: "", points: feature.curve.clone() }))
+}
+
+fn where_it_fails(process: &dyn Process, measurements: &Measurements, c: &Comparison) -> Vec<Block> {
+    let mut blocks = vec![Block::Heading(format!("where {} fails", c.model))];
     if !c.suspects.is_empty() {
         let all: Vec<String> = c.suspects.iter().map(|t| measurement::words(t, process, Some(measurements))).collect();
-        let asked = all.join("; ");
-        let _ = writeln!(text, "  the rows ask for {asked}\n  `fem diagnose` weighs it against effects of the machine");
+        blocks.push(Block::Sentence(format!("the rows ask for {}", all.join("; "))));
+        blocks.push(Block::Sentence("`fem diagnose` weighs it against effects of the machine".into()));
     } else if c.features.is_empty() {
-        let _ = writeln!(text, "  more is left than the noise explains, but along no coordinate");
+        blocks.push(Block::Sentence("more is left than the noise explains, but along no coordinate".into()));
     }
-    for feature in notable_features(&c.features) {
-        let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
-    }
+    blocks.push(features(&c.features));
     let at: Vec<String> = match place(process.coordinates(), measurements, c.worst) {
         serde_json::Value::Object(map) => {
             map.iter().map(|(k, v)| format!("{k} {}", v.to_string().replace('"', ""))).collect()
         }
         _ => Vec::new(),
     };
-    let _ = writeln!(text, "  worst in {} ({})", measurements.place(c.worst), at.join(", "));
-    if let Some(feature) = c.features.iter().find(|f| f.curve.len() > 2) {
-        let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
-        let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
-        let _ = writeln!(text, "\n{}", plot::lines(&plot, columns).join("\n"));
-    }
+    blocks.push(Block::Sentence(format!("worst in {} ({})", measurements.place(c.worst), at.join(", "))));
+    blocks.extend(residual_curve(&c.features));
+    blocks
 }

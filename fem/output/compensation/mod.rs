@@ -6,27 +6,47 @@ mod json;
 mod text;
 
 pub use control::{ALL as CONTROLS, Control, LINUXCNC, Supplied, supplied};
-pub use json::json;
-pub use text::text;
 
-use super::csv;
+use serde_json::Value;
+
+use super::answer::Answer;
+use super::block::Block;
+use super::json::json as document;
+use super::staged::Staged;
+use super::{OutputError, csv};
 use crate::compensate::Compensation;
+use crate::model::Data;
 
-/// The tables in general form and what is left along the travel, by the names of their files, and files for controls:
-/// what is entered only where the controller had something already, and increments only where it is told at which
-/// points.
-pub(super) fn tables(compensation: &Compensation, supplied: &[Supplied]) -> Vec<(&'static str, Option<String>)> {
-    let [points, segments, both] = &compensation.schemes;
-    let entered = compensation.active.as_ref().map(|_| csv::table(&controller::points(&points.entered)));
-    let increments = compensation.steps.map(|steps| csv::table(&controller::increments(&points.entered, steps)));
-    let mut tables = vec![
-        ("entered.csv", entered),
-        ("increments.csv", increments),
-        ("points.csv", Some(csv::table(&controller::points(&points.table)))),
-        ("segments.csv", Some(csv::table(&controller::segments(&segments.table)))),
-        ("both-directions.csv", Some(csv::table(&controller::both_directions(&both.table)))),
-    ];
-    tables.extend(supplied.iter().flat_map(|s| s.files.iter().map(|(name, text)| (*name, Some(text.clone())))));
-    tables.push(("predicted.csv", Some(csv::table(&controller::predicted(compensation)))));
-    tables
+/// The compensation of an axis by its test and its model, with files for controls.
+pub struct CompensationAnswer<'a>(pub &'a Data<'a>, pub &'a Compensation, pub &'a [Supplied]);
+
+impl Answer for CompensationAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        vec![Block::Lines(text::text(self.0, self.1, self.2))]
+    }
+
+    fn json(&self) -> Value {
+        json::json(self.0, self.1, self.2)
+    }
+
+    /// The tables in general form and what is left along the travel, and the files for controls; what is entered only
+    /// where the controller had something already, and increments only where it is told at which points.
+    fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
+        let Self(_, found, supplied) = *self;
+        let [points, segments, both] = &found.schemes;
+        if found.active.is_some() {
+            files.text("entered.csv", &csv::table(&controller::points(&points.entered)))?;
+        }
+        if let Some(steps) = found.steps {
+            files.text("increments.csv", &csv::table(&controller::increments(&points.entered, steps)))?;
+        }
+        files.text("points.csv", &csv::table(&controller::points(&points.table)))?;
+        files.text("segments.csv", &csv::table(&controller::segments(&segments.table)))?;
+        files.text("both-directions.csv", &csv::table(&controller::both_directions(&both.table)))?;
+        for (name, text) in supplied.iter().flat_map(|s| &s.files) {
+            files.text(*name, text)?;
+        }
+        files.text("predicted.csv", &csv::table(&controller::predicted(found)))?;
+        files.text("compensation.json", &document(self))
+    }
 }

@@ -1,4 +1,4 @@
-//! A diagnosis, as text and JSON.
+//! The answer of `fem diagnose`: which effects are missing.
 
 mod additions;
 mod campaign;
@@ -8,23 +8,31 @@ mod text;
 pub use additions::additions;
 pub(super) use additions::{name, quoted};
 pub(super) use commands::{commands, with};
-pub use text::text;
-pub(super) use text::{bound, chance, label, note, separated, separated_pairs, unexplained, verdict};
+pub(super) use text::{
+    bent, bound, chance, errors, experiment, label, next_measurement, note, pairs, separated, separated_pairs,
+    separations, traits, unexplained, verdict,
+};
 
 use serde_json::{Map, Value as Json, json};
 
+use super::OutputError;
+use super::answer::Answer;
+use super::block::Block;
+use super::chart::Svg;
 use super::falling::Falling;
-use super::fit::finite;
-use super::measurement::{curve, files};
+use super::json::{finite, json as document};
+use super::measurement::{self, curve, files};
+use super::staged::Staged;
 use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
 use crate::process::Description;
+use crate::progress::Progress;
 use crate::units::Kind;
 
 /// The error of the model as it is re-fitted, and with each missing effect added.
-pub(super) fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
+fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
     let kind = data.kind();
     let first = (format!("{} re-fitted", data.model.stem().display()), diagnosis.before.rms);
     let added = diagnosis.missing.iter().map(|m| (format!("+ {}", text::label(m)), m.goodness.rms));
@@ -36,41 +44,63 @@ pub(super) fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
     }
 }
 
-/// `fem diagnose --json`: `fem-diagnosis/1`.
-pub fn json(data: &Data, diagnosis: &Diagnosis) -> Json {
-    let kind = data.kind();
-    let d = diagnosis;
-    let mut all = json!({
-        "schema": "fem-diagnosis/1",
-        "model": &*data.model.source.name,
-        "data": data.name,
-        "files": files(data),
-        "observations": data.len(),
-        "observations_used": d.rows,
-        "cautions": d.cautions,
-        "noise": super::comparison::noise(&d.noise, kind),
-        "measurement": super::measurement::json(&data.terms, &*data.model.process, Some(data)),
-        "before": goodness(&d.before, kind),
-        "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
-        "verdict": d.verdict.word(),
-        "missing": d.missing.iter().map(|m| missing(m, data)).collect::<Vec<_>>(),
-        "described": d.missing.iter().filter(|m| m.describes()).map(text::label).collect::<Vec<_>>(),
-        "outliers": d.outliers.iter().map(|o| outlier(o, data)).collect::<Vec<_>>(),
-        "after": after(d, kind),
-        "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.to_string(), estimate(e))).collect::<Map<_, _>>(),
-        "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
-        "unexplained": remaining(data, d),
-        "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
-        "separated_by": text::separated_pairs(d).iter().map(|(a, b, by)| json!({ "separates": [a, b], "text": by })).collect::<Vec<_>>(),
-        "held_out_by": d.cross_validation_by,
-        "failed_trials": d.trials.0,
-        "evaluations": d.trials.1,
-        "notes": data.notes_of_fit(),
-    });
-    if let Some(campaign) = &data.model.campaign {
-        campaign::extend(&mut all, campaign, data, d);
+/// The diagnosis of data with their model: the missing effects, and the way to them.
+pub struct DiagnosisAnswer<'a>(pub &'a Data<'a>, pub &'a Diagnosis);
+
+impl Answer for DiagnosisAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        text::blocks(self.0, self.1)
     }
-    all
+
+    /// `fem diagnose --json`: `fem-diagnosis/1`.
+    fn json(&self) -> Json {
+        let Self(data, d) = *self;
+        let kind = data.kind();
+        let mut all = json!({
+            "schema": "fem-diagnosis/1",
+            "model": &*data.model.source.name,
+            "data": data.name,
+            "files": files(data),
+            "observations": data.len(),
+            "observations_used": d.rows,
+            "cautions": d.cautions,
+            "noise": super::comparison::noise(&d.noise, kind),
+            "measurement": measurement::json(&data.terms, &*data.model.process, Some(data)),
+            "before": goodness(&d.before, kind),
+            "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
+            "verdict": d.verdict.word(),
+            "missing": d.missing.iter().map(|m| missing(m, data)).collect::<Vec<_>>(),
+            "described": d.missing.iter().filter(|m| m.describes()).map(text::label).collect::<Vec<_>>(),
+            "outliers": d.outliers.iter().map(|o| outlier(o, data)).collect::<Vec<_>>(),
+            "after": after(d, kind),
+            "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.to_string(), estimate(e))).collect::<Map<_, _>>(),
+            "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
+            "unexplained": remaining(data, d),
+            "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
+            "separated_by": text::separated_from_measurement(d).iter().map(|[a, b, by]| json!({ "separates": [a, b], "text": by })).collect::<Vec<_>>(),
+            "held_out_by": d.cross_validation_by,
+            "failed_trials": d.trials.0,
+            "evaluations": d.trials.1,
+            "notes": data.notes_of_fit(),
+        });
+        if let Some(campaign) = &data.model.campaign {
+            campaign::extend(&mut all, campaign, data, d);
+        }
+        all
+    }
+
+    fn figures(&self) -> Vec<(String, Svg)> {
+        vec![("diagnosis".into(), falling(self.0, self.1).svg())]
+    }
+
+    fn progress(&self) -> Option<&Progress> {
+        Some(&self.0.progress)
+    }
+
+    fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
+        files.text("diagnosis.json", &document(self))?;
+        files.figures(self.figures())
+    }
 }
 
 fn goodness(goodness: &GoodnessOfFit, kind: Kind) -> Json {
@@ -164,12 +194,10 @@ fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
 
 /// Where nothing on the menu tells look-alikes apart: what the catalogue says would.
 fn said_to_separate(d: &Diagnosis) -> Option<Json> {
-    let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |r| (&m.effect, r)));
-    let told = pairs.filter_map(|(a, b)| Some((a, b, text::separated(a, b)?)));
-    let (a, b, by) = told.into_iter().next()?;
+    let [a, b, by] = text::separated_pairs(d).into_iter().next()?;
     Some(json!({
         "text": by, "coordinate": null, "values": [], "unit": "", "observations": null, "repeats": null,
-        "separation": null, "enough": null, "separates": [[&a.name, &b.name]],
+        "separation": null, "enough": null, "separates": [[a, b]],
     }))
 }
 
@@ -186,7 +214,7 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
         "repeats": next.repeats,
         "separation": next.separation,
         "enough": next.enough,
-        "separates": next.pairs.iter().map(|(a, b)| json!([&a.name, &b.name])).collect::<Vec<_>>(),
+        "separates": next.pairs.iter().map(|(a, b)| json!([a.name, b.name])).collect::<Vec<_>>(),
     })
 }
 

@@ -1,54 +1,68 @@
-//! Writes a diagnosis for people: the story from the failing model to the noise.
-
-use std::fmt::Write;
+//! A diagnosis for people: the story from the failing model to the noise.
 
 use super::additions::name;
 use super::campaign;
 use super::commands::commands;
-use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Outlier, Outlook, Verdict};
+use crate::diagnose::{Bend, Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
+use crate::fit::Estimate;
 use crate::model::{Data, Model};
+use crate::output::block::{Block, Cell, Column, Table};
 use crate::output::comparison;
 use crate::output::fit::Short;
-use crate::output::{measurement, number, plot};
-use crate::process::{Description, Holds, Neutral, Plot};
+use crate::output::{measurement, number};
+use crate::process::{Description, Holds, Neutral};
 use crate::units::Kind;
 
-/// Writes the story. Writing to a String does not fail, here and below.
-pub fn text(data: &Data, diagnosis: &Diagnosis, columns: usize) -> String {
-    let (d, kind) = (diagnosis, data.kind());
-    let noise = comparison::noise_text(&d.noise, data);
-    let mut text =
-        format!("{} against {}: {} observations, noise {noise}\n", data.model.source.name, data.name, data.len());
-    text.push_str(&measurement::at_work(&data.model.source.name, &data.terms, &*data.model.process, Some(data)));
-    if let Some(machine) = data.model.machine.as_ref().filter(|_| data.model.campaign.is_some()) {
-        let name = machine.name.as_ref().map_or(String::new(), |name| format!(", {name}"));
-        let _ = writeln!(text, "tests of one machine: {}{name}", machine.path.display());
-    }
-    for caution in &d.cautions {
-        let _ = writeln!(text, "\ncaution: {caution}");
-    }
-    let _ = writeln!(text, "\n{}", verdict(d));
-    where_it_fails(&mut text, d, columns);
-    for (i, missing) in d.missing.iter().enumerate() {
-        cause(&mut text, i + 1, missing, data, d);
-    }
-    errors(&mut text, data.model, d, kind);
-    if data.model.campaign.is_some() {
+/// The story.
+pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
+    let (model, kind) = (data.model, data.kind());
+    let mut blocks = vec![Block::Lines(head(data, d))];
+    blocks.extend(d.cautions.iter().cloned().map(Block::Caution));
+    blocks.push(Block::Heading(verdict(d)));
+    blocks.extend(where_it_fails(d));
+    blocks.extend((1..).zip(&d.missing).flat_map(|(number, missing)| cause(number, missing, data, d)));
+    let mut fits = errors(model, d, kind, "");
+    fits.rows.push(vec![Cell::Text("noise".into()), Cell::number(kind.from_si(d.noise.together()))]);
+    blocks.extend([Block::Table(fits), Block::Sentence(format!("in {}", kind.unit))]);
+    if model.campaign.is_some() {
+        let mut text = String::new();
         campaign::fits(&mut text, data, d);
+        blocks.push(Block::Lines(text));
     }
     if structure_remains(d) {
         if !d.missing.is_empty() {
-            let _ =
-                writeln!(text, "\nthe intervals count the noise alone: what remains may have bent the values further");
+            let caution = "the intervals count the noise alone: what remains may have bent the values further";
+            blocks.push(Block::Heading(caution.into()));
         }
-        let _ = writeln!(text, "\nwhat remains, described and not explained\n  {}", unexplained(data, d));
-        own_effect(&mut text, data, d);
+        blocks.push(Block::Heading("what remains, described and not explained".into()));
+        blocks.push(Block::Sentence(unexplained(data, d)));
+        blocks.extend(own_effect(data, d));
     }
-    not_seen(&mut text, d);
-    measure_next(&mut text, d);
-    commands(&mut text, data, d);
+    blocks.extend(not_seen(d));
+    let next = next_measurement(d);
+    if !next.is_empty() {
+        blocks.push(Block::Heading("measure next".into()));
+    }
+    blocks.extend(next);
+    let commands = commands(data, d);
+    if !commands.is_empty() {
+        blocks.extend([Block::Heading("to go on".into()), Block::Commands(commands)]);
+    }
     if d.trials.0 > 0 {
-        let _ = writeln!(text, "\nthe model could not be computed at {} of {} trial values", d.trials.0, d.trials.1);
+        let failed = format!("the model could not be computed at {} of {} trial values", d.trials.0, d.trials.1);
+        blocks.push(Block::Heading(failed));
+    }
+    blocks
+}
+
+/// The model, its data, their noise, and what is known of both.
+fn head(data: &Data, d: &Diagnosis) -> String {
+    let (name, noise) = (&data.model.source.name, comparison::noise_text(&d.noise, data));
+    let mut text = format!("{name} against {}: {} observations, noise {noise}\n", data.name, data.len());
+    text += &measurement::at_work(name, &data.terms, &*data.model.process, Some(data));
+    if let Some(machine) = data.model.machine.as_ref().filter(|_| data.model.campaign.is_some()) {
+        let name = machine.name.as_ref().map_or(String::new(), |name| format!(", {name}"));
+        text += &format!("tests of one machine: {}{name}\n", machine.path.display());
     }
     text
 }
@@ -70,27 +84,23 @@ pub fn verdict(d: &Diagnosis) -> String {
     }
 }
 
-fn where_it_fails(text: &mut String, d: &Diagnosis, columns: usize) {
+fn where_it_fails(d: &Diagnosis) -> Vec<Block> {
     if d.verdict == Verdict::Adequate {
-        return;
+        return Vec::new();
     }
-    let _ = writeln!(text, "\nwhere it fails, with what the model leaves open re-fitted");
+    let mut blocks = vec![Block::Heading("where it fails, with what the model leaves open re-fitted".into())];
     if d.features.is_empty() {
         let is_of_noise = d.missing.iter().all(|m| m.cause != Cause::Physical);
-        let _ = match d.before.is_as_noise() {
-            true if is_of_noise => writeln!(text, "  along no coordinate: the noise is not what it is taken for"),
-            true => writeln!(text, "  along no coordinate by itself: what is missing is known by its shape alone"),
-            false => writeln!(text, "  more is left than the noise explains, but along no coordinate"),
+        let sentence = match d.before.is_as_noise() {
+            true if is_of_noise => "along no coordinate: the noise is not what it is taken for",
+            true => "along no coordinate by itself: what is missing is known by its shape alone",
+            false => "more is left than the noise explains, but along no coordinate",
         };
+        blocks.push(Block::Sentence(sentence.into()));
     }
-    for feature in comparison::notable_features(&d.features) {
-        let _ = writeln!(text, "  {:>3.0} %  {}", 100.0 * feature.share, feature.text);
-    }
-    if let Some(feature) = d.features.iter().find(|f| f.curve.len() > 2) {
-        let title = format!("residual [{}] over {}, mean of the rows there", feature.unit, feature.coordinate);
-        let plot = Plot { title, x_unit: "", points: feature.curve.clone() };
-        let _ = writeln!(text, "\n{}", plot::lines(&plot, columns).join("\n"));
-    }
+    blocks.push(comparison::features(&d.features));
+    blocks.extend(comparison::residual_curve(&d.features));
+    blocks
 }
 
 /// A missing effect in a few words, with what groups the rows: `zero-shift by run`.
@@ -98,8 +108,8 @@ pub fn label(missing: &Missing) -> String {
     match &missing.cause {
         Cause::Physical => missing.effect.name.to_string(),
         Cause::Measurement { by, observable, along, period, .. } => {
-            let of = observable.clone().map_or(String::new(), |name| format!(" of {name}"));
-            let along = along.clone().map_or(String::new(), |name| format!(" along {name}"));
+            let of = observable.as_ref().map_or(String::new(), |name| format!(" of {name}"));
+            let along = along.as_ref().map_or(String::new(), |name| format!(" along {name}"));
             let period = period.map_or(String::new(), |(period, kind)| {
                 format!(", once in {:.4} {}", Short(kind.from_si(period)), kind.unit)
             });
@@ -108,15 +118,36 @@ pub fn label(missing: &Missing) -> String {
     }
 }
 
-fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &Diagnosis) {
+fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Block> {
     let effect = &missing.effect;
     let what = if missing.describes() { "described" } else { "cause" };
-    let _ = writeln!(text, "\n{what} {number}: {}, {}", label(missing), effect.about);
+    let mut blocks = vec![Block::Heading(format!("{what} {number}: {}, {}", label(missing), effect.about))];
     if let Some(campaign) = &data.model.campaign {
-        let _ = writeln!(text, "  in {}", campaign::places(campaign, data, missing).join(", in "));
+        let places = campaign::places(campaign, data, missing).join(", in ");
+        blocks.push(Block::Sentence(format!("in {places}")));
     }
+    blocks.push(Block::List(estimates(missing)));
+    blocks.push(Block::Sentence(chance(missing.p_value)));
+    blocks.extend(missing.bend.as_ref().map(|bend| Block::Sentence(bent(bend))));
+    for alternative in &missing.indistinguishable_from {
+        let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
+        blocks.push(Block::Sentence(format!("or {}: these data cannot tell{by}", alternative.label())));
+    }
+    let outlying = match &missing.cause {
+        Cause::Measurement { records, from: None, .. } => outlying(records, data, d),
+        _ => Vec::new(),
+    };
+    let mut traits = traits(missing, data.model);
+    let separates = traits.pop();
+    blocks.extend([Block::List(traits), Block::List(outlying)]);
+    blocks.extend(separates.map(Block::Sentence));
+    blocks
+}
+
+/// A line for each value of a missing effect, with its interval.
+fn estimates(missing: &Missing) -> Vec<String> {
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
-    for e in &missing.estimates {
+    let line = |e: &Estimate| {
         let k = e.parameter.kind;
         let value = format!("{:.4} {}", Short(k.from_si(e.value)), k.unit);
         let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.4}", Short(k.from_si(v))));
@@ -127,48 +158,43 @@ fn cause(text: &mut String, number: usize, missing: &Missing, data: &Data, d: &D
             false => format!(" 95 %: {} to {}", end(e.interval.low), end(e.interval.high)),
         };
         let warnings = if e.warnings.is_empty() { String::new() } else { format!("   ({})", e.warnings.join("; ")) };
-        let line = format!("  {:<width$}  {:<20}{interval}{warnings}", name(e), value.trim_end());
-        let _ = writeln!(text, "{}", line.trim_end());
-    }
-    let _ = writeln!(text, "  {}", chance(missing.p_value));
-    if let Some(bend) = &missing.bend {
-        let along = bend.along.clone().map_or("with its own size".into(), |name| format!("along {name}"));
-        let share = 100.0 * bend.share;
-        let _ = writeln!(text, "  its shape is not wholly this law: it bends {along}, by up to {share:.0} % of itself");
-    }
-    for alternative in &missing.indistinguishable_from {
-        let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
-        let _ = writeln!(text, "  or {}: these data cannot tell{by}", alternative.label());
-    }
-    if let Cause::Measurement { effect, by, records, from, .. } = &missing.cause {
-        if let Some((name, about)) = measurement::curve(effect, by, &*data.model.process) {
-            let _ = writeln!(text, "  in this process a {name}: {about}");
-        }
-        if let Some(place) = from {
-            let _ = writeln!(text, "  from {place} on");
-        } else {
-            outlying(text, records, data, d);
-        }
-        let _ = writeln!(text, "  what separates it from effects of the machine: {}", effect.separates);
-    }
+        format!("{:<width$}  {:<20}{interval}{warnings}", name(e), value.trim_end()).trim_end().to_string()
+    };
+    missing.estimates.iter().map(line).collect()
+}
+
+/// A bend that the law of a missing effect does not have.
+pub fn bent(bend: &Bend) -> String {
+    let along = bend.along.as_ref().map_or("with its own size".into(), |name| format!("along {name}"));
+    format!("its shape is not wholly this law: it bends {along}, by up to {:.0} % of itself", 100.0 * bend.share)
+}
+
+/// Traits of an effect of the measurement in this process and these rows, and last how to tell it from effects of the
+/// machine; nothing of these.
+pub fn traits(missing: &Missing, model: &Model) -> Vec<String> {
+    let Cause::Measurement { effect, by, from, .. } = &missing.cause else { return Vec::new() };
+    let curve = measurement::curve(effect, by, &*model.process);
+    let curve = curve.map(|(name, about)| format!("in this process a {name}: {about}"));
+    let from = from.as_ref().map(|place| format!("from {place} on"));
+    let separates = format!("what separates it from effects of the machine: {}", effect.separates);
+    curve.into_iter().chain(from).chain([separates]).collect()
 }
 
 /// Most outlying rows that are listed.
 const MOST_ROWS: usize = 10;
 
 /// Lists the outlying rows that stand in these records.
-fn outlying(text: &mut String, records: &[usize], data: &Data, d: &Diagnosis) {
+fn outlying(records: &[usize], data: &Data, d: &Diagnosis) -> Vec<String> {
     let own: Vec<&Outlier> = d.outliers.iter().filter(|o| records.contains(&o.record)).collect();
-    for o in own.iter().take(MOST_ROWS) {
+    let line = |o: &&Outlier| {
         let kind = data.observables[o.observable].kind;
         let [value, predicted] = [o.value, o.predicted].map(|si| kind.shown(si));
         let of = data.file_of_record(o.record - 1).map_or(String::new(), |name| format!(" of {name}"));
         let place = format!("{}{of}", o.line);
-        let _ = writeln!(text, "  line {place:<5} {value:.3}, predicted {predicted:.3}");
-    }
-    if own.len() > MOST_ROWS {
-        let _ = writeln!(text, "  and {} more", own.len() - MOST_ROWS);
-    }
+        format!("line {place:<5} {value:.3}, predicted {predicted:.3}")
+    };
+    let more = (own.len() > MOST_ROWS).then(|| format!("and {} more", own.len() - MOST_ROWS));
+    own.iter().take(MOST_ROWS).map(line).chain(more).collect()
 }
 
 /// Finds what would separate two effects by the catalogue.
@@ -179,13 +205,21 @@ pub fn separated(one: &Description, other: &Description) -> Option<&'static str>
     of_one.or_else(|| of_measurement(one)).or_else(|| of_measurement(other))
 }
 
-/// Pairs of a cause and what cannot be told from it of which one is the measurement's, with what the catalogue
-/// says would separate them.
-pub fn separated_pairs(d: &Diagnosis) -> Vec<(&str, &str, &'static str)> {
+/// Pairs of a cause and what cannot be told from it, with what the catalogue says would separate them.
+pub fn separated_pairs(d: &Diagnosis) -> Vec<[&str; 3]> {
     let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |other| (&m.effect, other)));
-    let is_one =
-        |(a, b): &(&Description, &Description)| [a, b].iter().any(|d| measurement::entry_named(&d.name).is_some());
-    pairs.filter(is_one).filter_map(|(a, b)| Some((&*a.name, &*b.name, separated(a, b)?))).collect()
+    pairs.filter_map(|(a, b)| Some([&*a.name, &*b.name, separated(a, b)?])).collect()
+}
+
+/// Those of which one is the measurement's.
+pub fn separated_from_measurement(d: &Diagnosis) -> Vec<[&str; 3]> {
+    let is_one = |[a, b, _]: &[&str; 3]| [a, b].iter().any(|name| measurement::entry_named(name).is_some());
+    separated_pairs(d).into_iter().filter(is_one).collect()
+}
+
+/// What separates pairs of effects.
+pub fn separations(pairs: &[[&str; 3]]) -> Block {
+    Block::List(pairs.iter().map(|[one, other, by]| format!("{one} from {other}: {by}")).collect())
 }
 
 /// Writes the p-value of an effect.
@@ -196,26 +230,24 @@ pub fn chance(p: f64) -> String {
     }
 }
 
-/// Writes the table of the falling error.
-fn errors(text: &mut String, model: &Model, d: &Diagnosis, kind: Kind) {
-    let first = format!("{} re-fitted", model.source.name);
-    let labels = d.missing.iter().map(|m| format!("+ {}", label(m)));
-    let lines: Vec<(String, &GoodnessOfFit)> = std::iter::once(first)
-        .chain(labels)
-        .zip(std::iter::once(&d.before).chain(d.missing.iter().map(|m| &m.goodness)))
-        .collect();
-    let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0).max(5);
-    let held = d.cross_validation_by.clone().map_or(String::new(), |by| format!("held out by {by}"));
-    let _ = writeln!(text, "\n  {:<width$} {:>11} {:>11}   {held}", "model", "rms", "chi2/dof");
+/// The falling error: the model re-fitted, and with each missing effect added. The last column is headed by the
+/// coordinate of which levels were held out, or by `unknown`.
+pub fn errors(model: &Model, d: &Diagnosis, kind: Kind, unknown: &str) -> Table {
     let sigma = kind.from_si(d.noise.together());
-    for (label, goodness) in lines {
-        let out = number::or_dash(goodness.cross_validation.map_or(f64::NAN, |held| held * sigma), 3);
+    let row = |(label, goodness): (String, &GoodnessOfFit)| {
+        let held_out = goodness.cross_validation.map_or(f64::NAN, |held| held * sigma);
         // As many parameters as conditions leave no lack of fit to judge.
-        let chi2 = number::or_dash(goodness.reduced_chi2, 3);
-        let _ = writeln!(text, "  {label:<width$} {:>11.3} {chi2:>11}   {out:>11}", kind.from_si(goodness.rms));
-    }
-    let _ = writeln!(text, "  {:<width$} {sigma:>11.3}", "noise");
-    let _ = writeln!(text, "  in {}", kind.unit);
+        let [chi2, held_out] = [goodness.reduced_chi2, held_out].map(Cell::finite);
+        vec![Cell::Text(label), Cell::number(kind.from_si(goodness.rms)), chi2, held_out]
+    };
+    let first = (format!("{} re-fitted", model.source.name), &d.before);
+    let added = d.missing.iter().map(|m| (format!("+ {}", label(m)), &m.goodness));
+    let held = d.cross_validation_by.as_ref().map_or(unknown.to_string(), |by| format!("held out by {by}"));
+    let numbers = ["rms", "chi2/dof"].map(|name| Column::new(name, 11));
+    let columns = [Column::wide("model")].into_iter().chain(numbers).chain([Column::remark(held, 11)]);
+    let unit = kind.unit;
+    let caption = format!("Every step is fitted anew to all rows; errors in {unit}, noise {sigma:.3} {unit}");
+    Table { caption, ..Table::new(columns, [first].into_iter().chain(added).map(row)) }
 }
 
 /// Describes the structure that remains.
@@ -233,21 +265,20 @@ pub fn unexplained(data: &Data, d: &Diagnosis) -> String {
 
 /// Shows how to write a cause that is not in the catalogue: over a coordinate along which structure remains,
 /// or else over any of the file's.
-fn own_effect(text: &mut String, data: &Data, d: &Diagnosis) {
+fn own_effect(data: &Data, d: &Diagnosis) -> Option<Block> {
     let coordinates = data.model.process.coordinates();
     let kind = |i: usize| match coordinates[i].holds {
         Holds::Quantity(kind) => Some((&coordinates[i].name, kind)),
         Holds::Number(_) | Holds::Word(_) => None,
     };
     let remaining = d.remaining.iter().flat_map(|f| f.along.0.iter().copied());
-    let Some((name, along)) = remaining.chain(data.given.iter().copied()).find_map(kind) else { return };
+    let (name, along) = remaining.chain(data.given.iter().copied()).find_map(kind)?;
     let unit = data.observables[0].kind.unit;
-    let _ = writeln!(
-        text,
+    Some(Block::Lines(format!(
         "  if you know the cause, write it into the model and diagnose again:\n    [effects.my-cause]\n    formula = \
-         \"a*sin(2*pi*{name}/p)\"   # over coordinates and these parameters\n    a = \"? {unit}\"\n    p = \"? {}\"",
+         \"a*sin(2*pi*{name}/p)\"   # over coordinates and these parameters\n    a = \"? {unit}\"\n    p = \"? {}\"\n",
         along.unit
-    );
+    )))
 }
 
 /// Writes a note on a candidate effect.
@@ -272,7 +303,7 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
 /// Writes a detection limit: `rate >= 0.4 um/km`, for a stiffness `<=`.
 pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     let entry = effect.parameters.iter().find(|p| p.name == parameter);
-    let unit = entry.map_or("", |p| &p.kind.unit);
+    let unit = entry.map(|p| p.kind.unit).unwrap_or_default();
     let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };
     let told = match entry.map(|p| p.neutral) {
         // A factor of 1.00042 is told by what it differs from 1.
@@ -285,53 +316,55 @@ pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     format!("{parameter} {sign} {told} {unit}").trim_end().to_string()
 }
 
-fn not_seen(text: &mut String, d: &Diagnosis) {
+fn not_seen(d: &Diagnosis) -> Vec<Block> {
     let absent = |c: &&Outlook| {
         let named = d.missing.iter().any(|m| m.effect == c.effect || m.indistinguishable_from.contains(&c.effect));
         !named && c.detection_limit.is_some()
     };
     let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
-    let seen = |c: &&&Outlook| c.detection_limit.as_ref().is_some_and(|v| v.detectable);
+    let is_seen = |c: &&Outlook| c.detection_limit.as_ref().is_some_and(|v| v.detectable);
+    let (seen, hidden): (Vec<&Outlook>, Vec<&Outlook>) = rest.iter().copied().partition(is_seen);
+    let mut blocks = Vec::new();
     // Structure that remains may hide effects.
-    if rest.iter().any(|c| seen(&c)) && !structure_remains(d) {
-        let _ = writeln!(text, "\nnot found, and nine times in ten it would have been, at a usual shape, from");
+    if !seen.is_empty() && !structure_remains(d) {
         let width = rest.iter().map(|c| c.effect.label().len()).max().unwrap_or(0);
-        for c in rest.iter().filter(seen) {
+        let line = |c: &&Outlook| {
             let v = c.detection_limit.as_ref().and_then(|v| v.smallest.map(|s| bound(&c.effect, &v.parameter, s)));
-            let _ = writeln!(text, "  {:<width$}  {}", c.effect.label(), v.unwrap_or_default());
-        }
+            format!("{:<width$}  {}", c.effect.label(), v.unwrap_or_default())
+        };
+        let heading = "not found, and nine times in ten it would have been, at a usual shape, from";
+        blocks.extend([Block::Heading(heading.into()), Block::List(seen.iter().map(line).collect())]);
     }
-    let hidden: Vec<_> = rest.iter().filter(|c| !seen(c)).map(|c| c.effect.label()).collect();
     if !hidden.is_empty() {
-        let _ = writeln!(text, "\nthese data could not show: {}", hidden.join(", "));
+        let names: Vec<_> = hidden.iter().map(|c| c.effect.label()).collect();
+        blocks.push(Block::Heading(format!("these data could not show: {}", names.join(", "))));
     }
+    blocks
 }
 
-fn measure_next(text: &mut String, d: &Diagnosis) {
-    let said = separated_pairs(d);
-    let Some(next) = &d.next else {
-        if !said.is_empty() {
-            let _ = writeln!(text, "\nmeasure next");
-        }
-        return say_separated(text, &said);
-    };
-    let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.label(), b.label())).collect();
+/// The next measurement, and what separates effects of the machine from those of the measurement.
+pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    if let Some(next) = &d.next {
+        let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
+        blocks.push(Block::Sentence(experiment(next)));
+        blocks.push(Block::Sentence(format!("it {tells} {}, by {:.1} sigma", pairs(next), next.separation)));
+    }
+    let pairs = separated_from_measurement(d);
+    if !pairs.is_empty() {
+        blocks.push(separations(&pairs));
+    }
+    blocks
+}
+
+/// The experiment to do next, with the number of its rows.
+pub fn experiment(next: &Next) -> String {
     let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
-    let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
-    let _ = writeln!(
-        text,
-        "\nmeasure next\n  {}{often}: {} rows\n  it {tells} {}, by {:.1} sigma",
-        next.experiment.words,
-        next.observations(),
-        pairs.join(", "),
-        next.separation
-    );
-    say_separated(text, &said);
+    format!("{}{often}: {} rows", next.experiment.words, next.observations())
 }
 
-/// Writes what separates effects of the machine from those of the measurement.
-fn say_separated(text: &mut String, said: &[(&str, &str, &str)]) {
-    for (one, other, by) in said {
-        let _ = writeln!(text, "  {one} from {other}: {by}");
-    }
+/// The effects that it tells apart.
+pub fn pairs(next: &Next) -> String {
+    let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.label(), b.label())).collect();
+    pairs.join(", ")
 }

@@ -1,14 +1,14 @@
 //! The causes, one by one; what to measure next; rows that are wrong; every effect on trial.
 
-use super::html::{self, Cell};
-use super::section::Section;
+use super::html::{self, Section, capital, sentence};
 use super::subject::{Evidence, Subject};
 use crate::diagnose::{Cause, Diagnosis, Missing};
 use crate::fit::Estimate;
 use crate::input::Name;
-use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, draw, escaped};
+use crate::output::block::{Block, Cell, Column, Table};
+use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, escaped, named};
 use crate::output::fit::Short;
-use crate::output::{diagnosis, measurement, plots};
+use crate::output::{diagnosis, plots};
 
 /// Rise of χ² at the ends of a 95 % interval: 95 % point of χ² with one degree of freedom.
 const QUANTILE: f64 = 3.841_458_820_694_124;
@@ -42,20 +42,17 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], subject: &Sub
         escaped(effect.source)
     ));
     html.push_str(&estimates("Values, with the 95 % intervals of their profiles", &missing.estimates));
-    html.push_str(&html::paragraph("note", &(capital(&diagnosis::chance(missing.p_value)) + ".")));
+    html.push_str(&html::paragraph("note", &sentence(&diagnosis::chance(missing.p_value))));
     if let Some(bend) = &missing.bend {
-        let along = bend.along.clone().map_or("with its own size".into(), |name| format!("along {name}"));
-        let share = 100.0 * bend.share;
-        let text = format!("Its shape is not wholly this law: it bends {along}, by up to {share:.0} % of itself.");
-        html.push_str(&html::paragraph("caution", &text));
+        html.push_str(&html::paragraph("caution", &sentence(&diagnosis::bent(bend))));
     }
     let mut figures: Vec<(String, Svg)> = Vec::new();
     if matches!(missing.cause, Cause::Physical) {
         let own = curves.iter().filter(|c| c.0 == effect.name);
-        figures.extend(own.map(|(_, chart)| (chart.name.clone(), draw(chart))));
+        figures.extend(own.map(|(_, chart)| named(chart)));
     }
-    figures.extend(missing.estimates.iter().filter_map(profile).map(|chart| (chart.name.clone(), draw(&chart))));
-    html.push_str(&html::figures(figures.iter().map(|(name, svg)| (name.as_str(), svg))));
+    figures.extend(missing.estimates.iter().filter_map(profile).map(|chart| named(&chart)));
+    html.push_str(&html::figures(figures));
     let alternative = |other: &crate::process::Description| {
         let by =
             diagnosis::separated(effect, other).map_or(String::new(), |by| format!("; what tells them apart: {by}"));
@@ -74,16 +71,8 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], subject: &Sub
         html.push_str("<h4>Alike elsewhere, told apart here by</h4>");
         html.push_str(&html::list(&rivals));
     }
-    if let Cause::Measurement { effect, by, from, .. } = &missing.cause {
-        if let Some((name, about)) = measurement::curve(effect, by, &*subject.model().process) {
-            html.push_str(&html::paragraph("", &format!("In this process a {name}: {about}.")));
-        }
-        if let Some(place) = from {
-            html.push_str(&html::paragraph("", &format!("From {place} on.")));
-        }
-        let text = format!("What separates it from effects of the machine: {}.", effect.separates);
-        html.push_str(&html::paragraph("", &text));
-    }
+    let traits = diagnosis::traits(missing, subject.model());
+    html.extend(traits.into_iter().map(|text| html::block(&Block::Sentence(text))));
     html + "</article>"
 }
 
@@ -108,11 +97,8 @@ pub fn estimates(caption: &str, all: &[Estimate]) -> String {
         ]
     };
     let head = ["parameter", "value", "unit", "from", "to", "standard uncertainty", "remarks"];
-    if all.is_empty() {
-        String::new()
-    } else {
-        html::table(caption, &head, &all.iter().map(row).collect::<Vec<_>>(), false)
-    }
+    let table = Table { caption: caption.into(), ..Table::new(head.map(Column::wide), all.iter().map(row)) };
+    if all.is_empty() { String::new() } else { html::table(&table) }
 }
 
 /// The profile of χ² of a parameter, where it was walked: √Δχ² runs nearly straight between what was computed.
@@ -135,7 +121,6 @@ fn profile(e: &Estimate) -> Option<Chart> {
     let smooth: Vec<Point> = smooth.filter(|p| p.y <= HIGHEST).collect();
     let ends = [smooth.first()?.x, smooth.last()?.x];
     let dots = walked.iter().map(|(v, z)| Point::new(*v, z * z)).filter(|p| p.y <= HIGHEST).collect();
-    let series = |label: &str, colour, form, points| Series { label: label.into(), colour, form, points };
     let name = diagnosis::name(e);
     Some(Chart {
         name: format!("profile-{}", e.parameter.path.replace('.', "-")),
@@ -145,9 +130,9 @@ fn profile(e: &Estimate) -> Option<Chart> {
             x: Axis::new(name.replace('_', " "), kind.unit),
             y: Axis { limits: Some((0.0, HIGHEST)), ..Axis::new("rise of \u{3c7}\u{b2}", "") },
             series: vec![
-                series("95 %", 1, Form::Dashed, ends.map(|x| Point::new(x, QUANTILE)).to_vec()),
-                series("", 0, Form::Line, smooth),
-                series("", 0, Form::Dots, dots),
+                Series::new("95 %", 1, Form::Dashed, ends.map(|x| Point::new(x, QUANTILE)).to_vec()),
+                Series::new("", 0, Form::Line, smooth),
+                Series::new("", 0, Form::Dots, dots),
             ],
         },
     })
@@ -155,27 +140,9 @@ fn profile(e: &Estimate) -> Option<Chart> {
 
 /// The next measurement.
 pub fn next(d: &Diagnosis) -> Section {
-    let mut blocks = Vec::new();
-    if let Some(next) = &d.next {
-        let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.name, b.name)).collect();
-        let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
-        blocks.push(html::paragraph(
-            "",
-            &format!("{}{often}: {} rows.", capital(&next.experiment.words), next.observations()),
-        ));
-        let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
-        let text = format!("It {tells} {}, by {:.1} standard uncertainties.", pairs.join(", "), next.separation);
-        blocks.push(html::paragraph("", &text));
-    }
-    let said: Vec<String> =
-        diagnosis::separated_pairs(d).iter().map(|(a, b, by)| format!("{a} from {b}: {by}")).collect();
-    blocks.push(html::list(&said));
-    if blocks.iter().all(String::is_empty) && !d.missing.is_empty() {
-        let pairs = d.missing.iter().flat_map(|m| m.indistinguishable_from.iter().map(move |o| (&m.effect, o)));
-        let all: Vec<String> = pairs
-            .filter_map(|(a, b)| Some(format!("{} from {}: {}", a.name, b.name, diagnosis::separated(a, b)?)))
-            .collect();
-        blocks.push(html::list(&all));
+    let mut blocks: Vec<String> = diagnosis::next_measurement(d).iter().map(html::block).collect();
+    if blocks.is_empty() {
+        blocks.push(html::block(&diagnosis::separations(&diagnosis::separated_pairs(d))));
     }
     Section { id: "next", title: "Measure next", blocks }
 }
@@ -189,16 +156,16 @@ pub fn outliers(found: &Evidence, d: &Diagnosis) -> Section {
         vec![
             Cell::Text(file.to_string()),
             Cell::Number(o.line.to_string(), o.line as f64),
-            Cell::Number(format!("{value:.3}"), value),
-            Cell::Number(format!("{predicted:.3}"), predicted),
+            Cell::number(value),
+            Cell::number(predicted),
             Cell::Text(kind.unit.into()),
             Cell::Number(format!("{:.3}", Short(o.weight)), o.weight),
         ]
     };
-    let all: Vec<_> = d.outliers.iter().map(row).collect();
     let head = ["file", "line", "measured", "predicted", "unit", "weight"];
-    let caption = "Rows that lie far outside of what the others scatter; they count by their weight";
-    let blocks = if all.is_empty() { Vec::new() } else { vec![html::table(caption, &head, &all, true)] };
+    let caption = "Rows that lie far outside of what the others scatter; they count by their weight".into();
+    let table = Table { caption, is_sortable: true, ..Table::new(head.map(Column::wide), d.outliers.iter().map(row)) };
+    let blocks = if d.outliers.is_empty() { Vec::new() } else { vec![html::table(&table)] };
     Section { id: "outliers", title: "Outlying rows", blocks }
 }
 
@@ -209,7 +176,7 @@ pub fn candidates(found: &Evidence, d: &Diagnosis) -> Section {
         let rms = c.rms.map(|si| kind.from_si(si));
         vec![
             Cell::Text(c.effect.label().into()),
-            rms.map_or(Cell::Text("\u{2013}".into()), |v| Cell::Number(format!("{v:.3}"), v)),
+            rms.map_or(Cell::Missing, Cell::number),
             Cell::Number(format!("{:+.1}", c.delta_bic), c.delta_bic),
             Cell::Number(
                 if c.p_value < 1e-6 { "< 1e-6".into() } else { format!("{:.2}", Short(c.p_value)) },
@@ -218,12 +185,13 @@ pub fn candidates(found: &Evidence, d: &Diagnosis) -> Section {
             Cell::Text(diagnosis::note(c, d)),
         ]
     };
-    let all: Vec<_> = d.candidates.iter().map(row).collect();
     let head = ["effect", &format!("rms alone [{}]", kind.unit)[..], "\u{394}BIC", "p", "what the data say of it"];
-    let caption = "Each alone added to the model; a \u{394}BIC below zero speaks for it";
+    let caption = "Each alone added to the model; a \u{394}BIC below zero speaks for it".into();
+    let rows = d.candidates.iter().map(row);
+    let table = Table { caption, is_sortable: true, ..Table::new(head.map(Column::wide), rows) };
     let mut blocks = Vec::new();
-    if !all.is_empty() {
-        blocks.push(html::table(caption, &head, &all, true));
+    if !d.candidates.is_empty() {
+        blocks.push(html::table(&table));
     }
     let own: Vec<Estimate> = d
         .fit
@@ -237,9 +205,4 @@ pub fn candidates(found: &Evidence, d: &Diagnosis) -> Section {
         blocks.push(estimates("Values with their 95 % intervals", &own));
     }
     Section { id: "trial", title: "Every effect on trial", blocks }
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }

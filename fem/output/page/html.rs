@@ -2,11 +2,50 @@
 
 use serde_json::json;
 
+use crate::output::block::{Block, Cell, Table};
 use crate::output::chart::{Mark, Svg, escaped};
+use crate::output::json::finite;
+
+/// A part of the page, with a place in its table of contents.
+pub struct Section {
+    /// Name by which links lead to it.
+    pub id: &'static str,
+    /// Heading.
+    pub title: &'static str,
+    /// Pieces of HTML.
+    pub blocks: Vec<String>,
+}
+
+/// A block of an answer. Lines laid out for a terminal have no place here.
+pub fn block(block: &Block) -> String {
+    match block {
+        Block::Lines(_) | Block::Curve(_) => String::new(),
+        Block::Caution(text) => paragraph("caution", &format!("Caution: {text}")),
+        Block::Heading(text) => heading(&capital(text)),
+        Block::Sentence(text) => paragraph("", &sentence(text)),
+        Block::List(items) => list(items),
+        Block::Labelled(items) => {
+            list(&items.iter().map(|(label, item)| format!("{}: {item}", label.trim())).collect::<Vec<_>>())
+        }
+        Block::Table(all) => table(all),
+        Block::Commands(lines) => commands(lines),
+    }
+}
+
+/// Words as a sentence, with its capital and its full stop.
+pub fn sentence(text: &str) -> String {
+    capital(text.trim_end_matches('.')) + "."
+}
+
+/// Words that begin with a capital.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().collect::<String>() + letters.as_str())
+}
 
 /// A figure with its values.
 pub fn figure(name: &str, svg: &Svg) -> String {
-    let number = |v: f64| if v.is_finite() { format!("{:.4e}", v).parse().unwrap_or(v).into() } else { json!(null) };
+    let number = |v: f64| finite(format!("{v:.4e}").parse().unwrap_or(v));
     let mark = |m: &Mark| {
         let values = m.values.iter().map(|v| number(*v));
         [json!(m.at[0].round() as i64), json!(m.at[1].round() as i64), json!(m.series)]
@@ -27,33 +66,29 @@ pub fn figure(name: &str, svg: &Svg) -> String {
 }
 
 /// Figures side by side.
-pub fn figures<'a>(all: impl IntoIterator<Item = (&'a str, &'a Svg)>) -> String {
-    let all: Vec<String> = all.into_iter().map(|(name, svg)| figure(name, svg)).collect();
+pub fn figures(all: impl IntoIterator<Item = (String, Svg)>) -> String {
+    let all: Vec<String> = all.into_iter().map(|(name, svg)| figure(&name, &svg)).collect();
     let class = if all.len() == 1 { "figures one" } else { "figures" };
     if all.is_empty() { String::new() } else { format!("<div class=\"{class}\">{}</div>", all.join("\n")) }
 }
 
-/// A cell of a table.
-pub enum Cell {
-    /// Words.
-    Text(String),
-    /// A number as it is written, and by which it is sorted.
-    Number(String, f64),
-}
-
-/// A table; `sortable` where its order means nothing.
-pub fn table(caption: &str, head: &[&str], rows: &[Vec<Cell>], sortable: bool) -> String {
+/// A table.
+pub fn table(table: &Table) -> String {
+    let Table { caption, columns, rows, is_sortable } = table;
     let is_number = |i: usize| rows.iter().any(|r| matches!(r.get(i), Some(Cell::Number(..))));
     let class = |i: usize| if is_number(i) { " class=\"num\"" } else { "" };
-    let head: String =
-        head.iter().enumerate().map(|(i, h)| format!("<th scope=\"col\"{}>{}</th>", class(i), escaped(h))).collect();
+    let heading = |(i, name): (usize, &String)| {
+        format!("<th scope=\"col\"{}>{}</th>", class(i), escaped(&name.replace("chi2", "\u{3c7}\u{b2}")))
+    };
+    let head: String = columns.iter().map(|column| &column.name).enumerate().map(heading).collect();
     let cell = |(i, cell): (usize, &Cell)| match cell {
         Cell::Text(text) => format!("<td{}>{}</td>", class(i), escaped(text)),
         Cell::Number(text, value) => format!("<td class=\"num\" data-value=\"{value}\">{}</td>", escaped(text)),
+        Cell::Missing => format!("<td{}>\u{2013}</td>", class(i)),
     };
     let row = |row: &Vec<Cell>| format!("<tr>{}</tr>", row.iter().enumerate().map(cell).collect::<String>());
     let body: String = rows.iter().map(row).collect();
-    let class = if sortable { " class=\"sortable\"" } else { "" };
+    let class = if *is_sortable { " class=\"sortable\"" } else { "" };
     let label = escaped(caption).replace('"', "&quot;");
     format!(
         "<div class=\"tablebox\" tabindex=\"0\" role=\"group\" aria-label=\"{label}\"><table{class}><caption>{}</caption><thead><tr>{head}</tr></thead>\
@@ -104,16 +139,17 @@ pub fn steps(all: &[(String, String)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::block::Column;
 
     #[test]
     fn what_users_write_is_text() {
         let evil = "</script><script>alert(1)</script>";
         let mut svg = Svg::new([10.0, 10.0], evil, evil);
         svg.mark([1.0, 1.0], evil, &[1.0]);
-        let cell = vec![vec![Cell::Text(evil.into())]];
+        let cells = Table { caption: evil.into(), ..Table::new([Column::wide(evil)], [vec![Cell::Text(evil.into())]]) };
         for html in [
             figure(evil, &svg),
-            table(evil, &[evil], &cell, true),
+            table(&cells),
             paragraph("", evil),
             list(&[evil.into()]),
             steps(&[(evil.into(), String::new())]),

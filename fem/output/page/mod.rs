@@ -6,14 +6,13 @@ mod evidence;
 mod html;
 mod prediction;
 mod provenance;
-mod section;
 mod step;
 mod subject;
 
 pub use subject::{Evidence, Subject};
 
 use askama::Template;
-use section::Section;
+use html::Section;
 
 use super::chart::sheet;
 use super::{comparison, diagnosis};
@@ -123,7 +122,5 @@ fn verdict(subject: &Subject) -> (String, &'static str) {
             (told.unwrap_or_default(), "")
         }
     };
-    let mut letters = text.chars();
-    let first = letters.next().map(|c| c.to_uppercase().collect::<String>()).unwrap_or_default();
-    (format!("{first}{}.", letters.as_str().trim_end_matches('.')), mood)
+    (html::sentence(&text), mood)
 }

@@ -1,20 +1,20 @@
 //! Where the page comes from: versions, files with their hashes, commands that do it again.
 
-use super::html::{self, Cell};
-use super::section::Section;
+use super::html::{self, Section};
 use super::subject::Subject;
+use crate::output::block::{Cell, Column, Table};
 use crate::output::diagnosis::{commands, quoted, with};
 
 /// The last section.
 pub fn section(subject: &Subject) -> Section {
-    let files: Vec<Vec<Cell>> =
-        subject.files.iter().map(|(name, hash)| vec![Cell::Text(name.clone()), Cell::Text(hash.clone())]).collect();
+    let files = subject.files.iter().map(|(name, hash)| vec![Cell::Text(name.clone()), Cell::Text(hash.clone())]);
+    let files = Table::new(["file", "SHA-256"].map(Column::wide), files);
     let models: Vec<String> = subject.models.iter().map(|m| quoted(&m.source.name)).collect();
     let (models, last) = (models.join(" "), quoted(&subject.model().source.name));
     let mut lines = Vec::new();
     let mut blocks = vec![
         html::paragraph("", &format!("Written by fem {}.", env!("CARGO_PKG_VERSION"))),
-        html::table("Files that were read", &["file", "SHA-256"], &files, false),
+        html::table(&Table { caption: "Files that were read".into(), ..files }),
     ];
     match &subject.evidence {
         None => lines.extend([format!("fem report {models} -o report.html"), format!("fem run {last}")]),
@@ -28,10 +28,7 @@ pub fn section(subject: &Subject) -> Section {
     blocks.push(html::heading("To see the same again"));
     blocks.push(html::commands(&lines));
     if let Some((found, d)) = subject.evidence.as_ref().and_then(|found| Some((found, found.diagnosis?))) {
-        let mut text = String::new();
-        commands(&mut text, found.data, d);
-        let lines: Vec<String> =
-            text.lines().map(str::trim).filter(|l| !l.is_empty() && *l != "to go on").map(String::from).collect();
+        let lines = commands(found.data, d);
         if !lines.is_empty() {
             blocks.push(html::heading("To go on"));
             blocks.push(html::commands(&lines));

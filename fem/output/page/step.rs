@@ -1,9 +1,11 @@
 //! The error falling: models, or one model and its missing effects, with what each leaves.
 
 use super::subject::{Evidence, Subject};
+use crate::compare::Comparison;
 use crate::diagnose::Cause;
 use crate::noise::Noise;
 use crate::output::diagnosis::label;
+use crate::output::plots::Judged;
 
 /// A model on the way to the noise.
 pub struct Step<'a> {
@@ -11,30 +13,39 @@ pub struct Step<'a> {
     pub label: String,
     /// Root mean square error, in the unit of all errors.
     pub rms: f64,
-    /// Reduced χ².
-    pub reduced_chi2: f64,
-    /// Root mean square error of rows that were held out, in the same unit.
-    pub held_out: Option<f64>,
+    /// Measured values without what effects of the measurement add, SI.
+    pub measured: Vec<f64>,
     /// Prediction of every row, SI.
     pub predicted: &'a [f64],
-    /// Measured less predicted, without what effects of the measurement add, SI.
+    /// Measured less predicted, SI.
     pub residuals: Vec<f64>,
     /// Noise by which the rows are judged.
     pub noise: &'a Noise,
+}
+
+impl Step<'_> {
+    /// The rows as figures show them.
+    pub fn judged(&self) -> Judged<'_> {
+        let Self { measured, predicted, residuals, noise, .. } = self;
+        Judged { measured, predicted, residuals, noise }
+    }
+}
+
+/// Measured values, and residuals, without what effects of the measurement most probably add to them.
+fn unshared(observed: &[f64], residuals: &[f64], noise: &Noise) -> (Vec<f64>, Vec<f64>) {
+    let left = noise.unshared(residuals);
+    let measured = observed.iter().zip(residuals).zip(&*left).map(|((y, r), l)| y - (r - l));
+    (measured.collect(), left.into_owned())
 }
 
 /// The steps: of several models, each; of one, the model re-fitted and each missing effect added to it.
 pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> Vec<Step<'a>> {
     let kind = found.data.kind();
     let compared = || {
-        let one = |c: &'a crate::compare::Comparison| Step {
-            label: c.model.clone(),
-            rms: kind.from_si(c.rms),
-            reduced_chi2: c.reduced_chi2,
-            held_out: None,
-            predicted: &c.predicted,
-            residuals: c.noise.unshared(&c.residuals).into_owned(),
-            noise: &c.noise,
+        let one = |c: &'a Comparison| {
+            let (measured, residuals) = unshared(&found.data.observed, &c.residuals, &c.noise);
+            let (label, rms) = (c.model.clone(), kind.from_si(c.rms));
+            Step { label, rms, measured, predicted: &c.predicted, residuals, noise: &c.noise }
         };
         found.comparisons.iter().map(one).collect()
     };
@@ -42,7 +53,6 @@ pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> Vec<Step<'a>> {
     if subject.models.len() > 1 && !found.comparisons.is_empty() {
         return compared();
     }
-    let sigma = kind.from_si(d.noise.together());
     let noise = &d.fit.noise;
     let first = format!("{} re-fitted", subject.model().source.name);
     let labels = std::iter::once(first).chain(d.missing.iter().map(|m| format!("+ {}", label(m))));
@@ -52,16 +62,13 @@ pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> Vec<Step<'a>> {
     let mut all = Vec::new();
     for ((label, goodness), cause) in labels.zip(goodness).zip(causes) {
         is_shared |= matches!(cause, Some(Cause::Measurement { .. }));
-        let residuals = found.data.residuals(&goodness.predicted);
-        all.push(Step {
-            label,
-            rms: kind.from_si(goodness.rms),
-            reduced_chi2: goodness.reduced_chi2,
-            held_out: goodness.cross_validation.filter(|h| h.is_finite()).map(|h| h * sigma),
-            predicted: &goodness.predicted,
-            residuals: if is_shared { noise.unshared(&residuals).into_owned() } else { residuals },
-            noise,
-        });
+        let (observed, residuals) = (&found.data.observed, found.data.residuals(&goodness.predicted));
+        let (measured, residuals) = match is_shared {
+            true => unshared(observed, &residuals, noise),
+            false => (observed.clone(), residuals),
+        };
+        let rms = kind.from_si(goodness.rms);
+        all.push(Step { label, rms, measured, predicted: &goodness.predicted, residuals, noise });
     }
     all.retain(|step| step.predicted.len() == found.data.len() && noise.sigma.len() == found.data.len());
     all

@@ -27,6 +27,10 @@ pub struct Variable {
 
 /// The rows of one observable, laid out.
 pub struct Layout {
+    /// The observable.
+    pub observable: usize,
+    /// End of the names of its figures: empty of the only one.
+    pub end: String,
     /// Coordinates that vary, the abscissa first.
     pub variables: Vec<Variable>,
     /// Group of each row, from 0: rows of a group are a curve.
@@ -42,8 +46,19 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Lays out the rows of an observable by the coordinates that `given` names; `None` where none of them varies.
-    pub fn of(process: &dyn Process, rows: &Rows, given: &[usize], observable: usize) -> Option<Self> {
+    /// Lays out the rows of each of some observables by the coordinates that `given` names; rows of which none of them
+    /// varies are left out.
+    pub fn each(process: &dyn Process, rows: &Rows, given: &[usize], observables: &[usize]) -> Vec<Self> {
+        let end = |observable: usize| match observables {
+            [_] => String::new(),
+            _ => format!("-{}", process.observables()[observable].name),
+        };
+        let one =
+            |observable: &usize| Some(Self { end: end(*observable), ..Self::of(process, rows, given, *observable)? });
+        observables.iter().filter_map(one).collect()
+    }
+
+    fn of(process: &dyn Process, rows: &Rows, given: &[usize], observable: usize) -> Option<Self> {
         let own: Vec<usize> = (0..rows.len()).filter(|row| rows.observable[*row] == observable).collect();
         let coordinates = process.coordinates();
         let mut found: Vec<(usize, Variable)> = given
@@ -64,6 +79,8 @@ impl Layout {
         let kind = process.observables()[observable].kind;
         let value = Axis::new(process.observables()[observable].name.replace('_', " "), kind.unit);
         let mut layout = Self {
+            observable,
+            end: String::new(),
             variables,
             group: vec![0; own.len()],
             labels: vec![String::new()],
@@ -164,11 +181,11 @@ impl Layout {
         };
         // Curves that are one and the same are drawn once.
         if self.labels.len() > 1 && !self.is_loop() && (1..self.labels.len()).all(is_first) {
-            return vec![Series { label: String::new(), colour: 0, form: Form::Line, points: first }];
+            return vec![Series::new("", 0, Form::Line, first)];
         }
         let line = |group: usize, colour: usize, form: Form| {
-            let label = if colour == GREY { String::new() } else { self.labels[group].clone() };
-            Series { label, colour, form, points: self.points(group, value, &none) }
+            let label = if colour == GREY { "" } else { &self.labels[group] };
+            Series::new(label, colour, form, self.points(group, value, &none))
         };
         let others = (0..self.labels.len()).filter(|g| !chosen.contains(g)).map(|g| line(g, GREY, Form::Faint));
         let others: Vec<Series> = others.collect();

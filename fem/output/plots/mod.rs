@@ -6,6 +6,6 @@ mod positioning;
 mod predicted;
 mod residuals;
 
-pub use measured::{Rows, agreement, measured};
-pub use predicted::{changes, predicted};
+pub use measured::{Judged, Rows, agreement, measured};
+pub use predicted::{changes, predicted, signatures};
 pub use residuals::{along, maps};

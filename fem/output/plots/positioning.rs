@@ -17,7 +17,7 @@ pub fn chart(approaches: &[Approach], readings: &[f64], what: &str, predicted: O
             };
             evaluation.targets.iter().filter_map(point).collect()
         };
-        let named = |label: &str, form, points| Series { label: label.into(), colour, form, points };
+        let named = |label: &str, form, points| Series::new(label, colour, form, points);
         let own = approaches.iter().zip(readings).filter(|(a, _)| a.direction == direction);
         let dots = own.map(|(a, y)| Point::new(LENGTH.from_si(a.position), MICRO.from_si(*y))).collect();
         series.push(named("", Form::Dots, dots));

@@ -4,33 +4,34 @@ use super::layout::Layout;
 use super::positioning;
 use crate::input::Name;
 use crate::model::{Contribution, Model, Run};
-use crate::output::chart::{Axis, Chart, Form, Plane, Series};
+use crate::output::chart::{Axis, Chart, Form, Plane, Series, draw};
+use crate::process::Rows;
 use crate::units::Kind;
+
+/// The programme of a model, laid out.
+fn layouts(model: &Model, rows: &Rows) -> Vec<Layout> {
+    let all: Vec<usize> = (0..model.process.coordinates().len()).collect();
+    let seen: Vec<usize> = (0..model.process.observables().len()).filter(|o| rows.observable.contains(o)).collect();
+    Layout::each(&*model.process, rows, &all, &seen)
+}
 
 /// The prediction along its coordinates, around its circle, over its pairs, as its standard draws it.
 pub fn predicted(model: &Model, run: &Run) -> Vec<Chart> {
     let rows = model.system.programme();
-    let all: Vec<usize> = (0..model.process.coordinates().len()).collect();
-    let observables = model.process.observables();
-    let seen: Vec<usize> = (0..observables.len()).filter(|o| rows.observable.contains(o)).collect();
     if let Some(test) = model.system.positioning() {
         return vec![positioning::chart(&test.approaches(&rows), &run.prediction, "predicted", None)];
     }
-    let mut charts = Vec::new();
-    for &observable in &seen {
-        let Some(layout) = Layout::of(&*model.process, &rows, &all, observable) else { continue };
-        let kind = observables[observable].kind;
-        let of = if seen.len() > 1 { format!("-{}", observables[observable].name) } else { String::new() };
-        let value = |row: usize| kind.from_si(run.prediction[layout.rows[row]]);
-        charts.extend(of_one(&layout, &value, &of));
-    }
-    charts
+    let charts = |layout: &Layout| {
+        let kind = model.process.observables()[layout.observable].kind;
+        of_one(layout, &|row: usize| kind.from_si(run.prediction[layout.rows[row]]))
+    };
+    layouts(model, &rows).iter().flat_map(charts).collect()
 }
 
-fn of_one(layout: &Layout, value: &dyn Fn(usize) -> f64, of: &str) -> Vec<Chart> {
+fn of_one(layout: &Layout, value: &dyn Fn(usize) -> f64) -> Vec<Chart> {
     let (x, y) = layout.axes();
     let title = format!("predicted {} over {}", y.name, x.name);
-    let named = |name: &str| format!("{name}{of}");
+    let named = |name: &str| format!("{name}{}", layout.end);
     let series = layout.lines(value);
     let chosen = layout.chosen().len();
     let note = match layout.labels.len() {
@@ -86,12 +87,11 @@ fn about_zero(cells: &[[f64; 3]]) -> Option<(f64, f64)> {
 
 /// Change by each effect along the abscissa: for each effect by its name a chart of the groups.
 pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(Name, Chart)> {
-    let rows = model.system.programme();
-    let all: Vec<usize> = (0..model.process.coordinates().len()).collect();
+    let layouts = layouts(model, &model.system.programme());
     let observables = model.process.observables();
     let mut charts = Vec::new();
     for share in contributions.iter().filter(|c| c.name != "ideal") {
-        let Some(layout) = Layout::of(&*model.process, &rows, &all, share.observable) else { continue };
+        let Some(layout) = layouts.iter().find(|layout| layout.observable == share.observable) else { continue };
         let kind: Kind = share.kind(observables);
         let value = |row: usize| kind.from_si(share.changes.get(row).copied().unwrap_or(f64::NAN));
         let series: Vec<Series> = layout.lines(&value);
@@ -106,4 +106,9 @@ pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(Name, Char
         ));
     }
     charts
+}
+
+/// Change by each effect along the curve: the text of an SVG file for each contribution but the ideal system's.
+pub fn signatures(model: &Model, contributions: &[Contribution]) -> Vec<String> {
+    changes(model, contributions).iter().map(|(_, chart)| draw(chart).file()).collect()
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::output::fit::finite;
+use crate::output::json::finite;
 use crate::study::{Extreme, Found, Layout, Nature, Numbers, ResultColumn, Summary};
 
 /// Makes the JSON of a study.

@@ -8,7 +8,31 @@ mod rows;
 mod text;
 
 pub use folder::{Earlier, StudyError, StudyFolder};
-pub use json::json;
 pub use merge::merge;
 pub use rows::line;
-pub use text::text;
+
+use serde_json::Value;
+
+use super::OutputError;
+use super::answer::Answer;
+use super::block::Block;
+use super::json::json as document;
+use super::staged::Staged;
+use crate::study::{Layout, Summary};
+
+/// The rows of a study, and what they say.
+pub struct StudyAnswer<'a>(pub &'a Layout, pub &'a Summary);
+
+impl Answer for StudyAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        vec![Block::Lines(text::text(self.0, self.1))]
+    }
+
+    fn json(&self) -> Value {
+        json::json(self.0, self.1)
+    }
+
+    fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
+        files.text("study.json", &document(self))
+    }
+}
