@@ -78,13 +78,14 @@ impl Page<'_> {
             notes.push(format!("{} of {} rows were used for the diagnosis, evenly chosen", some.len(), all.len()));
         }
         let is_deep = depth == Depth::Diagnosed;
-        let data = if is_deep { some.unwrap_or(all) } else { all };
-        let diagnosis = if is_deep { Some(diagnose(&data, most_effects, progress)?) } else { None };
-        let better = diagnosis.as_ref().and_then(|d| complete(&data, d, &mut notes, progress));
+        let data = some.as_ref().filter(|_| is_deep).unwrap_or(&all);
+        let diagnosis = if is_deep { Some(diagnose(data, most_effects, progress)?) } else { None };
+        let better = diagnosis.as_ref().and_then(|d| complete(data, d, &mut notes, progress));
         let is_best = better.is_none() && model.require_values().is_ok();
         let run = if is_best { Some(model.run(progress)?) } else { None };
         let evidence = Evidence {
-            data: &data,
+            all: &all,
+            data,
             comparisons: &comparisons,
             diagnosis: diagnosis.as_ref(),
             completed: better.as_ref().map(|(model, run)| (model, run)),

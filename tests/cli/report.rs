@@ -50,6 +50,28 @@ fn the_page_says_what_the_other_commands_say() {
     has("fem report rigid.toml --with measured.csv -o report.html");
 }
 
+/// A spring of 100 N/um, in more rows than a diagnosis uses; one row is off by a micrometre.
+#[test]
+fn a_page_of_several_models_shows_every_row_where_it_was_measured() {
+    let place = Place::new();
+    let spring = |stiffness: &str| {
+        format!("process = \"stiffness\"\n[joint]\nstiffness = \"{stiffness} N/um\"\n[test]\nmax_force = \"3 kN\"\n")
+    };
+    place.write("first.toml", spring("90"));
+    place.write("second.toml", spring("100"));
+    let row = |i: usize| {
+        let (force, noise) = (i as f64, [0.01, -0.01, 0.0][i % 3]);
+        format!("{force},{},0.01\n", force / 100.0 + noise + if i == 1501 { 1.0 } else { 0.0 })
+    };
+    let rows: String = (1..=2500).map(row).collect();
+    place.write("measured.csv", format!("force [N],displacement [um],u [um]\n{rows}"));
+    let made = place.fem(&["report", "first.toml", "second.toml", "--with", "measured.csv", "-o", "report.html"]);
+    assert_eq!(made.status, 0, "{}", made.err);
+    assert!(made.err.contains("1250 of 2500 rows were used for the diagnosis"), "{}", made.err);
+    let page = place.read("report.html");
+    assert!(page.contains("The row farthest off is line 1502: 99 standard uncertainties."), "{page}");
+}
+
 #[test]
 fn a_report_is_not_written_over_what_it_reads() {
     let place = Place::new();

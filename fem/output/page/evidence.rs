@@ -52,8 +52,8 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
 
 /// All sections that come of measurements.
 pub fn sections(subject: &Subject, found: &Evidence) -> Vec<Section> {
-    let steps = steps(subject, found);
-    let rows = Rows::of(subject.model(), found.data);
+    let (steps, data) = steps(subject, found);
+    let rows = Rows::of(subject.model(), data);
     let mut all = vec![falling(subject, found, &steps, &rows)];
     if let Some(d) = found.diagnosis {
         all.push(causes::section(subject, found, d));
@@ -78,7 +78,7 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
     let kind = found.data.kind();
     let level = match (found.diagnosis, steps.last()) {
         (Some(d), _) => d.noise.together(),
-        (None, Some(last)) => last.noise.level(found.data).together(),
+        (None, Some(last)) => last.noise.level(rows.measurements).together(),
         (None, None) => f64::NAN,
     };
     let noise = kind.from_si(level);
@@ -100,7 +100,7 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
         blocks.push(html::table(&diagnosis::errors(subject.model(), d, kind, "held out")));
     }
     if !found.comparisons.is_empty() {
-        blocks.push(html::table(&comparison::compared(found.data, found.comparisons)));
+        blocks.push(html::table(&comparison::compared(found.all, found.comparisons)));
     }
     let list = html::block(&comparison::features(features));
     if !list.is_empty() {
@@ -156,8 +156,11 @@ fn left(rows: &Rows, found: &Evidence, last: &Step) -> Section {
     });
     if let Some(worst) = worst {
         let times = last.residuals[worst].abs() / last.noise.sigma[worst];
-        let told =
-            format!("The row farthest off is {}: {} standard uncertainties.", found.data.place(worst), number(times));
+        let told = format!(
+            "The row farthest off is {}: {} standard uncertainties.",
+            rows.measurements.place(worst),
+            number(times)
+        );
         blocks.push(html::paragraph("note", &told));
     }
     Section { id: "left", title: "What is left", blocks }

@@ -3,6 +3,7 @@
 use super::subject::{Evidence, Subject};
 use crate::compare::Comparison;
 use crate::diagnose::Cause;
+use crate::model::Data;
 use crate::noise::Noise;
 use crate::output::diagnosis::label;
 use crate::output::plots::Judged;
@@ -38,16 +39,17 @@ fn unshared(observed: &[f64], residuals: &[f64], noise: &Noise) -> (Vec<f64>, Ve
     (measured.collect(), left.into_owned())
 }
 
-/// The steps: of several models, each; of one, the model re-fitted and each missing effect added to it.
-pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> Vec<Step<'a>> {
+/// The steps: of several models, each; of one, the model re-fitted and each missing effect added to it. And the
+/// measurements that they leave something of: all are compared, some may be too many for a diagnosis.
+pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> (Vec<Step<'a>>, &'a Data<'a>) {
     let kind = found.data.kind();
     let compared = || {
         let one = |c: &'a Comparison| {
-            let (measured, residuals) = unshared(&found.data.observed, &c.residuals, &c.noise);
+            let (measured, residuals) = unshared(&found.all.observed, &c.residuals, &c.noise);
             let (label, rms) = (c.model.clone(), kind.from_si(c.rms));
             Step { label, rms, measured, predicted: &c.predicted, residuals, noise: &c.noise }
         };
-        found.comparisons.iter().map(one).collect()
+        (found.comparisons.iter().map(one).collect(), found.all)
     };
     let Some(d) = found.diagnosis else { return compared() };
     if subject.models.len() > 1 && !found.comparisons.is_empty() {
@@ -71,5 +73,5 @@ pub fn steps<'a>(subject: &Subject<'a>, found: &Evidence<'a>) -> Vec<Step<'a>> {
         all.push(Step { label, rms, measured, predicted: &goodness.predicted, residuals, noise });
     }
     all.retain(|step| step.predicted.len() == found.data.len() && noise.sigma.len() == found.data.len());
-    all
+    (all, found.data)
 }

@@ -19,8 +19,10 @@ pub struct Subject<'a> {
 /// Evidence of measurements for or against models.
 pub struct Evidence<'a> {
     /// The measurements, as the last model sees them.
+    pub all: &'a Data<'a>,
+    /// Those of them that were diagnosed; all, where nothing was.
     pub data: &'a Data<'a>,
-    /// Of every model as it is written; empty where values are open.
+    /// Of every model as it is written with all measurements; empty where values are open.
     pub comparisons: &'a [Comparison],
     /// Of the last model.
     pub diagnosis: Option<&'a Diagnosis>,
