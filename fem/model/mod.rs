@@ -66,8 +66,6 @@ pub struct Model {
     pub quantities: Arc<[Parameter]>,
     /// Machine that it names.
     pub machine: Option<Machine>,
-    /// The tests of which it is made, where it is made of several.
-    pub campaign: Option<Arc<Campaign>>,
     /// Values (SI) that were entered in place of those of the file, by their quantities.
     entered: HashMap<ParameterId, f64>,
     /// Files that it names.
@@ -148,7 +146,6 @@ impl Model {
             places,
             quantities: quantities.into(),
             machine,
-            campaign: None,
             entered: HashMap::new(),
             files,
             source,
@@ -165,6 +162,14 @@ impl Model {
     /// Forward model as it is written, with what its instrument shows of measured rows.
     pub fn forward(&self) -> Box<dyn ForwardModel> {
         self.behind(self.system.with_effects(&self.effects), &self.measurement)
+    }
+
+    /// The tests of which it is made, where it is made of several.
+    pub fn campaign(&self) -> Option<&Campaign> {
+        match &self.process {
+            ModelProcess::Tests(campaign) => Some(campaign),
+            ModelProcess::Catalogue(_) => None,
+        }
     }
 
     /// Name of the table in which an effect of the measurement is added to the model: its own, or where that

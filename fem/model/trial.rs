@@ -71,7 +71,7 @@ impl Model {
         values: &[f64],
         choose: impl FnOnce(Vec<Active>) -> Vec<Active>,
     ) -> Result<Box<dyn ForwardModel>, Failure> {
-        if let Some(campaign) = &self.campaign {
+        if let Some(campaign) = self.campaign() {
             return campaign.forward(values, &choose(self.effects_of_tests_at(values)));
         }
         if let Some((effects, terms)) = self.effects_at(values) {
@@ -94,7 +94,7 @@ impl Model {
     /// # Errors
     /// The values make no model.
     pub fn system_at(&self, values: &[f64]) -> Result<Arc<dyn System>, Failure> {
-        if self.campaign.is_some() {
+        if self.campaign().is_some() {
             return Ok(self.system.clone());
         }
         match self.effects_at(values) {

@@ -14,7 +14,7 @@ impl<'m> Data<'m> {
     /// As those of [`Data::of`] for each test; or some tests have uncertainties and others have not, or one has a
     /// known covariance.
     pub fn of_tests(model: &'m Model, measured: Vec<Measurements>) -> Result<Self, InputError> {
-        let Some(campaign) = &model.campaign else {
+        let Some(campaign) = model.campaign() else {
             let problem = Problem::new(format!("{} is a single test", model.source.name));
             return Err(InputError::one(model.source.clone(), problem.help("give it its own measurements")));
         };

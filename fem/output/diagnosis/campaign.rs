@@ -26,7 +26,7 @@ struct TestFit<'d> {
 
 /// The fit of every observable of every test, without rows that are wrong by themselves.
 fn test_fits<'d>(data: &'d Data, d: &Diagnosis) -> Vec<TestFit<'d>> {
-    let Some(campaign) = &data.model.campaign else { return Vec::new() };
+    let Some(campaign) = data.model.campaign() else { return Vec::new() };
     let some = thinned(data);
     let used = some.as_ref().unwrap_or(data);
     let is_wrong = |row: usize| d.outliers.iter().any(|o| o.record == used.record(row));

@@ -14,7 +14,7 @@ pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
     let mut text = String::new();
     let model = data.model;
     let mut from = model.source.name.to_string();
-    match &model.campaign {
+    match model.campaign() {
         Some(campaign) => campaign::commands(&mut text, campaign, data, d),
         None => {
             for (name, settings) in additions(data, d) {
@@ -23,7 +23,7 @@ pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
         }
     }
     let mut lines: Vec<String> = text.lines().map(|line| line.trim().to_string()).collect();
-    if model.campaign.is_some() {
+    if model.campaign().is_some() {
         return lines;
     }
     let (file, data) = (quoted(&model.source.name), with(data));

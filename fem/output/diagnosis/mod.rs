@@ -83,7 +83,7 @@ impl Answer for DiagnosisAnswer<'_> {
             "evaluations": d.trials.1,
             "notes": data.notes_of_fit(),
         });
-        if let Some(campaign) = &data.model.campaign {
+        if let Some(campaign) = data.model.campaign() {
             campaign::extend(&mut all, campaign, data, d);
         }
         all

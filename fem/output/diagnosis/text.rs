@@ -24,7 +24,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
     let mut fits = errors(model, d, kind, "");
     fits.rows.push(vec![Cell::Text("noise".into()), Cell::number(kind.from_si(d.noise.together()))]);
     blocks.extend([Block::Table(fits), Block::Sentence(format!("in {}", kind.unit))]);
-    if model.campaign.is_some() {
+    if model.campaign().is_some() {
         let mut text = String::new();
         campaign::fits(&mut text, data, d);
         blocks.push(Block::Lines(text));
@@ -60,7 +60,7 @@ fn head(data: &Data, d: &Diagnosis) -> String {
     let (name, noise) = (&data.model.source.name, comparison::noise_text(&d.noise, data));
     let mut text = format!("{name} against {}: {} observations, noise {noise}\n", data.name, data.len());
     text += &measurement::at_work(name, &data.terms, &*data.model.process, Some(data));
-    if let Some(machine) = data.model.machine.as_ref().filter(|_| data.model.campaign.is_some()) {
+    if let Some(machine) = data.model.machine.as_ref().filter(|_| data.model.campaign().is_some()) {
         let name = machine.name.as_ref().map_or(String::new(), |name| format!(", {name}"));
         text += &format!("tests of one machine: {}{name}\n", machine.path.display());
     }
@@ -122,7 +122,7 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
     let effect = &missing.effect;
     let what = if missing.describes() { "described" } else { "cause" };
     let mut blocks = vec![Block::Heading(format!("{what} {number}: {}, {}", label(missing), effect.about))];
-    if let Some(campaign) = &data.model.campaign {
+    if let Some(campaign) = data.model.campaign() {
         let places = campaign::places(campaign, data, missing).join(", in ");
         blocks.push(Block::Sentence(format!("in {places}")));
     }
