@@ -1,12 +1,10 @@
 //! Predicts a batch of shafts: what a run found, and what each effect changes. `cargo run --example predict`
 
-use std::error::Error;
 use std::path::Path;
 
-use fem::model::Model;
-use fem::progress::Progress;
+use fem::{Error, Model, Progress};
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Error> {
     let model = Model::load(Path::new("models/lathe.toml"))?;
     let run = model.run(&Progress::default())?;
     for figure in &run.report.figures {

@@ -58,12 +58,14 @@ impl Progress {
     }
 
     /// Counts an evaluation of the model.
+    #[doc(hidden)]
     pub fn evaluated(&self) {
         self.evaluations.fetch_add(1, Ordering::Relaxed);
     }
 
     /// Does a stretch of work, and notes what it takes. Stretches follow each other or lie within each other; those of
     /// several threads at once would be told wrongly.
+    #[doc(hidden)]
     pub fn stretch<T>(&self, name: &'static str, work: impl FnOnce() -> T) -> T {
         self.begin(name);
         let result = work();
@@ -96,6 +98,7 @@ impl Progress {
     }
 
     /// Cost of each stretch, in the order in which they first began.
+    #[doc(hidden)]
     pub fn profile(&self) -> Vec<Stretch> {
         self.profile.lock().unwrap_or_else(PoisonError::into_inner).stretches.clone()
     }

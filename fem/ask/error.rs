@@ -1,5 +1,7 @@
 //! Why a question has no answer.
 
+use std::fmt;
+
 use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError, MietteSpanContents, SourceCode,
     SourceSpan, SpanContents,
@@ -13,6 +15,7 @@ use crate::process::Failure;
 
 /// Why a question has no answer.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum Error {
     /// A model, a plan or a budget is wrong.
     Input(InputError),
@@ -36,6 +39,21 @@ pub enum Marks {
     /// Unicode in colours.
     Coloured,
 }
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(error) | Self::Data(error) => error.fmt(f),
+            other => {
+                let Problem { message, help, .. } = other.problem();
+                f.write_str(&message)?;
+                help.map_or(Ok(()), |help| write!(f, " ({help})"))
+            }
+        }
+    }
+}
+
+impl std::error::Error for Error {}
 
 impl From<InputError> for Error {
     fn from(error: InputError) -> Self {
@@ -86,6 +104,7 @@ impl Error {
     }
 
     /// The error as people read it, with its remedy.
+    #[doc(hidden)]
     pub fn text(&self, marks: Marks) -> String {
         if let Self::Input(error) | Self::Data(error) = self {
             return rendered(error, marks).trim_end().to_string();

@@ -1,5 +1,5 @@
 //! Questions about models and measurements, with types of their own in, and answers out. Nothing is printed, and no
-//! file of the user's is written; progress, and a wish to stop, are handed in. The command line, the Python module and
+//! file of the user's is written but the rows of a study; progress, and a wish to stop, are handed in. The command line, the Python module and
 //! anything else that shows answers are faces on this room.
 
 mod catalogue;
@@ -11,6 +11,7 @@ mod page;
 mod planning;
 mod revision;
 mod start;
+mod study;
 
 pub use catalogue::catalogue;
 pub use comparison::{compare_all, refuse_mixed};
@@ -21,3 +22,4 @@ pub use page::{Depth, Made, Page};
 pub use planning::plan;
 pub use revision::revised;
 pub use start::{STORY, StartingFile, starting_file, starting_files};
+pub use study::{Study, do_jobs, study};

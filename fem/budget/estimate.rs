@@ -38,36 +38,42 @@ pub struct Share {
 }
 
 /// Result of a budget.
+#[non_exhaustive]
 pub struct Estimate {
     /// Result of the handbook's rules.
+    #[doc(hidden)]
     pub handbook: Handbook,
     /// Result of Monte Carlo.
+    #[doc(hidden)]
     pub monte_carlo: Drawn,
     /// Shares of the errors, the largest swing first.
+    #[doc(hidden)]
     pub shares: Vec<Share>,
 }
 
-/// Adds a budget up; `None` where it has no errors but a drill alone.
-///
-/// # Errors
-/// A model cannot be computed somewhere in its inputs' fields.
-pub fn estimate(budget: &Budget, progress: &Progress) -> Result<Option<Estimate>, Failure> {
-    let models = &budget.models;
-    if budget.errors.is_empty() && models.parts.is_empty() {
-        return Ok(None);
+impl Budget {
+    /// Adds the budget up by the rules and by Monte Carlo; `None` where it has no errors but a drill alone.
+    ///
+    /// # Errors
+    /// A model cannot be computed somewhere in its inputs' fields.
+    pub fn estimate(&self, progress: &Progress) -> Result<Option<Estimate>, Failure> {
+        let models = &self.models;
+        if self.errors.is_empty() && models.parts.is_empty() {
+            return Ok(None);
+        }
+        let figures = models.results(&models.centre())?;
+        let (errors, signs) = with_signs(self, &figures);
+        let swings = models.swings(&figures, &signs)?;
+        let figure = |((part, figure), sign): ((&ModelPart, &f64), &f64)| match part.kind {
+            Kind::Systematic => sign * figure,
+            Kind::Random => figure.abs(),
+        };
+        let figures: Vec<f64> = models.parts.iter().zip(&figures).zip(&signs).map(figure).collect();
+        let handbook = by_rules(self, &errors, &figures, &swings);
+        let shares = shares(self, &errors, &figures, &swings);
+        let monte_carlo = monte_carlo::draw(self, &errors, &signs, progress)?;
+        Ok(Some(Estimate { handbook, monte_carlo, shares }))
     }
-    let figures = models.results(&models.centre())?;
-    let (errors, signs) = with_signs(budget, &figures);
-    let swings = models.swings(&figures, &signs)?;
-    let figure = |((part, figure), sign): ((&ModelPart, &f64), &f64)| match part.kind {
-        Kind::Systematic => sign * figure,
-        Kind::Random => figure.abs(),
-    };
-    let figures: Vec<f64> = models.parts.iter().zip(&figures).zip(&signs).map(figure).collect();
-    let handbook = by_rules(budget, &errors, &figures, &swings);
-    let shares = shares(budget, &errors, &figures, &swings);
-    let monte_carlo = monte_carlo::draw(budget, &errors, &signs, progress)?;
-    Ok(Some(Estimate { handbook, monte_carlo, shares }))
 }
 
 fn half(swing: (f64, f64)) -> f64 {

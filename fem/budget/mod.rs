@@ -12,18 +12,17 @@ mod law;
 mod monte_carlo;
 mod part;
 mod random;
-pub(crate) mod read;
+mod read;
 pub mod rules;
 mod sizes;
 
 pub use drill::{Drill, Unknown};
 pub use error::{Contribution, Group, Kind, Source};
-pub use estimate::{Estimate, Handbook, Share, estimate};
+pub use estimate::{Estimate, Handbook, Share};
 pub use law::Law;
 pub use monte_carlo::{Drawn, Measured, Rejects};
 pub use part::{Figure, Input, ModelPart, Models, Target};
 pub use random::Stream;
-pub use read::load;
 
 use crate::input::Source as File;
 
@@ -31,6 +30,7 @@ use crate::input::Source as File;
 pub const STARTING: &str = include_str!("new.toml");
 
 /// Budget file. Lengths in m.
+#[non_exhaustive]
 pub struct Budget {
     /// Name and text of the file.
     pub file: File,
@@ -47,10 +47,13 @@ pub struct Budget {
     /// Errors, in the order of the file.
     pub errors: Vec<Contribution>,
     /// Groups of errors that enter the total as one.
+    #[doc(hidden)]
     pub groups: Vec<Group>,
     /// Figures of models with inputs that vary.
+    #[doc(hidden)]
     pub models: Models,
     /// Hole made by a tool of its size, if there is one.
+    #[doc(hidden)]
     pub drill: Option<Drill>,
 }
 

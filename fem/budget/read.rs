@@ -14,21 +14,23 @@ const LARGEST: u64 = 1_000_000;
 const SAMPLES: usize = 200_000;
 const MODEL_SAMPLES: usize = 20_000;
 
-/// Reads a budget file, and the model that it names.
-///
-/// # Errors
-/// A file is wrong; the error lists every problem with its place and remedy.
-pub fn load(path: &Path) -> Result<Budget, InputError> {
-    parse(File::read(path, LARGEST)?)
-}
+impl Budget {
+    /// Reads a budget file, and the model that it names.
+    ///
+    /// # Errors
+    /// A file is wrong; the error lists every problem with its place and remedy.
+    pub fn load(path: &Path) -> Result<Self, InputError> {
+        Self::parse(File::read(path, LARGEST)?)
+    }
 
-/// Reads a budget from its text.
-///
-/// # Errors
-/// The text is wrong; the error lists every problem.
-pub(crate) fn parse(file: File) -> Result<Budget, InputError> {
-    let remedy = "a budget takes fields: write a random error of its own, or let a model's input vary";
-    read_tables(&file, "a budget file", remedy, |reader, broken| read(reader, &file, broken))
+    /// Reads a budget from its text.
+    ///
+    /// # Errors
+    /// The text is wrong; the error lists every problem.
+    pub(crate) fn parse(file: File) -> Result<Self, InputError> {
+        let remedy = "a budget takes fields: write a random error of its own, or let a model's input vary";
+        read_tables(&file, "a budget file", remedy, |reader, broken| read(reader, &file, broken))
+    }
 }
 
 fn read(reader: &Reader, file: &File, broken: &RefCell<Option<InputError>>) -> Budget {

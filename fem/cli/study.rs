@@ -8,12 +8,13 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
 use super::watch::watched;
+use crate::ask::do_jobs;
 use crate::input::Problem;
 use crate::output::files::Guard;
-use crate::output::study::{Earlier, StudyFolder, line, merge};
+use crate::output::study::{Earlier, StudyFolder, merge};
 use crate::output::{Folder, StudyAnswer};
 use crate::progress::Progress;
-use crate::study::{Layout, Shard, Summary, in_order, load};
+use crate::study::{Layout, Shard, StudyPlan, Summary};
 
 pub fn run(args: &args::Study) -> Result<(), Error> {
     if let Some(args::StudyCommand::Merge(args)) = &args.command {
@@ -29,7 +30,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
         let problem = Problem::new("no plan is named");
         return Err(Error::from(problem.help("fem study PLAN.toml; `fem new study` writes one")));
     };
-    let plan = load(file)?;
+    let plan = StudyPlan::load(file)?;
     let layout = plan.layout();
     let shard = args.shard.unwrap_or(Shard::ALL);
     let directory = args.output.clone().unwrap_or_else(|| directory(file, shard));
@@ -47,10 +48,7 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
         );
     }
     let progress = args.limit.progress();
-    watched(&progress, || {
-        in_order(left, &progress, |number| line(&plan.job(number)), |line| folder.append(line.as_bytes()))
-    })?;
-    let undone = jobs.end - folder.next();
+    let undone = watched(&progress, || do_jobs(&plan, &mut folder, &progress))?;
     let (rows, summary) = folder.finish()?;
     if undone > 0 {
         say!("note: the time was over; {undone} jobs are left. The same command goes on with them");

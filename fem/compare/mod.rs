@@ -24,6 +24,7 @@ use crate::process::Failure;
 
 /// Comparison of one model with one file of measurements. SI units.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Comparison {
     /// File of the model.
     pub model: String,
@@ -32,6 +33,7 @@ pub struct Comparison {
     /// Measured − predicted.
     pub residuals: Vec<f64>,
     /// Noise by which the residuals are judged.
+    #[doc(hidden)]
     pub noise: Noise,
     /// Root mean square of the errors: the residuals of all rows on one scale, SI, or standard uncertainties where
     /// the file has several observables.
@@ -47,9 +49,11 @@ pub struct Comparison {
     /// Probability that chance alone gives a larger χ² (p-value); `None` where the noise is only estimated.
     pub p_value: Option<f64>,
     /// Structure of the residuals, the largest share first.
+    #[doc(hidden)]
     pub features: Vec<Feature>,
     /// Effects of the measurement that the residuals ask for though the noise seems to explain them: repeats
     /// that differ from run to run are no noise.
+    #[doc(hidden)]
     pub suspects: Vec<Term>,
     /// Cautions about the effects of the measurement that the model states, and about what its prediction asks of the
     /// machine.
@@ -91,6 +95,7 @@ pub struct Agreement {
 
 impl Comparison {
     /// Agreement of one of the file's observables.
+    #[doc(hidden)]
     pub fn agreement(&self, measurements: &Measurements, seen: &MeasuredObservable) -> Agreement {
         let rows = || (0..measurements.len()).filter(|row| measurements.rows.observable[*row] == seen.position);
         Agreement {

@@ -2,6 +2,7 @@
 
 /// Whether compensation brings the axis within its tolerances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Feasibility {
     /// The axis is within them as it is.
     Within,

@@ -28,35 +28,48 @@ use std::sync::Arc;
 
 /// Evaluation of an axis and of its compensation. SI units.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Compensation {
     /// Evaluation of the test as measured.
+    #[doc(hidden)]
     pub evaluation: Evaluation,
     /// Reversal at every target approached from both sides; `None` where there is none.
+    #[doc(hidden)]
     pub reversal: Option<Reversal>,
     /// Pitch errors from target to target.
+    #[doc(hidden)]
     pub pitch: PitchErrors,
     /// Parts of the reversal without what the controller compensates, constant and growing along the screw; `None`
     /// where the targets are too few.
+    #[doc(hidden)]
     pub lost_motion: Option<LostMotion>,
     /// Tolerances of the axis.
+    #[doc(hidden)]
     pub tolerance: Tolerance,
     /// Tolerances checked against the test as measured.
+    #[doc(hidden)]
     pub before: Vec<Check>,
     /// Table by which the controller compensated during the test.
+    #[doc(hidden)]
     pub active: Option<Table>,
     /// Points at which the controller takes increments.
+    #[doc(hidden)]
     pub steps: Option<Steps>,
     /// Ways of compensating: points, segments, both directions.
+    #[doc(hidden)]
     pub schemes: [Scheme; 3],
     /// Whether compensation brings the axis within its tolerances.
     pub feasibility: Feasibility,
     /// Causes that stand in the way, if any.
+    #[doc(hidden)]
     pub causes: Vec<Cause>,
     /// Agreement of the model itself with the measurements.
+    #[doc(hidden)]
     pub model: ModelAgreement,
     /// Lost motion by the model, where the model agrees with the measurements.
     pub modelled_lost_motion: Option<String>,
     /// Readings that are wrong, and left out of means and tables.
+    #[doc(hidden)]
     pub wrong_readings: Vec<WrongReading>,
     /// Cautions for the user.
     pub cautions: Vec<String>,

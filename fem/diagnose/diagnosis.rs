@@ -12,22 +12,26 @@ use crate::process::Description;
 use crate::units::Kind;
 
 /// Diagnosis of a model. SI units.
+#[non_exhaustive]
 pub struct Diagnosis {
     /// Number of rows that were used; all of them unless there are very many.
     pub rows: usize,
     /// Cautions about the data, to be read before the rest is believed.
     pub cautions: Vec<String>,
     /// Noise by which everything was judged.
+    #[doc(hidden)]
     pub noise: NoiseLevel,
     /// Goodness of fit of the model with its own parameters re-fitted.
     pub before: GoodnessOfFit,
     /// Structure of its residuals.
+    #[doc(hidden)]
     pub features: Vec<Feature>,
     /// Verdict.
     pub verdict: Verdict,
     /// Missing effects, what rows share first, in the order in which they should be added.
     pub missing: Vec<Missing>,
     /// Rows that are wrong by themselves, weighed down.
+    #[doc(hidden)]
     pub outliers: Vec<Outlier>,
     /// Verdict on the model with all of it.
     pub verdict_after: Verdict,
@@ -36,14 +40,19 @@ pub struct Diagnosis {
     /// Fit of all parameters, the model's own and those of the effects.
     pub fit: Fit,
     /// Structure of the residuals that remain.
+    #[doc(hidden)]
     pub remaining: Vec<Feature>,
     /// Effects of the measurement that the residuals still ask for, where they have no other structure.
+    #[doc(hidden)]
     pub suspects: Vec<Term>,
     /// Evaluation of every effect that the model does not have.
+    #[doc(hidden)]
     pub candidates: Vec<Outlook>,
     /// Next measurement, where effects are confounded.
+    #[doc(hidden)]
     pub next: Option<Next>,
     /// Coordinate by which rows were held out in cross-validation.
+    #[doc(hidden)]
     pub cross_validation_by: Option<Name>,
     /// Number of evaluations at which the model could not be computed, and of all evaluations.
     pub trials: (usize, usize),
@@ -110,8 +119,10 @@ impl Cause {
 }
 
 /// An effect that is missing.
+#[non_exhaustive]
 pub struct Missing {
     /// Its origin.
+    #[doc(hidden)]
     pub cause: Cause,
     /// The effect.
     pub effect: Description,
@@ -125,6 +136,7 @@ pub struct Missing {
     /// Confounded effects: those that fit as well in its place.
     pub indistinguishable_from: Vec<Description>,
     /// How far and along what its law bends, where that describes much of what is left.
+    #[doc(hidden)]
     pub bend: Option<Bend>,
 }
 

@@ -23,6 +23,7 @@ use crate::process::{Description, Failure, Rows, Values};
 const PLAIN: f64 = 15.0;
 
 /// Assessment of planned rows. SI units.
+#[non_exhaustive]
 pub struct Plan {
     /// Number of planned rows.
     pub rows: usize,
@@ -30,14 +31,19 @@ pub struct Plan {
     pub sigma: Vec<f64>,
     /// Every effect that the model does not have, also of the instrument, with its detection limit; `None` where it changes nothing
     /// in these rows.
+    #[doc(hidden)]
     pub effects: Vec<(Description, Option<DetectionLimit>)>,
     /// Pairs of effects that would be confounded.
+    #[doc(hidden)]
     pub alike: Vec<Alike>,
     /// Further experiment that tells most of them apart.
+    #[doc(hidden)]
     pub next: Option<Next>,
     /// Effects of the measurement that the noise of the rows has.
+    #[doc(hidden)]
     pub terms: Vec<Term>,
     /// Those that are left aside, for their size is unknown.
+    #[doc(hidden)]
     pub unknown: Vec<Term>,
 }
 

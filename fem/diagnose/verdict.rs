@@ -12,6 +12,7 @@ const HALF: f64 = 0.5;
 
 /// Goodness of fit of a fitted model. SI units.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct GoodnessOfFit {
     /// Root mean square of its residuals, SI; in standard uncertainties where there are several observables.
     pub rms: f64,
@@ -28,6 +29,7 @@ pub struct GoodnessOfFit {
 
 /// Verdict on a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Verdict {
     /// Nothing is missing at this noise.
     Adequate,
@@ -53,6 +55,7 @@ impl Verdict {
 
 impl GoodnessOfFit {
     /// Goodness of fit of a candidate model.
+    #[doc(hidden)]
     pub fn of(trial: &CandidateModel, repeats: &Repeats, folds: Option<&Folds>) -> Self {
         let (reduced_chi2, p_value) = reduced_chi2(&trial.objective, &trial.solution, repeats);
         Self {

@@ -8,6 +8,7 @@ use crate::input::Parameter;
 
 /// A fitted parameter. SI units.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Estimate {
     /// Parameter that was fitted.
     pub parameter: Parameter,

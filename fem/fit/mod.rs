@@ -33,14 +33,17 @@ const CORRELATED: f64 = 0.95;
 
 /// A model fitted to measurements. SI units.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Fit {
     /// Estimate of each parameter that was not exactly known, in the order of the model.
     pub estimates: Vec<Estimate>,
     /// Sizes of effects of the measurement that the model leaves unknown.
+    #[doc(hidden)]
     pub sizes: Vec<EstimatedSize>,
     /// Prediction of every row with the fitted values.
     pub predicted: Vec<f64>,
     /// Noise by which the rows were weighted.
+    #[doc(hidden)]
     pub noise: Noise,
     /// Root mean square residual of the fitted model, SI; in standard uncertainties where the file has
     /// several observables.

@@ -80,6 +80,7 @@ pub struct Parameter {
     /// Value in SI and knowledge.
     pub quantity: Quantity,
     /// Range in which it may lie, SI.
+    #[doc(hidden)]
     pub bounds: Bounds,
     /// Bytes of its value in the model file; `None` where the file does not have it.
     pub span: Option<Range<usize>>,

@@ -16,6 +16,7 @@ const LONGEST_HELP: usize = 1200;
 
 /// One thing that is wrong.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Problem {
     /// The finding, in one sentence.
     pub message: String,
@@ -48,6 +49,7 @@ impl Problem {
 
 /// Everything that is wrong with one input, found in one reading.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct InputError {
     /// The source that was read.
     pub source: Source,

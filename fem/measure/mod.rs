@@ -44,19 +44,25 @@ pub struct Measurements {
     /// Name of the file, or of all of them.
     pub name: String,
     /// Files, in their order; there is at least one.
+    #[doc(hidden)]
     pub files: Vec<MeasuredFile>,
     /// Coordinates and observable of each row.
+    #[doc(hidden)]
     pub rows: Rows,
     /// Observed values, SI.
     pub observed: Vec<f64>,
     /// Standard uncertainty of each row, SI; `None` without a column `u`.
+    #[doc(hidden)]
     pub uncertainty: Option<Values>,
     /// Record, from 0, in which each row stands; a record that holds several observables gives a row for
     /// each.
+    #[doc(hidden)]
     pub records_of: Ordinals,
     /// Line of the file in which each row stands.
+    #[doc(hidden)]
     pub lines: Ordinals,
     /// Observables of the file, in the order of their columns; there is at least one.
+    #[doc(hidden)]
     pub observables: Vec<MeasuredObservable>,
     /// Coordinates that have a column in the file, by their position in the process's list.
     pub given: Vec<usize>,
@@ -67,6 +73,7 @@ pub struct Measurements {
     /// Options by which the user has said how the file is to be read.
     pub said: Vec<String>,
     /// Records, in the program's form; none where they are not to be written again.
+    #[doc(hidden)]
     pub records: Records,
     /// Notes for the user: columns that were not used.
     pub notes: Vec<String>,
@@ -97,6 +104,7 @@ fn parted(mut levels: Vec<usize>, key: impl Fn(usize) -> u64 + Sync) -> Vec<usiz
 
 impl Measurements {
     /// Makes a design of rows of a process, with nothing observed yet.
+    #[doc(hidden)]
     pub fn planned(process: &dyn Process, name: &str, rows: Rows) -> Self {
         Self {
             name: name.into(),
@@ -154,6 +162,7 @@ impl Measurements {
 
     /// Selects the rows of one observable, as a file of their own.
     #[must_use]
+    #[doc(hidden)]
     pub fn of(&self, seen: &MeasuredObservable) -> Self {
         let rows = self.some(|row| self.rows.observable[row] == seen.position);
         Self { observables: vec![seen.clone()], ..rows }
@@ -170,6 +179,7 @@ impl Measurements {
 
     /// Errors (SI) of all rows on one scale: unchanged for one observable, divided by `sigma` where there
     /// are several.
+    #[doc(hidden)]
     pub fn together<'a>(&self, errors: &'a [f64], sigma: &Values) -> Cow<'a, [f64]> {
         match &self.observables[..] {
             [_] => errors.into(),

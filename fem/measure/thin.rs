@@ -10,6 +10,7 @@ impl Measurements {
     /// every level of every coordinate that has few, so that no sensor, target or direction is left out. The
     /// choice begins elsewhere in each level, so that coordinates of many levels, such as a time, keep theirs
     /// too.
+    #[doc(hidden)]
     pub fn one_in(&self, every: usize, repeats: &Repeats) -> Vec<bool> {
         let stratum = self.strata(repeats);
         let mut next: Vec<usize> = (0..).take(stratum.iter().max().map_or(0, |m| m + 1)).collect();

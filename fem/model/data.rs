@@ -22,9 +22,11 @@ pub struct Data<'m> {
     /// Model against which the rows were checked.
     pub model: &'m Model,
     /// Datum directions that were taken out of the observed values: the way of measuring is blind to them.
+    #[doc(hidden)]
     pub datum_directions: Vec<DatumDirection>,
     /// Effects of the measurement that the model states, with the rows on which they act; a size that is not
     /// a number is unknown.
+    #[doc(hidden)]
     pub terms: Vec<Term>,
     /// Cautions about these effects in these rows.
     pub cautions: Vec<String>,
@@ -154,6 +156,7 @@ impl<'m> Data<'m> {
 
     /// Residuals of a model of these data, with the noise by which they are judged and the derivatives of what was
     /// fitted, for effects of the measurement to be sought in them.
+    #[doc(hidden)]
     pub fn evidence<'a>(
         &'a self,
         noise: &'a Noise,
@@ -167,6 +170,7 @@ impl<'m> Data<'m> {
 
     /// The data with one effect of the measurement more at work.
     #[must_use]
+    #[doc(hidden)]
     pub fn and_term(mut self, term: Term) -> Self {
         self.terms.push(term);
         self
@@ -190,6 +194,7 @@ impl<'m> Data<'m> {
     }
 
     /// Rows that repeat each other, and their scatter.
+    #[doc(hidden)]
     pub fn repeats(&self) -> &Repeats {
         self.repeats.get_or_init(|| repeats(&self.measurements, self.model.process.coordinates()))
     }

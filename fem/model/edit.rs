@@ -11,6 +11,7 @@ impl Model {
     ///
     /// # Errors
     /// They do not make a model; several tests together are not edited.
+    #[doc(hidden)]
     pub fn edited(&self, edits: &[Edit]) -> Result<Self, Problem> {
         self.read_again(self.tables.edited(edits)?)
     }
@@ -19,11 +20,13 @@ impl Model {
     ///
     /// # Errors
     /// A file that it names has changed, and makes no model any more.
+    #[doc(hidden)]
     pub fn undone(&self) -> Result<Option<Self>, Problem> {
         self.tables.undone().map(|tables| self.read_again(tables)).transpose()
     }
 
     /// The edits that were made since it was read.
+    #[doc(hidden)]
     pub fn edits(&self) -> &[Edit] {
         self.tables.edits()
     }

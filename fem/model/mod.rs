@@ -53,10 +53,13 @@ pub struct Model {
     /// Process that it models.
     pub process: ModelProcess,
     /// Ideal system that its tables describe.
+    #[doc(hidden)]
     pub system: Arc<dyn System>,
     /// Effects, in the order of the file.
+    #[doc(hidden)]
     pub effects: Vec<Active>,
     /// Effects of the measurement, in the order of the file; the rows are records of a file, from 1.
+    #[doc(hidden)]
     pub measurement: Vec<Term>,
     /// Parameters that it does not know exactly.
     pub parameters: Vec<Parameter>,
@@ -65,6 +68,7 @@ pub struct Model {
     /// All quantities that the file has.
     pub quantities: Arc<[Parameter]>,
     /// Machine that it names.
+    #[doc(hidden)]
     pub machine: Option<Machine>,
     /// Values (SI) that were entered in place of those of the file, by their quantities.
     entered: HashMap<ParameterId, f64>,
@@ -160,6 +164,7 @@ impl Model {
     }
 
     /// Forward model as it is written, with what its instrument shows of measured rows.
+    #[doc(hidden)]
     pub fn forward(&self) -> Box<dyn ForwardModel> {
         self.behind(self.system.with_effects(&self.effects), &self.measurement)
     }

@@ -8,6 +8,7 @@ use crate::input::{InputError, Reader};
 impl Model {
     /// Reads the model that the key of another file names, which must be there; `None` where there is a problem.
     /// Those of the model file itself go to `broken`, for they lie in that file.
+    #[doc(hidden)]
     pub fn named(
         t: &Reader,
         key: &'static str,

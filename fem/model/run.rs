@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use crate::units::Kind;
 
 /// Result of a run.
+#[non_exhaustive]
 pub struct Run {
     /// Report of the process.
     pub report: RunReport,
@@ -19,6 +20,7 @@ pub struct Run {
 /// Change that one effect makes: the prediction with all effects less the prediction without this one; for
 /// the ideal system, which has no effects, the prediction itself. SI units.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Contribution {
     /// Name of the effect, or `ideal`.
     pub name: Name,
@@ -63,6 +65,7 @@ impl Model {
     ///
     /// # Errors
     /// The computation failed.
+    #[doc(hidden)]
     pub fn report(&self, progress: &Progress) -> Result<RunReport, Failure> {
         let forward = self.forward();
         forward.report(forward.predict(progress)?)
@@ -72,6 +75,7 @@ impl Model {
     ///
     /// # Errors
     /// The computation failed.
+    #[doc(hidden)]
     pub fn contribution_of(&self, effect: &Active, progress: &Progress) -> Result<Vec<Contribution>, Failure> {
         let prediction = self.forward().predict(progress)?;
         Ok(self.contributions(&[(effect.description.name.clone(), self.changes(effect, &prediction, progress)?)]))

@@ -10,6 +10,7 @@ use crate::noise::{Acts, FROM, MEASUREMENT, Size, Term, caution, step_of};
 
 impl Model {
     /// Whether the size of an effect of the measurement is left to be estimated from every file.
+    #[doc(hidden)]
     pub fn is_unknown(&self, term: &Term) -> bool {
         let is_own = |t: &&Term| t.table == term.table && t.effect.size == term.effect.size;
         let own = self.measurement.iter().find(is_own);

@@ -39,6 +39,7 @@ impl Model {
     ///
     /// # Errors
     /// The values make no model: a search went where there is none.
+    #[doc(hidden)]
     pub fn forward_at(&self, values: &[f64]) -> Result<Box<dyn ForwardModel>, Failure> {
         self.forward_with(values, &[])
     }
@@ -47,6 +48,7 @@ impl Model {
     ///
     /// # Errors
     /// The values make no model.
+    #[doc(hidden)]
     pub fn forward_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn ForwardModel>, Failure> {
         self.forward_of(values, |mut effects| {
             effects.extend_from_slice(added);
@@ -58,6 +60,7 @@ impl Model {
     ///
     /// # Errors
     /// The values make no model.
+    #[doc(hidden)]
     pub fn forward_without(&self, values: &[f64], effect: &str) -> Result<Box<dyn ForwardModel>, Failure> {
         self.forward_of(values, |mut effects| {
             effects.retain(|e| e.description.name != effect);
@@ -93,6 +96,7 @@ impl Model {
     ///
     /// # Errors
     /// The values make no model.
+    #[doc(hidden)]
     pub fn system_at(&self, values: &[f64]) -> Result<Arc<dyn System>, Failure> {
         if self.campaign().is_some() {
             return Ok(self.system.clone());

@@ -8,20 +8,25 @@ use super::chart::Svg;
 use super::staged::Staged;
 use crate::progress::Progress;
 
-/// Answer of a command.
+/// Answer of a command, for [`text`](fn@super::text), [`json`](fn@super::json), [`figures`] and a
+/// [`Folder`](super::Folder). The answers of the program implement it, and nobody else can.
 pub trait Answer {
     /// The answer for people, from top to bottom.
+    #[doc(hidden)]
     fn blocks(&self) -> Vec<Block>;
 
     /// The answer for programs. No NaN, no infinity: what is unknown is null.
+    #[doc(hidden)]
     fn json(&self) -> Value;
 
     /// Figures, each with the stem of its file.
+    #[doc(hidden)]
     fn figures(&self) -> Vec<(String, Svg)> {
         Vec::new()
     }
 
     /// Progress of a computation whose time may be limited.
+    #[doc(hidden)]
     fn progress(&self) -> Option<&Progress> {
         None
     }
@@ -30,6 +35,7 @@ pub trait Answer {
     ///
     /// # Errors
     /// A file cannot be written.
+    #[doc(hidden)]
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
         files.figures(self.figures())
     }

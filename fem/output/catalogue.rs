@@ -12,10 +12,12 @@ use crate::noise::MeasurementEffect;
 use crate::process::{Description, Neutral, Parameter, Process};
 
 /// The catalogue of effects, or a part of it.
+#[non_exhaustive]
 pub struct CatalogueAnswer {
     /// Effects of processes, each with its own.
     pub effects: Vec<(&'static dyn Process, Description)>,
     /// Effects of the measurement.
+    #[doc(hidden)]
     pub of_measurement: Vec<&'static MeasurementEffect>,
     /// Whether each is told in a line, and not on a page.
     pub is_list: bool,

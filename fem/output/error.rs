@@ -7,6 +7,7 @@ use super::vtk::VtkError;
 
 /// Writing failed.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum OutputError {
     /// The file system refused.
     #[error("{} cannot be written: {error}", path.display())]
@@ -22,6 +23,7 @@ pub enum OutputError {
         /// Path of the file.
         path: PathBuf,
         /// Reason.
+        #[doc(hidden)]
         error: VtkError,
     },
     /// A file stands in its place that the program did not write, or that was changed since.

@@ -89,12 +89,14 @@ pub const EFFECTS: &str = "effects";
 
 /// An effect as `fem effects` describes it, with all that is needed to read it from a model.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Description {
     /// Table of a model file under which it stands: [`EFFECTS`], or that of the measurement.
     pub table: &'static str,
     /// The word in `[effects.NAME]`.
     pub name: Name,
     /// Observable on which an effect of the measurement acts, where there are several.
+    #[doc(hidden)]
     pub observable: Option<Name>,
     /// The phenomenon, in one sentence.
     pub about: Cow<'static, str>,
@@ -103,6 +105,7 @@ pub struct Description {
     /// Where the law comes from.
     pub source: &'static str,
     /// Its owner, where several tests look at one machine.
+    #[doc(hidden)]
     pub belongs: Belongs,
     /// In the order of the law.
     pub parameters: Cow<'static, [Parameter]>,
@@ -168,12 +171,14 @@ impl Description {
     }
 
     /// Path of one of its parameters in a model file.
+    #[doc(hidden)]
     pub fn path(&self, parameter: &Parameter) -> ParameterId {
         let of = self.observable.as_ref().map_or(String::new(), |name| format!("-{name}"));
         format!("{}.{}{of}.{}", self.table, self.name, parameter.name).into()
     }
 
     /// Reads the parameters from an effect's table.
+    #[doc(hidden)]
     pub fn read(&self, table: &Reader) -> Active {
         let mut values: Vec<f64> = Vec::with_capacity(self.parameters.len());
         for p in &*self.parameters {
@@ -192,11 +197,13 @@ impl Description {
     }
 
     /// The effect with these values of its parameters, SI.
+    #[doc(hidden)]
     pub fn with(&self, values: Vec<f64>) -> Active {
         Active { description: self.clone(), values, formula: None }
     }
 
     /// The effect with every parameter at its neutral value, and a plausible one where it has none.
+    #[doc(hidden)]
     pub fn neutral(&self) -> Active {
         let value = |p: &Parameter| match p.neutral {
             Neutral::Value(value) => p.kind.to_si(value),
@@ -207,6 +214,7 @@ impl Description {
     }
 
     /// The effect with every parameter at a plausible value.
+    #[doc(hidden)]
     pub fn typical(&self) -> Active {
         self.with(self.parameters.iter().map(|p| p.kind.to_si(p.example())).collect())
     }

@@ -8,6 +8,7 @@ use crate::units::{ANGLE, Kind, UnitSymbol};
 
 /// One thing that a run has found.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Figure {
     /// Key in JSON.
     pub key: &'static str,
@@ -16,6 +17,7 @@ pub struct Figure {
     /// For people, line by line; quantities in them are written by [`Kind::shown`].
     pub lines: Vec<String>,
     /// For programs, in their order.
+    #[doc(hidden)]
     pub entries: Vec<(Cow<'static, str>, Datum)>,
     /// Keys under which the units of the entries are told. Where a unit has none here, it is told as `unit`
     /// if it is the first of the figure, else as `KEY_unit`, KEY being the first entry that has it.
@@ -67,6 +69,7 @@ impl Figure {
 
     /// With a value for programs.
     #[must_use]
+    #[doc(hidden)]
     pub fn entry(mut self, key: impl Into<Cow<'static, str>>, datum: impl Into<Datum>) -> Self {
         self.entries.push((key.into(), datum.into()));
         self
@@ -96,6 +99,7 @@ impl Figure {
     }
 
     /// A value by its path, as [`Self::value_at`] takes it.
+    #[doc(hidden)]
     pub fn datum(&self, path: &str) -> Option<Datum> {
         let mut steps = path.trim_start_matches('/').split('/');
         let first = steps.next()?;

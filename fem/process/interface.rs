@@ -21,6 +21,7 @@ pub trait Process: Sync {
     fn observables(&self) -> &[Observable];
 
     /// The coordinates and conditions under which it is measured.
+    #[doc(hidden)]
     fn coordinates(&self) -> &[Coordinate];
 
     /// A commented model to start from.
@@ -30,10 +31,12 @@ pub trait Process: Sync {
     fn effects(&self) -> Vec<Description>;
 
     /// Quantities of its tables, by their paths, that are what an effect is to the unit that a model tests.
+    #[doc(hidden)]
     fn of_unit(&self) -> &'static [(&'static str, UnitRole)];
 
     /// Reads its tables. Problems are noted in the reader; the system is of use only if there were none,
     /// and `None` where the tables make no system at all.
+    #[doc(hidden)]
     fn read(&self, model: &Reader) -> Option<Box<dyn System>>;
 }
 

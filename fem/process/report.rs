@@ -6,22 +6,29 @@ use crate::units::{Kind, UnitSymbol};
 
 /// The results of a run, in terms that every output format understands.
 #[derive(Default)]
+#[non_exhaustive]
 pub struct RunReport {
     /// The prediction at every point; a measurement file in itself.
+    #[doc(hidden)]
     pub profile: Table,
     /// Further tables, each a CSV file of its name.
+    #[doc(hidden)]
     pub tables: Vec<(&'static str, Table)>,
     /// Key results for an engineer, in the order of interest.
     pub figures: Vec<Figure>,
     /// Small pictures of the prediction.
+    #[doc(hidden)]
     pub plots: Vec<Plot>,
     /// Contours with magnified deviations, a picture file each.
+    #[doc(hidden)]
     pub drawings: Vec<Drawing>,
     /// The machine to scale, if the process has one to draw.
+    #[doc(hidden)]
     pub sketch: Option<Sketch>,
     /// Warnings that should not be overlooked, as sentences.
     pub warnings: Vec<String>,
     /// Shapes to play, if the process has any.
+    #[doc(hidden)]
     pub animation: Option<Animation>,
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::plan::{Offered, Plan, Task};
+use super::plan::{Offered, StudyPlan, Task};
 use super::summary::{Cell, Row};
 use crate::diagnose::{MOST_EFFECTS, diagnose};
 use crate::fit::{Fit, fit};
@@ -17,8 +17,9 @@ const OF_FIT: &[&str] = &["chi2_per_dof", "p_value"];
 const OF_DIAGNOSIS: &[(&str, bool)] =
     &[("verdict", true), ("missing", true), ("chi2_per_dof_before", false), ("chi2_per_dof_after", false)];
 
-impl Plan {
+impl StudyPlan {
     /// Does job number `number`, counted from 0. Whatever goes wrong in it stands in its row.
+    #[doc(hidden)]
     pub fn job(&self, number: u64) -> Row {
         let (inputs, file) = self.point(number);
         let data = file.map(|file| file.strip_prefix(self.file.folder()).unwrap_or(file).display().to_string());

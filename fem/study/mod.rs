@@ -25,8 +25,8 @@ pub use design::{Design, Input, Points, Sampler, Spread};
 pub use in_order::in_order;
 pub use indices::{Index, Indices};
 pub use layout::{Layout, Nature, ResultColumn, Shard};
-pub use plan::{Offered, Plan, Task, Wanted};
-pub use read::{load, parse, schema};
+pub use plan::{Offered, StudyPlan, Task, Wanted};
+pub use read::schema;
 pub use summary::{Cell, Extreme, Found, Numbers, Row, Summary, Summing};
 
 /// Commented plan to begin with.

@@ -52,7 +52,8 @@ pub struct Wanted {
 }
 
 /// A plan that was read without a problem.
-pub struct Plan {
+#[non_exhaustive]
+pub struct StudyPlan {
     /// Name and text of the file.
     pub file: Source,
     /// The key `title`, if the file has it.
@@ -60,6 +61,7 @@ pub struct Plan {
     /// The model.
     pub model: Model,
     /// Command that is run at every point.
+    #[doc(hidden)]
     pub task: Task,
     /// Files of measurements.
     pub data: Vec<PathBuf>,
@@ -68,16 +70,20 @@ pub struct Plan {
     /// File and text of the table that names the points, if one does.
     pub table: Option<Source>,
     /// Quantities that vary.
+    #[doc(hidden)]
     pub inputs: Vec<Input>,
     /// Design by which they vary.
+    #[doc(hidden)]
     pub design: Design,
     /// The points.
+    #[doc(hidden)]
     pub points: Points,
     /// Results that are wanted of every job.
+    #[doc(hidden)]
     pub results: Vec<Wanted>,
 }
 
-impl Plan {
+impl StudyPlan {
     /// Number of jobs.
     pub fn jobs(&self) -> u64 {
         let files = if self.data_of_point.is_empty() { self.data.len().max(1) } else { 1 };
@@ -98,6 +104,7 @@ impl Plan {
     }
 
     /// Layout of its rows.
+    #[doc(hidden)]
     pub fn layout(&self) -> Layout {
         let column = |wanted: &Wanted| {
             let kind = wanted.offered.kind;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::design::{Design, Input, Points, Sampler, Spread};
 use super::job;
-use super::plan::{Offered, Plan, Task, Wanted};
+use super::plan::{Offered, StudyPlan, Task, Wanted};
 use super::quantity::{LISTED, no_quantity};
 use super::sobol::MOST_DIMENSIONS;
 use super::table::{self, Table};
@@ -25,12 +25,24 @@ const MOST_STEPS: usize = 1_000_000;
 /// Points that are drawn unless the plan says otherwise.
 const SAMPLES: usize = 1024;
 
-/// Reads a plan, and the model, table and names of measurements that it gives.
-///
-/// # Errors
-/// A file is wrong; the error lists every problem with its place and remedy.
-pub fn load(path: &Path) -> Result<Plan, InputError> {
-    parse(Source::read(path, LARGEST)?)
+impl StudyPlan {
+    /// Reads a plan, and the model, table and names of measurements that it gives.
+    ///
+    /// # Errors
+    /// A file is wrong; the error lists every problem with its place and remedy.
+    pub fn load(path: &Path) -> Result<Self, InputError> {
+        Self::parse(Source::read(path, LARGEST)?)
+    }
+
+    /// Reads a plan from its text; the paths that it names are relative to the folder of its name.
+    ///
+    /// # Errors
+    /// As those of [`load`](Self::load).
+    pub fn parse(file: Source) -> Result<Self, InputError> {
+        let remedy = "a plan takes a middle and a field: value = \"60 N/um\", half_field = \"15 N/um\"";
+        let plan = read_tables(&file, "a plan", remedy, |reader, broken| read(reader, &file, broken))?;
+        plan.ok_or_else(|| InputError::new(file, Vec::new()))
+    }
 }
 
 /// Schema of a plan, made by the function that reads it.
@@ -43,16 +55,6 @@ pub fn schema() -> serde_json::Value {
     shape["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
     shape["title"] = "fem study".into();
     shape
-}
-
-/// Reads a plan from its text; the paths that it names are relative to the folder of its name.
-///
-/// # Errors
-/// As those of [`load`].
-pub fn parse(file: Source) -> Result<Plan, InputError> {
-    let remedy = "a plan takes a middle and a field: value = \"60 N/um\", half_field = \"15 N/um\"";
-    let plan = read_tables(&file, "a plan", remedy, |reader, broken| read(reader, &file, broken))?;
-    plan.ok_or_else(|| InputError::new(file, Vec::new()))
 }
 
 /// How points are chosen, before it is known what varies.
@@ -81,7 +83,7 @@ struct Chosen {
     table: Option<Source>,
 }
 
-fn read(reader: &Reader, file: &Source, broken: &RefCell<Option<InputError>>) -> Option<Plan> {
+fn read(reader: &Reader, file: &Source, broken: &RefCell<Option<InputError>>) -> Option<StudyPlan> {
     let title = reader.text("title", "what is studied, for people");
     let model = Model::named(reader, "model", "the model file", broken);
     let task = reader.choice("task", "what is done at every point", Task::WORDS).or_first(Task::Run);
@@ -153,7 +155,19 @@ fn read(reader: &Reader, file: &Source, broken: &RefCell<Option<InputError>>) ->
         results = offer.usual.iter().map(|o| Wanted { offered: o.clone(), tolerance: None }).collect();
     }
     let file = file.clone();
-    Some(Plan { file, title, model, task, data, data_of_point, table: chosen.table, inputs, design, points, results })
+    Some(StudyPlan {
+        file,
+        title,
+        model,
+        task,
+        data,
+        data_of_point,
+        table: chosen.table,
+        inputs,
+        design,
+        points,
+        results,
+    })
 }
 
 fn read_design(t: &Reader) -> Chosen {

@@ -102,6 +102,7 @@ impl Kind {
 
     /// The canonical unit, parsed. The units of [`ALL`] are checked by a test, so a failure can only come
     /// from a `Kind` made elsewhere; it then counts as a pure number.
+    #[doc(hidden)]
     pub fn canonical(&self) -> Unit {
         Unit::parse(&self.unit).unwrap_or(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE })
     }
@@ -120,6 +121,7 @@ impl Kind {
 
     /// `si` as people read it, with the unit of this kind: `{:+.3}` gives `+1.234 um`. Precision, sign and
     /// width are those of the number.
+    #[doc(hidden)]
     pub fn shown(&self, si: f64) -> Shown {
         Shown { number: self.from_si(si), unit: self.unit }
     }
@@ -135,6 +137,7 @@ impl Kind {
     ///
     /// # Errors
     /// The text is no unit, or a unit of something else.
+    #[doc(hidden)]
     pub fn unit_of(&self, text: &str) -> Result<Unit, UnitError> {
         // Shops write the speed of a spindle as 1/min and mean revolutions.
         let turns = *self == SPINDLE_SPEED && matches!(text.trim(), "1/min" | "/min" | "min^-1");

@@ -36,6 +36,7 @@ impl Quantity {
     ///
     /// # Errors
     /// Not a finite number, a unit of another kind, or a standard uncertainty that is not positive.
+    #[doc(hidden)]
     pub fn parse(text: &str, kind: &Kind) -> Result<Self, UnitError> {
         let text = text.trim();
         if let Some(rest) = text.strip_prefix('?') {

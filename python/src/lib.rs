@@ -55,8 +55,8 @@ fn catalogue(py: Python, name: Option<String>) -> PyResult<(String, String)> {
 #[pyfunction]
 fn budget(py: Python, path: PathBuf) -> PyResult<(String, String, Vec<String>)> {
     compute(py, &Arc::default(), move |progress: &Arc<Progress>| {
-        let file = fem::budget::load(&path)?;
-        let estimate = fem::budget::estimate(&file, progress)?;
+        let file = fem::budget::Budget::load(&path)?;
+        let estimate = file.estimate(progress)?;
         let answer = BudgetAnswer(&file, estimate.as_ref());
         Ok((json(&answer), text(&answer, None), answer.warnings()))
     })

@@ -3,29 +3,30 @@
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
+use fem::ask::do_jobs;
 use fem::input::{Problem, Source};
 use fem::output::files::Guard;
 use fem::output::study::{Earlier, StudyFolder, line};
 use fem::output::{Folder, StudyAnswer, json, text};
 use fem::process::Failure;
-use fem::study::{Layout, Plan, Shard, in_order, load, parse};
+use fem::study::{Layout, Shard, StudyPlan, in_order};
 use pyo3::prelude::*;
 
 use crate::compute::{compute, compute_watched, locked, within};
 use crate::error::Error;
 
 /// Reads a plan: a file, or a text whose paths are relative to the folder of `name`.
-fn read(name: String, text: Option<String>) -> Result<Plan, Error> {
+fn read(name: String, text: Option<String>) -> Result<StudyPlan, Error> {
     Ok(match text {
-        Some(text) => parse(Source::new(name, text))?,
-        None => load(&PathBuf::from(name))?,
+        Some(text) => StudyPlan::parse(Source::new(name, text))?,
+        None => StudyPlan::load(&PathBuf::from(name))?,
     })
 }
 
 /// A plan, and the folder in which its rows grow.
 #[pyclass(frozen, module = "fem._fem")]
 pub struct Study {
-    plan: Arc<Plan>,
+    plan: Arc<StudyPlan>,
     layout: Layout,
     folder: Arc<Mutex<Option<StudyFolder>>>,
 }
@@ -68,9 +69,7 @@ impl Study {
         compute_watched(py, &progress, look, move |progress| {
             let mut own = locked(&shared);
             let Some(mut folder) = own.take() else { return Err(ended()) };
-            let left = folder.next()..folder.jobs().end;
-            let work = |number| line(&plan.job(number));
-            in_order(left, progress, work, |line| folder.append(line.as_bytes()))?;
+            do_jobs(&plan, &mut folder, progress)?;
             // What was stopped is let go, so that whoever comes next finds the folder free.
             if !progress.is_stopped() {
                 *own = Some(folder);

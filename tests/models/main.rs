@@ -42,10 +42,11 @@ fn every_model_gives_the_number_of_its_header() {
 #[test]
 fn every_budget_gives_the_number_of_its_header() {
     for name in ["budget.toml", "budget-lathe.toml", "budget-part.toml"] {
-        let budget = fem::budget::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(name)).unwrap();
+        let budget =
+            fem::budget::Budget::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(name)).unwrap();
         let line = budget.file.text.lines().take(5).find_map(|l| l.strip_prefix("# Total by the handbook: ")).unwrap();
         let stated: f64 = line.split(' ').next().unwrap().parse().unwrap();
-        let estimate = fem::budget::estimate(&budget, &Progress::default()).unwrap().unwrap();
+        let estimate = budget.estimate(&Progress::default()).unwrap().unwrap();
         assert!((1e6 * estimate.handbook.total - stated).abs() < 6e-4, "{name}: {}", estimate.handbook.total);
     }
 }
@@ -53,7 +54,7 @@ fn every_budget_gives_the_number_of_its_header() {
 #[test]
 fn every_study_gives_the_number_of_its_header() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/study-lathe.toml");
-    let plan = fem::study::load(&path).unwrap();
+    let plan = fem::study::StudyPlan::load(&path).unwrap();
     let line = plan.file.text.lines().take(5).find_map(|l| l.strip_prefix("# Yield: ")).unwrap();
     let stated: f64 = line.trim_end_matches(" %").parse().unwrap();
     let layout = plan.layout();

@@ -17,7 +17,7 @@ use super::{OutputError, csv};
 use crate::compensate::Compensation;
 use crate::model::Data;
 
-/// The compensation of an axis by its test and its model, with files for controls.
+/// The compensation of an axis by its test and its model, with files for controls (none: `&[]`).
 pub struct CompensationAnswer<'a>(pub &'a Data<'a>, pub &'a Compensation, pub &'a [Supplied]);
 
 impl Answer for CompensationAnswer<'_> {

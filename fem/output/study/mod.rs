@@ -20,8 +20,8 @@ use super::json::json as document;
 use super::staged::Staged;
 use crate::study::{Layout, Summary};
 
-/// The rows of a study, and what they say.
-pub struct StudyAnswer<'a>(pub &'a Layout, pub &'a Summary);
+/// The rows of a study, and what they say; `Study::answer` makes one.
+pub struct StudyAnswer<'a>(#[doc(hidden)] pub &'a Layout, #[doc(hidden)] pub &'a Summary);
 
 impl Answer for StudyAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {

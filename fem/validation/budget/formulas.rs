@@ -250,7 +250,7 @@ fn drill() -> Vec<Case> {
 fn risks() -> Vec<Case> {
     let case = |(t, printed, precision): (f64, f64, f64)| {
         let text = format!("budget = {{ t = {t:?} }}\n[[error]]\nname = \"e\"\nkind = \"random\"\nvalue = \"1 um\"");
-        let read = crate::budget::read::parse(crate::input::Source::new("budget.toml", text)).ok();
+        let read = crate::budget::Budget::parse(crate::input::Source::new("budget.toml", text)).ok();
         Case {
             name: format!("t = {t}"),
             quantity: "risk",

@@ -1,6 +1,6 @@
 //! Budgets from their texts, and rows about them.
 
-use crate::budget::{Drawn, Estimate, estimate, read};
+use crate::budget::{Budget, Drawn, Estimate};
 use crate::input::Source;
 use crate::progress::Progress;
 use crate::validation::{Case, Tolerance};
@@ -17,8 +17,8 @@ pub fn budget(text: &str) -> Option<Estimate> {
         }
         text = numbered;
     }
-    let read = read::parse(Source::new("budget.toml", text)).ok()?;
-    estimate(&read, &Progress::default()).ok().flatten()
+    let read = Budget::parse(Source::new("budget.toml", text)).ok()?;
+    read.estimate(&Progress::default()).ok().flatten()
 }
 
 /// Makes a row in micrometres of figures in metres.
