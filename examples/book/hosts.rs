@@ -7,6 +7,10 @@ use fem::process::Process;
 /// What stands under a shaft.
 const REST: &str = "steady_rests = [{ at = \"150 mm\", stiffness = \"40 N/um\" }]";
 
+/// The shaft, and one with a shoulder that the pass climbs.
+const SEGMENT: &str = "{ length = \"500 mm\", diameter = \"40 mm\" }";
+const STEPPED: &str = "{ length = \"200 mm\", diameter = \"50 mm\" }, { length = \"300 mm\", diameter = \"40 mm\" }";
+
 /// The model that `fem new` writes, and variants of it with what further effects need.
 pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputError> {
     let start = process.starting_model();
@@ -15,6 +19,7 @@ pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputErro
             start.replace("\"centres\"", "\"chuck-and-centre\""),
             start.replace("type = \"centres\"", "type = \"centres\"\nguideway_spacing = \"300 mm\""),
             start.replace("type = \"centres\"", &format!("type = \"centres\"\n{REST}")),
+            start.replace(SEGMENT, STEPPED),
             format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
         ],
         "ring" => vec![start.replace("\"least-squares-circle\"", "\"absolute\"")],

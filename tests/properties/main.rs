@@ -25,6 +25,7 @@ fn models(process: &dyn Process) -> Vec<Model> {
             start.replace("\"centres\"", "\"chuck-and-centre\""),
             start.replace("type = \"centres\"", "type = \"centres\"\nguideway_spacing = \"300 mm\""),
             start.replace("type = \"centres\"", &format!("type = \"centres\"\n{REST}")),
+            start.replace(SEGMENT, STEPPED),
             format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
         ],
         "ring" => vec![start.to_string(), start.replace("\"least-squares-circle\"", "\"absolute\"")],
@@ -39,6 +40,10 @@ fn models(process: &dyn Process) -> Vec<Model> {
 
 /// What stands under a shaft.
 const REST: &str = "steady_rests = [{ at = \"150 mm\", stiffness = \"40 N/um\" }]";
+
+/// The shaft, and one with a shoulder that the pass climbs.
+const SEGMENT: &str = "{ length = \"500 mm\", diameter = \"40 mm\" }";
+const STEPPED: &str = "{ length = \"200 mm\", diameter = \"50 mm\" }, { length = \"300 mm\", diameter = \"40 mm\" }";
 
 /// A contour with what some effects need: screws, a frequency, and the force of a cut.
 fn equipped(start: &str) -> String {

@@ -168,11 +168,15 @@ impl Setup {
         self.ends.iter().any(|end| (x - end).abs() <= 1e-9 * end)
     }
 
+    /// Number of the segment at x; on a step that of the one toward the tailstock.
+    pub fn segment(&self, x: f64) -> usize {
+        let number = self.ends.partition_point(|end| x >= end * (1.0 - 1e-12));
+        number.min(self.segments.len().saturating_sub(1))
+    }
+
     /// The section at x; on a step that of the segment toward the tailstock.
     pub fn section(&self, x: f64) -> Round {
-        let i = self.ends.partition_point(|end| x >= end * (1.0 - 1e-12));
-        let last = self.segments.len().saturating_sub(1);
-        self.segments.get(i.min(last)).map_or(Round { diameter: f64::NAN, bore: 0.0 }, |s| s.section)
+        self.segments.get(self.segment(x)).map_or(Round { diameter: f64::NAN, bore: 0.0 }, |s| s.section)
     }
 
     /// Finished diameter at x, m.

@@ -5,7 +5,7 @@ use crate::validation::bench::figure as figure_of;
 use crate::validation::{Case, Tolerance};
 
 pub fn cases() -> Vec<Case> {
-    [shifts(), carriage(), hyperboloid()].concat()
+    [shifts(), play(), carriage(), hyperboloid()].concat()
 }
 
 fn shifts() -> Vec<Case> {
@@ -38,6 +38,41 @@ fn shifts() -> Vec<Case> {
         ),
         at("guideway wear, worst place", worn, 0.2, 16e-6, "seed 002, wear of the guideways"),
         at("guideway wear, one width off", worn, 0.25, 16e-6 * (-0.5f64).exp(), "seed 002, wear of the guideways"),
+    ]
+}
+
+/// A stepped shaft, Ø30, Ø50, Ø50, Ø49.98 and Ø40 from the tailstock, 100 mm each, and a slide with 15 um of play: from
+/// Ø30 to Ø50 it moves outwards and stays behind by all of it, keeps that along the second Ø50, takes up 10 um of it on the
+/// way in to Ø49.98, and the rest on that to Ø40.
+fn play() -> Vec<Case> {
+    let one = |diameter: &str| format!("{{ length = \"100 mm\", diameter = \"{diameter} mm\" }}");
+    let all = ["40", "49.98", "50", "50", "30"].map(one).join(", ");
+    let text = UNIFORM.replace("HELD", "centres").replace("{ length = \"500 mm\", diameter = \"40 mm\" }", &all);
+    let effect = "[cross-slide-play]\ngap = \"15 um\"";
+    let backwards = lathe(&text, effect);
+    // The other way round Ø40 is where the pass begins; the slide climbs to Ø49.98, by 10 um to Ø50, and goes in to Ø30.
+    let forwards = lathe(&text.replace("radial_force", "from = \"0 mm\", to = \"500 mm\", radial_force"), effect);
+    let at = |lathe: &Option<Lathe>, way: &str, x: f64, expected: f64| {
+        let name = format!("cross slide with 15 um of play, {way}, x = {x} m");
+        let tolerance = Tolerance::Absolute(1e-16);
+        row(
+            name,
+            "diameter error",
+            (expected, shift(lathe, 1, x), "m"),
+            tolerance,
+            "seed 000, fig. 2a: the nut moved by hand",
+        )
+    };
+    vec![
+        at(&backwards, "to the headstock", 0.45, 0.0),
+        at(&backwards, "to the headstock", 0.35, -30e-6),
+        at(&backwards, "to the headstock", 0.25, -30e-6),
+        at(&backwards, "to the headstock", 0.15, -10e-6),
+        at(&backwards, "to the headstock", 0.05, 0.0),
+        at(&forwards, "to the tailstock", 0.05, 0.0),
+        at(&forwards, "to the tailstock", 0.15, -30e-6),
+        at(&forwards, "to the tailstock", 0.35, -30e-6),
+        at(&forwards, "to the tailstock", 0.45, 0.0),
     ]
 }
 

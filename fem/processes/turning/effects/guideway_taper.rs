@@ -20,6 +20,7 @@ pub static GUIDEWAY_TAPER: Effect<1> = Effect {
         ("bed-twist", "a level that the carriage carries along the bed; diameters alone cannot tell"),
         ("tailstock-compliance", "a second force"),
         ("workpiece-heating", "the pass reversed: heating follows the tool, a taper stays"),
+        ("cross-slide-play", "more places in each section: a taper goes on within it, play does not"),
     ],
     needs: nothing,
     act: |[slope], machine| machine.add_shift(move |at| 2.0 * slope * at.x),

@@ -4,6 +4,7 @@ mod bed_sag;
 mod bed_twist;
 mod carriage_compliance;
 mod chuck_tilt;
+mod cross_slide_play;
 mod force_feedback;
 mod front_guideway_wear;
 mod guideway_height;
@@ -52,6 +53,7 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &tailstock_offset::TAILSTOCK_OFFSET,
     &rest_offset::REST_OFFSET,
     &setting_error::SETTING_ERROR,
+    &cross_slide_play::CROSS_SLIDE_PLAY,
 ];
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ pub static SETTING_ERROR: Effect<1> = Effect {
     look_alikes: &[
         ("carriage-compliance", "a second force: a setting error does not change with it"),
         ("carriage-contact", "a second force: a setting error does not change with it"),
+        ("cross-slide-play", "a diameter in the section where the pass begins: play leaves it on size"),
     ],
     needs: nothing,
     act: |[offset], machine| machine.add_shift(move |_| 2.0 * offset),

@@ -1,4 +1,4 @@
-//! The 23 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
+//! The 24 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
 
 use super::job::{Holding, Job};
 use crate::law::{Law, Parameter, Role};
@@ -52,7 +52,9 @@ const SAG: &[Parameter] =
 
 const REST: &[Parameter] = &[Parameter("offset", "um", 5.0, 30.0, Role::Signed)];
 
-/// All of them: those of any lathe, those of a surveyed one, and that of rests.
+const PLAY: &[Parameter] = &[Parameter("gap", "um", 2.0, 20.0, Role::Amplitude)];
+
+/// All of them: those of any lathe, those of a surveyed one, that of rests and that of shoulders.
 pub const LAWS: &[Law] = &[
     ("headstock-compliance", STIFFNESS),
     ("tailstock-compliance", STIFFNESS),
@@ -77,20 +79,25 @@ pub const LAWS: &[Law] = &[
     ("bed-twist", TWIST),
     ("bed-sag", SAG),
     ("rest-offset", REST),
+    ("cross-slide-play", PLAY),
 ];
 /// How many any lathe has.
 const USUAL: usize = 18;
+/// How many need what few jobs have: a rest, a shoulder.
+const OF_SOME: usize = 2;
 /// Those that any lathe has.
 pub const OF_ANY: &[Law] = LAWS.split_at(USUAL).0;
 /// Those of which nothing is known unless edge and bed were measured.
-pub const OF_SURVEYED: &[Law] = LAWS.split_at(LAWS.len() - 1).0.split_at(USUAL).1;
+pub const OF_SURVEYED: &[Law] = LAWS.split_at(LAWS.len() - OF_SOME).0.split_at(USUAL).1;
 
 /// "tailstock-* and tailstock-offset not in `chuck`; chuck-tilt not in `centres`; the others all".
-/// Those of a surveyed lathe need its survey, and that of rests a rest.
+/// Those of a surveyed lathe need its survey, that of rests a rest, and the
+/// play of the cross slide a shoulder that the pass climbs.
 pub fn admits(job: &Job, effect: &str) -> bool {
     let is_known = job.survey.is_some() || OF_ANY.iter().any(|law| law.0 == effect);
     match effect {
         "rest-offset" => !job.set_up.rests.is_empty(),
+        "cross-slide-play" => job.rows.iter().any(|row| job.has_climbed(row.x)),
         _ => is_known && holds(job.holding, effect),
     }
 }

@@ -1,7 +1,7 @@
 //! The job: what is turned, how it is held, in what order, and where it is measured.
 
 use super::set_up::SetUp;
-use super::shaft::Shaft;
+use super::shaft::{Segment, Shaft};
 use crate::job::{NoiseKind, Shown};
 
 /// How the workpiece is held.
@@ -106,6 +106,20 @@ impl Job {
     pub fn start(&self, part: usize) -> f64 {
         let paused: f64 = self.pauses.iter().filter(|(after, _)| *after < part).map(|(_, minutes)| minutes).sum();
         (part - 1) as f64 * self.cycle + paused
+    }
+
+    /// Whether the slide moved outwards when it last moved on the way to x: of the sections that the tool has left, the
+    /// last of another diameter is smaller.
+    pub fn has_climbed(&self, x: f64) -> bool {
+        let mut end = 0.0;
+        let (left, ahead): (Vec<_>, Vec<_>) = self.shaft.segments.iter().partition(|segment| {
+            end += segment.length;
+            end <= x + 1e-9
+        });
+        let here = self.shaft.diameter(x);
+        let is_other = |segment: &&&Segment| segment.diameter != here;
+        let last = if self.forward { left.iter().rev().find(is_other) } else { ahead.iter().find(is_other) };
+        last.is_some_and(|segment| segment.diameter < here)
     }
 
     /// Minutes that the passes before the last take on each part, at the same feed and speed.

@@ -72,6 +72,8 @@ fn law<'a>(job: &'a Job, effect: &str, size: &'a dyn Fn(&str) -> f64) -> OfRow<'
         "guideway-height" => Box::new(move |row| Mover { up: size("slope") * row.x, ..Mover::default() }),
         "guideway-wear" => across(move |row| size("depth") * bell(row.x, size)),
         "setting-error" => across(move |_| size("offset")),
+        // The screw has crossed its play after a climb, and the nose stands deeper by it.
+        "cross-slide-play" => across(move |row| if job.has_climbed(row.x) { -size("gap") } else { 0.0 }),
         "wear-land" | "front-guideway-wear" | "bed-twist" | "bed-sag" => surveyed(job, effect, length, size),
         _ => across(|_| 0.0),
     }
