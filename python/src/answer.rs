@@ -31,9 +31,9 @@ pub struct Answer {
     /// Notes and warnings for people.
     pub notes: Vec<String>,
     /// A model that came of it.
-    pub model: Option<crate::model::Model>,
+    pub model: Option<crate::handle::Model>,
     /// The model with one effect after the other.
-    pub steps: Vec<crate::model::Model>,
+    pub steps: Vec<crate::handle::Model>,
 }
 
 impl Answer {

@@ -6,6 +6,7 @@ mod compute;
 mod data;
 mod document;
 mod error;
+mod handle;
 mod model;
 mod study;
 
@@ -20,7 +21,7 @@ use fem::progress::Progress;
 use pyo3::prelude::*;
 
 use compute::compute;
-use model::Model;
+use handle::Model;
 
 /// Runs the command `fem` by its arguments, the name of the program first, and returns its exit status.
 #[pyfunction]

@@ -16,10 +16,7 @@ use crate::answer::{Answer, tables_of_comparison, tables_of_rows, tables_of_run}
 use crate::compute::{compute, within};
 use crate::data::Asked;
 use crate::error::Error;
-
-/// A model that was read without a problem. It does not change.
-#[pyclass(frozen, module = "fem._fem")]
-pub struct Model(Arc<model::Model>);
+use crate::handle::Model;
 
 #[pymethods]
 impl Model {
