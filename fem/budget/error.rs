@@ -104,11 +104,6 @@ impl Contribution {
         }
     }
 
-    /// Makes an error of the given size or half-field.
-    pub fn given(name: impl Into<String>, kind: Kind, law: Law, value: f64) -> Self {
-        Self { name: name.into(), kind, value, law, source: Source::Given, group: None }
-    }
-
     /// Half-field of independent parts, for a total of this law.
     pub fn of_parts(law: Law, parts: &[(Law, f64)]) -> f64 {
         rules::random(1.0 / law.lambda().sqrt(), parts)

@@ -1,5 +1,5 @@
-//! Rules of the handbook for adding errors up [seed 002 (27)–(52)], with its misprints corrected: (47)
-//! without the stray Q_maxⁿ, (49) with ε on the left.
+//! Rules of the handbook for adding errors up [seed 002 (27)–(51)], with a misprint corrected: (47) without the stray
+//! Q_maxⁿ.
 
 use super::Law;
 
@@ -26,16 +26,6 @@ pub fn setting(t: f64, components: &[f64]) -> f64 {
     random(t, &components.iter().map(|half| (Law::Uniform, *half)).collect::<Vec<_>>())
 }
 
-/// (45): the same where the setting error is taken for normal, t = 3: √3·√(Δ₁² + Δ₂² + Δ₃²).
-pub fn setting_normal(components: &[f64]) -> f64 {
-    setting(3.0, components)
-}
-
-/// (46): the same where it is taken for uniform: √(Δ₁² + Δ₂² + Δ₃²).
-pub fn setting_uniform(components: &[f64]) -> f64 {
-    setting(3f64.sqrt(), components)
-}
-
 /// (47): y₁ = c_min·(Q_maxⁿ − Q_minⁿ) and y₂ = c_max·(Q_maxⁿ − Q_minⁿ); ε_з is the root of their squares.
 pub fn clamping_ends(c: (f64, f64), force: (f64, f64), exponent: f64) -> [f64; 2] {
     let rise = force.1.powf(exponent) - force.0.powf(exponent);
@@ -45,21 +35,6 @@ pub fn clamping_ends(c: (f64, f64), force: (f64, f64), exponent: f64) -> [f64; 2
 /// (30): ε_з = y_max − y_min of a size whose base moves with the contact.
 pub fn clamping_scatter(c: (f64, f64), force: (f64, f64), exponent: f64) -> f64 {
     c.1 * force.1.powf(exponent) - c.0 * force.0.powf(exponent)
-}
-
-/// (48): ε_пр = √(ε_уэ² + 3ε_и² + ε_с²) of locating elements, wear and mounting, t = 3.
-pub fn fixture(locators: f64, wear: f64, mounting: f64) -> f64 {
-    random(3.0, &[(Law::Normal, locators), (Law::Uniform, wear), (Law::Normal, mounting)])
-}
-
-/// (49): ε = √(ε_б² + ε_з² + ε_пр²) of basing, clamping and fixture, all normal.
-pub fn setup(basing: f64, clamping: f64, fixture: f64) -> f64 {
-    random(3.0, &[(Law::Normal, basing), (Law::Normal, clamping), (Law::Normal, fixture)])
-}
-
-/// (52): the same in one fixture, whose error is systematic: ε = ε_пр + √(ε_б² + ε_з²).
-pub fn setup_in_one_fixture(basing: f64, clamping: f64, fixture: f64) -> f64 {
-    fixture + random(3.0, &[(Law::Normal, basing), (Law::Normal, clamping)])
 }
 
 /// (50), (51): a batch in one fixture on one machine at one setting,

@@ -64,11 +64,6 @@ impl Joint {
         }
     }
 
-    /// Whether y is proportional to Q.
-    pub fn is_linear(&self) -> bool {
-        self.contacts.iter().all(|c| c.exponent == 1.0 && c.coefficient == 0.0)
-    }
-
     /// y (m) and dy/dQ (m/N) under the force `q`; the latter is infinite at q = 0 where a contact with n < 1
     /// closes.
     pub fn yield_under(&self, q: f64) -> (f64, f64) {

@@ -129,17 +129,6 @@ impl Sampled {
         products
     }
 
-    /// ∫ Nₐ dA (m²): what a uniform source per area gives to each node.
-    pub fn shape_integrals(&self, coordinates: &[[f64; 2]]) -> [f64; MAX_NODES] {
-        let mut integrals = [0.0; MAX_NODES];
-        self.integrate(coordinates, |da, shapes, _, _| {
-            for (integral, shape) in integrals.iter_mut().zip(shapes) {
-                *integral += shape * da;
-            }
-        });
-        integrals
-    }
-
     /// Gradients at the reference point `at`: (∂Nₐ/∂x of all nodes, ∂Nₐ/∂y of all nodes), 1/m.
     pub fn gradients_at(&self, coordinates: &[[f64; 2]], at: [f64; 2]) -> ([f64; MAX_NODES], [f64; MAX_NODES]) {
         let (_, along_x, along_y) = gradients(&self.element.slopes(at), coordinates);
