@@ -67,6 +67,7 @@ fn what_makes_no_model_is_refused_and_nothing_is_written() {
         (&["cut.depth=1 N"], "not a length"),
         (&["cat.depth=1 mm"], "the model has no table for `cat.depth`"),
         (&["cut.depth"], "KEY=VALUE"),
+        (&["cut.depth=1 mm", "cut.depth=2 mm"], "`cut.depth` is given twice"),
         (&["--without", "tool-waer"], "did you mean `tool-wear`?"),
         (&[], "required"),
     ] {
