@@ -9,7 +9,7 @@ use crate::units::unit_text;
 /// unit that stood there. A parameter that the data leave open stays as it was, for a value would look better known
 /// than it is. Sizes of effects of the measurement have no `+-`. A comment at the top names the data.
 pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
-    let name = data.name.replace(['\n', '\r'], " ");
+    let name = data.name.replace(char::is_control, " ");
     let remark = format!("Fitted to {name}, {}: what is known from it stands after `+-`.", data.mark());
     let closed = fit.estimates.iter().filter(|estimate| estimate.is_closed());
     let values = closed.filter_map(|estimate| {

@@ -95,7 +95,16 @@ pub fn seen_from(path: &Path, from: &Path, to: &Path) -> PathBuf {
 /// A path from the root, without links where it exists and without `.` and `..` where it does not.
 fn absolute(path: &Path) -> PathBuf {
     let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-    path.canonicalize().or_else(|_| std::path::absolute(path)).unwrap_or_else(|_| path.to_path_buf())
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+    let known = path.ancestors().find_map(|folder| Some((folder, folder.canonicalize().ok()?)));
+    let Some((folder, mut place)) = known else { return path };
+    for part in path.strip_prefix(folder).unwrap_or(Path::new("")).components() {
+        match part {
+            Component::ParentDir => drop(place.pop()),
+            part => place.push(part),
+        }
+    }
+    place
 }
 
 #[cfg(test)]
@@ -114,5 +123,10 @@ mod tests {
         assert_eq!(seen("meshes/ring.msh", "new"), Path::new("../models/meshes/ring.msh"));
         assert_eq!(seen("meshes/ring.msh", "."), Path::new("models/meshes/ring.msh"));
         assert_eq!(seen("/root/ring.msh", "new"), Path::new("/root/ring.msh"));
+        // Folders that are still to be made.
+        for to in ["made", "models/../made", "made/../made", "models/none/../../made"] {
+            assert_eq!(seen("meshes/ring.msh", to), Path::new("../models/meshes/ring.msh"), "{to}");
+        }
+        assert_eq!(seen("meshes/ring.msh", "made/deep"), Path::new("../../models/meshes/ring.msh"));
     }
 }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use super::Model;
 use super::tables::{Edit, Entry, Tables};
-use super::{Model, ModelProcess};
 use crate::input::{Problem, seen_from};
 
 impl Model {
@@ -38,11 +38,11 @@ impl Model {
     }
 
     fn read_again(&self, tables: Tables) -> Result<Self, Problem> {
-        let ModelProcess::Catalogue(process) = self.process else {
+        if self.campaign().is_some() {
             let problem = Problem::new(format!("{} are several tests", self.source.name));
             return Err(problem.help("edit the model of one of them"));
-        };
-        let read = Self::of_tables(self.source.clone(), process, tables, self.kept.clone());
+        }
+        let read = Self::of_tables(self.source.clone(), tables, self.kept.clone());
         // The mistake stands in the edit, not in the file.
         let first = |problems: Vec<Problem>| {
             let none = || Problem::new("the model would not be right");

@@ -123,18 +123,12 @@ impl Model {
     /// The text is wrong; the error lists every problem.
     pub fn parse(source: Source) -> Result<Self, InputError> {
         let tables = Tables::parse(&source)?;
-        let process = find_process(tables.now()).map_err(|problem| InputError::one(source.clone(), problem))?;
-        Self::of_tables(source.clone(), process, tables, Kept::default())
-            .map_err(|problems| InputError::new(source, problems))
+        Self::of_tables(source.clone(), tables, Kept::default()).map_err(|problems| InputError::new(source, problems))
     }
 
     /// Reads a model from its tables, with what was kept from readings before.
-    fn of_tables(
-        source: Source,
-        process: &'static dyn Process,
-        tables: Tables,
-        kept: Kept,
-    ) -> Result<Self, Vec<Problem>> {
+    fn of_tables(source: Source, tables: Tables, kept: Kept) -> Result<Self, Vec<Problem>> {
+        let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
         let ((title, machine, system, effects, measurement), found) =
             Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| read(model, process));
         let Found { parameters, quantities, files, problems } = found;

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use toml_edit::{Document, InlineTable, Item, Table, TableLike, Value};
+use toml_edit::{Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::input::{InputError, ParameterId, Problem, Source};
 
@@ -81,9 +81,9 @@ impl From<&Entry> for Value {
 /// The tables of a model: those of its file, and the edits that were made since it was read.
 #[derive(Clone, Default)]
 pub(super) struct Tables {
-    /// The file; several tests together have none.
-    document: Option<Arc<Document<String>>>,
-    /// The tables as they are now. Values of the file know their places there.
+    /// The tables as they were read. Values know their places in the file.
+    read: Arc<Table>,
+    /// The tables with the edits.
     now: Arc<Table>,
     edits: Vec<Edit>,
 }
@@ -91,12 +91,12 @@ pub(super) struct Tables {
 impl Tables {
     /// Reads the tables of a file.
     pub(super) fn parse(source: &Source) -> Result<Self, InputError> {
-        let document = Document::parse(source.text.to_string()).map_err(|e| {
+        let document = Document::parse(&*source.text).map_err(|e| {
             let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
             InputError::one(source.clone(), problem.help("a model file is TOML: [table], key = \"value\", # comment"))
         })?;
-        let now = Arc::new(document.as_table().clone());
-        Ok(Self { document: Some(Arc::new(document)), now, edits: Vec::new() })
+        let read = Arc::new(document.as_table().clone());
+        Ok(Self { now: read.clone(), read, edits: Vec::new() })
     }
 
     /// The tables as they are now.
@@ -113,29 +113,25 @@ impl Tables {
         for (number, edit) in edits.iter().enumerate() {
             apply(&mut now, edit, self.edits.len() + number)?;
         }
-        let edits = [&self.edits, edits].concat();
-        Ok(Self { document: self.document.clone(), now: Arc::new(now), edits })
+        Ok(Self { read: self.read.clone(), now: Arc::new(now), edits: [&self.edits, edits].concat() })
     }
 
     /// The value of a key, if the tables have it.
     pub(super) fn value(&self, path: &str) -> Option<&Item> {
-        let (key, number, rest) = first(&*self.now, path)?;
-        let (mut item, mut number, mut rest) = (self.now.get(key)?, number, rest);
-        while !rest.is_empty() {
-            let table = entry_of(item, number)?;
-            let (key, next, behind) = first(table, rest)?;
-            (item, number, rest) = (table.get(key)?, next, behind);
+        let way = way(&*self.now, path, false)?;
+        let ((key, _), above) = way.split_last()?;
+        let mut table: &dyn TableLike = &*self.now;
+        for (key, entry) in above {
+            table = entry_of(table.get(key)?, *entry)?;
         }
-        Some(item)
+        table.get(key)
     }
 
     /// The tables before the last of the edits; `None` where they are as they were read.
     pub(super) fn undone(&self) -> Option<Self> {
-        let (document, (_, edits)) = (self.document.as_ref()?, self.edits.split_last()?);
-        let read =
-            Self { document: Some(document.clone()), now: Arc::new(document.as_table().clone()), edits: Vec::new() };
+        let (_, edits) = self.edits.split_last()?;
         // They could be made before.
-        read.edited(edits).ok()
+        Self { read: self.read.clone(), now: self.read.clone(), edits: Vec::new() }.edited(edits).ok()
     }
 
     /// The edits that were made since the file was read.
@@ -145,52 +141,124 @@ impl Tables {
 
     /// Comments at the top that edits have made, and lines of comment of the file.
     pub(super) fn remarks<'a>(&'a self, source: &'a Source) -> impl Iterator<Item = &'a str> {
-        let made =
-            self.edits.iter().filter_map(|edit| if let Edit::Remark(text) = edit { Some(&**text) } else { None });
-        made.chain(source.text.lines().filter(|line| line.starts_with('#')))
+        let text = source.text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&source.text);
+        remarks(&self.edits).chain(text.lines().filter(|line| line.starts_with('#')))
     }
 
     /// The text with all edits and `more`.
     pub(super) fn text(&self, source: &Source, more: &[Edit]) -> String {
         let edits = [&self.edits, more].concat();
-        let (Some(document), false) = (&self.document, edits.is_empty()) else { return source.text.to_string() };
-        let mut document = (**document).clone().into_mut();
+        if edits.is_empty() {
+            return source.text.to_string();
+        }
+        // The library writes the ends of lines as \n, and leaves those within texts as they are.
+        let is_crlf = source.text.matches('\n').count() == source.text.matches("\r\n").count();
+        let text = if is_crlf { source.text.replace("\r\n", "\n") } else { source.text.to_string() };
+        // It could be read before.
+        let mut document: DocumentMut = text.parse().unwrap_or_default();
         for (number, edit) in edits.iter().enumerate() {
+            if let Edit::Remove { parent, name } = edit {
+                hand_comments_on(&mut document, parent, name);
+            }
             // They could be made before, when the model was edited.
             let _ = apply(&mut document, edit, number);
         }
-        let end = document.trailing().as_str().unwrap_or_default().to_string();
-        let gap = if end.is_empty() || end.ends_with('\n') { "\n" } else { "\n\n" };
-        let added = edits.iter().find_map(|edit| match edit {
-            Edit::Add { parent, name, .. } => Some((*parent, &**name)).filter(|(parent, name)| {
-                document.get(parent).and_then(|tables| tables.get(name)).is_some_and(Item::is_table)
-            }),
-            _ => None,
-        });
-        // Comments at the end of the file stay before what is added behind it.
-        if let Some(table) = added.and_then(|(parent, name)| document[parent][name].as_table_mut()) {
-            table.decor_mut().set_prefix(format!("{end}{gap}"));
-            document.set_trailing("");
-        }
-        let remarks =
-            edits.iter().rev().filter_map(|edit| if let Edit::Remark(text) = edit { Some(text) } else { None });
-        let remarks: String = remarks.map(|text| format!("# {text}\n")).collect();
-        let mark = if source.text.starts_with('\u{feff}') { "\u{feff}" } else { "" };
+        append(&mut document, &edits);
+        let remarks: Vec<String> = remarks(&edits).map(|text| format!("# {text}\n")).collect();
+        let remarks: String = remarks.into_iter().rev().collect();
+        let mark = if source.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK } else { "" };
         let text = format!("{mark}{remarks}{document}");
-        // The library writes ends of lines as \n, whatever the file has.
-        if source.text.contains("\r\n") { text.replace('\n', "\r\n") } else { text }
+        if is_crlf { text.replace('\n', "\r\n") } else { text }
     }
 }
 
-/// The first key of a path, the number behind it in `key[1]`, and the rest of the path. Keys may have dots themselves.
-fn first<'t, 'p>(table: &'t dyn TableLike, path: &'p str) -> Option<(&'t str, Option<usize>, &'p str)> {
-    table.iter().find_map(|(key, _)| {
+/// Some editors put it before the text.
+const BYTE_ORDER_MARK: &str = "\u{feff}";
+
+/// Comments that edits leave at the top.
+fn remarks(edits: &[Edit]) -> impl Iterator<Item = &str> {
+    edits.iter().filter_map(|edit| if let Edit::Remark(text) = edit { Some(&**text) } else { None })
+}
+
+/// Puts the tables that were added behind the comments at the end of the file.
+fn append(document: &mut DocumentMut, edits: &[Edit]) {
+    let is_there =
+        |parent: &str, name: &str| document.get(parent).and_then(|tables| tables.get(name)).is_some_and(Item::is_table);
+    let first = edits.iter().find_map(|edit| match edit {
+        Edit::Add { parent, name, .. } if is_there(parent, name) => Some((*parent, name)),
+        _ => None,
+    });
+    let Some((parent, name)) = first else { return };
+    let end = document.trailing().as_str().unwrap_or_default().to_string();
+    let gap = if end.is_empty() || end.ends_with('\n') { "\n" } else { "\n\n" };
+    if let Some(table) = document[parent][name].as_table_mut() {
+        table.decor_mut().set_prefix(format!("{end}{gap}"));
+        document.set_trailing("");
+    }
+}
+
+/// Leaves the comments before a table to whatever stands behind it.
+fn hand_comments_on(document: &mut DocumentMut, parent: &str, name: &str) {
+    let table = document.get(parent).and_then(|tables| tables.get(name)).and_then(Item::as_table);
+    let before = table.and_then(|table| table.decor().prefix()).and_then(|prefix| prefix.as_str());
+    let Some(before) = before.filter(|text| text.contains('#')).map(str::to_string) else { return };
+    // An empty line above the table goes with it.
+    let comments = before.strip_suffix('\n').filter(|text| text.ends_with('\n')).unwrap_or(&before);
+    let own = table.and_then(Table::position);
+    let next = own.and_then(|own| positions(document.as_table()).into_iter().filter(|other| *other > own).min());
+    match next.and_then(|next| at_position(document.as_table_mut(), next)) {
+        Some(next) => {
+            let behind = next.decor().prefix().and_then(|prefix| prefix.as_str()).unwrap_or("\n").to_string();
+            next.decor_mut().set_prefix(format!("{comments}{behind}"));
+        }
+        None => {
+            let behind = document.trailing().as_str().unwrap_or_default().to_string();
+            document.set_trailing(format!("{comments}{behind}"));
+        }
+    }
+}
+
+/// Places in the file of a table and all within it.
+fn positions(table: &Table) -> Vec<isize> {
+    let within = table.iter().flat_map(|(_, item)| match item {
+        Item::Table(table) => positions(table),
+        Item::ArrayOfTables(list) => list.iter().flat_map(positions).collect(),
+        _ => Vec::new(),
+    });
+    table.position().into_iter().chain(within).collect()
+}
+
+/// The table, itself or within it, that stands at a place in the file.
+fn at_position(table: &mut Table, position: isize) -> Option<&mut Table> {
+    if table.position() == Some(position) {
+        return Some(table);
+    }
+    table.iter_mut().find_map(|(_, item)| match item {
+        Item::Table(table) => at_position(table, position),
+        Item::ArrayOfTables(list) => list.iter_mut().find_map(|table| at_position(table, position)),
+        _ => None,
+    })
+}
+
+/// A key on the way to another, and the number of an entry, from 0, where a list of tables stands behind it.
+type Step = (String, Option<usize>);
+
+/// The way to the value, or else to the table, at a path such as `workpiece.segments[1].diameter`. Keys may have dots
+/// themselves: every one is tried that the path begins with.
+fn way(table: &dyn TableLike, path: &str, is_table: bool) -> Option<Vec<Step>> {
+    table.iter().find_map(|(key, item)| {
         let rest = path.strip_prefix(key)?;
-        let (number, rest) = match rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
+        let (entry, rest) = match rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
             Some((number, rest)) => (Some(number.parse().ok()?), rest),
             None => (None, rest),
         };
-        if rest.is_empty() { Some((key, number, rest)) } else { Some((key, number, rest.strip_prefix('.')?)) }
+        let mut steps = vec![(key.to_string(), entry)];
+        let within = entry_of(item, entry);
+        if rest.is_empty() {
+            return (within.is_some() == is_table && (is_table || entry.is_none())).then_some(steps);
+        }
+        steps.extend(way(within?, rest.strip_prefix('.')?, is_table)?);
+        Some(steps)
     })
 }
 
@@ -244,28 +312,29 @@ fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> 
     }
 }
 
-/// Puts a value behind a key; `None` where its table is missing.
+/// Puts a value behind a key, which may be new; `None` where its table is missing.
 fn set(tables: &mut Table, path: &str, entry: &Entry) -> Option<()> {
+    let new = || {
+        let (above, key) = path.rsplit_once('.').unwrap_or(("", path));
+        let mut steps = if above.is_empty() { Vec::new() } else { way(tables, above, true)? };
+        steps.push((key.to_string(), None));
+        Some(steps)
+    };
+    let steps = way(tables, path, false).or_else(new)?;
+    let ((key, _), above) = steps.split_last()?;
     let mut table: &mut dyn TableLike = tables;
-    let mut rest = path;
-    loop {
-        // A key that is not there yet is whatever remains of the path.
-        let Some((key, number, behind)) =
-            first(table, rest).map(|(key, number, behind)| (key.to_string(), number, behind))
-        else {
-            return (!rest.contains(['.', '['])).then(|| drop(table.insert(rest, Item::Value(entry.into()))));
-        };
-        let item = table.get_mut(&key)?;
-        if behind.is_empty() && number.is_none() {
-            let decor = item.as_value().map(Value::decor).cloned();
-            let mut value = Value::from(entry);
-            if let Some(decor) = decor {
-                *value.decor_mut() = decor;
+    for (key, entry) in above {
+        table = entry_of_mut(table.get_mut(key)?, *entry)?;
+    }
+    let mut value = Value::from(entry);
+    match table.get_mut(key) {
+        Some(item) => {
+            if let Some(old) = item.as_value() {
+                value.decor_mut().clone_from(old.decor());
             }
             *item = Item::Value(value);
-            return Some(());
         }
-        table = entry_of_mut(item, number)?;
-        rest = behind;
+        None => drop(table.insert(key, Item::Value(value))),
     }
+    Some(())
 }

@@ -75,7 +75,7 @@ impl Model {
         choose: impl FnOnce(Vec<Active>) -> Vec<Active>,
     ) -> Result<Box<dyn ForwardModel>, Failure> {
         if let Some(campaign) = self.campaign() {
-            return campaign.forward(values, &choose(self.effects_of_tests_at(values)));
+            return campaign.forward(values, &choose(self.whatever_else_at(values).0));
         }
         if let Some((effects, terms)) = self.effects_at(values) {
             return Ok(self.assembled(&*self.system, choose(effects), terms));
@@ -129,23 +129,14 @@ impl Model {
         }
     }
 
-    /// Effects of several tests with other values, whatever else is unknown.
-    fn effects_of_tests_at(&self, values: &[f64]) -> Vec<Active> {
-        let mut effects = self.effects.clone();
-        for (place, value) in self.places.iter().zip(values) {
-            if let Place::Effect(effect, own) = place {
-                effects[*effect].values[*own] = *value;
-            }
-        }
-        effects
-    }
-
     /// Effects, of the machine and of the measurement, with other values, if nothing else is unknown; the
     /// system then need not be read again.
     fn effects_at(&self, values: &[f64]) -> Option<(Vec<Active>, Vec<Term>)> {
-        if self.places.contains(&Place::Table) {
-            return None;
-        }
+        (!self.places.contains(&Place::Table)).then(|| self.whatever_else_at(values))
+    }
+
+    /// The same, whatever else is unknown.
+    fn whatever_else_at(&self, values: &[f64]) -> (Vec<Active>, Vec<Term>) {
         let (mut effects, mut terms) = (self.effects.clone(), self.measurement.clone());
         for (place, value) in self.places.iter().zip(values) {
             match *place {
@@ -154,6 +145,6 @@ impl Model {
                 Place::Table => {}
             }
         }
-        Some((effects, terms))
+        (effects, terms)
     }
 }

@@ -140,6 +140,67 @@ fn edits_one_after_the_other_are_undone_one_after_the_other() {
     assert!(all[0].undone().unwrap().is_none());
 }
 
+/// Two laws of one's own, of which the name of one begins as the other's and goes on with a dot.
+#[test]
+fn names_with_dots_are_told_apart() {
+    let [dotted, plain] =
+        ["[effects.\"w.a\"]\nformula = \"b*x\"\nb = \"2 um/m\"\n", "[effects.w]\nformula = \"a*x\"\na = \"? um/m\"\n"];
+    let start = fixed().text();
+    for text in [format!("{start}{dotted}{plain}"), format!("{start}{plain}{dotted}")] {
+        let model = read(&fixed(), &text);
+        let values = [("effects.w.a", "3 um/m", "? um/m"), ("effects.w.a.b", "5 um/m", "2 um/m")];
+        for (path, new, old) in values {
+            assert_eq!(model.written(path), Some(old), "{text}");
+            let set = Edit::Set { path: path.into(), entry: Entry::Text(new.into()) };
+            let edited = model.edited(&[set]).unwrap();
+            assert_eq!(edited.text(), text.replace(old, new));
+            check(&model, &edited);
+        }
+    }
+}
+
+/// Texts of several lines, and files whose ends of lines are not all the same.
+#[test]
+fn ends_of_lines_are_those_of_the_file() {
+    let start = fixed().text().replacen("title = \"Shaft between centres\"", "title = \"\"\"a\nb\"\"\"", 1);
+    let set = |path: &str, text: &str| Edit::Set { path: path.into(), entry: Entry::Text(text.into()) };
+    let crlf = start.replace('\n', "\r\n");
+    let edited = read(&fixed(), &crlf).edited(&[set("cut.depth", "0.6 mm")]).unwrap();
+    assert_eq!(edited.text(), crlf.replacen("depth = \"0.5 mm\"", "depth = \"0.6 mm\"", 1));
+    for mixed in [start.replacen('\n', "\r\n", 1), crlf.replacen("\r\n", "\n", 1)] {
+        let model = read(&fixed(), &mixed);
+        let edited = model.edited(&[set("cut.depth", "0.6 mm")]).unwrap();
+        check(&model, &edited);
+        assert_eq!(edited.title, model.title);
+    }
+}
+
+/// A heading above a table is often that of those behind it as well.
+#[test]
+fn comments_outlive_the_table_that_they_stand_before() {
+    let start = fixed().text();
+    let remove = |name: &str| Edit::Remove { parent: "effects", name: name.into() };
+    let without = |name: &str| fixed().edited(&[remove(name)]).unwrap().text();
+    let comments = |text: &str| text.lines().filter(|l| l.starts_with('#')).map(str::to_string).collect::<Vec<_>>();
+    for name in ["headstock-compliance", "tailstock-compliance"] {
+        assert_eq!(comments(&without(name)), comments(&start), "{name}");
+    }
+    // Comments at the end of the file stay there, whatever was added behind them and is gone again.
+    for end in ["# the end\n", "# one\n\n# two\n", "# open"] {
+        let text = format!("{start}{end}");
+        let model = read(&fixed(), &text);
+        let more = read(&model, &add_effect(&model, "setting-error", &[]).unwrap().text());
+        assert_eq!(more.edited(&[remove("setting-error")]).unwrap().text().trim_end(), text.trim_end());
+    }
+}
+
+#[test]
+fn a_process_is_that_of_the_tables() {
+    let set = |word: &str| fixed().edited(&[Edit::Set { path: "process".into(), entry: Entry::Text(word.into()) }]);
+    assert_eq!(set("nonsense").err().unwrap().message, "\"nonsense\" is no process known here");
+    assert!(set("axis").is_err());
+}
+
 /// A rod whose room is recorded in a file beside it.
 #[test]
 fn files_are_found_from_another_folder_whatever_was_edited() {
