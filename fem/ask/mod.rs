@@ -1,6 +1,6 @@
 //! Questions about models and measurements, with types of their own in, and answers out. Nothing is printed, and no
-//! file of the user's is written but the rows of a study; progress, and a wish to stop, are handed in. The command line, the Python module and
-//! anything else that shows answers are faces on this room.
+//! file of the user's is written but the rows of a study; progress, and a wish to stop, are handed in. The command
+//! line, the Python module and anything else that shows answers are faces on this room.
 
 mod catalogue;
 mod comparison;

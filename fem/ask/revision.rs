@@ -11,10 +11,7 @@ use crate::process::EFFECTS;
 /// # Errors
 /// A key is given twice, the model has no such effect or table, or what comes of it is no model.
 pub fn revised(model: &Model, values: &[Setting], without: &[String]) -> Result<Model, Problem> {
-    let twice = values.iter().enumerate().find(|(i, set)| values[..*i].iter().any(|other| other.key == set.key));
-    if let Some((_, Setting { key, .. })) = twice {
-        return Err(Problem::new(format!("`{key}` is given twice")).help("give it once"));
-    }
+    Setting::check_once(values)?;
     let removed = without.iter().map(|name| removal(model, name)).collect::<Result<Vec<Edit>, Problem>>()?;
     let set = values.iter().map(|Setting { key, value }| {
         let is_text = model.written(key).is_some();

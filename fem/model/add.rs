@@ -24,6 +24,17 @@ impl std::str::FromStr for Setting {
     }
 }
 
+impl Setting {
+    /// Refuses settings of which two have one key.
+    ///
+    /// # Errors
+    /// The first key that is given again.
+    pub fn check_once(all: &[Self]) -> Result<(), Problem> {
+        let again = all.iter().enumerate().find(|(i, set)| all[..*i].iter().any(|other| other.key == set.key));
+        again.map_or(Ok(()), |(_, set)| Err(Problem::new(format!("`{}` is given twice", set.key)).help("give it once")))
+    }
+}
+
 /// The model with the effect `name`, of the process or of the measurement. Parameters without a setting are
 /// unknown (`?`), except those that may be left out.
 ///
@@ -121,15 +132,13 @@ fn check_settings(
     settings: &[Setting],
     check: impl Fn(&Setting) -> Result<(), Problem>,
 ) -> Result<(), Problem> {
-    for (i, setting) in settings.iter().enumerate() {
+    Setting::check_once(settings)?;
+    for setting in settings {
         let Setting { key, value } = setting;
         if !names.contains(&key.as_str()) {
             let meant = did_you_mean(key, names.iter().copied(), '`');
             let problem = Problem::new(format!("`{key}` is no parameter of `{effect}`"));
             return Err(problem.help(format!("{meant}its parameters are {}", names.join(", "))));
-        }
-        if settings[..i].iter().any(|s| s.key == *key) {
-            return Err(Problem::new(format!("`{key}` is given twice")).help("give it once"));
         }
         check(setting).map_err(|p| Problem { message: format!("{key}={value}: {}", p.message), ..p })?;
     }

@@ -89,6 +89,8 @@ fn a_value_that_the_data_contradict_is_told_and_no_cause_is_made_up_for_it() {
     // What was fitted to these rows knows them already.
     let again = model(&fitted(&data, &found).unwrap().text());
     assert!(Data::of(&again, rows.clone()).unwrap().was_fitted_before());
+    let marked = model(&format!("\u{feff}{}", again.text()));
+    assert!(Data::of(&marked, rows.clone()).unwrap().was_fitted_before());
     assert!(!data.was_fitted_before());
     assert!(!Data::of(&again, rows).unwrap().some(|row| row > 0).was_fitted_before());
 }

@@ -1,6 +1,5 @@
 //! Additions to a model: the tables of missing effects, with the settings that `fem add` takes.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use crate::diagnose::{Cause, Diagnosis, Missing};
@@ -70,13 +69,12 @@ fn fitted_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     missing.estimates.iter().map(setting).collect()
 }
 
-/// Writes the command that adds an effect to a model; gives the name of the file that it writes.
-pub fn add(text: &mut String, from: &str, name: &str, settings: &[Setting]) -> String {
+/// The command that adds an effect to the model in a file, and the name of the file that it writes.
+pub fn add(from: &str, name: &str, settings: &[Setting]) -> (String, String) {
     let values: Vec<String> = settings.iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
     let stem = Path::new(from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let to = format!("{stem}-{name}.toml");
-    let _ = writeln!(text, "  fem add {} {name} {} -o {}", quoted(from), values.join(" "), quoted(&to));
-    to
+    (format!("fem add {} {name} {} -o {}", quoted(from), values.join(" "), quoted(&to)), to)
 }
 
 /// Quotes a word for a shell.

@@ -51,19 +51,20 @@ fn test_fits<'d>(data: &'d Data, d: &Diagnosis) -> Vec<TestFit<'d>> {
     own.map(fit).collect()
 }
 
-/// Writes the table of the tests.
-pub fn fits(text: &mut String, data: &Data, d: &Diagnosis) {
+/// The table of the tests.
+pub fn fits(data: &Data, d: &Diagnosis) -> String {
     let all = test_fits(data, d);
     let label = |fit: &TestFit| match all.iter().filter(|other| other.model == fit.model).count() {
         1 => fit.model.clone(),
         _ => format!("{}: {}", fit.model, fit.observable),
     };
     let width = all.iter().map(|fit| label(fit).chars().count()).max().unwrap_or(0).max(5);
-    let _ = writeln!(text, "\n  {:<width$} {:>11} {:>11} {:>11}", "rms of", "before", "after", "noise");
+    let mut text = format!("\n  {:<width$} {:>11} {:>11} {:>11}\n", "rms of", "before", "after", "noise");
     for fit in &all {
         let TestFit { before, after, noise, kind, .. } = fit;
         let _ = writeln!(text, "  {:<width$} {before:>11.3} {after:>11.3} {noise:>11.3}  {}", label(fit), kind.unit);
     }
+    text
 }
 
 /// The tests in which a cause acts, by their numbers, and as what.
@@ -107,11 +108,17 @@ pub fn places(campaign: &Campaign, data: &Data, missing: &Missing) -> Vec<String
     acts(campaign, data, missing).into_iter().map(place).collect()
 }
 
-/// Writes the commands that complete the model of each test.
-pub fn commands(text: &mut String, campaign: &Campaign, data: &Data, d: &Diagnosis) {
+/// The commands that complete the model of each test.
+pub fn commands(campaign: &Campaign, data: &Data, d: &Diagnosis) -> Vec<String> {
+    let mut lines = Vec::new();
     let mut files: Vec<String> = campaign.tests.iter().map(|test| test.model.source.name.to_string()).collect();
     let mut tables: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     let mut by_hand: Vec<(usize, String)> = Vec::new();
+    let mut more = |test: usize, name: &str, settings: &[Setting]| {
+        let (line, to) = add(&files[test], name, settings);
+        lines.push(line);
+        files[test] = to;
+    };
     for missing in &d.missing {
         let all = settings(missing, &d.fit);
         for (test, acting) in acts(campaign, data, missing) {
@@ -121,24 +128,23 @@ pub fn commands(text: &mut String, campaign: &Campaign, data: &Data, d: &Diagnos
                     let value = all.first().map_or(String::new(), |setting| setting.value.to_string());
                     by_hand.push((test, format!("{path} = \"{value}\"")));
                 }
-                Some(Acting::Effect(own)) => files[test] = add(text, &files[test], &own.name, &all),
+                Some(Acting::Effect(own)) => more(test, &own.name, &all),
                 None => {
                     let names = tables.entry(test).or_default();
                     let name = model.free_table(&missing.effect.name, names);
                     names.push(name.clone());
-                    files[test] = add(text, &files[test], &name, &in_test(campaign, data, test, &all));
+                    more(test, &name, &in_test(campaign, data, test, &all));
                 }
             }
         }
     }
-    for (test, line) in by_hand {
-        let _ = writeln!(text, "  in {}: {line}", quoted(&files[test]));
-    }
+    lines.extend(by_hand.iter().map(|(test, line)| format!("in {}: {line}", quoted(&files[*test]))));
     let each = files.iter().zip(&data.files);
     let all: Vec<String> =
         each.map(|(model, file)| format!("{} --with {}", quoted(model), quoted(&file.name))).collect();
     let said = data.said.iter().map(|word| format!(" {}", quoted(word))).collect::<String>();
-    let _ = writeln!(text, "  fem diagnose {}{said}", all.join(" "));
+    lines.push(format!("fem diagnose {}{said}", all.join(" ")));
+    lines
 }
 
 /// Settings of an effect of the measurement as the model of one test takes them.

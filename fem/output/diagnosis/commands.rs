@@ -11,20 +11,15 @@ pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
     if d.missing.is_empty() {
         return Vec::new();
     }
-    let mut text = String::new();
     let model = data.model;
-    let mut from = model.source.name.to_string();
-    match model.campaign() {
-        Some(campaign) => campaign::commands(&mut text, campaign, data, d),
-        None => {
-            for (name, settings) in additions(data, d) {
-                from = add(&mut text, &from, &name, &settings);
-            }
-        }
+    if let Some(campaign) = model.campaign() {
+        return campaign::commands(campaign, data, d);
     }
-    let mut lines: Vec<String> = text.lines().map(|line| line.trim().to_string()).collect();
-    if model.campaign().is_some() {
-        return lines;
+    let (mut lines, mut from) = (Vec::new(), model.source.name.to_string());
+    for (name, settings) in additions(data, d) {
+        let (line, to) = add(&from, &name, &settings);
+        lines.push(line);
+        from = to;
     }
     let (file, data) = (quoted(&model.source.name), with(data));
     let all = format!("fem diagnose {file} {data} --add-to better.toml");

@@ -25,9 +25,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
     fits.rows.push(vec![Cell::Text("noise".into()), Cell::number(kind.from_si(d.noise.together()))]);
     blocks.extend([Block::Table(fits), Block::Sentence(format!("in {}", kind.unit))]);
     if model.campaign().is_some() {
-        let mut text = String::new();
-        campaign::fits(&mut text, data, d);
-        blocks.push(Block::Lines(text));
+        blocks.push(Block::Lines(campaign::fits(data, d)));
     }
     if structure_remains(d) {
         if !d.missing.is_empty() {
