@@ -9,16 +9,42 @@ use crate::process::EFFECTS;
 /// the process or of the measurement.
 ///
 /// # Errors
-/// A key is given twice, the model has no such effect or table, or what comes of it is no model.
+/// A key is given twice or belongs to an effect that is left out, the model has no such effect or table or two of the
+/// name, or what comes of it is no model.
 pub fn revised(model: &Model, values: &[Setting], without: &[String]) -> Result<Model, Problem> {
     Setting::check_once(values)?;
-    let removed = without.iter().map(|name| removal(model, name)).collect::<Result<Vec<Edit>, Problem>>()?;
-    let set = values.iter().map(|Setting { key, value }| {
-        let is_text = model.written(key).is_some();
-        let entry = if is_text { value.clone() } else { bare(value) };
-        Edit::Set { path: key.as_str().into(), entry }
-    });
-    model.edited(&set.chain(removed).collect::<Vec<_>>())
+    let mut removed: Vec<Edit> = Vec::new();
+    for name in without {
+        let edit = removal(model, name)?;
+        if !removed.contains(&edit) {
+            removed.push(edit);
+        }
+    }
+    if let Some(value) = values.iter().find(|value| removed.iter().any(|edit| is_within(&value.key, edit))) {
+        let problem = Problem::new(format!("`{}` belongs to an effect that is left out", value.key));
+        return Err(problem.help("set its value or leave it out"));
+    }
+    let set: Vec<Edit> = values.iter().map(|value| entering(model, value)).collect();
+    model.edited(&[&*set, &*removed].concat()).map_err(|problem| {
+        // The value that is wrong for itself is the one to name.
+        let is_wrong = |edit: &Edit| model.edited(std::slice::from_ref(edit)).err().as_ref() == Some(&problem);
+        let wrong = set.iter().position(is_wrong);
+        let Some(Setting { key, value }) = wrong.map(|wrong| &values[wrong]) else { return problem };
+        Problem { message: format!("{key}={value}: {}", problem.message), ..problem }
+    })
+}
+
+/// The edit that puts a value into the model.
+fn entering(model: &Model, Setting { key, value }: &Setting) -> Edit {
+    let is_text = model.written(key).is_some();
+    let entry = if is_text { value.clone() } else { bare(value) };
+    Edit::Set { path: key.as_str().into(), entry }
+}
+
+/// Whether a key stands in the table that an edit takes out.
+fn is_within(key: &str, removal: &Edit) -> bool {
+    let Edit::Remove { parent, name } = removal else { return false };
+    key.strip_prefix(&format!("{parent}.{name}")).is_some_and(|rest| rest.starts_with('.'))
 }
 
 /// The edit that takes an effect out, by its name or by that of its table.
@@ -27,8 +53,14 @@ fn removal(model: &Model, name: &str) -> Result<Edit, Problem> {
     let of_measurement = model.measurement.iter().map(|term| (MEASUREMENT, term.table.clone()));
     let all: Vec<(&'static str, String)> = of_process.chain(of_measurement).collect();
     let is_meant = |(parent, own): &&(&str, String)| own == name || format!("{parent}.{own}") == name;
-    if let Some((parent, own)) = all.iter().find(is_meant) {
-        return Ok(Edit::Remove { parent, name: own.clone() });
+    match &*all.iter().filter(is_meant).collect::<Vec<_>>() {
+        [] => {}
+        [(parent, own)] => return Ok(Edit::Remove { parent, name: own.clone() }),
+        several => {
+            let tables = several.iter().map(|(parent, own)| format!("{parent}.{own}")).collect::<Vec<_>>();
+            let problem = Problem::new(format!("the model has two effects `{name}`"));
+            return Err(problem.help(format!("write {}", tables.join(" or "))));
+        }
     }
     let names = || all.iter().map(|(_, own)| own.as_str());
     let has = match all.is_empty() {

@@ -10,7 +10,7 @@ use crate::units::unit_text;
 /// than it is. Sizes of effects of the measurement have no `+-`. A comment at the top names the data.
 pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
     let name = data.name.replace(char::is_control, " ");
-    let remark = format!("Fitted to {name}, {}: what is known from it stands after `+-`.", data.mark());
+    let remark = format!("Fitted to {name}, {}: what is known from it stands after `+-`.", data.marks().join("; "));
     let closed = fit.estimates.iter().filter(|estimate| estimate.is_closed());
     let values = closed.filter_map(|estimate| {
         let parameter = &estimate.parameter;

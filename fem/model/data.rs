@@ -204,10 +204,11 @@ impl<'m> Data<'m> {
         (self.len() - self.datum_directions.len()) as f64
     }
 
-    /// Whether the model was fitted to these very rows, as its comments say.
+    /// Whether the model was fitted to these very rows, or to those of one of the files, as its comments say.
     pub fn was_fitted_before(&self) -> bool {
-        let mark = self.mark();
-        self.model.tables.remarks(&self.model.source).any(|line| line.contains(&mark))
+        let marks = self.marks();
+        let is_marked = |line: &str| marks.iter().any(|mark| line.contains(mark));
+        self.model.tables.remarks(&self.model.source).any(is_marked)
     }
 
     /// Notes of the file, with a caution where a fit would count the rows twice.
@@ -220,10 +221,14 @@ impl<'m> Data<'m> {
         self.notes.iter().cloned().chain(twice).collect()
     }
 
-    /// Mark by which the comment of a fitted model tells these rows from others.
-    pub fn mark(&self) -> String {
-        let digest = Measurements::digest(self.as_read());
-        format!("{} rows, mark {digest:016x}", self.len())
+    /// Marks by which the comment of a fitted model tells the rows of each file from others.
+    pub fn marks(&self) -> Vec<String> {
+        let mut of_files = vec![Vec::new(); self.files.len()];
+        for (row, observed) in self.as_read().iter().enumerate() {
+            of_files[self.file_number(row)].push(*observed);
+        }
+        let mark = |rows: &Vec<f64>| format!("{} rows, mark {:016x}", rows.len(), Measurements::digest(rows));
+        of_files.iter().filter(|rows| !rows.is_empty()).map(mark).collect()
     }
 }
 

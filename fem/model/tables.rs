@@ -285,8 +285,10 @@ fn entry_of_mut(item: &mut Item, number: Option<usize>) -> Option<&mut dyn Table
 /// Makes one of a model's edits, by its number.
 fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> {
     match edit {
-        Edit::Set { path, entry } => set(tables, path, entry)
-            .ok_or_else(|| Problem::new(format!("the model has no table for `{path}`")).help("add the table first")),
+        Edit::Set { path, entry } => set(tables, path, entry).ok_or_else(|| {
+            Problem::new(format!("the model has no table for `{path}`"))
+                .help("name a key of a table that stands there, or of an entry of a list, from 0: `segments[0].length`")
+        }),
         Edit::Add { parent, name, keys } => {
             let values = keys.iter().map(|(key, entry)| (key, Value::from(entry)));
             if let Some(Item::Value(Value::InlineTable(within))) = tables.get_mut(parent) {
@@ -316,6 +318,9 @@ fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> 
 fn set(tables: &mut Table, path: &str, entry: &Entry) -> Option<()> {
     let new = || {
         let (above, key) = path.rsplit_once('.').unwrap_or(("", path));
+        if key.is_empty() || key.contains(['[', ']']) {
+            return None;
+        }
         let mut steps = if above.is_empty() { Vec::new() } else { way(tables, above, true)? };
         steps.push((key.to_string(), None));
         Some(steps)

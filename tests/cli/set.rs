@@ -36,12 +36,16 @@ fn an_effect_is_left_out_and_put_back() {
     place.write("lathe.toml", model("lathe.toml"));
     let add = ["add", "lathe.toml", "guideway-taper", "slope=3 um/m", "-o", "taper.toml"];
     assert_eq!(place.fem(&add).status, 0);
-    for name in ["guideway-taper", "effects.guideway-taper"] {
-        let answer = place.fem(&["set", "taper.toml", "--without", name, "-o", "back.toml", "--force"]);
+    for names in [&["guideway-taper"][..], &["effects.guideway-taper"], &["guideway-taper", "guideway-taper"]] {
+        let without: Vec<&str> = names.iter().flat_map(|name| ["--without", name]).collect();
+        let answer = place.fem(&[&["set", "taper.toml"], &*without, &["-o", "back.toml", "--force"]].concat());
         assert_eq!(answer.status, 0, "{}", answer.err);
-        assert_eq!(answer.out, format!("written back.toml: taper.toml without {name}\n"));
+        assert_eq!(answer.out, format!("written back.toml: taper.toml without {}\n", names.join(", without ")));
         assert_eq!(place.read("back.toml"), model("lathe.toml"));
     }
+    let both = ["effects.guideway-taper.slope=1 um/m", "--without", "guideway-taper", "-o", "new.toml"];
+    let answer = place.fem(&[&["set", "taper.toml"], &both[..]].concat());
+    assert!(answer.err.contains("belongs to an effect that is left out"), "{}", answer.err);
 }
 
 #[test]
@@ -63,8 +67,10 @@ fn what_makes_no_model_is_refused_and_nothing_is_written() {
     place.write("lathe.toml", model("lathe.toml"));
     for (words, message) in [
         (&["cut.depht=1 mm"][..], "its keys are depth, feed"),
-        (&["cut.depth=1"], "`depth`: the unit is missing"),
-        (&["cut.depth=1 N"], "not a length"),
+        (&["cut.depth=1", "batch.parts=7"], "cut.depth=1: `depth`: the unit is missing"),
+        (&["batch.parts=7", "cut.depth=1 N"], "cut.depth=1 N: "),
+        (&["workpiece.segments[9].length=1 mm"], "an entry of a list, from 0"),
+        (&["workpiece.segments[1]=5"], "no table for `workpiece.segments[1]`"),
         (&["cat.depth=1 mm"], "the model has no table for `cat.depth`"),
         (&["cut.depth"], "KEY=VALUE"),
         (&["cut.depth=1 mm", "cut.depth=2 mm"], "`cut.depth` is given twice"),

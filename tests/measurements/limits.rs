@@ -95,6 +95,32 @@ fn a_value_that_the_data_contradict_is_told_and_no_cause_is_made_up_for_it() {
     assert!(!Data::of(&again, rows).unwrap().some(|row| row > 0).was_fitted_before());
 }
 
+/// Each file's rows are known again: in another order, alone, and by a name that no comment could hold.
+#[test]
+fn rows_that_were_fitted_are_known_file_by_file() {
+    let joint = model("process = \"stiffness\"\n[joint]\nstiffness = \"? N/um\"\n[test]\nmax_force = \"1200 N\"\n");
+    let file = |name: &str, from: usize| {
+        let lines = (from..from + 9).map(|i| format!("{},load,{:.4}\n", 100 * i, i as f64 / 0.6 + 0.1 * noise(i)));
+        let text = format!("force [N],branch,displacement [um]\n{}", lines.collect::<String>());
+        Measurements::parse(Source::new(name, text), &*joint.process).unwrap()
+    };
+    let [a, b, other] = [file("a\u{7}\n.csv", 1), file("b.csv", 3), file("c.csv", 2)];
+    let joined = |files: &[&Measurements]| Measurements::joined(files.iter().map(|file| (*file).clone()).collect());
+    let data = Data::of(&joint, joined(&[&a, &b]).unwrap()).unwrap();
+    let again = model(&fitted(&data, &fit(&data).unwrap()).unwrap().text());
+    for (files, is_known) in [
+        (&[&a, &b][..], true),
+        (&[&b, &a], true),
+        (&[&a], true),
+        (&[&b], true),
+        (&[&other, &b], true),
+        (&[&other], false),
+    ] {
+        let data = Data::of(&again, joined(files).unwrap()).unwrap();
+        assert_eq!(data.was_fitted_before(), is_known, "{}", data.name);
+    }
+}
+
 /// A wave of 20 um that no model has, where the noise of half a micrometre is not told.
 #[test]
 fn a_large_structure_shows_though_nobody_tells_the_noise() {
