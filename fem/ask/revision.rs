@@ -13,17 +13,18 @@ use crate::process::EFFECTS;
 /// name, or what comes of it is no model.
 pub fn revised(model: &Model, values: &[Setting], without: &[String]) -> Result<Model, Problem> {
     Setting::check_once(values)?;
-    let mut removed: Vec<Edit> = Vec::new();
-    for name in without {
-        let edit = removal(model, name)?;
-        if !removed.contains(&edit) {
-            removed.push(edit);
-        }
-    }
-    if let Some(value) = values.iter().find(|value| removed.iter().any(|edit| is_within(&value.key, edit))) {
+    let tables = effect_tables(model);
+    let mut left_out =
+        without.iter().map(|name| meant(&tables, name)).collect::<Result<Vec<&EffectTable>, Problem>>()?;
+    left_out.sort_unstable();
+    left_out.dedup();
+    let is_left_out = |value: &&Setting| owner(&tables, &value.key).is_some_and(|table| left_out.contains(&table));
+    if let Some(value) = values.iter().find(is_left_out) {
         let problem = Problem::new(format!("`{}` belongs to an effect that is left out", value.key));
         return Err(problem.help("set its value or leave it out"));
     }
+    let removed: Vec<Edit> =
+        left_out.into_iter().map(|(parent, name)| Edit::Remove { parent, name: name.clone() }).collect();
     let set: Vec<Edit> = values.iter().map(|value| entering(model, value)).collect();
     model.edited(&[&*set, &*removed].concat()).map_err(|problem| {
         // The value that is wrong for itself is the one to name.
@@ -41,34 +42,44 @@ fn entering(model: &Model, Setting { key, value }: &Setting) -> Edit {
     Edit::Set { path: key.as_str().into(), entry }
 }
 
-/// Whether a key stands in the table that an edit takes out.
-fn is_within(key: &str, removal: &Edit) -> bool {
-    let Edit::Remove { parent, name } = removal else { return false };
-    key.strip_prefix(&format!("{parent}.{name}")).is_some_and(|rest| rest.starts_with('.'))
-}
+/// The table of an effect: the one in which it stands, and its own name there.
+type EffectTable = (&'static str, String);
 
-/// The edit that takes an effect out, by its name or by that of its table.
-fn removal(model: &Model, name: &str) -> Result<Edit, Problem> {
+/// The tables of all effects of a model, of the process and of the measurement.
+fn effect_tables(model: &Model) -> Vec<EffectTable> {
     let of_process = model.effects.iter().map(|effect| (EFFECTS, effect.description.name.to_string()));
     let of_measurement = model.measurement.iter().map(|term| (MEASUREMENT, term.table.clone()));
-    let all: Vec<(&'static str, String)> = of_process.chain(of_measurement).collect();
-    let is_meant = |(parent, own): &&(&str, String)| own == name || format!("{parent}.{own}") == name;
-    match &*all.iter().filter(is_meant).collect::<Vec<_>>() {
-        [] => {}
-        [(parent, own)] => return Ok(Edit::Remove { parent, name: own.clone() }),
+    of_process.chain(of_measurement).collect()
+}
+
+/// The table of an effect in which a key stands. Names may have dots: of those that the key begins with, the longest.
+fn owner<'t>(tables: &'t [EffectTable], key: &str) -> Option<&'t EffectTable> {
+    let has_key = |(parent, name): &&EffectTable| key.starts_with(&format!("{parent}.{name}."));
+    tables.iter().filter(has_key).max_by_key(|(_, name)| name.len())
+}
+
+/// The table that is meant by an effect's name or by that of its table.
+fn meant<'t>(tables: &'t [EffectTable], name: &str) -> Result<&'t EffectTable, Problem> {
+    let path = |(parent, own): &EffectTable| format!("{parent}.{own}");
+    match &*tables.iter().filter(|table| table.1 == name || path(table) == name).collect::<Vec<_>>() {
+        [] => Err(unknown(tables, name)),
+        [table] => Ok(table),
         several => {
-            let tables = several.iter().map(|(parent, own)| format!("{parent}.{own}")).collect::<Vec<_>>();
-            let problem = Problem::new(format!("the model has two effects `{name}`"));
-            return Err(problem.help(format!("write {}", tables.join(" or "))));
+            let tables = several.iter().map(|table| path(table)).collect::<Vec<_>>().join(" or ");
+            Err(Problem::new(format!("the model has two effects `{name}`")).help(format!("write {tables}")))
         }
     }
-    let names = || all.iter().map(|(_, own)| own.as_str());
-    let has = match all.is_empty() {
+}
+
+/// Says that a model has no effect of a name.
+fn unknown(tables: &[EffectTable], name: &str) -> Problem {
+    let names = || tables.iter().map(|(_, own)| own.as_str());
+    let has = match tables.is_empty() {
         true => "it has none".to_string(),
         false => format!("it has {}", names().collect::<Vec<_>>().join(", ")),
     };
     let meant = did_you_mean(name, names(), '`');
-    Err(Problem::new(format!("the model has no effect `{name}`")).help(format!("{meant}{has}")))
+    Problem::new(format!("the model has no effect `{name}`")).help(format!("{meant}{has}"))
 }
 
 /// A value where no text stands: numbers, whole or not, and yes and no are written without quotes.

@@ -48,6 +48,24 @@ fn an_effect_is_left_out_and_put_back() {
     assert!(answer.err.contains("belongs to an effect that is left out"), "{}", answer.err);
 }
 
+/// Names that begin alike, and one name in both catalogues.
+#[test]
+fn the_effect_that_is_meant_is_left_out() {
+    let place = Place::new();
+    let joint = "process = \"stiffness\"\n[joint]\nstiffness = \"100 N/um\"\n[test]\nmax_force = \"1 kN\"\n";
+    let law = |name: &str, b: u32| format!("[effects.{name}]\nformula = \"b*force\"\nb = \"{b} um/kN\"\n");
+    place.write("two.toml", format!("{joint}{}{}", law("w", 1), law("\"w.a\"", 2)));
+    let answer = place.fem(&["set", "two.toml", "effects.w.a.b=3 um/kN", "--without", "w", "-o", "new.toml"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert_eq!(place.read("new.toml"), format!("{joint}{}", law("\"w.a\"", 3)));
+    let shift = "[measurement.zero-shift]\nby = \"branch\"\n";
+    place.write("both.toml", format!("{joint}{}{shift}", law("zero-shift", 1)));
+    let answer = place.fem(&["set", "both.toml", "--without", "zero-shift", "-o", "one.toml"]);
+    assert!(answer.err.contains("write effects.zero-shift or measurement.zero-shift"), "{}", answer.err);
+    let answer = place.fem(&["set", "both.toml", "--without", "effects.zero-shift", "-o", "one.toml"]);
+    assert_eq!((answer.status, place.read("one.toml")), (0, format!("{joint}{shift}")), "{}", answer.err);
+}
+
 #[test]
 fn a_key_that_was_left_out_stands_behind_the_others_of_its_table() {
     let place = Place::new();
