@@ -6,12 +6,10 @@
 //! likelihood of the rows (Bayes factor), whose determinant is the price of their freedom.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
-use rayon::prelude::*;
 
-use super::candidate_model::{self, CandidateModel};
+use super::candidate_model::CandidateModel;
 use super::confounding::EQUAL_FIT;
-use super::instrument::criterion;
-use super::lead::{bare, without};
+use super::lead::bare;
 use super::residual_projection::ProjectedResidual;
 use super::search::SearchResult;
 use crate::input::Name;
@@ -21,9 +19,6 @@ use crate::units::ANGLE;
 const SHARE: f64 = 0.2;
 /// Largest share at which a law is still like the catalogue's.
 const LARGEST: f64 = 0.6;
-
-/// Largest part of what a search explains that a bent law may leave, to be looked into.
-const LEFT: f64 = 0.1;
 
 /// How the law of an effect bends.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,64 +31,6 @@ pub struct Bend {
     pub share: f64,
     /// Fall of −2 ln L, the price of the bend paid.
     pub evidence: f64,
-}
-
-/// The set that explains as much as the best set of a search, with fewer effects, one of which has a law that
-/// bends.
-pub fn plainer<'a>(found: &SearchResult<'a>) -> Option<CandidateModel<'a>> {
-    let best = found.best();
-    let mut sets = smaller(found, best);
-    let tried = found.singles.iter().flatten().chain(&found.tried);
-    for other in tried.filter(|t| t.members.len() < best.members.len()) {
-        if sets.iter().all(|known| known.key() != other.key()) {
-            sets.push(other.clone());
-        }
-    }
-    let explained = found.base.solution.chi2 - best.solution.chi2;
-    sets.retain(|set| set.solution.chi2 - best.solution.chi2 < LEFT * explained);
-    let weigh = |set: CandidateModel<'a>| {
-        let value = criterion(&set) - bend(found, &set)?.evidence;
-        // One cause whose law bends is as likely as two whose laws do not; where several act anyway, one more is, and
-        // what is the same everywhere has no law that could bend.
-        let behind = value - criterion(best);
-        let is_plainer = behind < 0.0 || behind < EQUAL_FIT && set.members.len() == 1 && is_law(found, &set);
-        is_plainer.then_some((value, set))
-    };
-    let bent: Vec<(f64, CandidateModel)> = sets.into_par_iter().filter_map(weigh).collect();
-    let order = |a: &(f64, CandidateModel), b: &(f64, CandidateModel)| {
-        a.1.members.len().cmp(&b.1.members.len()).then(a.0.total_cmp(&b.0))
-    };
-    bent.into_iter().min_by(order).map(|(_, set)| set)
-}
-
-/// Whether what the only member of a set adds differs from row to row.
-fn is_law(found: &SearchResult, set: &CandidateModel) -> bool {
-    /// Least range of its values, as a part of the largest, that is no round-off.
-    const LEAST: f64 = 0.01;
-    let Some(added) = set.members.first().and_then(|member| signature(found, set, *member)) else { return false };
-    let (low, high) = added.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
-    high - low > LEAST * high.abs().max(low.abs())
-}
-
-/// Every set of fewer members of a set, fitted; each from where a larger one stood.
-fn smaller<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>) -> Vec<CandidateModel<'a>> {
-    let mut all: Vec<CandidateModel> = Vec::new();
-    let mut sets = vec![best.clone()];
-    while sets.first().is_some_and(|set| set.members.len() > 1) {
-        let mut smaller: Vec<CandidateModel> = Vec::new();
-        for set in &sets {
-            for member in &set.members {
-                let others: Vec<usize> = set.members.iter().copied().filter(|m| m != member).collect();
-                let key = candidate_model::key(&others);
-                if smaller.iter().all(|known| known.key() != key) {
-                    smaller.extend(without(&found.base, &found.candidates, set, *member));
-                }
-            }
-        }
-        all.extend(smaller.iter().cloned());
-        sets = smaller;
-    }
-    all
 }
 
 /// The bend of a member's law that explains most of what a set leaves; `None` where none explains more than

@@ -1,36 +1,56 @@
 //! Makes the diagnosis of the result of a search.
 
+use rayon::prelude::*;
+
 use super::bent_law;
-use super::candidate_model::CandidateModel;
+use super::candidate_model::{CandidateModel, Weighed};
 use super::confounding::{self, Confounding};
 use super::cross_validation::Folds;
-use super::detection_limit::detection_limit;
+use super::detection_limit::{DetectionLimit, detection_limit};
 use super::diagnosis::{Diagnosis, Missing, Outlook};
 use super::failure::unsolvable;
+use super::few_places::few_places;
 use super::hypothesis::Hypothesis;
 use super::lead;
 use super::null_distribution::{Variance, variance};
+use super::posterior::{CERTAIN, Posterior};
 use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{findings, look_alike, next, sensitivity};
+use super::{findings, look_alike, moves, next};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
+use crate::noise::is_round_off;
 use crate::process::Failure;
 
 /// Makes the diagnosis of the result of a search.
 ///
 /// # Errors
 /// The model cannot be computed beside its best values.
-pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) -> Result<Diagnosis, Failure> {
+pub fn conclude(
+    mut hypotheses: Vec<Hypothesis>,
+    conflicts: &[PriorConflict],
+    posterior: Posterior,
+) -> Result<Diagnosis, Failure> {
+    let is_imitation = hypotheses.last().is_some_and(imitates);
+    if is_imitation {
+        hypotheses.truncate(1);
+    }
     let Some(Hypothesis { found, repeats, .. }) = hypotheses.pop() else { return Err(unsolvable()) };
     let repeats = &repeats;
     let plain = hypotheses.first();
     let variance = variance(&found.base.objective.noise, repeats);
     let folds = Folds::of(&found.base);
     let mut best = found.best().clone();
+    let is_certain = |member: &usize| posterior.of(&found.candidates[*member].effect.name) >= CERTAIN;
+    let is_plain = best.objective.noise.terms.len() == best.objective.data.terms.len();
+    let is_enough = || !best.members.iter().any(is_certain) && verdict::is_explained(&found.base, repeats);
+    if is_plain && (is_round_off(&found.base.residuals(), &found.base.objective.data.observed) || is_enough()) {
+        // What the noise explains needs no cause where none is certain, and round-off never does.
+        best = found.base.clone();
+    }
     best.solution =
         minimise(&mut best.objective, &best.solution.position, &[], StoppingCriterion::FULL).ok_or_else(unsolvable)?;
     let mut settled = fit::profile_intervals(&mut best.objective, best.solution)?;
@@ -40,6 +60,9 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     let features = verdict::features(&found.base);
     let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
     let mut verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
+    if is_imitation && verdict != Verdict::Adequate {
+        verdict = Verdict::Unexplained;
+    }
     if verdict == Verdict::Unexplained {
         best = found.base.clone();
         settled = fit::profile_intervals(&mut best.objective, best.solution.clone())?;
@@ -48,12 +71,14 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
     }
     let fit = fit::report(&best.objective, settled, repeats);
     let progress = &found.base.objective.data.progress;
-    let confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
+    let mut confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
         true => progress.stretch("effects that look alike", || confounding::confoundings(&found)),
         false => Vec::new(),
     };
-    let mut missing = missing(&found, &best, &fit, variance, &confoundings, &goodness);
-    let of_measurement = findings::missing_effects(&found.base, &best, plain.map(|h| &h.found.base), repeats);
+    confoundings.iter_mut().for_each(|own| own.leave_out_what_is_ruled_out(&found, &posterior));
+    let mut missing = missing(&found, &best, &fit, variance, &confoundings, (&goodness, &posterior));
+    let of_measurement =
+        findings::missing_effects(&found.base, &best, plain.map(|h| &h.found.base), repeats, &posterior);
     let outliers = findings::outliers(&best);
     let (before, features) = match plain {
         None => (before, features),
@@ -96,7 +121,10 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         false => Vec::new(),
     };
     for own in &look_alikes {
-        let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name);
+        // What is not certain has its group.
+        let is_rival =
+            |m: &Missing| m.probability >= CERTAIN || posterior.are_grouped(&own.cause.name, &own.other.name);
+        let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name && is_rival(m));
         if let Some(named) = named.filter(|m| m.indistinguishable_from.iter().all(|o| o.name != own.other.name)) {
             named.indistinguishable_from.push(own.other.clone());
         }
@@ -112,7 +140,7 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         false => None,
     };
     let trials = (best.objective.trials.failures(), best.objective.trials.evaluations());
-    let candidates = outlooks(&found, &best, variance);
+    let candidates = outlooks(&found, &best, variance, &posterior);
     let verdict_after = match verdict {
         Verdict::MissingEffect => Verdict::Adequate,
         other => other,
@@ -132,10 +160,21 @@ pub fn conclude(mut hypotheses: Vec<Hypothesis>, conflicts: &[PriorConflict]) ->
         remaining,
         suspects,
         candidates,
+        posterior,
         next,
         cross_validation_by: folds.map(|f| f.coordinate),
         trials,
     })
+}
+
+/// Whether the rows are one series, which a few laws imitate whatever made it, and those that were found predict stretches
+/// of it that are held out far worse than the noise.
+fn imitates(last: &Hypothesis) -> bool {
+    /// Root mean square of the errors on what is held out, in standard uncertainties, beyond which a law is no law.
+    const FAR: f64 = 2.0;
+    let Hypothesis { found, repeats, .. } = last;
+    let held_out = || GoodnessOfFit::of(found.best(), repeats, Folds::of(&found.base).as_ref()).cross_validation;
+    found.base.objective.only_span().is_some() && held_out().is_some_and(|held| held > FAR)
 }
 
 /// Cautions about the limits of these data.
@@ -177,22 +216,6 @@ fn cautions(
     cautions
 }
 
-/// Says that causes stand on few places of a coordinate along which a curve could be anything: with hardly
-/// more places than parameters a few laws imitate any curve.
-fn few_places(best: &CandidateModel) -> Option<String> {
-    /// Places beyond the parameters from which a curve contradicts wrong laws.
-    const MORE: usize = 3;
-    let data = best.objective.data;
-    let coordinates = data.model.process.coordinates();
-    let (at, (name, _)) = data.given.iter().find_map(|i| Some((*i, coordinates[*i].curve?)))?;
-    let places = data.levels(&[at]).into_iter().max().map_or(0, |most| most + 1);
-    let free = best.objective.variables.len() - best.objective.priors();
-    (!best.members.is_empty() && places < free + MORE).then(|| {
-        let along = &coordinates[at].name;
-        format!("{places} values of `{along}` hardly tell these causes from a {name}: measure at further ones between")
-    })
-}
-
 /// Lists the effects of the best model, the most needed first, each with its alternatives.
 fn missing(
     found: &SearchResult,
@@ -200,7 +223,7 @@ fn missing(
     fit: &Fit,
     variance: Variance,
     confoundings: &[Confounding],
-    goodness: &dyn Fn(&CandidateModel) -> GoodnessOfFit,
+    (goodness, posterior): (&dyn Fn(&CandidateModel) -> GoodnessOfFit, &Posterior),
 ) -> Vec<Missing> {
     let mut list = Vec::new();
     let mut rest = best.clone();
@@ -222,6 +245,7 @@ fn missing(
         let own_paths: Vec<ParameterId> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
             cause: findings::cause(&effect),
+            probability: posterior.of(&effect.name),
             effect,
             goodness: goodness(&rest),
             p_value: found.null_distribution.p_value(measured),
@@ -237,27 +261,63 @@ fn missing(
     list
 }
 
-/// Evaluates every candidate effect.
-fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance) -> Vec<Outlook> {
-    let projected = ProjectedResidual::new(&mut best.objective.clone(), &best.solution);
+/// Evaluates every candidate effect; detection limits hold in nine tenths of the weight of all sets that may be true.
+fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance, posterior: &Posterior) -> Vec<Outlook> {
     let threshold = found.null_distribution.quantile(SIGNIFICANCE);
-    let outlook = |(candidate, single): (&sensitivity::CandidateEffect, &Option<CandidateModel>)| {
+    let credible = found.credible();
+    let mut projections: Vec<Projection> = credible.par_iter().filter_map(Projection::of).collect();
+    if projections.is_empty() {
+        let own = ProjectedResidual::new(&mut best.objective.clone(), &best.solution);
+        projections.extend(own.map(|residual| Projection { members: best.members.clone(), criterion: 0.0, residual }));
+    }
+    let outlook = |number: usize| {
+        let (candidate, single) = (&found.candidates[number], &found.singles[number]);
         // What was not tried for want of time would not have been found.
         let is_tried = single.is_some() || !best.objective.data.progress.is_over();
-        let detection_limit =
-            projected.as_ref().filter(|_| is_tried).and_then(|g| detection_limit(g, candidate, threshold));
+        let without = projections.iter().filter(|own| is_tried && !own.members.contains(&number));
+        let limit = |own: &Projection| Some((own.criterion, detection_limit(&own.residual, candidate, threshold)?));
         let gained = single.as_ref().map_or(0.0, |t| found.base.solution.chi2 - t.solution.chi2);
         let measured =
             single.as_ref().map_or(0.0, |t| variance.statistic(gained, t.solution.chi2, t.objective.freedom()));
         Outlook {
             effect: candidate.effect.clone(),
+            probability: posterior.of(&candidate.effect.name),
             rms: single.as_ref().map(verdict::rms),
-            delta_bic: single.as_ref().map_or(0.0, |t| t.penalised_bic() - found.base.penalised_bic()),
+            delta_bic: single.as_ref().map_or(0.0, |t| t.bic() - found.base.bic()),
             p_value: found.first_null_distribution.p_value(measured),
-            detection_limit,
+            detection_limit: nine_in_ten(without.filter_map(limit).collect()),
         }
     };
-    let mut all: Vec<Outlook> = found.candidates.iter().zip(&found.singles).map(outlook).collect();
+    let mut all: Vec<Outlook> = (0..found.candidates.len()).into_par_iter().map(outlook).collect();
     all.sort_by(|a, b| a.delta_bic.total_cmp(&b.delta_bic));
     all
+}
+
+/// A set with what its free parameters leave.
+struct Projection {
+    members: Vec<usize>,
+    criterion: f64,
+    residual: ProjectedResidual,
+}
+
+impl Projection {
+    fn of(set: &Weighed) -> Option<Self> {
+        let CandidateModel { members, objective, solution } = &set.model;
+        let residual = objective.residuals(&solution.position, &solution.predicted);
+        let residual = ProjectedResidual::beside(objective, moves::jacobian(&set.model)?, residual);
+        Some(Self { members: members.clone(), criterion: set.criterion, residual })
+    }
+}
+
+/// The limit, of sets with these criteria, that holds in nine tenths of their weight.
+fn nine_in_ten(mut limits: Vec<(f64, DetectionLimit)>) -> Option<DetectionLimit> {
+    limits.sort_by(|a, b| a.1.own_share.total_cmp(&b.1.own_share));
+    let least = limits.iter().map(|l| l.0).fold(f64::INFINITY, f64::min);
+    let weight = |criterion: f64| (0.5 * (least - criterion)).exp();
+    let mut left = 0.1 * limits.iter().map(|l| weight(l.0)).sum::<f64>();
+    let holds = |limit: &(f64, DetectionLimit)| {
+        left -= weight(limit.0);
+        left < 0.0
+    };
+    limits.into_iter().find(holds).map(|limit| limit.1)
 }

@@ -6,7 +6,9 @@ use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
 use super::gain::{Gain, gain};
+use super::laplace;
 use super::lead::{bare, fit_with, promising, starts, without};
+use super::posterior::{CERTAIN, Posterior};
 use super::residual_projection::{ProjectedResidual, length_outside};
 use super::search::SearchResult;
 use super::sensitivity::{CandidateEffect, Variant};
@@ -50,6 +52,25 @@ pub struct Confounding<'a> {
     pub alternatives: Vec<Alternative<'a>>,
 }
 
+/// Rise of the criterion beyond which an alternative to a certain effect is ruled out.
+const UNLIKELY: f64 = 11.0;
+
+impl Confounding<'_> {
+    /// Leaves out alternatives that the sets of effects rule out: to a certain member those whose set is improbable, to
+    /// another one those outside of its group.
+    pub fn leave_out_what_is_ruled_out(&mut self, found: &SearchResult, posterior: &Posterior) {
+        let name = |number: usize| &found.candidates[number].effect.name;
+        let own = name(self.candidate);
+        if posterior.of(own) >= CERTAIN {
+            let best = found.tried.first().map_or(f64::INFINITY, |set| set.criterion);
+            let is_likely = |a: &Alternative| laplace::criterion(&a.model).is_some_and(|c| c < best + UNLIKELY);
+            return self.alternatives.retain(is_likely);
+        }
+        let group = posterior.groups.iter().find(|group| group.effects.contains(own));
+        self.alternatives.retain(|a| group.is_some_and(|group| group.effects.contains(name(a.candidate))));
+    }
+}
+
 /// Finds the alternatives to every member of the best model.
 pub fn confoundings<'a>(found: &SearchResult<'a>) -> Vec<Confounding<'a>> {
     let best = found.best();
@@ -60,7 +81,7 @@ pub fn confoundings<'a>(found: &SearchResult<'a>) -> Vec<Confounding<'a>> {
     };
     // In models that differ in more than one effect, each effect stands for the member that it resembles
     // most.
-    for other in found.tried.iter().filter(|t| t.members.len() == best.members.len()) {
+    for other in found.tried.iter().map(|set| &set.model).filter(|t| t.members.len() == best.members.len()) {
         let new: Vec<usize> = other.members.iter().copied().filter(|m| !best.members.contains(m)).collect();
         if new.len() < 2 {
             continue;
@@ -103,7 +124,7 @@ fn confounding<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, member: 
     };
     let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i));
     let mut alternatives: Vec<Alternative<'a>> = others.filter_map(stand_in).collect();
-    alternatives.sort_by(|a, b| a.model.penalised_bic().total_cmp(&b.model.penalised_bic()));
+    alternatives.sort_by(|a, b| a.delta_chi2.total_cmp(&b.delta_chi2));
     Some(Confounding { candidate: member, chi2_without: without.solution.chi2, alternatives })
 }
 

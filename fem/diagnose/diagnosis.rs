@@ -3,6 +3,7 @@
 use super::bent_law::Bend;
 use super::detection_limit::DetectionLimit;
 use super::next::Next;
+use super::posterior::Posterior;
 use super::verdict::{GoodnessOfFit, Verdict};
 use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
@@ -48,6 +49,9 @@ pub struct Diagnosis {
     /// Evaluation of every effect that the model does not have.
     #[doc(hidden)]
     pub candidates: Vec<Outlook>,
+    /// Posterior over the sets of effects.
+    #[doc(hidden)]
+    pub posterior: Posterior,
     /// Next measurement, where effects are confounded.
     #[doc(hidden)]
     pub next: Option<Next>,
@@ -126,6 +130,8 @@ pub struct Missing {
     pub cause: Cause,
     /// The effect.
     pub effect: Description,
+    /// Probability that it is there, over all sets of effects that were weighed.
+    pub probability: f64,
     /// Goodness of fit of the model with this and the effects before it.
     pub goodness: GoodnessOfFit,
     /// Probability that chance alone gains as much by any effect, the others being there (p-value of the
@@ -151,6 +157,8 @@ impl Missing {
 pub struct Outlook {
     /// The effect.
     pub effect: Description,
+    /// Its probability, over all sets of effects.
+    pub probability: f64,
     /// Root mean square residual with this effect alone added; `None` where it gains nothing or cannot be
     /// computed.
     pub rms: Option<f64>,
@@ -158,6 +166,7 @@ pub struct Outlook {
     pub delta_bic: f64,
     /// Probability that chance alone gains as much by any effect (p-value of the maximum).
     pub p_value: f64,
-    /// Detection limit of the effect in these data.
+    /// Detection limit of the effect in these data, in nine tenths of the weight of all sets that may be
+    /// true.
     pub detection_limit: Option<DetectionLimit>,
 }

@@ -1,13 +1,17 @@
 //! Weighs effects of the measurement against those of the machine: a search under every noise that the
 //! residuals ask for.
 
+use std::cell::RefCell;
+
 use super::bent_law;
-use super::candidate_model::CandidateModel;
+use super::candidate_model::{CandidateModel, Weighed};
 use super::failure::unsolvable;
+use super::few_places::few_places;
 use super::hypothesis::{Hypothesis, is_greedy, stands_or_falls};
 use super::instrument::{self, Proposal};
 use super::null_distribution::variance;
-use super::search::{Breadth, Extent, SIGNIFICANCE, SearchResult};
+use super::posterior::Visit;
+use super::search::{Extent, PLAINER, SIGNIFICANCE, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
 use super::verdict::is_explained;
 use crate::fit::{Objective, Solution};
@@ -25,6 +29,10 @@ const DESCRIBED: f64 = 15.0;
 const INSTEAD: f64 = 15.0;
 /// Terms of which each is tried in a search of its own.
 const TOGETHER: usize = 3;
+/// Ratio of two sizes of a term up to which they are neighbours.
+const NEIGHBOUR: f64 = 2.0;
+/// Fall of −2 ln L from which a curve is told in the place of causes that stand on few places: odds of ten to one.
+const CLEAR: f64 = 4.6;
 /// Searches in which the sizes of terms settle.
 const ROUNDS: usize = 2;
 
@@ -43,6 +51,8 @@ pub struct Exploration<'e> {
     pub most: usize,
     /// Where progress is told.
     pub progress: &'e Progress,
+    /// All sets that were visited, under whatever noise.
+    pub visits: &'e RefCell<Vec<Visit>>,
 }
 
 impl Exploration<'_> {
@@ -130,15 +140,14 @@ impl Exploration<'_> {
         if !self.progress.permits("the wider search, and what is left out again") {
             return Ok(path);
         }
-        let Some(last) = path.pop() else { return Err(unsolvable()) };
-        let mut last = self.widened(last)?;
-        let explained = last.explains;
-        last.leave_out_decoration();
-        if !explained {
-            // What cannot be believed must not leave its own share of the curve out.
-            last.leave_out_the_unbelievable();
+        let Some(mut last) = path.pop() else { return Err(unsolvable()) };
+        let hardly = few_places(last.found.best()).is_some();
+        if !last.explains || hardly {
             // A law that bends describes too, and a curve has to describe better.
-            let bent = bent_law::bend(&last.found, last.found.best()).map_or(0.0, |bend| bend.evidence);
+            let bent = match last.explains {
+                true => 0.0,
+                false => bent_law::bend(&last.found, last.found.best()).map_or(0.0, |bend| bend.evidence),
+            };
             let curves = instrument::curves(last.found.best(), self.repeats);
             let bare = instrument::curves(&last.found.base, self.repeats);
             // A curve by place and direction that is sized without play takes up the play, which is not seen beside
@@ -147,12 +156,11 @@ impl Exploration<'_> {
             let beside = singles.flat_map(|single| instrument::curves(single, self.repeats));
             let least = last.criterion - bent + INSTEAD;
             let curves = curves.into_iter().chain(bare).chain(beside).filter(|p| p.criterion < least).collect();
-            if let Some(beside) = self.further(&last, curves, DESCRIBED + bent)? {
+            let least = if hardly { CLEAR } else { DESCRIBED + bent };
+            if let Some(beside) = self.further(&last, curves, least)? {
                 path.push(std::mem::replace(&mut last, beside));
-                last.leave_out_decoration();
             }
         }
-        last.leave_out_the_unbelievable();
         path.push(self.eliminated(last)?);
         Ok(path)
     }
@@ -174,8 +182,7 @@ impl Exploration<'_> {
         }
     }
 
-    /// The best hypothesis with one term more, of those that are worth a search and better by more than `least`;
-    /// else one that explains as much without effects of the machine; else `None`.
+    /// The best hypothesis with one term more, of those that are worth a search and better by more than `least`; else `None`.
     fn further<'a>(
         &self,
         here: &Hypothesis<'a>,
@@ -184,17 +191,20 @@ impl Exploration<'_> {
     ) -> Result<Option<Hypothesis<'a>>, Failure> {
         proposals.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         let mut all: Vec<Hypothesis> = Vec::new();
-        let mut looked: Vec<&MeasurementEffect> = Vec::new();
+        let mut looked: Vec<(&MeasurementEffect, f64)> = Vec::new();
         for proposal in proposals {
             if !self.progress.permits(MEASUREMENT) {
                 break;
             }
             // The best of each effect is looked at: their neighbours would say the same.
-            let Some(newest) = proposal.noise.terms.last().map(|t| t.effect) else { continue };
-            if looked.len() == TOGETHER || looked.contains(&newest) {
+            let Some(newest) = proposal.noise.terms.last() else { continue };
+            let is_neighbour = |own: &(&MeasurementEffect, f64)| {
+                own.0 == newest.effect && (1.0 / NEIGHBOUR..NEIGHBOUR).contains(&(own.1 / newest.size))
+            };
+            if looked.len() == TOGETHER || looked.iter().any(is_neighbour) {
                 continue;
             }
-            looked.push(newest);
+            looked.push((newest.effect, newest.size));
             if all.iter().any(|b| b.explains && proposal.criterion > b.criterion + INSTEAD) {
                 // What explains everything is not likely to be beaten from so far behind.
                 continue;
@@ -205,25 +215,12 @@ impl Exploration<'_> {
                 all.push(own);
             }
         }
-        all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
-        let is_better = |h: &Hypothesis| h.criterion < here.criterion - least;
-        let chosen = all.iter().position(is_better).or_else(|| all.iter().position(|h| h.is_plainer_than(here)));
-        Ok(chosen.map(|number| all.swap_remove(number)))
-    }
-
-    /// Searches widely where the usual search left structure: strong effects that are far from linear hide behind
-    /// others.
-    fn widened<'a>(&self, last: Hypothesis<'a>) -> Result<Hypothesis<'a>, Failure> {
-        if last.explains || last.found.best().members.is_empty() {
-            return Ok(last);
-        }
-        let mut objective = last.found.base.objective.clone();
-        let extent = Extent { breadth: Breadth::WIDE, deepens: true, ..self.extent(&[]) };
-        let start = &mut self.start.clone();
-        let look = || look_until_settled(&mut objective, start, self.absent, &last.repeats, extent);
-        let found = self.progress.stretch("wider searches", look)?;
-        let wide = Hypothesis::new(found, last.repeats.clone());
-        Ok(if wide.criterion < last.criterion { wide } else { last })
+        all.sort_by(|a, b| a.least.total_cmp(&b.least));
+        let is_better = |h: &Hypothesis| h.least < here.least - least;
+        let Some(best) = all.first().filter(|h| is_better(h)) else { return Ok(None) };
+        let near = best.least + PLAINER;
+        let causes = |h: &Hypothesis| h.found.best().members.len() + h.found.best().objective.noise.terms.len();
+        Ok(all.into_iter().filter(|h| h.criterion <= near).min_by_key(causes))
     }
 
     /// Searches under a noise; its sizes are settled with what is found. The search begins with what an earlier
@@ -237,7 +234,7 @@ impl Exploration<'_> {
         let mut solution = self.start.clone();
         let mut within = proposal.repeats;
         objective.noise = proposal.noise;
-        let mut look = |objective: &mut Objective<'a>, within: &Repeats, known: &[CandidateModel<'a>]| {
+        let mut look = |objective: &mut Objective<'a>, within: &Repeats, known: &[Weighed<'a>]| {
             look_until_settled(objective, &mut solution, self.absent, within, self.extent(known))
         };
         let mut found = look(&mut objective, &within, &earlier.tried)?;
@@ -255,6 +252,7 @@ impl Exploration<'_> {
             }
         }
         self.take_back(&mut found);
+        self.visits.borrow_mut().extend(Visit::all(&found));
         Ok(Hypothesis::new(found, within))
     }
 
@@ -277,8 +275,8 @@ impl Exploration<'_> {
         }
     }
 
-    fn extent<'k, 'a>(&'k self, known: &'k [CandidateModel<'a>]) -> Extent<'k, 'a> {
-        Extent { most: self.most, breadth: Breadth::USUAL, deepens: false, known, progress: self.progress }
+    fn extent<'k, 'a>(&'k self, known: &'k [Weighed<'a>]) -> Extent<'k, 'a> {
+        Extent { most: self.most, deepens: false, known, progress: self.progress }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::candidate_model::CandidateModel;
 use super::diagnosis::{Cause, Missing, Outlier};
 use super::instrument;
+use super::posterior::Posterior;
 use super::verdict::GoodnessOfFit;
 use crate::fit::{StoppingCriterion, minimise, size_estimate};
 use crate::measure::{Repeats, grouping_name};
@@ -34,6 +35,7 @@ pub fn missing_effects(
     best: &CandidateModel,
     plain: Option<&CandidateModel>,
     repeats: &Repeats,
+    posterior: &Posterior,
 ) -> Vec<Missing> {
     let Some(plain) = plain else { return Vec::new() };
     let Some(mean) = best.objective.mean(&best.solution) else { return Vec::new() };
@@ -63,6 +65,7 @@ pub fn missing_effects(
                 from_line: term.effect.has(FROM).then(|| term.rows.first().map(|r| data.line(*r))).flatten(),
             },
             effect: instrument::description(term, data),
+            probability: posterior.of(term.effect.name),
             goodness: GoodnessOfFit::of(&grown, repeats, None),
             // At the edge of its range the size of a term has half of χ² with one degree of freedom.
             p_value: beyond_chi2(1.0, without - whole).map_or(1.0, |p| 0.5 * p),

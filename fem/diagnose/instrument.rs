@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
+use super::laplace;
 use crate::fit::{StoppingCriterion, minimise};
 use crate::measure::Repeats;
 use crate::model::Data;
@@ -11,10 +12,14 @@ use crate::noise::{
     Acts, Evidence, MEASUREMENT, MeasurementEffect, Noise, Restricted, Size, Term, effects, is_rough, own_observables,
     time_of,
 };
-use crate::process::{self, Belongs, Description};
+use crate::process::{self, Belongs, Description, Odds};
 
 /// Stopping criterion that is enough to rank terms.
 const QUICK: StoppingCriterion = StoppingCriterion::rough(12, 1e-3);
+/// Odds of a scale or a clock that is off, which somebody has adjusted: where the machine may be at fault as well, it is
+/// named, and the instrument beside it.
+const ADJUSTED: f64 = 0.05;
+
 /// Noise by which a model's rows are judged when terms are at work, without their shares yet.
 pub fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Noise, Repeats) {
     Noise::beside(terms, trial.objective.data, repeats, &trial.residuals())
@@ -22,7 +27,7 @@ pub fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Nois
 
 /// −2 ln L of a fitted model with penalties on its parameters and on the terms of its noise.
 pub fn criterion(trial: &CandidateModel) -> f64 {
-    minus_two_log(trial) + trial.penalty() + trial.objective.noise.price()
+    laplace::criterion(trial).unwrap_or(f64::INFINITY)
 }
 
 /// −2 ln L of a fitted model, less a constant. Repeats that happen to scatter more than what is left do not tell the
@@ -143,7 +148,12 @@ pub fn absent_readings(data: &Data) -> Vec<Description> {
 /// A term as the catalogue of effects tells one.
 pub fn description(term: &Term, data: &Data) -> Description {
     let parameter = match term.effect.size {
-        Size::Quantity(parameter) => parameter.clone(),
+        Size::Quantity(parameter) => {
+            // Of what is late by more than the file lasts it shows nothing.
+            let time = matches!(term.effect.acts, Acts::Times(_)).then(|| time_of(&*data.model.process)).flatten();
+            let along = time.map(|time| data.model.process.coordinates()[time].name.clone());
+            process::Parameter { along, ..parameter.clone() }
+        }
         size => {
             let kind = term.kind(data);
             process::Parameter::amplitude(size.key(), kind, size.about(), (0.0, f64::INFINITY))
@@ -157,6 +167,7 @@ pub fn description(term: &Term, data: &Data) -> Description {
         law: term.effect.law.into(),
         source: term.effect.source,
         belongs: Belongs::Test,
+        odds: Odds::of(ADJUSTED, "instruments are adjusted"),
         parameters: vec![parameter].into(),
         look_alikes: &[],
     }

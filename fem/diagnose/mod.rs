@@ -14,16 +14,20 @@ mod detection_limit;
 mod diagnosis;
 mod explore;
 mod failure;
+mod few_places;
 mod findings;
 mod gain;
 mod hypothesis;
 mod instrument;
+mod laplace;
 mod lead;
 mod look_alike;
+mod moves;
 mod next;
 mod null_distribution;
 mod pairs;
 mod plan;
+mod posterior;
 mod prior_conflict;
 mod residual_projection;
 mod screening;
@@ -37,8 +41,11 @@ pub use detection_limit::DetectionLimit;
 pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
 pub use next::Next;
 pub use plan::{Alike, Plan, plan};
+pub use posterior::{Believed, CERTAIN, Group, Posterior, RULED_OUT};
 pub use search::SIGNIFICANCE;
 pub use verdict::{GoodnessOfFit, Verdict};
+
+use std::cell::RefCell;
 
 use crate::fit::{self, Objective};
 use crate::model::{Data, Model};
@@ -48,11 +55,12 @@ use crate::progress::Progress;
 use explore::Exploration;
 use failure::unsolvable;
 use hypothesis::Hypothesis;
-use search::{Breadth, Extent};
+use posterior::Visit;
+use search::Extent;
 use settle::look_until_settled;
 
 /// Most effects that are sought together, unless told otherwise.
-pub const MOST_EFFECTS: usize = 3;
+pub const MOST_EFFECTS: usize = 6;
 
 /// Number of rows beyond which they are thinned: more rows tell causes apart no better than needed, and the
 /// time of the search grows with them.
@@ -80,7 +88,7 @@ pub fn thinned<'m>(data: &Data<'m>) -> Option<Data<'m>> {
 fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     progress.expect(1);
     let repeats = data.repeats();
-    let extent = Extent { most, breadth: Breadth::USUAL, deepens: true, known: &[], progress };
+    let extent = Extent { most, deepens: true, known: &[], progress };
     let absent = [absent(data.model), instrument::absent_readings(data)].concat();
     let mut objective = Objective::new(data)?;
     let mut solution = fit::best(&mut objective)?;
@@ -101,9 +109,12 @@ fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
         found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     }
     let first = Hypothesis::new(found, within);
-    let exploration = Exploration { start: &solution, absent: &absent, repeats, most, progress };
+    let visits = RefCell::new(Visit::all(&first.found));
+    let exploration = Exploration { start: &solution, absent: &absent, repeats, most, progress, visits: &visits };
     let hypotheses = progress.stretch("under which noise to search", || exploration.weigh(first))?;
-    let diagnosis = progress.stretch("conclusion, intervals included", || conclude::conclude(hypotheses, &conflicts));
+    let posterior = Posterior::new(&visits.take());
+    let conclude = || conclude::conclude(hypotheses, &conflicts, posterior);
+    let diagnosis = progress.stretch("conclusion, intervals included", conclude);
     progress.advance(1);
     diagnosis
 }

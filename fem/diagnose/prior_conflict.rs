@@ -53,9 +53,9 @@ pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usi
         true => EQUAL_FIT,
         false => -EQUAL_FIT,
     };
-    let is_better = |trial: &CandidateModel| trial.penalised_bic() < best.penalised_bic() + margin(trial);
+    let is_better = |trial: &CandidateModel| trial.bic() < best.bic() + margin(trial);
     released.retain(|(_, trial)| is_better(trial) && is_explained(trial, repeats));
-    let (i, trial) = released.into_iter().min_by(|a, b| a.1.penalised_bic().total_cmp(&b.1.penalised_bic()))?;
+    let (i, trial) = released.into_iter().min_by(|a, b| a.1.bic().total_cmp(&b.1.bic()))?;
     let variable = &trial.objective.variables[i];
     let parameter = trial.objective.parameters[i].clone();
     Some((i, PriorConflict { parameter, asked: variable.value(trial.solution.position[i]) }))

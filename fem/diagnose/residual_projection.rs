@@ -27,12 +27,16 @@ impl ProjectedResidual {
     /// Projects the residual of a solution; `None` where the model cannot be computed beside it.
     pub fn new(objective: &mut Objective, solution: &Solution) -> Option<Self> {
         let jacobian = objective.jacobian(solution)?;
+        Some(Self::beside(objective, jacobian, objective.residuals(&solution.position, &solution.predicted)))
+    }
+
+    /// Projects a residual beside a Jacobian.
+    pub fn beside(objective: &Objective, jacobian: DMatrix<f64>, residual: DVector<f64>) -> Self {
         let tangent = orthonormal(&with_blind(objective, jacobian));
-        let residual = objective.residuals(&solution.position, &solution.predicted);
         let fixed = tangent.ncols() + objective.noise.free_directions();
         let freedom = residual.len().saturating_sub(fixed) as f64;
         let residual = project(&tangent, residual);
-        Some(Self { tangent, residual, freedom })
+        Self { tangent, residual, freedom }
     }
 
     /// Projects what the free parameters can imitate out of a vector.

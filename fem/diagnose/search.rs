@@ -1,63 +1,71 @@
-//! Searches for the missing effects: sets of effects grow while the gain is more than chance gives (beam
-//! search).
+//! Searches the sets of effects that are worth believing.
 //!
-//! Forward selection, the best effect and then the next best, picks wrong pairs where sensitivities are
-//! alike. So several sets of every size are re-fitted with all parameters free; all pairs are screened, and
-//! larger sets grow from the best of the smaller ones.
+//! Forward selection, the best effect and then the next best, picks wrong sets where sensitivities are alike, and the best
+//! set alone is no answer where several say as much. So sets compete by their posterior weight: from every set near the
+//! best the search goes on to sets with an effect more, less or exchanged, by the linear model about it, and fits those
+//! that promise to be near the best; everything visited is kept.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::candidate_model::CandidateModel;
-use super::lead::{Lead, fit_from, is_worth_a_fit, leads, refit, together, without};
+use super::candidate_model::{CandidateModel, Weighed};
+use super::laplace;
+use super::lead::bare;
+use super::moves::{self, Move, Reach, SEARCHING};
 use super::null_distribution::{MaxStatistic, Variance};
-use super::pairs;
 use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
-use super::sensitivity::CandidateEffect;
+use super::sensitivity::{self, CandidateEffect};
+use crate::fit::resume;
 use crate::progress::Progress;
 
-/// Significance level: a set grows when chance alone gives as much in a smaller part of searches.
+/// Significance level: an effect is told when chance alone gives as much in a smaller part of searches.
 pub const SIGNIFICANCE: f64 = 0.01;
-/// Breadth of the search.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Breadth {
-    /// Number of sets from which larger ones grow (beam width).
-    beam: usize,
-    /// Number of sets that are re-fitted.
-    refitted: usize,
-}
 
-impl Breadth {
-    /// Breadth that is enough as a rule.
-    pub const USUAL: Self = Self { beam: 6, refitted: 12 };
-    /// Breadth where the usual one left structure: strong effects that are far from linear hide behind
-    /// others.
-    pub const WIDE: Self = Self { beam: 20, refitted: 60 };
-}
+/// Rise of the criterion from the best set up to which sets are visited: all beyond it together weigh less than a hundredth.
+const WINDOW: f64 = 12.0;
+/// Rise of the criterion up to which a set is left by two effects at once.
+const NEAR: f64 = 4.0;
+/// Rise of the criterion up to which a set of fewer effects is told in the place of the most probable one: what nine times
+/// of ten is there is told by its probability.
+pub const PLAINER: f64 = 4.6;
+/// Rise of the criterion from the best set beyond which a fit is not brought to its end.
+const HOPELESS: f64 = 60.0;
+/// Probability of all sets that are told together, and how many are told at most.
+pub const TOLD: f64 = 0.95;
+pub const MOST_TOLD: usize = 20;
+/// Sets that are left, and moves that are fitted, together.
+const TOGETHER: usize = 8;
+/// Rounds of moves that bring less than this part of the weight of all sets, after which a search ends.
+const IDLE: usize = 3;
+const NEWS: f64 = 0.02;
+/// Most sets that are fitted.
+const MOST_FITS: usize = 400;
+/// Sets of every size that are left, and moves of each that are made, where nothing near the best is left to do.
+const ELSEWHERE: usize = 3;
+/// Fall of the criterion that a move must promise for a set to be fitted once more, and how often it is fitted at most.
+const DEEPER: f64 = 6.0;
+const MOST_TIMES: usize = 4;
+/// Most times that the sensitivities are made anew.
+const MOST_LOOKS: usize = 6;
 
 /// How far a search goes, and what it knows beforehand.
 #[derive(Clone, Copy)]
 pub struct Extent<'e, 'a> {
     /// Most effects that are sought together.
     pub most: usize,
-    /// Breadth.
-    pub breadth: Breadth,
     /// Whether the best set, where it leaves structure, is brought to the deepest minimum that the profiles of
     /// its parameters come upon: as dear as the search itself.
     pub deepens: bool,
     /// Sets that an earlier search has fitted, under another noise.
-    pub known: &'e [CandidateModel<'a>],
+    pub known: &'e [Weighed<'a>],
     /// Where progress is told.
     pub progress: &'e Progress,
 }
 
 /// Stretch of the null distributions.
 const CHANCE: &str = "what chance gives";
-
-/// Most rounds in which an effect of a set is exchanged.
-const EXCHANGES: usize = 4;
 
 /// Result of a search.
 #[derive(Clone)]
@@ -68,12 +76,12 @@ pub struct SearchResult<'a> {
     pub candidates: Vec<CandidateEffect>,
     /// Most effects that were sought together.
     pub most: usize,
-    /// Best set of each size, as long as the gain was significant.
+    /// Best set of each size, up to that of the best of all.
     pub steps: Vec<CandidateModel<'a>>,
     /// Model with each candidate effect alone, where it can be computed.
     pub singles: Vec<Option<CandidateModel<'a>>>,
-    /// All candidate models that were fitted.
-    pub tried: Vec<CandidateModel<'a>>,
+    /// All sets that were fitted, the most probable first.
+    pub tried: Vec<Weighed<'a>>,
     /// Null distribution of the gain of the first effect.
     pub first_null_distribution: MaxStatistic,
     /// Null distribution of the gain of one effect more, on the last set.
@@ -81,9 +89,23 @@ pub struct SearchResult<'a> {
 }
 
 impl<'a> SearchResult<'a> {
-    /// Best set; the model itself where nothing was found.
+    /// Most probable set; the model itself where nothing was found.
     pub fn best(&self) -> &CandidateModel<'a> {
         self.steps.last().unwrap_or(&self.base)
+    }
+
+    /// The most probable sets, which together hold nearly all of the probability under this noise.
+    pub fn credible(&self) -> &[Weighed<'a>] {
+        let least = self.tried.first().map_or(0.0, |best| best.criterion);
+        let weight = |set: &Weighed| (0.5 * (least - set.criterion)).exp();
+        let whole: f64 = self.tried.iter().map(weight).sum();
+        let mut told = 0.0;
+        let is_credible = |set: &&Weighed| {
+            told += weight(set);
+            told - weight(set) < TOLD * whole
+        };
+        let count = self.tried.iter().take(MOST_TOLD).take_while(is_credible).count();
+        &self.tried[..count]
     }
 }
 
@@ -95,215 +117,324 @@ pub fn search<'a>(
     variance: Variance,
     extent: Extent<'_, 'a>,
 ) -> Option<SearchResult<'a>> {
-    let Extent { most, breadth, known, progress, .. } = extent;
-    let everyone: Vec<&CandidateEffect> = candidates.iter().collect();
-    let projected = ProjectedResidual::new(&mut base.objective.clone(), &base.solution)?;
-    let (screening, first_null_distribution) = progress.stretch(CHANCE, || {
-        let screening = Screening::new(&projected, &everyone);
-        let first = MaxStatistic::simulate(&screening, projected.freedom, variance);
-        (screening, first)
-    });
-    let mut null_distribution = first_null_distribution.clone();
-    // The map keeps an order, so that the same data always give the same answer.
-    let mut tried: BTreeMap<Vec<usize>, CandidateModel<'a>> = BTreeMap::new();
-    let mut beam = vec![base.clone()];
-    let mut steps: Vec<CandidateModel<'a>> = Vec::new();
-    let mut singles = Vec::new();
-    progress.expect(most as u64);
-    for size in 1..=most.max(1) {
-        if size > 1 && !progress.permits(&format!("sets of {size} effects")) {
-            break;
-        }
-        let mut leads = progress.stretch("sets worth fitting", || {
-            let mut leads: Vec<Lead> = beam.par_iter().flat_map_iter(|parent| leads(parent, &candidates)).collect();
-            if size == 2 {
-                let pairs = pairs::pairs(&screening);
-                for lead in &mut leads {
-                    lead.look_at(&pairs, &base, projected.residual.norm_squared(), &candidates);
-                }
-            }
-            leads
-        });
-        leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
-        let mut seen = BTreeSet::new();
-        leads.retain(|lead| seen.insert(lead.key()));
-        leads.truncate(if size == 1 { usize::MAX } else { breadth.refitted });
-        let fits = if size == 1 { "fits of one effect" } else { "fits of larger sets" };
-        let fitted: Vec<CandidateModel<'a>> =
-            progress.stretch(fits, || leads.par_iter().filter_map(|lead| refit(lead, &candidates, known)).collect());
-        drop(leads);
-        if size == 1 {
-            let of = |i: usize| fitted.iter().find(|t| t.members == [i]).cloned();
-            singles = (0..candidates.len()).map(of).collect();
-        }
-        beam = fitted.clone();
-        beam.sort_by(|a, b| a.penalised_bic().total_cmp(&b.penalised_bic()));
-        tried.extend(beam.iter().map(|t| (t.key(), t.clone())));
-        let Some(mut best) = beam.first().cloned() else { break };
-        if size > 1 {
-            beam.truncate(breadth.beam);
-            let exchanged = || exchange(&base, &candidates, best, &mut tried, extent);
-            best = progress.stretch("exchanges of effects", exchanged);
-            tried.insert(best.key(), best.clone());
-            beam.insert(0, best.clone());
-            beam.dedup_by_key(|t| t.key());
-        }
-        let before = steps.last().unwrap_or(&base);
-        if !grows(before, &fitted, &best, &null_distribution, variance, candidates.len()) {
-            break;
-        }
-        steps.push(best.clone());
-        progress.advance(1);
-        let beside = progress.stretch(CHANCE, || {
-            let projected = ProjectedResidual::new(&mut best.objective.clone(), &best.solution)?;
-            let others = candidates.iter().enumerate().filter(|(i, _)| !best.members.contains(i)).map(|(_, c)| c);
-            let others = Screening::new(&projected, &others.collect::<Vec<_>>());
-            Some(MaxStatistic::simulate(&others, projected.freedom, variance))
-        });
-        let Some(beside) = beside else { break };
-        null_distribution = beside;
-    }
-    progress.advance((most.max(1) - steps.len()) as u64);
-    let left_out = || prune(&base, &candidates, &mut steps, &tried, &null_distribution, variance);
-    progress.stretch("effects left out again", left_out);
-    Some(SearchResult {
-        base,
-        candidates,
-        most,
-        steps,
-        singles,
-        tried: tried.into_values().collect(),
-        first_null_distribution,
-        null_distribution,
-    })
-}
-
-/// Leaves out effects that the best set does not need, found before others took their place (backward
-/// elimination).
-fn prune<'a>(
-    base: &CandidateModel<'a>,
-    candidates: &[CandidateEffect],
-    steps: &mut [CandidateModel<'a>],
-    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
-    null_distribution: &MaxStatistic,
-    variance: Variance,
-) {
-    let Some(best) = steps.last_mut() else { return };
-    while best.members.len() > 1 {
-        let all: Vec<_> = best.members.par_iter().filter_map(|m| smaller(base, candidates, best, *m, tried)).collect();
-        let Some(least) = all.into_iter().min_by(|a, b| a.solution.chi2.total_cmp(&b.solution.chi2)) else { return };
-        let gained = least.solution.chi2 - best.solution.chi2;
-        let p_value =
-            null_distribution.p_value(variance.statistic(gained, best.solution.chi2, best.objective.freedom()));
-        if p_value < SIGNIFICANCE && best.penalised_bic() < least.penalised_bic() {
-            return;
-        }
-        *best = least;
-    }
-}
-
-/// Whether a larger set is needed: one effect more gains more than chance gives to a search as wide, or
-/// another set gains so much that chance would not give it to any of as many; and the penalised BIC falls.
-fn grows(
-    before: &CandidateModel,
-    fitted: &[CandidateModel],
-    best: &CandidateModel,
-    null_distribution: &MaxStatistic,
-    variance: Variance,
-    candidates: usize,
-) -> bool {
-    let p_value = |larger: &CandidateModel| {
-        let gained = before.solution.chi2 - larger.solution.chi2;
-        null_distribution.p_value(variance.statistic(gained, larger.solution.chi2, larger.objective.freedom()))
+    let Extent { most, known, progress, .. } = extent;
+    let null_beside = |set: &CandidateModel| {
+        progress.stretch(CHANCE, || {
+            let projected = ProjectedResidual::new(&mut set.objective.clone(), &set.solution)?;
+            let others = candidates.iter().enumerate().filter(|(i, _)| !set.members.contains(i)).map(|(_, c)| c);
+            let screening = Screening::new(&projected, &others.collect::<Vec<_>>());
+            Some(MaxStatistic::simulate(&screening, projected.freedom, variance))
+        })
     };
-    let nested = fitted.iter().filter(|t| before.members.iter().all(|m| t.members.contains(m)));
-    let p_nested = nested.map(p_value).fold(1.0, f64::min);
-    let sets = (0..best.members.len()).map(|i| (candidates - i) as f64 / (i + 1) as f64).product::<f64>();
-    let p_other = p_value(best) * sets / (candidates - before.members.len()).max(1) as f64;
-    p_nested.min(p_other) < SIGNIFICANCE && best.penalised_bic() < before.penalised_bic()
-}
-
-/// Exchanges one effect of a set for another, or for itself in another variant, or two for themselves in
-/// other variants, as long as the set becomes better by it.
-fn exchange<'a>(
-    base: &CandidateModel<'a>,
-    candidates: &[CandidateEffect],
-    mut best: CandidateModel<'a>,
-    tried: &mut BTreeMap<Vec<usize>, CandidateModel<'a>>,
-    Extent { breadth, known, .. }: Extent<'_, 'a>,
-) -> CandidateModel<'a> {
-    for _ in 0..EXCHANGES {
-        if !base.objective.data.progress.permits("exchanges of one effect for another") {
-            break;
-        }
-        let smaller: Vec<CandidateModel> =
-            best.members.par_iter().filter_map(|m| smaller(base, candidates, &best, *m, tried)).collect();
-        let mut leads: Vec<Lead> = smaller.par_iter().flat_map_iter(|parent| leads(parent, candidates)).collect();
-        let before = |lead: &Lead| tried.get(&lead.key());
-        let is_open = |lead: &Lead, known: &CandidateModel| {
-            is_worth_a_fit(&known.objective, known.solution.chi2, lead.believed(known.kept))
+    let first_null_distribution = null_beside(&base)?;
+    let mut pool = Pool {
+        base: &base,
+        is_unseen: unseen(&base, &candidates),
+        candidates: candidates.clone(),
+        most: most.max(1),
+        visited: BTreeMap::new(),
+        open: BTreeMap::new(),
+        beside: None,
+        looks: 0,
+        elsewhere: if known.is_empty() { 4 } else { 0 },
+        idle: if known.is_empty() { IDLE } else { 1 },
+    };
+    pool.visit(vec![base.clone()]);
+    progress.stretch("sets that an earlier search has found", || pool.resume(known));
+    pool.leave(&[Vec::new()], Reach::Two);
+    progress.stretch("fits of one effect", || pool.singles());
+    progress.stretch("fits of sets", || pool.explore(progress));
+    let Pool { visited, candidates, .. } = pool;
+    let single = |i: usize| visited.get(&vec![i]).map(|own| own.set.model.clone());
+    let singles = (0..candidates.len()).map(single).collect();
+    let mut tried: Vec<Weighed> = visited.into_values().map(|own| own.set).collect();
+    tried.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
+    let steps = loop {
+        let steps = plainest(&tried);
+        let Some(last) = steps.last().filter(|last| last.objective.jacobian(&last.solution).is_none()) else {
+            break steps;
         };
-        leads.retain(|lead| before(lead).is_none_or(|known| is_open(lead, known)));
-        leads.sort_by(|a, b| a.promised.total_cmp(&b.promised));
-        leads.truncate(breadth.refitted);
-        let mut fitted: Vec<CandidateModel> =
-            leads.par_iter().filter_map(|lead| refit(lead, candidates, known)).collect();
-        if best.members.len() > 2 {
-            fitted.extend(reseated(base, candidates, &best, tried));
-        }
-        fitted.sort_by(|a, b| a.penalised_bic().total_cmp(&b.penalised_bic()));
-        // The next search under such a noise need not fit them again.
-        for set in &fitted {
-            let chi2 = tried.get(&set.key()).map_or(f64::INFINITY, |t| t.solution.chi2);
-            if set.solution.chi2 < chi2 {
-                tried.insert(set.key(), set.clone());
+        // On the edge of where the model can be computed nothing can be said about its values.
+        let edge = last.key();
+        tried.retain(|set| set.model.key() != edge);
+    };
+    let null_distribution = match steps.last() {
+        Some(best) => null_beside(best).unwrap_or_else(|| first_null_distribution.clone()),
+        None => first_null_distribution.clone(),
+    };
+    Some(SearchResult { base, candidates, most, steps, singles, tried, first_null_distribution, null_distribution })
+}
+
+/// Whether each candidate is nothing that these data could show at a usual size, for the parameters of the model itself
+/// take it up beside a set, or it is less than the noise.
+fn unseen(set: &CandidateModel, candidates: &[CandidateEffect]) -> Vec<bool> {
+    /// χ² below which all rows together do not show it.
+    const LEAST: f64 = 1.0;
+    let Some(jacobian) = moves::jacobian(set) else { return vec![false; candidates.len()] };
+    let own = jacobian.columns(0, set.objective.data.model.parameters.len()).into_owned();
+    let residual = set.objective.residuals(&set.solution.position, &set.solution.predicted);
+    let projected = ProjectedResidual::beside(&set.objective, own, residual);
+    let is_unseen = |candidate: &CandidateEffect| {
+        candidate.variants.iter().all(|v| v.largest_chi2(&projected.project_columns(&v.columns)) < LEAST)
+    };
+    candidates.par_iter().map(is_unseen).collect()
+}
+
+/// Best set of each size, up to the smallest that is told in the place of the most probable one.
+fn plainest<'a>(tried: &[Weighed<'a>]) -> Vec<CandidateModel<'a>> {
+    let near = tried.first().map_or(0.0, |best| best.criterion) + PLAINER;
+    let size = tried.iter().take_while(|set| set.criterion <= near).map(|set| set.model.members.len()).min();
+    let of_size = |size: usize| tried.iter().find(|set| set.model.members.len() == size).map(|set| set.model.clone());
+    (1..=size.unwrap_or(0)).filter_map(of_size).collect()
+}
+
+/// A set that was fitted, and how far it was left.
+struct Visited<'a> {
+    set: Weighed<'a>,
+    left: Option<Reach>,
+    /// How often it was fitted.
+    fits: usize,
+}
+
+/// A move that nobody has made yet, with the set from which it goes and the criterion that it promises.
+struct Open {
+    promised: f64,
+    from: Vec<usize>,
+    to: Move,
+}
+
+/// Sets that were visited, and moves that are open. Maps keep an order, so that the same data always give the same answer.
+struct Pool<'p, 'a> {
+    base: &'p CandidateModel<'a>,
+    candidates: Vec<CandidateEffect>,
+    most: usize,
+    visited: BTreeMap<Vec<usize>, Visited<'a>>,
+    open: BTreeMap<Vec<usize>, Open>,
+    /// The set beside which the sensitivities of the others were made, and how often.
+    beside: Option<Vec<usize>>,
+    looks: usize,
+    /// Whether each candidate is nothing that these data could show beside the model, whatever else there is: what the
+    /// model's own freedom takes up, or too small at any usual size. Such an effect is as probable as its odds say, and has
+    /// no place in sets.
+    is_unseen: Vec<bool>,
+    /// Rounds of looking elsewhere that are left.
+    elsewhere: usize,
+    /// Idle rounds after which it ends: of what an earlier search has found little is new.
+    idle: usize,
+}
+
+impl<'a> Pool<'_, 'a> {
+    /// Smallest criterion of all that were visited.
+    fn best(&self) -> f64 {
+        self.visited.values().map(|own| own.set.criterion).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Weight of all that were visited, of a set with this criterion one.
+    fn weight(&self, criterion: f64) -> f64 {
+        self.visited.values().map(|own| (0.5 * (criterion - own.set.criterion)).exp()).sum()
+    }
+
+    fn visit(&mut self, sets: Vec<CandidateModel<'a>>) {
+        let weigh = |model: CandidateModel<'a>| Some(Weighed { criterion: laplace::criterion(&model)?, model });
+        let weighed: Vec<Weighed> = sets.into_par_iter().filter_map(weigh).collect();
+        for set in weighed {
+            let key = set.model.key();
+            self.open.remove(&key);
+            match self.visited.get_mut(&key) {
+                Some(own) if own.set.criterion - DEEPER <= set.criterion => {
+                    // Where what was promised is not kept, the linear model is of no use.
+                    own.fits = MOST_TIMES;
+                    if set.criterion < own.set.criterion {
+                        own.set = set;
+                    }
+                }
+                Some(own) => *own = Visited { set, left: None, fits: own.fits + 1 },
+                None => drop(self.visited.insert(key, Visited { set, left: None, fits: 1 })),
             }
         }
-        let Some(better) = fitted.into_iter().next() else { break };
-        if better.penalised_bic() >= best.penalised_bic() {
-            break;
-        }
-        best = better;
     }
-    best
-}
 
-/// Re-fits a set with every two of its effects started in the variants with the largest joint gain beside
-/// the rest.
-fn reseated<'a>(
-    base: &CandidateModel<'a>,
-    candidates: &[CandidateEffect],
-    set: &CandidateModel<'a>,
-    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
-) -> Vec<CandidateModel<'a>> {
-    let members = set.key();
-    let twos: Vec<[usize; 2]> =
-        (0..members.len()).flat_map(|j| (0..j).map(move |i| [i, j])).map(|two| two.map(|i| members[i])).collect();
-    let reseat = |two: &[usize; 2]| {
-        let rest = smaller(base, candidates, set, two[0], tried)?;
-        let rest = smaller(base, candidates, &rest, two[1], tried)?;
-        let projected = ProjectedResidual::new(&mut rest.objective.clone(), &rest.solution)?;
-        let pairs = pairs::pairs(&Screening::new(&projected, &two.map(|i| &candidates[i])));
-        let pair = pairs.get(&(0, 1))?;
-        let believed = rest.solution.chi2 - set.kept * pair.delta_chi2();
-        if !is_worth_a_fit(&set.objective, set.solution.chi2, believed) {
-            return None;
+    /// Goes on from sets that an earlier search has found under another noise.
+    fn resume(&mut self, known: &[Weighed<'a>]) {
+        let under = |earlier: &Weighed<'a>| {
+            let members = earlier.model.members.clone();
+            let mut objective = self.base.objective.clone();
+            for member in &members {
+                objective = objective.with(&self.candidates[*member].effect);
+            }
+            let mut solution = earlier.model.solution.clone();
+            solution.chi2 = objective.residuals(&solution.position, &solution.predicted).norm_squared();
+            let model = CandidateModel { members, objective, solution };
+            Some(Weighed { criterion: laplace::criterion(&model)?, model })
+        };
+        let all: Vec<Weighed> =
+            known.par_iter().filter(|set| !set.model.members.is_empty()).filter_map(under).collect();
+        let most = all.iter().map(|set| set.criterion).fold(f64::INFINITY, f64::min) + WINDOW;
+        let again = |Weighed { mut model, criterion }: Weighed<'a>| {
+            if criterion < most || model.members.len() == 1 {
+                model.solution = resume(&mut model.objective, model.solution, SEARCHING);
+            }
+            model
+        };
+        let sets = all.into_par_iter().map(again).collect();
+        self.visit(sets);
+    }
+
+    /// Opens the moves from some sets.
+    fn leave(&mut self, keys: &[Vec<usize>], reach: Reach) {
+        let of = |key: &Vec<usize>| {
+            let set = &self.visited.get(key)?.set;
+            Some((key.clone(), moves::moves(&set.model, &self.candidates, &self.is_unseen, (self.most, reach))))
+        };
+        let all: Vec<(Vec<usize>, Vec<Move>)> = keys.par_iter().filter_map(of).collect();
+        for (from, moves) in all {
+            let Some(here) = self.visited.get_mut(&from) else { continue };
+            here.left = Some(reach);
+            let here = &self.visited[&from].set;
+            let open: Vec<(f64, Move)> = moves.into_iter().map(|to| (self.promised(here, &to), to)).collect();
+            for (promised, to) in open {
+                let is_done = |own: &Visited| own.fits == MOST_TIMES || promised > own.set.criterion - DEEPER;
+                let is_worse = |own: &Open| own.promised <= promised;
+                if self.visited.get(&to.key).is_some_and(is_done) || self.open.get(&to.key).is_some_and(is_worse) {
+                    continue;
+                }
+                self.open.insert(to.key.clone(), Open { promised, from: from.clone(), to });
+            }
         }
-        let start = together(&rest, pair, *two, candidates);
-        let objective = rest.objective.with(&candidates[two[0]].effect).with(&candidates[two[1]].effect);
-        fit_from(&rest, two, objective, [start], None)
-    };
-    twos.par_iter().filter_map(reseat).collect()
-}
+    }
 
-/// The set without one of its members, as it was tried before or fitted now.
-fn smaller<'a>(
-    base: &CandidateModel<'a>,
-    candidates: &[CandidateEffect],
-    set: &CandidateModel<'a>,
-    member: usize,
-    tried: &BTreeMap<Vec<usize>, CandidateModel<'a>>,
-) -> Option<CandidateModel<'a>> {
-    let rest: Vec<usize> = set.key().into_iter().filter(|m| *m != member).collect();
-    tried.get(&rest).cloned().or_else(|| without(base, candidates, set, member))
+    /// The criterion of a set to which a move leads, by what it promises.
+    fn promised(&self, from: &Weighed, to: &Move) -> f64 {
+        self.criterion_at(to.promised.max(1e-3 * from.model.solution.chi2), from, to)
+    }
+
+    /// The criterion of a set to which a move leads, were its χ² this.
+    fn criterion_at(&self, chi2: f64, from: &Weighed, to: &Move) -> f64 {
+        let was = from.model.solution.chi2;
+        let rise = laplace::misfit(&from.model, chi2) - laplace::misfit(&from.model, was);
+        let price = |member: &usize| laplace::usual_price(&self.candidates[*member].effect);
+        from.criterion + rise + to.added.iter().map(price).sum::<f64>() - to.dropped.iter().map(price).sum::<f64>()
+    }
+
+    /// Fits every effect alone.
+    fn singles(&mut self) {
+        let single = |key: &&Vec<usize>| key.len() == 1;
+        let keys: Vec<Vec<usize>> = self.open.keys().filter(single).cloned().collect();
+        self.make(&keys);
+    }
+
+    /// Makes open moves.
+    fn make(&mut self, keys: &[Vec<usize>]) {
+        let moves: Vec<Open> = keys.iter().filter_map(|key| self.open.remove(key)).collect();
+        let most = self.best() + HOPELESS;
+        let fit = |open: &Open| {
+            let from = &self.visited[&open.from].set;
+            let is_hopeful = |chi2: f64| self.criterion_at(chi2, from, &open.to) < most;
+            moves::fit(self.base, &from.model, &open.to, &self.candidates, is_hopeful)
+        };
+        let fitted = moves.par_iter().filter_map(fit).collect();
+        self.visit(fitted);
+    }
+
+    /// Makes the sensitivities of absent effects anew beside the best set, where that is another one than before: some
+    /// act only where others do. Whether there is anything new to leave.
+    fn look_from_the_best(&mut self) -> bool {
+        let best = self.visited.values().min_by(|a, b| a.set.criterion.total_cmp(&b.set.criterion));
+        let Some(best) = best.map(|own| &own.set.model) else { return false };
+        if best.members.is_empty() || self.beside.as_ref() == Some(&best.key()) || self.looks == MOST_LOOKS {
+            return false;
+        }
+        let beside = |number: usize| {
+            let effect = std::slice::from_ref(&self.candidates[number].effect);
+            let rest = match best.members.contains(&number) {
+                true => bare(self.base, &self.candidates, best, number)?,
+                false => best.clone(),
+            };
+            sensitivity::candidates(&rest.objective, &rest.solution, effect).pop()
+        };
+        let anew: Vec<Option<CandidateEffect>> = (0..self.candidates.len()).into_par_iter().map(beside).collect();
+        self.beside = Some(best.key());
+        self.looks += 1;
+        for (candidate, anew) in self.candidates.iter_mut().zip(anew) {
+            if let Some(anew) = anew.filter(|anew| !anew.variants.is_empty()) {
+                *candidate = anew;
+            }
+        }
+        let is_unseen = unseen(best, &self.candidates);
+        self.is_unseen.iter_mut().zip(is_unseen).for_each(|(own, anew)| *own &= anew);
+        self.open.clear();
+        let most = self.best() + WINDOW;
+        self.visited.values_mut().filter(|own| own.set.criterion < most).for_each(|own| own.left = None);
+        true
+    }
+
+    /// Follows the most promising moves from the best sets of every size, however far behind they are, once for each: the
+    /// best of all may stand in a valley of its own. Whether there were any.
+    fn look_elsewhere(&mut self) -> bool {
+        let mut keys: Vec<Vec<usize>> = Vec::new();
+        for size in 1..=self.most {
+            let of_size = self.visited.iter().filter(|(key, own)| key.len() == size && own.left != Some(Reach::Two));
+            let mut sets: Vec<(f64, &Vec<usize>)> = of_size.map(|(key, own)| (own.set.criterion, key)).collect();
+            sets.sort_by(|a, b| a.0.total_cmp(&b.0));
+            keys.extend(sets.into_iter().take(ELSEWHERE).map(|(_, key)| key.clone()));
+        }
+        keys.truncate(self.elsewhere * TOGETHER);
+        self.elsewhere = 0;
+        self.leave(&keys, Reach::Two);
+        let mut chosen: Vec<Vec<usize>> = Vec::new();
+        for key in keys {
+            let from = self.visited[&key].set.criterion;
+            let mut moves: Vec<&Open> =
+                self.open.values().filter(|open| open.from == key && open.promised < from).collect();
+            moves.sort_by(|a, b| a.promised.total_cmp(&b.promised));
+            chosen.extend(moves.iter().take(ELSEWHERE).map(|open| open.to.key.clone()));
+        }
+        self.make(&chosen);
+        !chosen.is_empty()
+    }
+
+    /// Visits all sets that may be near the best.
+    fn explore(&mut self, progress: &Progress) {
+        let (mut fits, mut idle) = (0, 0);
+        while fits < MOST_FITS && progress.permits("further sets of effects") {
+            let best = self.best();
+            let far = |left: Option<Reach>, criterion: f64| match left {
+                None => criterion < best + WINDOW,
+                Some(Reach::One) => criterion < best + NEAR,
+                Some(Reach::Two) => false,
+            };
+            let mut near: Vec<(f64, Vec<usize>)> = self
+                .visited
+                .iter()
+                .filter(|(_, own)| far(own.left, own.set.criterion))
+                .map(|(key, own)| (own.set.criterion, key.clone()))
+                .collect();
+            near.sort_by(|a, b| a.0.total_cmp(&b.0));
+            near.truncate(TOGETHER);
+            let (two, one): (Vec<_>, Vec<_>) = near.into_iter().partition(|(criterion, _)| *criterion < best + NEAR);
+            let keys = |sets: Vec<(f64, Vec<usize>)>| sets.into_iter().map(|(_, key)| key).collect::<Vec<_>>();
+            let (two, one) = (keys(two), keys(one));
+            self.leave(&two, Reach::Two);
+            self.leave(&one, Reach::One);
+            let mut promising: Vec<(f64, Vec<usize>)> = self
+                .open
+                .values()
+                .filter(|o| o.promised < best + WINDOW)
+                .map(|o| (o.promised, o.to.key.clone()))
+                .collect();
+            promising.sort_by(|a, b| a.0.total_cmp(&b.0));
+            promising.truncate(TOGETHER);
+            if idle >= self.idle || promising.is_empty() && two.is_empty() && one.is_empty() {
+                idle = 0;
+                if !self.look_from_the_best() && !self.look_elsewhere() {
+                    break;
+                }
+                continue;
+            }
+            fits += promising.len();
+            let before = self.weight(best);
+            self.make(&keys(promising));
+            idle = if self.weight(best) - before < NEWS * before { idle + 1 } else { 0 };
+        }
+    }
 }

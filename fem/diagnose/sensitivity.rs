@@ -11,10 +11,13 @@ use rayon::prelude::*;
 use crate::fit::{Objective, SearchVariable, Solution};
 use crate::input::Bounds;
 use crate::process::{Description, Neutral};
+use crate::units::PERIOD;
 
 /// Points of the grid along a single nonlinear parameter, a place, and each of several nonlinear parameters.
 const ALONE: usize = 10;
 const PLACE: usize = 16;
+/// Points of the grid along the period of a wave: neighbours are less than a turn apart at the end of the rows.
+const WAVES: usize = 24;
 const TOGETHER: usize = 6;
 
 /// Relative difference up to which an effect counts as quadratic in a parameter.
@@ -43,6 +46,8 @@ pub struct Variant {
     /// Change of every row in standard uncertainties per unit of the search variable, zeros for the priors;
     /// one column per linear parameter.
     pub columns: DMatrix<f64>,
+    /// The same in SI, of the rows alone.
+    pub raw: DMatrix<f64>,
 }
 
 /// Parameter in which an effect is linear or quadratic; at its neutral value the effect vanishes.
@@ -52,8 +57,33 @@ pub struct LinearParameter {
     pub parameter: usize,
     /// Size at which its column was computed, in the search variable.
     pub size: f64,
+    /// Largest usual size, in the search variable.
+    largest: f64,
     /// Whether the effect is quadratic in it, the same for either sign.
     is_square: bool,
+    /// Phase, by its number among the effect's parameters, at which its column was computed, where it is the amplitude of
+    /// a wave.
+    phase: Option<Phase>,
+}
+
+/// A wave of any phase is the sum of one of phase zero and one a quarter of a period on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Phase {
+    parameter: usize,
+    at: f64,
+    period: f64,
+}
+
+impl CandidateEffect {
+    /// Whether it has no shape but that of its size.
+    pub fn is_of_one_shape(&self) -> bool {
+        self.variants.len() < 2
+    }
+
+    /// Whether a parameter, by its number, switches the effect off where it is neutral.
+    pub fn is_linear(&self, parameter: usize) -> bool {
+        self.effect.parameters[parameter].neutral != Neutral::Shape
+    }
 }
 
 impl LinearParameter {
@@ -61,18 +91,69 @@ impl LinearParameter {
     pub fn value(&self, amplitude: f64) -> f64 {
         if self.is_square { (amplitude.max(0.0) * self.size).sqrt() } else { amplitude }
     }
+
+    /// The position at which its column is computed.
+    fn beside(&self, position: &[f64]) -> Vec<f64> {
+        let mut position = position.to_vec();
+        if let Some(Phase { parameter, at, .. }) = self.phase {
+            position[parameter] = at;
+        }
+        position
+    }
 }
 
 impl Variant {
+    /// χ² that it makes at the largest usual sizes of its linear parameters, by columns of which what others can imitate
+    /// is taken out.
+    pub fn largest_chi2(&self, columns: &DMatrix<f64>) -> f64 {
+        let of = |(parameter, column): (&LinearParameter, nalgebra::DVectorView<f64>)| {
+            let amount = if parameter.is_square { parameter.largest * parameter.largest } else { parameter.largest };
+            (amount * column.norm()).powi(2)
+        };
+        self.linear.iter().zip(columns.column_iter()).map(of).sum()
+    }
+
     /// Position with these amplitudes.
     pub fn position(&self, amplitudes: &[f64], variables: &[SearchVariable]) -> Vec<f64> {
         let mut position = self.position.clone();
+        let mut wave = [0.0; 2];
         for (parameter, amplitude) in self.linear.iter().zip(amplitudes) {
+            let mut value = parameter.value(*amplitude);
+            if let Some(Phase { parameter, at, period }) = parameter.phase {
+                wave[usize::from(at != 0.0)] = *amplitude;
+                let [zero, quarter] = wave;
+                value = zero.hypot(quarter);
+                position[parameter] = quarter.atan2(zero) * period / std::f64::consts::TAU;
+            }
             let variable = &variables[parameter.parameter];
-            let place = &mut position[parameter.parameter];
-            *place = (*place + parameter.value(*amplitude)).clamp(variable.low, variable.high);
+            let place = self.position[parameter.parameter] + value;
+            position[parameter.parameter] = place.clamp(variable.low, variable.high);
         }
         position
+    }
+
+    /// Slopes of the prediction of the rows over all parameters with these amplitudes, SI per unit of the search
+    /// variables; `None` where some other shape has a share in them.
+    pub fn slopes(&self, amplitudes: &[f64]) -> Option<DMatrix<f64>> {
+        let n = self.position.len();
+        let mut columns = vec![None; n];
+        for (number, parameter) in self.linear.iter().enumerate() {
+            let own = self.raw.column(number).into_owned();
+            let Some(Phase { parameter: phase, at, period }) = parameter.phase else {
+                columns[parameter.parameter] = Some(own);
+                continue;
+            };
+            if at == 0.0 {
+                let other = self.raw.column(number + 1);
+                let (zero, quarter) = (amplitudes[number], amplitudes[number + 1]);
+                let size = zero.hypot(quarter).max(f64::MIN_POSITIVE);
+                let (cos, sin) = (zero / size, quarter / size);
+                columns[parameter.parameter] = Some(&own * cos + other * sin);
+                columns[phase] = Some((other * cos - &own * sin) * (size * std::f64::consts::TAU / period));
+            }
+        }
+        let columns: Option<Vec<DVector<f64>>> = columns.into_iter().collect();
+        columns.map(|columns| DMatrix::from_columns(&columns))
     }
 }
 
@@ -82,31 +163,35 @@ pub fn candidates(objective: &Objective, base: &Solution, effects: &[Description
 }
 
 fn candidate(objective: &Objective, base: &Solution, effect: &Description) -> CandidateEffect {
-    let mut trial = objective.with(effect);
+    let trial = objective.with(effect);
     let variables = trial.variables[objective.variables.len()..].to_vec();
     if !objective.data.progress.permits(&format!("what `{}` would change", effect.name)) {
         return CandidateEffect { effect: effect.clone(), variants: Vec::new(), parameters: variables.len() };
     }
-    let mut probe = Probe { trial: &mut trial, base, variables: &variables };
+    let probe = Probe { trial: &trial, base, variables: &variables };
     let variants = probe.variants(effect);
     CandidateEffect { effect: effect.clone(), variants, parameters: variables.len() }
 }
 
 struct Probe<'a, 'm> {
-    trial: &'a mut Objective<'m>,
+    trial: &'a Objective<'m>,
     base: &'a Solution,
     variables: &'a [SearchVariable],
 }
 
 impl Probe<'_, '_> {
-    fn variants(&mut self, effect: &Description) -> Vec<Variant> {
+    fn variants(&self, effect: &Description) -> Vec<Variant> {
         let neutral: Vec<f64> = self.variables.iter().map(SearchVariable::neutral).collect();
         let nonlinear: Vec<usize> =
             (0..neutral.len()).filter(|i| effect.parameters[*i].neutral == Neutral::Shape).collect();
+        let wave = wave(effect);
+        let nonlinear: Vec<usize> =
+            nonlinear.into_iter().filter(|i| wave.is_none_or(|(_, p)| p.parameter != *i)).collect();
         let alone = nonlinear.len() == 1;
         let grid = |i: &usize| {
             let count = match effect.parameters[*i].along {
                 Some(_) => PLACE,
+                None if effect.parameters[*i].kind == PERIOD => WAVES,
                 None if alone => ALONE,
                 None => TOGETHER,
             };
@@ -120,8 +205,22 @@ impl Probe<'_, '_> {
         let grids: Vec<(usize, Vec<f64>)> = nonlinear.iter().map(grid).collect();
         let points = combinations(&grids, &neutral);
         let Some(first) = points.first() else { return Vec::new() };
-        let own = (0..neutral.len()).filter(|i| !nonlinear.contains(i));
-        let linear: Vec<LinearParameter> = own.map(|i| self.linear(first, i)).collect();
+        let own = (0..neutral.len()).filter(|i| !nonlinear.contains(i) && wave.is_none_or(|(_, p)| p.parameter != *i));
+        let of = |i: usize| match wave {
+            Some((amplitude, phase)) if amplitude == i => {
+                let size = self.size(i);
+                let at = |at: f64| LinearParameter {
+                    parameter: i,
+                    size,
+                    largest: self.largest(i),
+                    is_square: false,
+                    phase: Some(Phase { at, ..phase }),
+                };
+                vec![at(0.0), at(0.25 * phase.period)]
+            }
+            _ => vec![self.linear(first, i)],
+        };
+        let linear: Vec<LinearParameter> = own.flat_map(of).collect();
         let name = format!("shapes of `{}`", effect.name);
         let mut variants = Vec::new();
         for position in points {
@@ -135,9 +234,9 @@ impl Probe<'_, '_> {
     }
 
     /// Tries whether a parameter is linear or quadratic, at the nonlinear parameters of `at`.
-    fn linear(&mut self, at: &[f64], parameter: usize) -> LinearParameter {
+    fn linear(&self, at: &[f64], parameter: usize) -> LinearParameter {
         let variable = &self.variables[parameter];
-        let (neutral, size) = (variable.neutral(), variable.unit.min(variable.high - variable.neutral()));
+        let (neutral, size) = (variable.neutral(), self.size(parameter));
         let both = variable.low <= neutral - size;
         // The change per unit is the same from the other side if linear and opposite if quadratic; from half
         // as far it is the same, or half.
@@ -146,34 +245,63 @@ impl Probe<'_, '_> {
             (Some(far), Some(near)) => (&far - sign * &near).norm() < SQUARE * far.norm(),
             _ => false,
         };
-        LinearParameter { parameter, size, is_square }
+        LinearParameter { parameter, size, largest: self.largest(parameter), is_square, phase: None }
     }
 
-    fn variant(&mut self, effect: &Description, position: Vec<f64>, linear: &[LinearParameter]) -> Option<Variant> {
-        let columns: Vec<DVector<f64>> =
-            linear.iter().map(|s| self.column(&position, s.parameter, s.size)).collect::<Option<_>>()?;
+    /// Largest usual size of a parameter.
+    fn largest(&self, parameter: usize) -> f64 {
+        self.variables[parameter].usual.map_or(f64::INFINITY, |usual| usual.largest())
+    }
+
+    /// Step, from neutral, at which the column of a parameter is computed.
+    fn size(&self, parameter: usize) -> f64 {
+        let variable = &self.variables[parameter];
+        variable.unit.min(variable.high - variable.neutral())
+    }
+
+    fn variant(&self, effect: &Description, position: Vec<f64>, linear: &[LinearParameter]) -> Option<Variant> {
+        let raw: Vec<DVector<f64>> =
+            linear.iter().map(|s| self.change(&s.beside(&position), s.parameter, s.size)).collect::<Option<_>>()?;
         let signed = linear.iter().map(|s| {
             let entry = &effect.parameters[s.parameter];
-            entry.neutral != Neutral::Infinity && entry.bounds == Bounds::Any && !s.is_square
+            s.phase.is_some() || entry.neutral != Neutral::Infinity && entry.bounds == Bounds::Any && !s.is_square
         });
-        (!columns.is_empty()).then(|| Variant {
+        let whitened = |column: &DVector<f64>| self.trial.whiten(column.iter().copied());
+        (!raw.is_empty()).then(|| Variant {
             signed: signed.collect(),
             linear: linear.to_vec(),
-            columns: DMatrix::from_columns(&columns),
+            columns: DMatrix::from_columns(&raw.iter().map(whitened).collect::<Vec<_>>()),
+            raw: DMatrix::from_columns(&raw),
             position,
         })
     }
 
-    /// Change of the standardised prediction per unit of one linear parameter, from neutral to `step` beside
-    /// it.
-    fn column(&mut self, position: &[f64], parameter: usize, step: f64) -> Option<DVector<f64>> {
+    /// Change of the standardised prediction per unit of one linear parameter, from neutral to `step` beside it.
+    fn column(&self, position: &[f64], parameter: usize, step: f64) -> Option<DVector<f64>> {
+        let change = self.change(position, parameter, step)?;
+        Some(self.trial.whiten(change.iter().copied()))
+    }
+
+    /// Change of the prediction per unit of one linear parameter, from neutral to `step` beside it, SI.
+    fn change(&self, position: &[f64], parameter: usize, step: f64) -> Option<DVector<f64>> {
         let mut moved = position.to_vec();
         moved[parameter] += step;
         let own = self.base.position.iter().copied();
         let there = DVector::from_iterator(own.len() + moved.len(), own.chain(moved));
         let predicted = self.trial.predict(&there)?;
-        Some(self.trial.whiten(predicted.iter().zip(&self.base.predicted).map(|(p, q)| (p - q) / step)))
+        let changes = predicted.iter().zip(&self.base.predicted).map(|(p, q)| (p - q) / step);
+        Some(DVector::from_iterator(predicted.len(), changes))
     }
+}
+
+/// Amplitude and phase of an effect that is a wave, by their numbers.
+fn wave(effect: &Description) -> Option<(usize, Phase)> {
+    let phase = effect.parameters.iter().position(|p| p.period.is_some() && p.neutral == Neutral::Shape)?;
+    let mut amplitudes = (0..effect.parameters.len()).filter(|i| effect.parameters[*i].neutral != Neutral::Shape);
+    let amplitude = amplitudes.next().filter(|_| amplitudes.next().is_none())?;
+    let entry = &effect.parameters[phase];
+    let period = entry.kind.to_si(entry.period?);
+    Some((amplitude, Phase { parameter: phase, at: 0.0, period }))
 }
 
 /// Makes every combination of the grids' values, all else as in `at`.

@@ -68,8 +68,7 @@ fn look_again<'a>(
     let left = found.best().objective.residual_noise(&found.best().solution);
     let settled = left.is_about(&objective.noise, SETTLED);
     objective.noise = left;
-    let mut known = std::mem::take(&mut found.tried);
-    known.insert(0, found.best().clone());
+    let known = std::mem::take(&mut found.tried);
     let next = look(objective, solution, absent, repeats, Extent { known: &known, ..extent })?;
     Ok((next, settled))
 }
@@ -97,8 +96,7 @@ fn look<'a>(
     *solution = resume(objective, solution.clone(), StoppingCriterion::FULL);
     let sought = || sensitivity::candidates(objective, solution, absent);
     let candidates = extent.progress.stretch("what each effect would change", sought);
-    let base =
-        CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone(), kept: 1.0 };
+    let base = CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let variance = variance(&objective.noise, repeats);
     search::search(base, candidates, variance, extent).ok_or_else(unsolvable)
 }

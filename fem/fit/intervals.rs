@@ -58,11 +58,11 @@ pub struct ProfiledMinimum {
 /// The model cannot be computed beside a minimum.
 pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> Result<ProfiledMinimum, Failure> {
     let mut gone = 0;
+    let mut jacobian = objective.jacobian(&solution).ok_or_else(|| Failure {
+        message: "the model cannot be computed beside the best values".into(),
+        help: "check bounds and values".into(),
+    })?;
     loop {
-        let jacobian = objective.jacobian(&solution).ok_or_else(|| Failure {
-            message: "the model cannot be computed beside the best values".into(),
-            help: "check bounds and values".into(),
-        })?;
         let covariance = objective.covariance(&jacobian);
         // The first deeper minimum in the order of the parameters is taken, so that the same data always
         // give the same answer.
@@ -83,8 +83,12 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
             let (intervals, profiles) = walked.into_iter().map(|w| (w.0, w.2)).unzip();
             return Ok(ProfiledMinimum { solution, covariance, intervals, profiles });
         };
-        solution = minimise(objective, &deeper.position, &[], StoppingCriterion::FULL).unwrap_or(deeper);
-        gone += 1;
+        let deeper = minimise(objective, &deeper.position, &[], StoppingCriterion::FULL).unwrap_or(deeper);
+        match objective.jacobian(&deeper) {
+            Some(own) => (solution, jacobian, gone) = (deeper, own, gone + 1),
+            // On the edge of where the model can be computed nothing can be said about its values.
+            None => gone = MOST,
+        }
     }
 }
 

@@ -70,9 +70,40 @@ enum Origin {
     Mended,
 }
 
-/// Descends to a minimum. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden
-/// 1965); no search ends but on differences, its own or those by which an earlier one has ended close by.
+/// Fall of χ² for which a size may be ten times less plausible.
+const WORTH: f64 = 1.0;
+/// Most times that a size may be that.
+const DECADES: usize = 3;
+
+/// Descends to a minimum, past bounds that give way as long as each is worth it.
 fn descend(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
+    for (variable, s) in objective.variables.iter_mut().zip(&from.position) {
+        while variable.is_barred(*s) && !(variable.low..=variable.high).contains(s) {
+            variable.give_way();
+        }
+    }
+    let mut here = within_bounds(objective, from, held, stop);
+    for _ in 0..DECADES {
+        let is_barred = |i: &usize| !held.contains(i) && objective.variables[*i].is_barred(here.position[*i]);
+        let barred: Vec<usize> = (0..objective.variables.len()).filter(is_barred).collect();
+        if barred.is_empty() {
+            break;
+        }
+        let before = objective.variables.clone();
+        barred.iter().for_each(|i| objective.variables[*i].give_way());
+        let further = within_bounds(objective, here.clone(), held, stop);
+        if here.chi2 - further.chi2 < WORTH {
+            objective.variables = before;
+            break;
+        }
+        here = further;
+    }
+    here
+}
+
+/// Descends to a minimum within the bounds. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden
+/// 1965); no search ends but on differences, its own or those by which an earlier one has ended close by.
+fn within_bounds(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
     let mut here = from;
     let earlier = here.slopes.take().filter(|_| held.is_empty());
     let mut known = earlier.as_ref().map(|slopes| (objective.jacobian_of(slopes, &here.position), Origin::Earlier));
@@ -137,8 +168,6 @@ fn evaluate(objective: &mut Objective, position: DVector<f64>) -> Option<Solutio
 /// Trials of the damping, with a Jacobian by differences and with a mended one.
 const TRIALS: usize = 25;
 const MENDED_TRIALS: usize = 2;
-/// Damping up to which a step is about as long as without.
-const LITTLE: f64 = 1e-2;
 /// Part of the promised fall of χ² from which a Jacobian is mended and kept.
 const AS_PROMISED: f64 = 0.5;
 
@@ -200,7 +229,7 @@ impl Slope<'_> {
                     *damping = (*damping * 0.2).max(1e-12);
                     return Descent::Lower(Step { to, promised });
                 }
-                if *damping <= LITTLE && promised.abs() <= least {
+                if promised.abs() <= least {
                     return Descent::Settled;
                 }
             }

@@ -16,7 +16,7 @@ pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
 pub use least_squares::{StoppingCriterion, minimise, resume};
 pub use objective::{Objective, Solution, Trials};
-pub use search_variable::SearchVariable;
+pub use search_variable::{SearchVariable, Usual};
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
 

@@ -12,7 +12,7 @@ use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource};
 use crate::process::{self, Active, Description, Failure, ForwardModel, Holds, Rows};
-use crate::units::{Knowledge, Quantity};
+use crate::units::{Knowledge, PERIOD, Quantity, TIME};
 
 /// χ² as a function of the search variables: the parameters that the model does not know exactly, and every
 /// parameter of candidate effects that are added to it.
@@ -131,6 +131,10 @@ impl<'a> Objective<'a> {
 
     /// Extent, along its coordinate, of the places that were measured or can be felt, SI.
     fn extent(&self, entry: &process::Parameter) -> Option<(f64, f64)> {
+        if entry.kind == PERIOD {
+            let (shortest, longest) = (entry.kind.to_si(entry.range.0), entry.kind.to_si(entry.range.1));
+            return self.only_span().filter(|span| (shortest..longest).contains(span)).map(|span| (shortest, span));
+        }
         if let Some(reach) = entry.along.as_ref().and_then(|along| self.data.model.system.reach(along)) {
             return Some(reach);
         }
@@ -146,6 +150,22 @@ impl<'a> Objective<'a> {
             _ => ends(&self.data.model.system.resolved(&self.data.rows)),
         };
         (low < high).then_some((low, high))
+    }
+
+    /// Span of the times where the rows differ in nothing else (s): of a longer wave a piece is seen, and any bow is a piece
+    /// of some wave.
+    pub fn only_span(&self) -> Option<f64> {
+        let coordinates = self.data.model.process.coordinates();
+        let span = |i: usize| {
+            let column = &self.data.rows.columns[i];
+            let ends = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+            ends.1 - ends.0
+        };
+        let varying: Vec<usize> = self.data.given.iter().copied().filter(|i| span(*i) > 0.0).collect();
+        match varying[..] {
+            [time] if coordinates[time].holds.kind() == Some(TIME) => Some(span(time)),
+            _ => None,
+        }
     }
 
     /// Catalogue entry of a parameter, if it belongs to an effect.

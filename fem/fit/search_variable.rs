@@ -20,6 +20,63 @@ pub struct SearchVariable {
     pub starts: Vec<f64>,
     /// Whether it is an unknown of the set-up itself, of which no law says how many minima χ² has along it.
     pub is_surveyed: bool,
+    /// Bounds that never give way; those that are closer do where the data say so.
+    limits: (f64, f64),
+    /// What is usual, if it belongs to a candidate effect.
+    pub usual: Option<Usual>,
+}
+
+/// Soft knowledge of a parameter of a candidate effect, in the search variable s: nothing is impossible, but what is
+/// unusual costs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Usual {
+    /// A size of either sign: ln |s| is spread about a centre.
+    Size {
+        /// Centre of ln |s|.
+        centre: f64,
+        /// Standard deviation of ln |s|.
+        spread: f64,
+    },
+    /// Anything that may vanish or has no size: s is spread about a centre.
+    Place {
+        /// Centre of s.
+        centre: f64,
+        /// Standard deviation of s.
+        spread: f64,
+    },
+    /// Something that somebody has adjusted: s has a normal distribution about zero, without the tails of the others.
+    Adjusted {
+        /// Standard deviation of s.
+        spread: f64,
+    },
+}
+
+impl Usual {
+    /// Standard deviation of a normal distribution whose middle nine tenths are a range of length one.
+    const NINE_TENTHS: f64 = 0.5 / 1.645;
+    /// Standard deviation of what is equally likely within a range of length one.
+    const EVEN: f64 = 0.288_675;
+    /// Ratio of the largest to the smallest usual size where the catalogue says no smallest.
+    const DECADES: f64 = 200.0;
+
+    /// The size that is usually not surpassed.
+    pub fn largest(&self) -> f64 {
+        const BEYOND: f64 = 2.0;
+        match self {
+            Self::Size { centre, spread } => (centre + BEYOND * spread).exp(),
+            Self::Place { centre, spread } => centre.abs() + BEYOND * spread,
+            Self::Adjusted { spread } => BEYOND * spread,
+        }
+    }
+
+    fn size(smallest: f64, largest: f64) -> Self {
+        let (low, high) = (smallest.ln(), largest.ln());
+        Self::Size { centre: 0.5 * (low + high), spread: (high - low) * Self::NINE_TENTHS }
+    }
+
+    fn place(low: f64, high: f64) -> Self {
+        Self::Place { centre: 0.5 * (low + high), spread: (high - low) * Self::EVEN }
+    }
 }
 
 /// Ratio beyond the plausible range up to which a nonlinear parameter is tried.
@@ -28,8 +85,12 @@ const BEYOND: f64 = 2.0;
 /// Most times that a stiffness may be smaller than its prior value.
 const SOFTEST: f64 = 20.0;
 
-/// Largest size of a candidate effect, in terms of the largest plausible one.
-const IMPOSSIBLE: f64 = 10.0;
+/// Largest size of a candidate effect, in terms of the largest plausible one, that a fit tries before it asks whether
+/// more is worth its while, and by how much more it goes on.
+const FAR: f64 = 10.0;
+
+/// Largest size of an unknown of the model, in terms of its usual one, that a fit tries before it asks.
+const AWAY: f64 = 100.0;
 
 /// Transformation between the search variable s and the value v.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,7 +134,7 @@ impl SearchVariable {
             (None, None) => vec![usual, 0.1 * usual, 10.0 * usual],
             _ => vec![usual],
         };
-        let (low, mut high) = bounds(scale, parameter.bounds);
+        let (mut low, mut high) = bounds(scale, parameter.bounds);
         if let (Scale::Reciprocal, Some((value, _))) = (scale, prior) {
             // A prior on v levels out in 1/v, and a search that passes the crest would run away to no
             // stiffness at all.
@@ -87,12 +148,17 @@ impl SearchVariable {
             Scale::Plain => prior.map_or(usual.abs(), |p| p.1).max(f64::MIN_POSITIVE),
             Scale::Reciprocal => 1.0 / usual,
         };
+        let limits = (low, high);
+        if prior.is_none() && matches!(scale, Scale::Plain | Scale::Reciprocal) {
+            // Where the data cannot tell a search would run away.
+            (low, high) = (low.max(-AWAY * unit), high.min(AWAY * unit));
+        }
         let is_surveyed = prior.is_none() && range.is_none();
-        Self { scale, low, high, prior, unit, starts, is_surveyed }
+        Self { scale, low, high, prior, unit, starts, is_surveyed, limits, usual: None }
     }
 
     /// Makes the search variable of a parameter of a candidate effect. A nonlinear parameter stays near its
-    /// plausible range (a place within `extent`, where it was measured): far from it one effect imitates
+    /// plausible range (a place within `extent`, where it was measured, and a time no longer than that): far from it one effect imitates
     /// another, and no cause is learnt.
     pub fn of_candidate(entry: &crate::process::Parameter, extent: Option<(f64, f64)>) -> Self {
         let parameter = Parameter {
@@ -103,15 +169,36 @@ impl SearchVariable {
             span: None,
         };
         let mut variable = Self::new(&parameter, Some(entry));
+        (variable.low, variable.high) = variable.limits;
         let plausible = (entry.kind.to_si(entry.range.0), entry.kind.to_si(entry.range.1));
         if entry.neutral != Neutral::Shape {
-            let largest = IMPOSSIBLE
-                * match variable.scale {
-                    Scale::Reciprocal => 1.0 / plausible.0,
-                    Scale::From(neutral) => plausible.1 - neutral,
-                    Scale::Plain | Scale::Logarithm => plausible.1,
-                };
-            (variable.low, variable.high) = (variable.low.max(-largest), variable.high.min(largest));
+            let largest = match (extent, variable.scale) {
+                (Some((low, high)), _) => high - low,
+                (None, Scale::Reciprocal) => FAR / plausible.0,
+                (None, Scale::From(neutral)) => FAR * (plausible.1 - neutral),
+                (None, Scale::Plain | Scale::Logarithm) => FAR * plausible.1,
+            };
+            let smallest = match variable.scale {
+                // As many times too small as too large: nothing can be said by an instrument that shows nothing.
+                Scale::From(neutral) => neutral * (neutral / (neutral + largest) - 1.0),
+                _ => -largest,
+            };
+            (variable.low, variable.high) = (variable.low.max(smallest), variable.high.min(largest));
+            if extent.is_some() || matches!(variable.scale, Scale::From(_)) {
+                // Later than the file lasts says nothing, and a scale that is off by more is another instrument.
+                variable.limits = (variable.low, variable.high);
+            }
+            variable.usual = Some(match (variable.scale, entry.default) {
+                (Scale::Reciprocal, _) => Usual::size(1.0 / plausible.1, 1.0 / plausible.0),
+                // It may as well be left out.
+                (Scale::Plain, Some(default)) => Usual::Place { centre: default, spread: 0.5 * plausible.1 },
+                (Scale::From(neutral), _) => {
+                    Usual::Adjusted { spread: (plausible.1 - neutral) * Usual::NINE_TENTHS * 2.0 }
+                }
+                (Scale::Logarithm, _) => Usual::place(plausible.0.ln(), plausible.1.ln()),
+                (Scale::Plain, None) if plausible.0 > 0.0 => Usual::size(plausible.0, plausible.1),
+                (Scale::Plain, None) => Usual::size(plausible.1 / Usual::DECADES, plausible.1),
+            });
             return variable;
         }
         let (low, high) = match extent {
@@ -124,8 +211,11 @@ impl SearchVariable {
         };
         let allowed = (variable.low, variable.high);
         (variable.low, variable.high) = (variable.position(low).max(allowed.0), variable.position(high).min(allowed.1));
+        variable.limits = (variable.low, variable.high);
         variable.unit = if variable.scale == Scale::Logarithm { 1.0 } else { 0.5 * (variable.high - variable.low) };
         variable.starts = extent.map_or_else(|| spread(plausible.0, plausible.1), |(low, high)| spread(low, high));
+        let ends = extent.unwrap_or(plausible);
+        variable.usual = Some(Usual::place(variable.position(ends.0), variable.position(ends.1)));
         variable
     }
 
@@ -148,6 +238,16 @@ impl SearchVariable {
             Scale::Reciprocal => 1.0 / position,
             Scale::Logarithm => position.exp(),
         }
+    }
+
+    /// Whether a bound that gives way is in the way at a position.
+    pub fn is_barred(&self, position: f64) -> bool {
+        position >= self.high && self.high < self.limits.1 || position <= self.low && self.low > self.limits.0
+    }
+
+    /// Moves the bounds further away.
+    pub fn give_way(&mut self) {
+        (self.low, self.high) = ((FAR * self.low).max(self.limits.0), (FAR * self.high).min(self.limits.1));
     }
 
     /// |dv/ds|.

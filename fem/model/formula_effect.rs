@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::formula::{Formula, FormulaError};
 use crate::input::{Bounds, Name, Reader, did_you_mean};
 use crate::process::{
-    Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Parameter, Process, formula_effect,
+    Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter, Process, formula_effect,
 };
 use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, UnitSymbol, unit_text};
 
@@ -50,6 +50,7 @@ pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active
                 law: text.into(),
                 source: "written in the model file",
                 belongs: Belongs::Test,
+                odds: Odds::of(1.0, "its author believes in it"),
                 parameters: parameters.into(),
                 look_alikes: &[],
             };

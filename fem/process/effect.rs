@@ -21,6 +21,8 @@ pub struct Effect<S, M, const N: usize> {
     pub source: &'static str,
     /// Its owner, where several tests look at one machine.
     pub belongs: Belongs,
+    /// How often it acts.
+    pub odds: Odds,
     /// In the order of the law.
     pub parameters: [Parameter; N],
     /// Effects whose signature can be the same, and what separates them.
@@ -30,6 +32,22 @@ pub struct Effect<S, M, const N: usize> {
     pub needs: fn(&S) -> Result<(), String>,
     /// Lets it act.
     pub act: fn([f64; N], &mut M),
+}
+
+/// How often machines have an effect at a size that shows, before anything is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Odds {
+    /// Odds against one: 1 where every second machine has it.
+    pub to_one: f64,
+    /// Why.
+    pub because: &'static str,
+}
+
+impl Odds {
+    /// Odds with their reason.
+    pub const fn of(to_one: f64, because: &'static str) -> Self {
+        Self { to_one, because }
+    }
 }
 
 /// Needs of an effect that can act in every set-up: none.
@@ -65,6 +83,7 @@ impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
             law: Cow::Borrowed(self.law),
             source: self.source,
             belongs: self.belongs,
+            odds: self.odds,
             parameters: Cow::Borrowed(&self.parameters),
             look_alikes: self.look_alikes,
         }
@@ -107,6 +126,9 @@ pub struct Description {
     /// Its owner, where several tests look at one machine.
     #[doc(hidden)]
     pub belongs: Belongs,
+    /// How often it acts.
+    #[doc(hidden)]
+    pub odds: Odds,
     /// In the order of the law.
     pub parameters: Cow<'static, [Parameter]>,
     /// Effects whose signature can be the same, and what separates them.

@@ -82,8 +82,8 @@ fn nothing_hidden_is_adequate() {
 
 #[test]
 fn what_one_cam_cannot_tell_apart_is_listed_with_what_would() {
-    // At one speed a late slide and a wheel above the axis turn the profile alike.
-    let causes = Causes { lag: 4e-4, ..Causes::default() };
+    // At one speed a late slide and a wheel above the axis turn the profile alike, up to a fifth of the noise.
+    let causes = Causes { lag: 2e-4, ..Causes::default() };
     let diagnosis = diagnosis(measured(&starting_cam(0.5, false, SPEED), &causes, 1.0, 3));
     let class = &diagnosis.missing[0];
     let mut names: Vec<&str> =

@@ -32,7 +32,12 @@ fn what_a_diagnosis_calls_complete_compare_calls_adequate() {
         let json = |args: &[&str]| -> Json { serde_json::from_str(&place.fem(args).out).unwrap() };
         let data = ["--with", "measured.csv", "--json"];
         let diagnosis = json(&[&["diagnose", "model.toml", "--add-to", "better.toml"][..], &data[..]].concat());
-        let comparison = json(&[&["compare", "better.toml"][..], &data[..]].concat());
+        let compared = place.fem(&[&["compare", "better.toml"][..], &data[..]].concat());
+        if compared.err.contains("is unknown (`?`)") {
+            // What the data leave open stays open, and nothing can be compared with it.
+            continue;
+        }
+        let comparison: Json = serde_json::from_str(&compared.out).unwrap();
         if diagnosis["after"]["verdict"] == "adequate" {
             complete += 1;
             assert_ne!(comparison["models"][0]["adequate"], false, "{}", case.display());

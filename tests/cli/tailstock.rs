@@ -26,20 +26,21 @@ fn the_measurements_are_those_of_the_generator() {
 #[test]
 fn a_class_of_the_shafts_becomes_one_name_with_the_tailstock() {
     let place = place();
+    let texts = |of: &serde_json::Value| -> Vec<String> {
+        of.as_array().unwrap().iter().map(|name| name.as_str().unwrap().to_string()).collect()
+    };
     let names = |args: &[&str]| {
         let answer = place.fem(&[args, &["--json"]].concat());
         assert_eq!(answer.status, 0, "{}", answer.err);
         let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
-        let texts = |of: &serde_json::Value| -> Vec<String> {
-            of.as_array().unwrap().iter().map(|name| name.as_str().unwrap().to_string()).collect()
-        };
         let missing = json["missing"].as_array().unwrap();
         assert_eq!((json["verdict"].as_str(), missing.len()), (Some("missing-effect"), 1), "{}", answer.out);
         let named = missing[0]["effect"].as_str().unwrap().to_string();
         (named, texts(&missing[0]["indistinguishable_from"]), json)
     };
-    let (_, class, alone) = names(&["diagnose", "shafts.toml", "--with", "shafts.csv"]);
-    assert!(class.len() > 3 && alone.get("tests").is_none(), "{class:?}");
+    let (named, _, alone) = names(&["diagnose", "shafts.toml", "--with", "shafts.csv"]);
+    let group = texts(&alone["groups"][0]["effects"]);
+    assert!(group.len() > 3 && group.contains(&named) && alone.get("tests").is_none(), "{group:?}");
     let (named, class, json) = names(&BOTH);
     assert_eq!((&*named, &class[..]), ("tailstock-contact", &[][..]));
     // What the generator gave the tailstock, from both tests together.

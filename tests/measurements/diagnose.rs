@@ -57,7 +57,8 @@ fn data_that_cannot_tell_are_told_so() {
     let (model, same) = rows(&format!("x [mm],diameter_error [um],u [um]\n{}", "20,29.7,1\n".repeat(8)));
     let diagnosis = of(&model, same);
     assert_eq!(diagnosis.cautions.len(), 1);
-    assert!(diagnosis.missing[0].indistinguishable_from.len() >= 8);
+    let [group] = &diagnosis.posterior.groups[..] else { panic!("{:?}", diagnosis.posterior.groups) };
+    assert!(group.at_least == 1 && group.effects.len() >= 8, "{group:?}");
 }
 
 #[test]

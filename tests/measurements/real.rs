@@ -60,12 +60,19 @@ fn readings_that_contradict_their_repeats_are_told_and_blame_nobody() {
 #[test]
 fn play_is_named_beside_a_profile_that_differs_by_direction() {
     let diagnosis = diagnosed("axis-b02");
-    assert_eq!(physical(&diagnosis), ["backlash"]);
+    // A zero that falls is a screw that grows or an instrument that drifts.
+    let falls = |m: &&fem::diagnose::Missing| {
+        let class = m.indistinguishable_from.iter().map(|d| &*d.name).chain([&*m.effect.name]);
+        class.collect::<Vec<_>>().contains(&"drift")
+    };
+    let rest: Vec<&fem::diagnose::Missing> = diagnosis.missing.iter().filter(|m| !falls(m)).collect();
+    assert!(rest.len() < diagnosis.missing.len());
+    let causes: Vec<&str> = rest.iter().filter(|m| m.cause == Cause::Physical).map(|m| &*m.effect.name).collect();
+    assert_eq!(causes, ["backlash"]);
     let play = diagnosis.missing.iter().find(|m| m.effect.name == "backlash").unwrap();
     // Mean of the nine reversals, by hand: -25.4 um, with a standard error of 5.6/3 um.
     let gap = 1e6 * play.estimates[0].value;
     assert!((gap + 25.4).abs() < 2.0 * 5.6 / 3.0, "{gap}");
-    assert!(of_measurement(&diagnosis).contains(&"drift"));
     assert!(of_measurement(&diagnosis).contains(&"discrepancy"));
     assert_eq!(diagnosis.verdict, Verdict::PartlyExplained);
 }
@@ -83,16 +90,15 @@ fn a_table_is_made_without_readings_that_contradict_their_repeats() {
     assert!((1e6 * r - 58.3).abs() < 0.05, "{r}");
 }
 
-/// A slack of 0.3 mm and a spring: the gauge reads too much from the first load on, and the test cannot tell
-/// whether that is a slack or a gauge that was not at zero. No contact whose constant stands at its bound.
+/// The first weights straighten the wire, much at first and little later: a contact in form, far softer than contacts are,
+/// which is said. A slack and a spring, or a gauge that was not at zero, leave more than twice as much.
 #[test]
-fn a_slack_or_a_gauge_off_its_zero() {
+fn a_wire_that_straightens() {
     let diagnosis = diagnosed("wire-steel");
-    let [cause] = &diagnosis.missing[..] else { panic!("{:?}", physical(&diagnosis)) };
-    let others = cause.indistinguishable_from.iter().map(|d| &*d.name);
-    let class: Vec<&str> = others.chain([&*cause.effect.name]).collect();
-    assert!(class.contains(&"datum-offset") && class.contains(&"gap"), "{class:?}");
-    assert!(cause.estimates.iter().all(|e| e.warnings.iter().all(|w| !w.contains("bound"))));
+    assert_eq!(physical(&diagnosis), ["contact-joint"]);
+    let contact = diagnosis.missing.iter().find(|m| m.effect.name == "contact-joint").unwrap();
+    let warns = |of: &str| contact.estimates.iter().any(|e| e.warnings.iter().any(|w| w.contains(of)));
+    assert!(warns("outside what is plausible") && !warns("bound"));
 }
 
 /// One sensor sees less than a period: any bow is a piece of some wave, and whether the room swings, the body was

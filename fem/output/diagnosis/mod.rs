@@ -23,7 +23,7 @@ use super::falling::Falling;
 use super::json::{finite, json as document};
 use super::measurement::{self, curve, files};
 use super::staged::Staged;
-use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
+use crate::diagnose::{Believed, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
@@ -75,6 +75,8 @@ impl Answer for DiagnosisAnswer<'_> {
             "after": after(d, kind),
             "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.to_string(), estimate(e))).collect::<Map<_, _>>(),
             "candidates": d.candidates.iter().map(|c| outlook(c, d, kind)).collect::<Vec<_>>(),
+            "sets": d.posterior.sets.iter().map(believed).collect::<Vec<_>>(),
+            "groups": d.posterior.groups.iter().map(group).collect::<Vec<_>>(),
             "unexplained": remaining(data, d),
             "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
             "separated_by": text::separated_from_measurement(d).iter().map(|[a, b, by]| json!({ "separates": [a, b], "text": by })).collect::<Vec<_>>(),
@@ -101,6 +103,14 @@ impl Answer for DiagnosisAnswer<'_> {
         files.text("diagnosis.json", &document(self))?;
         files.figures(self.figures())
     }
+}
+
+fn believed(set: &Believed) -> Json {
+    json!({ "effects": set.effects, "probability": set.probability, "chi2_per_dof": finite(set.reduced_chi2) })
+}
+
+fn group(group: &Group) -> Json {
+    json!({ "at_least": group.at_least, "effects": group.effects, "probability": group.probability })
 }
 
 fn goodness(goodness: &GoodnessOfFit, kind: Kind) -> Json {
@@ -157,6 +167,7 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "chi2_per_dof_after": finite(missing.goodness.reduced_chi2),
         "held_out_after": missing.goodness.cross_validation.filter(|h| h.is_finite()),
         "p_value": missing.p_value,
+        "probability": missing.probability,
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "bend": missing.bend.as_ref().map(|b| json!({ "along": b.along, "share": b.share })),
@@ -188,6 +199,7 @@ fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
         "rms_after": outlook.rms.map(|r| kind.from_si(r)),
         "delta_bic": outlook.delta_bic,
         "p_value": outlook.p_value,
+        "probability": diagnosis.posterior.of(&outlook.effect.name),
         "note": text::note(outlook, diagnosis),
     })
 }

@@ -3,7 +3,9 @@
 use super::additions::name;
 use super::campaign;
 use super::commands::commands;
-use crate::diagnose::{Bend, Cause, Diagnosis, GoodnessOfFit, Missing, Next, Outlier, Outlook, Verdict};
+use crate::diagnose::{
+    Bend, CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, RULED_OUT, Verdict,
+};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::output::block::{Block, Cell, Column, Table};
@@ -21,6 +23,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
     blocks.push(Block::Heading(verdict(d)));
     blocks.extend(where_it_fails(d));
     blocks.extend((1..).zip(&d.missing).flat_map(|(number, missing)| cause(number, missing, data, d)));
+    blocks.extend(shared(d));
     let mut fits = errors(model, d, kind, "");
     fits.rows.push(vec![Cell::Text("noise".into()), Cell::number(kind.from_si(d.noise.together()))]);
     blocks.extend([Block::Table(fits), Block::Sentence(format!("in {}", kind.unit))]);
@@ -70,7 +73,13 @@ fn structure_remains(d: &Diagnosis) -> bool {
 }
 
 pub fn verdict(d: &Diagnosis) -> String {
-    let names = d.missing.iter().map(|m| &*m.effect.name).collect::<Vec<_>>().join(", ");
+    let (certain, open): (Vec<&Missing>, Vec<&Missing>) = d.missing.iter().partition(|m| m.probability >= CERTAIN);
+    let listed = |some: &[&Missing]| some.iter().map(|m| &*m.effect.name).collect::<Vec<_>>().join(", ");
+    let names = match (certain.is_empty(), open.is_empty()) {
+        (_, true) => listed(&certain),
+        (true, false) => format!("perhaps {}", listed(&open)),
+        (false, false) => format!("{}, perhaps {}", listed(&certain), listed(&open)),
+    };
     match d.verdict {
         Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
         Verdict::MissingEffect => {
@@ -126,6 +135,10 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
     }
     blocks.push(Block::List(estimates(missing)));
     blocks.push(Block::Sentence(chance(missing.p_value)));
+    if missing.probability < CERTAIN {
+        let percent = percent(missing.probability);
+        blocks.push(Block::Sentence(format!("it is there with a probability of {percent}, over all sets of effects")));
+    }
     blocks.extend(missing.bend.as_ref().map(|bend| Block::Sentence(bent(bend))));
     for alternative in &missing.indistinguishable_from {
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
@@ -140,6 +153,31 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
     blocks.extend([Block::List(traits), Block::List(outlying)]);
     blocks.extend(separates.map(Block::Sentence));
     blocks
+}
+
+/// What the sets of effects that fit share beyond the causes: groups of which some are there, and what may be.
+pub fn shared(d: &Diagnosis) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    if !d.posterior.groups.is_empty() {
+        let line = |group: &Group| {
+            let names = group.effects.iter().map(|name| &**name).collect::<Vec<_>>().join(", ");
+            format!("at least {} of {names} ({})", group.at_least, percent(group.probability))
+        };
+        blocks.push(Block::Heading("these data cannot tell which of these are there".into()));
+        blocks.push(Block::List(d.posterior.groups.iter().map(line).collect()));
+    }
+    let is_told = |name: &str| d.missing.iter().any(|m| m.effect.name == *name);
+    let open = d.posterior.open().into_iter().filter(|(name, p)| *p >= RULED_OUT && !is_told(name));
+    let open: Vec<String> = open.map(|(name, p)| format!("{name} {}", percent(p))).collect();
+    if !open.is_empty() {
+        blocks.push(Block::Heading(format!("these may be there: {}", open.join(", "))));
+    }
+    blocks
+}
+
+/// A probability: `97 %`.
+pub fn percent(probability: f64) -> String {
+    format!("{:.0} %", 100.0 * probability)
 }
 
 /// A line for each value of a missing effect, with its interval.
@@ -288,6 +326,9 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
     if let Some(missing) = alternative {
         return format!("cannot be told from {} here", missing.effect.label());
     }
+    if outlook.probability >= RULED_OUT {
+        return format!("may be there: {}", percent(outlook.probability));
+    }
     let Some(v) = &outlook.detection_limit else { return "it cannot be computed here".into() };
     if structure_remains(d) && v.detectable {
         return "not judged while structure remains".into();
@@ -317,7 +358,7 @@ pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
 fn not_seen(d: &Diagnosis) -> Vec<Block> {
     let absent = |c: &&Outlook| {
         let named = d.missing.iter().any(|m| m.effect == c.effect || m.indistinguishable_from.contains(&c.effect));
-        !named && c.detection_limit.is_some()
+        !named && c.probability < RULED_OUT && c.detection_limit.is_some()
     };
     let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
     let is_seen = |c: &&Outlook| c.detection_limit.as_ref().is_some_and(|v| v.detectable);

@@ -5,7 +5,7 @@
 //! belongs to `scale-error`.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `abbe-error`.
@@ -15,6 +15,7 @@ pub static ABBE_ERROR: Effect<1> = Effect {
     law: "deviation += 4*height*s*(1 - s), s = (position - from)/travel",
     source: "Abbe's principle, with a pitch that changes quadratically",
     belongs: Belongs::Test,
+    odds: Odds::of(0.2, "the line of measurement is put near the axis"),
     parameters: [Parameter::signed("height", MICRO, "at the middle of the travel", (-100.0, 100.0))],
     look_alikes: &[("worn-screw", "approaches from both sides: play errs from one of them")],
     needs: nothing,

@@ -8,7 +8,7 @@
 //! (`uneven-backlash`, `worn-screw`).
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `backlash`.
@@ -18,6 +18,7 @@ pub static BACKLASH: Effect<1> = Effect {
     law: "deviation += gap, approaching in -",
     source: "seed 000, fig. 2a",
     belongs: Belongs::Test,
+    odds: Odds::of(1.0, "compensation is never exact"),
     parameters: [Parameter::signed("gap", MICRO, "clearance in all, less what is compensated", (-100.0, 200.0))],
     look_alikes: &[
         ("elastic-lost-motion", "targets from end to end of the screw: elastic clearance grows away from the bearing"),

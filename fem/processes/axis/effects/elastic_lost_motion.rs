@@ -9,7 +9,7 @@
 //! this one. Left out: friction that depends on the speed, and stick-slip.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, Winding, nothing};
+use crate::process::{Belongs, Odds, Parameter, Winding, nothing};
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the spring does not switch the effect: friction does.
@@ -22,6 +22,7 @@ pub static ELASTIC_LOST_MOTION: Effect<2> = Effect {
     law: "deviation += sign*friction*(1/stiffness + a/(E*A)), a = |position - fixed_at|, or a*b/(a + b) with b = |position - also_fixed_at|; sign -1 in +, +1 in -; friction goes as axis.drag",
     source: "seed 000, fig. 2b",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "every drive winds up, a friction compensated one by little"),
     parameters: [
         Parameter::amplitude("friction", FORCE, "of the slide, its mean along the travel", (10.0, 10_000.0)),
         Parameter::shape(

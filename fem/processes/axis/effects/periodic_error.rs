@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `periodic-error`.
@@ -17,6 +17,7 @@ pub static PERIODIC_ERROR: Effect<2> = Effect {
     law: "deviation += amplitude*sin(2*pi*position/lead + phase)",
     source: "seed 000, periodic error within a pitch",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every screw and every encoder has one"),
     parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 30.0)),
         Parameter::phase("phase", ANGLE, "of the sine at the position 0", 360.0),

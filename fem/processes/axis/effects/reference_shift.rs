@@ -4,7 +4,7 @@
 //! quantities do not see it.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `reference-shift`.
@@ -14,6 +14,7 @@ pub static REFERENCE_SHIFT: Effect<1> = Effect {
     law: "deviation += offset",
     source: "seed 001, readings from a reference point",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "a zero is set once for a test"),
     parameters: [Parameter::signed("offset", MICRO, "of the reference point", (-100.0, 100.0))],
     look_alikes: &[("periodic-error", "targets that are no multiples of the lead: only there a turn's error varies")],
     needs: nothing,

@@ -3,7 +3,7 @@
 //! slope·x, slope in m/m. At the position 0 nothing is wrong, wherever the travel begins.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `scale-error`.
@@ -13,6 +13,7 @@ pub static SCALE_ERROR: Effect<1> = Effect {
     law: "deviation += slope*position",
     source: "seed 001, pitch errors",
     belongs: Belongs::Test,
+    odds: Odds::of(1.0, "no screw and no scale is exact"),
     parameters: [Parameter::signed("slope", SLOPE, "error per length", (-200.0, 200.0))],
     look_alikes: &[("thermal-growth", "cold and warm: growth follows the time, a scale does not")],
     needs: nothing,

@@ -7,7 +7,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{SLOPE, TIME};
 
 /// `thermal-growth`.
@@ -17,6 +17,7 @@ pub static THERMAL_GROWTH: Effect<2> = Effect {
     law: "deviation += slope*(1 - exp(-time/time_constant))*(position - fixed_at)",
     source: "seed 002 (35)-(39), first order in time",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every screw warms when it runs"),
     parameters: [
         Parameter::signed("slope", SLOPE, "growth per length of the warm screw", (-200.0, 200.0)),
         Parameter::shape("time_constant", TIME, "time constant of the warming", (5.0, 120.0)),

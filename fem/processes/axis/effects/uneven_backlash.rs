@@ -8,7 +8,7 @@
 //! that is larger in the middle (`worn-screw`).
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `uneven-backlash`.
@@ -18,6 +18,7 @@ pub static UNEVEN_BACKLASH: Effect<1> = Effect {
     law: "deviation += change*(s - 1/2), approaching in -, s = (position - from)/travel",
     source: "ISO 230-2, reversal B_i at every target; first order in the position",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "screws wear where they are used most"),
     parameters: [Parameter::signed("change", MICRO, "of the play, from end to end of the travel", (-100.0, 100.0))],
     look_alikes: &[
         ("elastic-lost-motion", "the way forwards: elastic clearance lags there too, play does not"),

@@ -7,7 +7,7 @@
 //! does to the way forwards.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `worn-screw`.
@@ -17,6 +17,7 @@ pub static WORN_SCREW: Effect<1> = Effect {
     law: "deviation += depth*4*s*(1 - s), approaching in -, s = (position - from)/travel",
     source: "ISO 230-2, reversal B_i at every target; second order in the position",
     belongs: Belongs::Test,
+    odds: Odds::of(0.2, "screws wear where they are used most"),
     parameters: [Parameter::amplitude("depth", MICRO, "play in the middle over that at the ends", (0.5, 100.0))],
     look_alikes: &[
         ("backlash", "targets from end to end of the travel, from both sides"),

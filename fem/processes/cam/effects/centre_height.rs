@@ -6,7 +6,7 @@
 //! slide.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `centre-height`.
@@ -16,6 +16,7 @@ pub static CENTRE_HEIGHT: Effect<1> = Effect {
     law: "wheel centre at (x, height): radius sqrt(x^2 + height^2), angle atan(height/x)",
     source: "geometry of the slide",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "heads are set by hand"),
     parameters: [Parameter::signed("height", MICRO, "of the wheel's centre above the cam's axis", (-500.0, 500.0))],
     look_alikes: &[
         ("servo-lag", "another cam speed: a lag grows with it, a height does not"),

@@ -9,7 +9,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::STIFFNESS;
 
 /// `grinding-deflection`.
@@ -19,6 +19,7 @@ pub static GRINDING_DEFLECTION: Effect<1> = Effect {
     law: "deviation += F_n/stiffness, F_n = cut.force_per_rate*cut.stock*feed of the grinding point",
     source: "seed 003 (removal rate)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.7, "every system gives way"),
     parameters: [Parameter::stiffness(STIFFNESS, "of wheel, slide and cam against each other", (2.0, 500.0))],
     look_alikes: &[("wheel-wear", "another cam speed: the force follows it")],
     needs: cut,

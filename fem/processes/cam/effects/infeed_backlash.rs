@@ -5,7 +5,7 @@
 //! it stays where it was brought to. Left out: a grinding force that holds the slide against one side.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `infeed-backlash`.
@@ -15,6 +15,7 @@ pub static INFEED_BACKLASH: Effect<1> = Effect {
     law: "play operator of width gap on the slide: -gap/2 where the radius grows, +gap/2 where it falls",
     source: "seed 000 (play in a feed axis)",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.5, "compensation is never exact"),
     parameters: [Parameter::amplitude("gap", MICRO, "width of the play", (1.0, 100.0))],
     look_alikes: &[
         ("servo-lag", "another cam speed: a lag grows with it"),

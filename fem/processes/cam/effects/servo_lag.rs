@@ -10,7 +10,7 @@
 use super::super::course::Course;
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::SHORT_TIME;
 
 /// `servo-lag`.
@@ -20,6 +20,7 @@ pub static SERVO_LAG: Effect<1> = Effect {
     law: "x(t) = x_commanded(t - time): the cam angle at which the slide acts is late by omega*time",
     source: "seed 003 (interpolation of cam and slide)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every drive lags, some with feed-forward"),
     parameters: [Parameter::signed("time", SHORT_TIME, "of the slide less that of the cam", (-20.0, 20.0))],
     look_alikes: &[
         ("centre-height", "another cam speed: a lag grows with it, a height does not"),

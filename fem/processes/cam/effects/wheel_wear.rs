@@ -5,7 +5,7 @@
 //! bridges their waves less. Left out: wear within one cam.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `wheel-wear`.
@@ -15,6 +15,7 @@ pub static WHEEL_WEAR: Effect<1> = Effect {
     law: "wheel radius = wheel.radius - loss; deviation of an exact programme += loss",
     source: "geometry of the envelope (seed 003)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.7, "every wheel wears"),
     parameters: [Parameter::amplitude("loss", MICRO, "of the radius", (1.0, 300.0))],
     look_alikes: &[(
         "grinding-deflection",

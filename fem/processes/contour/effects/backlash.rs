@@ -8,7 +8,7 @@
 //! adds to its width; it alone grows along the screw.
 
 use super::super::machine::{Effect, Machine};
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::MICRO;
 
 /// `backlash-x`.
@@ -41,6 +41,7 @@ const fn backlash(
         law: "play operator of width gap: the slide lies gap/2 behind its drive, and rests while the drive crosses the gap",
         source: "seed 000, figs. 2 and 3",
         belongs: Belongs::Machine,
+        odds: Odds::of(1.0, "compensation is never exact"),
         parameters: [Parameter::amplitude("gap", MICRO, "play of the axis", (0.5, 100.0))],
         look_alikes,
         needs: |setup| setup.feedback.sees_screw(),

@@ -3,7 +3,7 @@
 //! x·cos α + y·sin α on a circle: the set-up of the instrument, not an error of the machine.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `centre-offset`.
@@ -13,6 +13,7 @@ pub static CENTRE_OFFSET: Effect<2> = Effect {
     law: "x*cos(alpha) + y*sin(alpha)",
     source: "set-up of the instrument (ISO 230-4)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "a ballbar is centred by hand"),
     parameters: [
         Parameter::signed("x", MICRO, "of the contour along x", (-100.0, 100.0)),
         Parameter::signed("y", MICRO, "of the contour along y", (-100.0, 100.0)),

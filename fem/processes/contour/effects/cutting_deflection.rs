@@ -8,7 +8,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::STIFFNESS;
 
 /// `cutting-deflection`.
@@ -18,6 +18,7 @@ pub static CUTTING_DEFLECTION: Effect<2> = Effect {
     law: "d_i = (cut.normal_force*n_i - cut.tangential_force*t_i)/stiffness_i, n outwards, t along the travel",
     source: "seed 000 (compliance of the system); statics",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "only while the machine cuts"),
     parameters: [
         Parameter::conductance("stiffness_x", STIFFNESS, "between tool and work along x", (2.0, 500.0)),
         Parameter::conductance("stiffness_y", STIFFNESS, "between tool and work along y", (2.0, 500.0)),

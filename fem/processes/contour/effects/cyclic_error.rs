@@ -6,7 +6,7 @@
 use super::super::machine::{Cyclic, Effect, Machine};
 use super::super::setup::Setup;
 use super::stick_slip::FEED;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{ANGLE, MICRO};
 
 /// `cyclic-error-x`.
@@ -43,6 +43,7 @@ const fn cyclic_error(
         law: "position += amplitude*sin(2*pi*position/lead + phase), lead = drives.lead, or drives.x.lead and drives.y.lead",
         source: "seed 000 (error within the period of the feedback)",
         belongs: Belongs::Test,
+        odds: Odds::of(0.3, "every screw and every encoder has one, mostly small"),
         parameters: [
             Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 50.0)),
             Parameter::phase("phase", ANGLE, "at the contour's centre", 360.0),

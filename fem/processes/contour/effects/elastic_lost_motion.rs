@@ -11,7 +11,7 @@ use super::super::drive::Drive;
 use super::super::machine::{Effect, Machine};
 use super::super::path::AXES;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter, Winding};
+use crate::process::{Belongs, Odds, Parameter, Winding};
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the spring does not switch the effect: friction does.
@@ -47,6 +47,7 @@ const fn elastic_lost_motion(
         law: "play operator of width gap + 2*friction*(1/stiffness + |position - fixed_at|/(E*A))",
         source: "seed 000, fig. 2b, in series with the clearance of fig. 2a",
         belongs: Belongs::Machine,
+        odds: Odds::of(0.3, "every drive winds up, a friction compensated one by little"),
         parameters: [
             Parameter::amplitude("friction", FORCE, "of the slide", (10.0, 10_000.0)),
             Parameter::shape(

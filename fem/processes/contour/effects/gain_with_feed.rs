@@ -10,7 +10,7 @@
 //! its play.
 
 use super::super::machine::{Effect, Machine};
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::NUMBER;
 
 /// `gain-with-feed-x`.
@@ -31,6 +31,7 @@ const fn gain_with_feed(name: &'static str, about: &'static str, act: fn([f64; 1
         law: "Kv(v) = Kv*(1 + change*|v|/path.feed), v the axis' own speed; position -= v*(1/Kv(v) - 1/Kv)",
         source: "seed 000 (gains that change with the feed), the line by hand",
         belongs: Belongs::Test,
+        odds: Odds::of(0.3, "friction lowers the gain of slow drives"),
         parameters: [Parameter::signed(
             "change",
             NUMBER,

@@ -5,7 +5,7 @@
 //! its play. Of earlier reversals nothing is kept.
 
 use super::super::machine::{Effect, Machine, Spike};
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{MICRO, SHORT_TIME};
 
 /// `reversal-spike-x`.
@@ -35,6 +35,7 @@ const fn reversal_spike(
         law,
         source: "stick and slip at reversal (ISO 230-4)",
         belongs: Belongs::Test,
+        odds: Odds::of(0.5, "friction holds an axis at its reversal"),
         parameters: [
             Parameter::amplitude("height", MICRO, "of the spike at the reversal", (0.5, 100.0)),
             Parameter::shape("time_constant", SHORT_TIME, "in which it fades", (10.0, 1000.0)),

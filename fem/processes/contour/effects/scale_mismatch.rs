@@ -4,7 +4,7 @@
 //! common is left out.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `scale-mismatch`.
@@ -14,6 +14,7 @@ pub static SCALE_MISMATCH: Effect<1> = Effect {
     law: "x*(1 + mismatch/2), y*(1 - mismatch/2): (mismatch*R/2)*cos(2*alpha)",
     source: "geometry of two axes",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.5, "no two scales are equal"),
     parameters: [Parameter::signed("mismatch", SLOPE, "travel of x over that of y", (-200.0, 200.0))],
     look_alikes: &[("cutting-deflection", "a lap without cutting: unequal scales stay")],
     needs: nothing,

@@ -8,7 +8,7 @@
 //! effects of their own.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::NUMBER;
 
 /// `servo-mismatch`.
@@ -18,6 +18,7 @@ pub static SERVO_MISMATCH: Effect<1> = Effect {
     law: "Kvx = Kv*(1 + mismatch/2), Kvy = Kv*(1 - mismatch/2): (v/2)*sin(2*alpha)*(1/Kvx - 1/Kvy) ccw, the opposite cw",
     source: "seed 000, fig. 1 (printed there with the sign of a straight side)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "drives are matched, but not for ever"),
     parameters: [Parameter::signed("mismatch", NUMBER, "difference of the gains over their mean", (-0.3, 0.3))],
     look_alikes: &[
         ("squareness", "the other way round, or another feed: a mismatch changes its sign and grows with the feed"),

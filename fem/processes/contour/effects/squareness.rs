@@ -4,7 +4,7 @@
 //! on a circle, the same both ways round.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `squareness`.
@@ -14,6 +14,7 @@ pub static SQUARENESS: Effect<1> = Effect {
     law: "x += angle*y: (angle*R/2)*sin(2*alpha), the same ccw and cw",
     source: "geometry of two axes",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.7, "no two axes are exactly square"),
     parameters: [Parameter::signed("angle", SLOPE, "what y leans towards x", (-200.0, 200.0))],
     look_alikes: &[("servo-mismatch", "the other way round, or another feed: squareness stays as it is")],
     needs: nothing,

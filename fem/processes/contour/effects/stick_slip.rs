@@ -7,7 +7,7 @@
 
 use super::super::machine::{Cyclic, Effect, Machine};
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{ANGLE, MICRO};
 
 /// `stick-slip-x`.
@@ -41,6 +41,7 @@ const fn stick_slip(
         law: "position += amplitude*sin(2*pi*drives.frequency*t + phase): a wave of v/frequency along the path",
         source: "seed 000 (jerky drives); the line by hand",
         belongs: Belongs::Test,
+        odds: Odds::of(0.1, "guideways are made against it"),
         parameters: [
             Parameter::amplitude("amplitude", MICRO, "half of peak to valley", (0.2, 50.0)),
             Parameter::phase("phase", ANGLE, "when the lap begins", 360.0),

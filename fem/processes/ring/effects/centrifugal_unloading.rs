@@ -6,7 +6,7 @@
 //! of the chuck's drive, the ring's own widening under its inertia, counterweights.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::JAW_MOMENT;
 
 /// `centrifugal-unloading`.
@@ -16,6 +16,7 @@ pub static CENTRIFUGAL_UNLOADING: Effect<1> = Effect {
     law: "F = max(0, F0 - jaw_moment*omega^2) while boring",
     source: "mechanics of rotation",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "jaws fly out, but at most speeds by little"),
     parameters: [Parameter::amplitude("jaw_moment", JAW_MOMENT, "mass of a jaw times its radius", (2.0, 300.0))],
     look_alikes: &[("jaw-contact-arc", "a second spindle speed, or the ring clamped and standing still")],
     needs: |setup| match setup.spindle_speed {

@@ -9,7 +9,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Reference;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{ANGLE, MICRO};
 
 /// `chuck-runout`.
@@ -19,6 +19,7 @@ pub static CHUCK_RUNOUT: Effect<2> = Effect {
     law: "deviation -= runout/2*cos(theta - phase), absolute reference only",
     source: "geometry of two axes; cf. seed 002, errors of machines, 4",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "as large as the clamping was careless"),
     parameters: [
         Parameter::amplitude("runout", MICRO, "reading of an indicator over a turn", (1.0, 100.0)),
         Parameter::phase("phase", ANGLE, "where its crest stands from jaw 1", 360.0),

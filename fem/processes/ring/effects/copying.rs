@@ -9,7 +9,7 @@
 //! Left out: several passes, which copy a copy.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::STIFFNESS;
 
 /// `copying`.
@@ -19,6 +19,7 @@ pub static COPYING: Effect<1> = Effect {
     law: "k = C/(C + stiffness), C = cut.force_per_depth: of the blank as it is squeezed k is left, of all that moves the nose 1 - k",
     source: "seed 002 (27)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every blank is out of round, and every tool gives way"),
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of tool and spindle", (2.0, 500.0))],
     look_alikes: &[("residual-stress", "another blank: a copy follows it"), ("spindle-error", "another blank")],
     needs: |setup| match setup.force_per_depth {

@@ -6,7 +6,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Reference;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::TEMPERATURE_RISE;
 
 /// `cutting-heat`.
@@ -16,6 +16,7 @@ pub static CUTTING_HEAT: Effect<1> = Effect {
     law: "deviation -= expansion*Ri*temperature_rise, absolute reference only",
     source: "seed 002 (36)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "all work warms, much of it under coolant by little"),
     parameters: [Parameter::amplitude(
         "temperature_rise",
         TEMPERATURE_RISE,

@@ -6,7 +6,7 @@
 //! over the number of jaws. Left out: pressure that is not even, friction.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::ANGLE;
 
 /// `jaw-contact-arc`.
@@ -16,6 +16,7 @@ pub static JAW_CONTACT_ARC: Effect<1> = Effect {
     law: "p = F/(width*Ro*arc) over the arc: harmonic m of the load times sin(m*arc/2)/(m*arc/2)",
     source: "Fourier series of an even pressure",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every jaw presses over an arc, some over a narrow one"),
     parameters: [Parameter::amplitude("arc", ANGLE, "full angle over which a jaw presses", (2.0, 60.0))],
     look_alikes: &[("centrifugal-unloading", "a second spindle speed, or the ring clamped and standing still")],
     needs: |setup| match setup.arc {

@@ -7,7 +7,7 @@
 //! forces be unequal.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::ANGLE;
 
 /// `jaw-position`.
@@ -17,6 +17,7 @@ pub static JAW_POSITION: Effect<2> = Effect {
     law: "jaws at 0, 120 deg + error_2, 240 deg + error_3; F_i ~ sin(angle between the other two), mean F",
     source: "statics (Lamy's theorem)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "jaws are bored in place, but not often"),
     parameters: [
         Parameter::signed("error_2", ANGLE, "of jaw 2 from 120 deg", (-5.0, 5.0)),
         Parameter::signed("error_3", ANGLE, "of jaw 3 from 240 deg", (-5.0, 5.0)),

@@ -5,7 +5,7 @@
 //! ring's mark, which stands at `orientation` from jaw 1 (rad). An oval alone; only of the released ring.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `residual-stress`.
@@ -15,6 +15,7 @@ pub static RESIDUAL_STRESS: Effect<2> = Effect {
     law: "deviation += amplitude*cos(2*(theta - orientation - phase)), released",
     source: "relaxation of residual stress in its lowest harmonic",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "rolled and forged rings have it"),
     parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley of the oval", (0.5, 50.0)),
         Parameter::phase("phase", ANGLE, "where its crest stands from the ring's mark", 180.0),

@@ -6,7 +6,7 @@
 //! motion that does not repeat.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{ANGLE, MICRO};
 
 /// `spindle-error`.
@@ -16,6 +16,7 @@ pub static SPINDLE_ERROR: Effect<2> = Effect {
     law: "deviation += amplitude*cos(2*(theta - phase)), bored",
     source: "radial error motion of two waves a turn, ISO 230-7",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every spindle has one"),
     parameters: [
         Parameter::amplitude("amplitude", MICRO, "half of peak to valley of the oval", (0.2, 20.0)),
         Parameter::phase("phase", ANGLE, "where its crest stands from jaw 1", 180.0),

@@ -7,7 +7,7 @@
 
 use super::super::machine::Effect;
 use crate::input::Bounds;
-use crate::process::{Belongs, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
 use crate::units::{CONTACT_COEFFICIENT, NUMBER};
 
 /// `contact-joint`.
@@ -17,6 +17,7 @@ pub static CONTACT_JOINT: Effect<2> = Effect {
     law: "y += c*S^n, n < 1, S the force that friction leaves",
     source: "seed 002 (29)",
     belongs: Belongs::Tested(UnitRole::Contact),
+    odds: Odds::of(0.5, "every joint is one, but of a preloaded one a spring says as much"),
     parameters: [
         Parameter::amplitude("c", CONTACT_COEFFICIENT, "coefficient of the contact", (0.01, 5.0)),
         Parameter::shape("n", NUMBER, "exponent of the force", (0.3, 0.8)).within(Bounds::Within(0.0, 1.0)),

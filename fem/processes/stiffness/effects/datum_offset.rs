@@ -5,7 +5,7 @@
 //! clearance only without force, where clearance is not taken up yet.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `datum-offset`.
@@ -15,6 +15,7 @@ pub static DATUM_OFFSET: Effect<1> = Effect {
     law: "y += offset, at F = 0 too",
     source: "load tests under a seating load; the zero of the displacement is that of the gauge",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "a gauge is set to zero by hand"),
     parameters: [Parameter::signed("offset", MICRO, "reading without force, before loading", (-200.0, 200.0))],
     look_alikes: &[
         ("gap", "a reading without force before loading: clearance is not taken up there"),

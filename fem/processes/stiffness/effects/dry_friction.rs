@@ -7,7 +7,7 @@
 //! N. Coulomb's law; left out: a friction that depends on speed, on place, or on the load.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
 use crate::units::FORCE;
 
 /// `dry-friction`.
@@ -17,6 +17,7 @@ pub static DRY_FRICTION: Effect<1> = Effect {
     law: "load: S = F - f, 0 while F <= f; unload: S = F + f, at most F_max - f",
     source: "seed 000, fig. 5",
     belongs: Belongs::Tested(UnitRole::Friction),
+    odds: Odds::of(0.5, "surfaces that slide rub"),
     parameters: [Parameter::amplitude("force", FORCE, "friction f", (1.0, 500.0))],
     look_alikes: &[(
         "settling",

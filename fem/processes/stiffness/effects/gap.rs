@@ -7,7 +7,7 @@
 //! runs through it once on either way. gap in m.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
 use crate::units::MICRO;
 
 /// `gap`.
@@ -17,6 +17,7 @@ pub static GAP: Effect<1> = Effect {
     law: "y += gap for S > 0, S the force that friction leaves to the joint; none where a preload has taken it up",
     source: "seed 000, fig. 5",
     belongs: Belongs::Tested(UnitRole::Gap),
+    odds: Odds::of(0.5, "joints have play unless they are preloaded"),
     parameters: [Parameter::amplitude("gap", MICRO, "clearance of the joint", (0.5, 100.0))],
     look_alikes: &[
         ("contact-joint", "small forces: a contact closes little by little"),

@@ -8,7 +8,7 @@
 //! out: joints that differ, and friction that the preload itself brings.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
 use crate::units::FORCE;
 
 /// `preload`.
@@ -19,6 +19,7 @@ pub static PRELOAD: Effect<1> = Effect {
           no gap",
     source: "seed 000, fig. 5; equations by statics",
     belongs: Belongs::Tested(UnitRole::Preload),
+    odds: Odds::of(0.3, "bearings and screws are preloaded"),
     parameters: [Parameter::amplitude("force", FORCE, "preload P", (10.0, 2000.0))],
     look_alikes: &[(
         "contact-joint",

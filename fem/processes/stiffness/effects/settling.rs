@@ -9,7 +9,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Loading;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::MICRO;
 
 /// `settling`.
@@ -19,6 +19,7 @@ pub static SETTLING: Effect<1> = Effect {
     law: "load: y += depth*S/F_max; unload: y += depth*S_1/F_max, S the force that friction leaves, S_1 its largest",
     source: "VDI 2230-1, embedding f_Z; first order in the force",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "joints settle when they are loaded first"),
     parameters: [Parameter::amplitude("depth", MICRO, "that settles under the largest force", (0.2, 100.0))],
     look_alikes: &[
         ("dry-friction", "the loop near both ends: friction opens it at once, what settles opens it towards no force"),

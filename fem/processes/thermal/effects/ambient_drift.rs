@@ -6,7 +6,7 @@
 //! environment.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::solve::rod::Swing;
 use crate::units::{ANGLE, PERIOD, TEMPERATURE_RISE};
 
@@ -17,6 +17,7 @@ pub static AMBIENT_DRIFT: Effect<3> = Effect {
     law: "T_a = T_0 + amplitude*(sin(2*pi*t/period + phase) - sin(phase))",
     source: "first harmonic of the room's temperature",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "rooms swing, but for a short test by little"),
     parameters: [
         Parameter::amplitude("amplitude", TEMPERATURE_RISE, "half of the swing", (0.2, 10.0)),
         Parameter::shape("period", PERIOD, "from crest to crest", (0.5, 24.0)),

@@ -6,7 +6,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::CONDUCTANCE;
 
 /// `base-conductance`.
@@ -16,6 +16,7 @@ pub static BASE_CONDUCTANCE: Effect<1> = Effect {
     law: "k*A*dT/dx = conductance*(T - T_a) at x = 0",
     source: "third boundary condition (Carslaw and Jaeger)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every body stands on something"),
     parameters: [Parameter::amplitude("conductance", CONDUCTANCE, "from the base to the surroundings", (0.01, 10.0))],
     look_alikes: &[("convection", "the temperature of the base and of the free end")],
     needs: Setup::needs_sections,

@@ -8,7 +8,7 @@
 
 use super::super::machine::{Contact, Effect};
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{CONVECTION, LENGTH};
 
 /// `contact-resistance`.
@@ -18,6 +18,7 @@ pub static CONTACT_RESISTANCE: Effect<2> = Effect {
     law: "k*A*dT/dx = conductance*A*[T] across the section at x = at",
     source: "thermal contact conductance",
     belongs: Belongs::Test,
+    odds: Odds::of(0.15, "only a body of several pieces has a joint"),
     parameters: [
         Parameter::place("at", LENGTH, "from the base", "x", (1.0, 1000.0)),
         Parameter::conductance("conductance", CONVECTION, "of the joint", (100.0, 50_000.0)),

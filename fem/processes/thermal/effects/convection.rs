@@ -6,7 +6,7 @@
 //! coefficient everywhere and always; radiation is in it as far as it is linear.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units;
 
 /// `convection`.
@@ -16,6 +16,7 @@ pub static CONVECTION: Effect<1> = Effect {
     law: "-h*p*(T - T_a) per length, h = coefficient, p = pi*D",
     source: "Newton's law of cooling; seed 002 (35)-(39)",
     belongs: Belongs::Test,
+    odds: Odds::of(1.0, "no body stands in a vacuum"),
     parameters: [Parameter::amplitude(
         "coefficient",
         units::CONVECTION,

@@ -5,7 +5,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::solve::rod::{PointSource, Power};
 use crate::units::{LENGTH, POWER};
 
@@ -16,6 +16,7 @@ pub static EXTRA_SOURCE: Effect<2> = Effect {
     law: "rho*c*A*dT/dt += power*delta(x - at)",
     source: "seed 002, sources of heat in machine tools",
     belongs: Belongs::Test,
+    odds: Odds::of(0.15, "sources are known as a rule"),
     parameters: [
         Parameter::place("at", LENGTH, "from the base", "x", (1.0, 1000.0)),
         Parameter::amplitude("power", POWER, "heat that it gives", (0.1, 100.0)),

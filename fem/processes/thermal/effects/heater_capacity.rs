@@ -7,7 +7,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::solve::rod::Heater;
 use crate::units::{CONDUCTANCE, HEAT_CAPACITY};
 
@@ -18,6 +18,7 @@ pub static HEATER_CAPACITY: Effect<2> = Effect {
     law: "heat_capacity*dT_h/dt = P - contact*(T_h - T), contact*(T_h - T) comes into the body",
     source: "lumped heat balance of the heater",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every heater has mass"),
     parameters: [
         Parameter::amplitude("heat_capacity", HEAT_CAPACITY, "of the heater of each source", (1.0, 1000.0)),
         Parameter::shape("contact", CONDUCTANCE, "from each heater to the body", (0.05, 20.0)),

@@ -5,7 +5,7 @@
 //! All sensors have the same. The elongation is not concerned.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::SECONDS;
 
 /// `sensor-lag`.
@@ -15,6 +15,7 @@ pub static SENSOR_LAG: Effect<1> = Effect {
     law: "time_constant*dy/dt = T - y, y = T_0 at the start",
     source: "first-order instrument",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every sensor lags"),
     parameters: [Parameter::amplitude("time_constant", SECONDS, "of every temperature sensor", (5.0, 900.0))],
     look_alikes: &[
         ("contact-resistance", "the elongation, which no sensor delays"),

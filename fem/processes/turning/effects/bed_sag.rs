@@ -10,7 +10,7 @@
 
 use super::super::machine::Effect;
 use super::front_guideway_wear::two_guideways;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::MICRO;
 
 /// `bed-sag`.
@@ -20,6 +20,7 @@ pub static BED_SAG: Effect<2> = Effect {
     law: "dD += 2*(front - rear)*H/b*4*xi*(1 - xi), dz -= (front + rear)/2*4*xi*(1 - xi), xi = x/L",
     source: "geometry, ours; cf. seed 002, deformation of machines that are not loaded, (2)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.1, "beds are stiff and levelled"),
     parameters: [
         Parameter::signed("front", MICRO, "sag of the front guideway in the middle", (-200.0, 200.0)),
         Parameter::signed("rear", MICRO, "sag of the rear guideway in the middle", (-200.0, 200.0)).or(0.0),

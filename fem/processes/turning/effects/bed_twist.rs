@@ -7,7 +7,7 @@
 //! carriage can. Left out: the nose's fall by H·φ²/2.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::TWIST;
 
 /// `bed-twist`.
@@ -17,6 +17,7 @@ pub static BED_TWIST: Effect<1> = Effect {
     law: "dD += 2*H*twist*x, H = workholding.centre_height",
     source: "geometry of guideways; cf. seed 002 (6)",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.1, "beds are levelled"),
     parameters: [Parameter::signed("twist", TWIST, "tilt of the carriage per travel", (-200.0, 200.0))],
     look_alikes: &[
         ("guideway-taper", "a level that the carriage carries along the bed; diameters alone cannot tell"),

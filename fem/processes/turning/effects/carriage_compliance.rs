@@ -4,7 +4,7 @@
 //! slide's tilt, which changes with the overhang of the slide.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
 use crate::units::STIFFNESS;
 
 /// `carriage-compliance`.
@@ -14,6 +14,7 @@ pub static CARRIAGE_COMPLIANCE: Effect<1> = Effect {
     law: "y += P/k",
     source: "seed 002 (8), (18)",
     belongs: Belongs::Unit("carriage", UnitRole::Spring),
+    odds: Odds::of(1.0, "every unit gives way"),
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of tool, slide and carriage", (5.0, 1000.0))],
     look_alikes: &[
         (

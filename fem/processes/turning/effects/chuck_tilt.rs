@@ -5,7 +5,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::{Setup, Workholding};
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::solve::Hold;
 use crate::units::ROTATIONAL_STIFFNESS;
 
@@ -16,6 +16,7 @@ pub static CHUCK_TILT: Effect<1> = Effect {
     law: "M = k*phi at the chuck; on a free shaft y += P*x^2/k",
     source: "statics; cf. seed 002 (14), (15)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "chucks are clamped hard, and long work alone shows their tilt"),
     parameters: [Parameter::stiffness(ROTATIONAL_STIFFNESS, "rotational stiffness of the chuck", (10.0, 2000.0))],
     look_alikes: &[("headstock-compliance", "measure near the chuck: a tilt leaves nothing there")],
     needs: a_chuck,

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::MICRO;
 
 /// `cross-slide-play`.
@@ -23,6 +23,7 @@ pub static CROSS_SLIDE_PLAY: Effect<1> = Effect {
     law: "dD -= 2*lag, at each shoulder along the pass lag = min(max(lag + rise, 0), gap), 0 where the pass begins",
     source: "seed 000, fig. 2a (kinematic clearance)",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.3, "gibs wear, but a cut presses the slide one way"),
     parameters: [Parameter::amplitude("gap", MICRO, "play of the slide, of the radius", (1.0, 30.0))],
     look_alikes: &[
         ("setting-error", "a diameter in the section where the pass begins: play leaves it on size"),

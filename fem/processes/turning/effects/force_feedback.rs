@@ -9,7 +9,7 @@ use super::super::cut::{Force, ForceLaw};
 use super::super::machine::Effect;
 use super::super::setup::Setup;
 use crate::input::Bounds;
-use crate::process::{Active, Belongs, Contradiction, Parameter, nothing};
+use crate::process::{Active, Belongs, Contradiction, Odds, Parameter, nothing};
 use crate::units::NUMBER;
 
 /// Difference within which two exponents were meant to be one.
@@ -22,6 +22,7 @@ pub static FORCE_FEEDBACK: Effect<1> = Effect {
     law: "P = P0*(t_d/t_0)^exponent, t_d = t_set - y >= 0",
     source: "seed 002 (17)-(27)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "the force follows the depth, but shows only where the depth varies"),
     parameters: [Parameter::amplitude("exponent", NUMBER, "exponent of the depth in the force law", (0.5, 1.0))
         .within(Bounds::Within(0.0, 1.0))],
     look_alikes: &[("carriage-compliance", "a measured blank: a spring does not copy it")],

@@ -10,7 +10,7 @@
 use super::super::machine::Effect;
 use super::super::setup::Setup;
 use super::guideway_wear::{LEVEL, part};
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{LENGTH, MICRO};
 
 /// Wear of the front guideway over that of the rear one.
@@ -23,6 +23,7 @@ pub static FRONT_GUIDEWAY_WEAR: Effect<3> = Effect {
     law: "dD += 2*0.8*U*H/b, U = wear*exp(-((x - centre)/width)^2/2), H = workholding.centre_height, b = workholding.guideway_spacing",
     source: "geometry, ours; the ratio of five by seed 002, wear of the guideways",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.1, "worn beds are old ones"),
     parameters: [
         Parameter::amplitude("wear", MICRO, "wear of the front guideway at its worst place", (1.0, 200.0)),
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),

@@ -6,7 +6,7 @@
 //! effect.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::STEEP_SLOPE;
 
 /// `guideway-height`.
@@ -16,6 +16,7 @@ pub static GUIDEWAY_HEIGHT: Effect<1> = Effect {
     law: "dD = sqrt((D + dD)^2 + 4*dz^2) - D, dz = slope*x",
     source: "seed 002 (2), (3), (7)",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.05, "a height error enters by its square"),
     parameters: [Parameter::signed("slope", STEEP_SLOPE, "rise of the guideway", (-5.0, 5.0))],
     look_alikes: &[("tailstock-compliance", "a second force: both grow with x squared, only one with the force")],
     needs: nothing,

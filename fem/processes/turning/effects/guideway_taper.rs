@@ -4,7 +4,7 @@
 //! 002 (6)]. slope in m/m, of either sign.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::SLOPE;
 
 /// `guideway-taper`.
@@ -14,6 +14,7 @@ pub static GUIDEWAY_TAPER: Effect<1> = Effect {
     law: "dD += 2*slope*x",
     source: "seed 002 (6)",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.3, "guideways are aligned, but not for ever"),
     parameters: [Parameter::signed("slope", SLOPE, "slope of the guideway", (-200.0, 200.0))],
     look_alikes: &[
         ("tailstock-offset", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),

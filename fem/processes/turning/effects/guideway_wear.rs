@@ -5,7 +5,7 @@
 //! and width in m along the shaft.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{LENGTH, MICRO};
 
 /// `guideway-wear`.
@@ -15,6 +15,7 @@ pub static GUIDEWAY_WEAR: Effect<3> = Effect {
     law: "dD += 2*depth*exp(-((x - centre)/width)^2/2)",
     source: "seed 002, wear of the guideways",
     belongs: Belongs::Machine,
+    odds: Odds::of(0.1, "worn beds are old ones"),
     parameters: [
         Parameter::amplitude("depth", MICRO, "displacement of the tool nose at the worst place", (1.0, 100.0)),
         Parameter::place("centre", LENGTH, "the worst place, from the headstock", "x", (0.0, 1000.0)),

@@ -8,7 +8,7 @@ use super::super::machine::{Effect, Machine};
 use super::super::setup::Setup;
 use super::support_compliance::a_tailstock;
 use crate::input::Bounds;
-use crate::process::{Belongs, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
 use crate::units::{CONTACT_COEFFICIENT, NUMBER};
 
 /// `headstock-contact`.
@@ -61,6 +61,7 @@ const fn contact(
         law,
         source: "seed 002 (29)",
         belongs: Belongs::Unit(unit, UnitRole::Contact),
+        odds: Odds::of(0.15, "every joint is one, but of a preloaded one a spring says as much"),
         parameters: [
             Parameter::amplitude("c", CONTACT_COEFFICIENT, "coefficient of the contact", (0.01, 5.0)),
             Parameter::shape("n", NUMBER, "exponent of the force", (0.3, 0.8)).within(Bounds::Within(0.0, 1.0)),

@@ -8,7 +8,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::MICRO;
 
 /// `rest-offset`.
@@ -18,6 +18,7 @@ pub static REST_OFFSET: Effect<1> = Effect {
     law: "every rest pushes with k*(offset - w); an even shaft between centres, rest in the middle: dD += 2*offset*k/(k + 48EI/L^3) there",
     source: "statics; cf. seed 002 (8), (12)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "a rest is set by hand"),
     parameters: [Parameter::signed("offset", MICRO, "offset of the rests away from the tool", (-100.0, 100.0))],
     look_alikes: &[("guideway-wear", "a pass without the rest: wear stays")],
     needs: a_rest,

@@ -4,7 +4,7 @@
 //! away from the axis.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::MICRO;
 
 /// `setting-error`.
@@ -14,6 +14,7 @@ pub static SETTING_ERROR: Effect<1> = Effect {
     law: "dD += 2*offset",
     source: "seed 002 (33), (34)",
     belongs: Belongs::Test,
+    odds: Odds::of(1.0, "every tool is set by hand or by a probe"),
     parameters: [Parameter::signed("offset", MICRO, "offset of the setting away from the axis", (-100.0, 100.0))],
     look_alikes: &[
         ("carriage-compliance", "a second force: a setting error does not change with it"),

@@ -7,7 +7,7 @@
 //! through pauses: the spindle keeps turning. drift in m, of either sign; τ in s.
 
 use super::super::machine::{Effect, Support};
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{MICRO, TIME};
 
 /// `spindle-thermal-drift`.
@@ -17,6 +17,7 @@ pub static SPINDLE_THERMAL_DRIFT: Effect<2> = Effect {
     law: "d = drift*(1 - exp(-t/time_constant)); between centres dD += 2*d*(1 - x/L), in a chuck 2*d, between chuck and centre bent",
     source: "seed 002, thermal deformation of the system",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every headstock warms, unless it is warm already"),
     parameters: [
         Parameter::signed("drift", MICRO, "final drift of the spindle", (-50.0, 50.0)),
         Parameter::shape("time_constant", TIME, "time constant of the headstock", (5.0, 240.0)),

@@ -7,7 +7,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
 use crate::units::STIFFNESS;
 
 /// `headstock-compliance`.
@@ -17,6 +17,7 @@ pub static HEADSTOCK: Effect<1> = Effect {
     law: "y = Q/k at x = 0",
     source: "seed 002 (8)-(11)",
     belongs: Belongs::Unit("headstock", UnitRole::Spring),
+    odds: Odds::of(1.0, "every unit gives way"),
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of the headstock", (5.0, 1000.0))],
     look_alikes: &[
         (
@@ -38,6 +39,7 @@ pub static TAILSTOCK: Effect<1> = Effect {
     law: "y = Q/k at x = L",
     source: "seed 002 (8)-(11)",
     belongs: Belongs::Unit("tailstock", UnitRole::Spring),
+    odds: Odds::of(1.0, "every unit gives way"),
     parameters: [Parameter::stiffness(STIFFNESS, "stiffness of the tailstock", (5.0, 1000.0))],
     look_alikes: &[
         ("tailstock-contact", "a third force level: the contact yields less than in proportion"),

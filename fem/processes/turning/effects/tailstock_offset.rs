@@ -7,7 +7,7 @@
 
 use super::super::machine::{Effect, Support};
 use super::support_compliance::a_tailstock;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::MICRO;
 
 /// `tailstock-offset`.
@@ -17,6 +17,7 @@ pub static TAILSTOCK_OFFSET: Effect<1> = Effect {
     law: "between centres dD += 2*offset*x/L; in a stiff chuck an even shaft dD += offset*(3*xi^2 - xi^3), xi = x/L",
     source: "statics; cf. seed 002 (6)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "a tailstock is set by hand"),
     parameters: [Parameter::signed("offset", MICRO, "offset of the tailstock away from the tool", (-100.0, 100.0))],
     look_alikes: &[
         ("guideway-taper", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),

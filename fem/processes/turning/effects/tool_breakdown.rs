@@ -8,7 +8,7 @@
 
 use super::super::machine::Effect;
 use crate::input::Bounds;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{MICRO, NUMBER, PATH};
 
 /// Path in which the third period brings the wear that is its parameter, m.
@@ -21,6 +21,7 @@ pub static TOOL_BREAKDOWN: Effect<3> = Effect {
     law: "dD += 2*wear*(max(l - onset, 0)/1 km)^exponent",
     source: "seed 002, third period of wear; the power law is ours",
     belongs: Belongs::Test,
+    odds: Odds::of(0.1, "edges are changed before"),
     parameters: [
         Parameter::amplitude("wear", MICRO, "wear in the first kilometre of the period", (2.0, 500.0)),
         Parameter::place("onset", PATH, "cutting path at which the period begins", "path", (50.0, 5000.0)),

@@ -5,7 +5,7 @@
 //! elongation is what ξ tends to in a cut without end, m; τ in s.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{MICRO, TIME};
 
 /// `tool-thermal-growth`.
@@ -15,6 +15,7 @@ pub static TOOL_THERMAL_GROWTH: Effect<2> = Effect {
     law: "dD -= 2*xi, time_constant*dxi/dt = elongation*[cutting] - xi",
     source: "seed 002, thermal deformation of the cutting tool",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "every tool warms, some under coolant by little"),
     parameters: [
         Parameter::amplitude("elongation", MICRO, "growth in a cut without end", (1.0, 60.0)),
         Parameter::shape("time_constant", TIME, "time constant of the tool", (1.0, 60.0)),

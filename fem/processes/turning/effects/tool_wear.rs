@@ -5,7 +5,7 @@
 //! which the edge breaks down, is `tool-breakdown`.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Parameter, nothing};
+use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{MICRO, PATH, WEAR_RATE};
 
 /// `tool-wear`.
@@ -15,6 +15,7 @@ pub static TOOL_WEAR: Effect<3> = Effect {
     law: "dD += 2*U, U = run_in*(1 - exp(-l/run_in_path)) + rate*l",
     source: "seed 002 (31), (32)",
     belongs: Belongs::Test,
+    odds: Odds::of(1.0, "every edge wears"),
     parameters: [
         Parameter::amplitude("run_in", MICRO, "wear of the running-in", (0.5, 20.0)).or(0.0),
         Parameter::shape("run_in_path", PATH, "path of the running-in", (50.0, 2000.0)).needed_with("run_in"),

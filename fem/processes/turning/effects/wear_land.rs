@@ -6,7 +6,7 @@
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
-use crate::process::{Belongs, Parameter};
+use crate::process::{Belongs, Odds, Parameter};
 use crate::units::FACTOR;
 
 /// `wear-land`.
@@ -16,6 +16,7 @@ pub static WEAR_LAND: Effect<1> = Effect {
     law: "dD += 2*share*h(l)*tan(clearance_angle)",
     source: "seed 002 (31)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.3, "every edge wears, but few lands are measured"),
     parameters: [
         Parameter::amplitude("share", FACTOR, "part of the land's draw-back that the nose shows", (0.5, 2.0)).or(1.0)
     ],

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use super::super::heating::{Rod, rise_per_watt};
 use super::super::machine::{Effect, Machine};
 use crate::input::Bounds;
-use crate::process::{Belongs, Failure, Parameter, Segment, nothing};
+use crate::process::{Belongs, Failure, Odds, Parameter, Segment, nothing};
 use crate::solve::heat::{Pass, RodPiece};
 use crate::units::{CONVECTION, POWER};
 
@@ -22,6 +22,7 @@ pub static WORKPIECE_HEATING: Effect<2> = Effect {
     law: "dD -= expansion*D*theta(tool), rho*c*A*theta_t = (k*A*theta_x)_x - h*pi*D*theta + power*delta(x - x_tool)",
     source: "seed 002 (35)-(39)",
     belongs: Belongs::Test,
+    odds: Odds::of(0.5, "all work warms, much of it under coolant by little"),
     parameters: [
         Parameter::amplitude("power", POWER, "heat that enters the work", (5.0, 500.0)),
         Parameter::shape("convection", CONVECTION, "heat transfer to the air", (5.0, 100.0))

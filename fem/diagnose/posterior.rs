@@ -1,0 +1,177 @@
+//! What the sets share: the probability of every effect, and groups of which some are there though nobody can say which.
+
+use std::collections::BTreeMap;
+
+use super::candidate_model::{CandidateModel, Weighed};
+use super::search::{MOST_TOLD, SearchResult, TOLD};
+use crate::input::Name;
+
+/// Probability from which an effect, or a number of a group, is certain.
+pub const CERTAIN: f64 = 0.9;
+/// Probability below which an effect is ruled out, for all that these data show.
+pub const RULED_OUT: f64 = 0.05;
+/// Probability from which an effect may stand for another in a group.
+const GROUPED: f64 = 0.01;
+/// Ratio of the probability of two effects together to that of independent ones below which they stand for each other.
+const INSTEAD: f64 = 0.8;
+
+/// A set of effects with its criterion.
+#[derive(Clone, Debug)]
+pub struct Visit {
+    effects: Vec<Name>,
+    criterion: f64,
+    reduced_chi2: f64,
+}
+
+impl Visit {
+    /// The sets that a search has visited.
+    pub fn all(found: &SearchResult) -> Vec<Self> {
+        found.tried.iter().map(|set| Self::of(set)).collect()
+    }
+
+    fn of(set: &Weighed) -> Self {
+        let Weighed { model, criterion } = set;
+        Self {
+            effects: effects(model),
+            criterion: *criterion,
+            reduced_chi2: model.solution.chi2 / model.objective.freedom().max(1.0),
+        }
+    }
+}
+
+/// Names of the effects that a model has beyond what the file states.
+fn effects(model: &CandidateModel) -> Vec<Name> {
+    let objective = &model.objective;
+    let stated = &objective.data.terms;
+    let terms =
+        objective.noise.terms.iter().filter(|term| !term.is_among(stated)).map(|term| Name::new(term.effect.name));
+    let mut all: Vec<Name> = objective.added.iter().map(|effect| effect.name.clone()).chain(terms).collect();
+    all.sort();
+    all
+}
+
+/// A set with its probability.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Believed {
+    /// Names of its effects.
+    pub effects: Vec<Name>,
+    /// Its probability among all sets that were visited.
+    pub probability: f64,
+    /// χ² over the degrees of freedom.
+    pub reduced_chi2: f64,
+}
+
+/// Effects of which some are there, though these data cannot say which.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// How many of them are there for certain.
+    pub at_least: usize,
+    /// Names of the effects.
+    pub effects: Vec<Name>,
+    /// Probability that so many are there.
+    pub probability: f64,
+}
+
+/// Posterior over the sets of effects.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Posterior {
+    /// The most probable sets, the first first, which hold nearly all of the probability.
+    pub sets: Vec<Believed>,
+    /// Groups of effects that stand for each other.
+    pub groups: Vec<Group>,
+    probabilities: BTreeMap<Name, f64>,
+}
+
+impl Posterior {
+    /// Weighs all sets that were visited; of a set that was visited under several noises each counts.
+    pub fn new(visits: &[Visit]) -> Self {
+        let least = visits.iter().map(|v| v.criterion).fold(f64::INFINITY, f64::min);
+        let mut sets: BTreeMap<Vec<Name>, (f64, f64, f64)> = BTreeMap::new();
+        for visit in visits {
+            // The same set in two searches of one noise counts once.
+            let weight = (0.5 * (least - visit.criterion)).exp();
+            let own = sets.entry(visit.effects.clone()).or_insert((0.0, f64::INFINITY, 0.0));
+            if visit.criterion < own.1 {
+                *own = (weight, visit.criterion, visit.reduced_chi2);
+            }
+        }
+        let whole: f64 = sets.values().map(|own| own.0).sum();
+        let mut all: Vec<Believed> = sets
+            .into_iter()
+            .map(|(effects, (weight, _, reduced_chi2))| Believed { effects, probability: weight / whole, reduced_chi2 })
+            .collect();
+        all.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+        let mut probabilities: BTreeMap<Name, f64> = BTreeMap::new();
+        for set in &all {
+            let mut names = set.effects.clone();
+            names.dedup();
+            for name in names {
+                *probabilities.entry(name).or_default() += set.probability;
+            }
+        }
+        let groups = groups(&all, &probabilities);
+        let mut told = 0.0;
+        let mut is_told = |set: &Believed| {
+            told += set.probability;
+            told - set.probability < TOLD
+        };
+        let sets = all.into_iter().take(MOST_TOLD).take_while(|set| is_told(set)).collect();
+        Self { sets, groups, probabilities }
+    }
+
+    /// Probability of an effect.
+    pub fn of(&self, name: &str) -> f64 {
+        self.probabilities.get(name).map_or(0.0, |p| p.min(1.0))
+    }
+
+    /// Whether two effects stand for each other in a group.
+    pub fn are_grouped(&self, one: &Name, other: &Name) -> bool {
+        self.groups.iter().any(|group| group.effects.contains(one) && group.effects.contains(other))
+    }
+
+    /// Effects that may be there, in no group, with their probabilities, the most probable first.
+    pub fn open(&self) -> Vec<(Name, f64)> {
+        let is_grouped = |name: &Name| self.groups.iter().any(|group| group.effects.contains(name));
+        let is_open = |(name, p): &(&Name, &f64)| **p >= RULED_OUT && !is_grouped(name);
+        let mut open: Vec<(Name, f64)> =
+            self.probabilities.iter().filter(is_open).map(|(name, p)| (name.clone(), *p)).collect();
+        open.sort_by(|a, b| b.1.total_cmp(&a.1));
+        open
+    }
+}
+
+/// Effects that are open and stand for each other, of which some are there.
+fn groups(sets: &[Believed], probabilities: &BTreeMap<Name, f64>) -> Vec<Group> {
+    let open: Vec<&Name> =
+        probabilities.iter().filter(|(_, p)| (GROUPED..CERTAIN).contains(*p)).map(|(name, _)| name).collect();
+    let together = |a: &Name, b: &Name| {
+        let both = sets.iter().filter(|set| set.effects.contains(a) && set.effects.contains(b));
+        both.map(|set| set.probability).sum::<f64>()
+    };
+    let are_rivals = |a: &Name, b: &Name| together(a, b) < INSTEAD * probabilities[a] * probabilities[b];
+    let mut left = open;
+    let mut groups = Vec::new();
+    while let Some(first) = left.pop() {
+        let mut members = vec![first];
+        let mut next = 0;
+        while next < members.len() {
+            let own = members[next];
+            let (rivals, others): (Vec<&Name>, Vec<&Name>) = left.into_iter().partition(|other| are_rivals(own, other));
+            members.extend(rivals);
+            left = others;
+            next += 1;
+        }
+        let at_least = |count: usize| {
+            let has = |set: &&Believed| members.iter().filter(|m| set.effects.contains(m)).count() >= count;
+            sets.iter().filter(has).map(|set| set.probability).sum::<f64>()
+        };
+        let most = (1..=members.len()).rev().find(|count| at_least(*count) >= CERTAIN);
+        if let Some(count) = most.filter(|_| members.len() > 1) {
+            let mut effects: Vec<Name> = members.iter().map(|name| (*name).clone()).collect();
+            effects.sort_by(|a, b| probabilities[b].total_cmp(&probabilities[a]));
+            groups.push(Group { at_least: count, effects, probability: at_least(count).min(1.0) });
+        }
+    }
+    groups
+}
