@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::candidate_model::CandidateModel;
 use super::gain::Gain;
-use super::moves::SEARCHING;
+use super::moves::{SEARCHING, apart, best_first};
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
 use crate::fit::{Objective, SearchVariable, Solution, StoppingCriterion, minimise, resume};
@@ -20,25 +20,21 @@ const AHEAD: StoppingCriterion = StoppingCriterion::rough(6, 1e-4);
 
 /// Start of a re-fit.
 #[derive(Clone)]
-pub struct Start {
+struct Start {
     position: DVector<f64>,
-    /// Linear parameters of the added effects (number of the search variable), with their neutral values.
+    /// Linear parameters of the added effect (number of the search variable), with their neutral values.
     linear: Vec<(usize, f64)>,
 }
 
 impl Start {
-    /// Starts with the model's own variables at `values`, and no effect yet.
-    fn own(values: &DVector<f64>) -> Self {
-        Self { position: values.clone(), linear: Vec::new() }
-    }
-
-    /// Adds an effect, whose variables come next among `variables`.
-    fn with(mut self, variant: &Variant, amplitudes: &[f64], variables: &[SearchVariable]) -> Self {
-        let first = self.position.len();
+    /// Starts where a set stands, with an effect more, whose variables come last among `variables`.
+    fn new(parent: &CandidateModel, variant: &Variant, amplitudes: &[f64], variables: &[SearchVariable]) -> Self {
+        let from = &parent.solution.position;
+        let first = from.len();
         let own = variant.position(amplitudes, &variables[first..]);
-        self.linear.extend(variant.linear.iter().map(|s| (first + s.parameter, variant.position[s.parameter])));
-        self.position = DVector::from_iterator(first + own.len(), self.position.iter().copied().chain(own));
-        self
+        let linear = variant.linear.iter().map(|s| (first + s.parameter, variant.position[s.parameter])).collect();
+        let position = DVector::from_iterator(first + own.len(), from.iter().copied().chain(own));
+        Self { position, linear }
     }
 }
 
@@ -50,53 +46,24 @@ pub fn starts(projected: &ProjectedResidual, candidate: &CandidateEffect) -> Vec
 /// Selects the best gains of all variants, each in another neighbourhood: neighbours on the grid run into
 /// the same minimum.
 pub fn promising(gains: Vec<Gain>) -> Vec<(usize, Gain)> {
-    let mut all: Vec<(usize, Gain)> = gains.into_iter().enumerate().collect();
-    all.sort_by(|a, b| b.1.delta_chi2.total_cmp(&a.1.delta_chi2));
-    let mut chosen: Vec<(usize, Gain)> = Vec::new();
-    for (i, gain) in all {
-        if chosen.iter().all(|(j, _)| i.abs_diff(*j) > 1) && chosen.len() < STARTS {
-            chosen.push((i, gain));
-        }
-    }
-    chosen
+    apart(&best_first(gains), STARTS)
 }
 
-/// Fits a set with one candidate effect more from the given starts.
+/// Fits a set with one candidate effect more from the given starts, and keeps the deepest minimum.
 pub fn fit_with<'a>(
     parent: &CandidateModel<'a>,
     added: usize,
     candidate: &CandidateEffect,
     starts: &[(usize, Gain)],
 ) -> Option<CandidateModel<'a>> {
-    let objective = parent.objective.with(&candidate.effect);
-    let starts = one_by_one(parent, candidate, starts, &objective.variables);
-    fit_from(parent, &[added], objective, starts, None)
-}
-
-/// Starts where the set stands, with the new effect in each of its variants.
-fn one_by_one(
-    parent: &CandidateModel,
-    candidate: &CandidateEffect,
-    starts: &[(usize, Gain)],
-    variables: &[SearchVariable],
-) -> Vec<Start> {
-    let own = Start::own(&parent.solution.position);
-    starts.iter().map(|(v, gain)| own.clone().with(&candidate.variants[*v], &gain.amplitudes, variables)).collect()
-}
-
-/// Fits a set from its starts, and keeps the deepest minimum, among which may be one that is known.
-pub fn fit_from<'a>(
-    parent: &CandidateModel<'a>,
-    added: &[usize],
-    mut objective: Objective<'a>,
-    starts: impl IntoIterator<Item = Start>,
-    mut best: Option<Solution>,
-) -> Option<CandidateModel<'a>> {
+    let mut objective = parent.objective.with(&candidate.effect);
     if objective.freedom() < 1.0 {
         // A model with as many parameters as rows fits anything.
         return None;
     }
-    for start in starts {
+    let mut best: Option<Solution> = None;
+    for (variant, gain) in starts {
+        let start = Start::new(parent, &candidate.variants[*variant], &gain.amplitudes, &objective.variables);
         // A model that lacks an effect is biased away from its priors; from there the way back may be
         // barred.
         let bent = objective.prior_chi2(&start.position) > BENT;
@@ -106,7 +73,7 @@ pub fn fit_from<'a>(
         }
     }
     let solution = resume(&mut objective, best?, SEARCHING);
-    Some(CandidateModel { members: [&parent.members, added].concat(), objective, solution })
+    Some(CandidateModel { members: [&parent.members[..], &[added]].concat(), objective, solution })
 }
 
 /// Goes a few steps from a start, whose amplitudes are halved until the model can be computed there.

@@ -153,13 +153,18 @@ fn without(
 
 /// Gains of all variants of an effect, the best first.
 fn gains(projected: &ProjectedResidual, candidate: &CandidateEffect) -> Vec<(usize, Gain)> {
-    let mut all: Vec<(usize, Gain)> = candidate.variants.iter().map(|v| projected.gain(v)).enumerate().collect();
+    best_first(candidate.variants.iter().map(|v| projected.gain(v)).collect())
+}
+
+/// Gains with the numbers of their variants, the best first.
+pub fn best_first(gains: Vec<Gain>) -> Vec<(usize, Gain)> {
+    let mut all: Vec<(usize, Gain)> = gains.into_iter().enumerate().collect();
     all.sort_by(|a, b| b.1.delta_chi2.total_cmp(&a.1.delta_chi2));
     all
 }
 
 /// The best of these, each in another neighbourhood: neighbours on the grid run into the same minimum.
-fn apart(gains: &[(usize, Gain)], most: usize) -> Vec<(usize, Gain)> {
+pub fn apart(gains: &[(usize, Gain)], most: usize) -> Vec<(usize, Gain)> {
     let mut chosen: Vec<(usize, Gain)> = Vec::new();
     for (i, gain) in gains {
         if chosen.len() < most && chosen.iter().all(|(j, _)| i.abs_diff(*j) > 1) {

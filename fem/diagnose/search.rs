@@ -44,6 +44,8 @@ const NEWS: f64 = 0.02;
 const MOST_FITS: usize = 400;
 /// Sets of every size that are left, and moves of each that are made, where nothing near the best is left to do.
 const ELSEWHERE: usize = 3;
+/// Most sets that are left so.
+const MOST_ELSEWHERE: usize = 32;
 /// Fall of the criterion that a move must promise for a set to be fitted once more, and how often it is fitted at most.
 const DEEPER: f64 = 6.0;
 const MOST_TIMES: usize = 4;
@@ -76,7 +78,7 @@ pub struct SearchResult<'a> {
     pub candidates: Vec<CandidateEffect>,
     /// Most effects that were sought together.
     pub most: usize,
-    /// Best set of each size, up to that of the best of all.
+    /// Best set of each size, up to that of the set that is told.
     pub steps: Vec<CandidateModel<'a>>,
     /// Model with each candidate effect alone, where it can be computed.
     pub singles: Vec<Option<CandidateModel<'a>>>,
@@ -89,7 +91,7 @@ pub struct SearchResult<'a> {
 }
 
 impl<'a> SearchResult<'a> {
-    /// Most probable set; the model itself where nothing was found.
+    /// Set that is told: the plainest of the most probable; the model itself where nothing was found.
     pub fn best(&self) -> &CandidateModel<'a> {
         self.steps.last().unwrap_or(&self.base)
     }
@@ -136,7 +138,7 @@ pub fn search<'a>(
         open: BTreeMap::new(),
         beside: None,
         looks: 0,
-        elsewhere: if known.is_empty() { 4 } else { 0 },
+        looks_elsewhere: known.is_empty(),
         idle: if known.is_empty() { IDLE } else { 1 },
     };
     pool.visit(vec![base.clone()]);
@@ -217,8 +219,8 @@ struct Pool<'p, 'a> {
     /// model's own freedom takes up, or too small at any usual size. Such an effect is as probable as its odds say, and has
     /// no place in sets.
     is_unseen: Vec<bool>,
-    /// Rounds of looking elsewhere that are left.
-    elsewhere: usize,
+    /// Whether it may still look elsewhere.
+    looks_elsewhere: bool,
     /// Idle rounds after which it ends: of what an earlier search has found little is new.
     idle: usize,
 }
@@ -371,6 +373,9 @@ impl<'a> Pool<'_, 'a> {
     /// Follows the most promising moves from the best sets of every size, however far behind they are, once for each: the
     /// best of all may stand in a valley of its own. Whether there were any.
     fn look_elsewhere(&mut self) -> bool {
+        if !std::mem::take(&mut self.looks_elsewhere) {
+            return false;
+        }
         let mut keys: Vec<Vec<usize>> = Vec::new();
         for size in 1..=self.most {
             let of_size = self.visited.iter().filter(|(key, own)| key.len() == size && own.left != Some(Reach::Two));
@@ -378,8 +383,7 @@ impl<'a> Pool<'_, 'a> {
             sets.sort_by(|a, b| a.0.total_cmp(&b.0));
             keys.extend(sets.into_iter().take(ELSEWHERE).map(|(_, key)| key.clone()));
         }
-        keys.truncate(self.elsewhere * TOGETHER);
-        self.elsewhere = 0;
+        keys.truncate(MOST_ELSEWHERE);
         self.leave(&keys, Reach::Two);
         let mut chosen: Vec<Vec<usize>> = Vec::new();
         for key in keys {
