@@ -1,10 +1,10 @@
 //! A model with what measurements tell of it.
 
 use super::Error;
-use crate::diagnose::Diagnosis;
+use crate::diagnose::{Diagnosis, Next};
 use crate::fit::{Fit, has_nothing_to_fit};
 use crate::input::Problem;
-use crate::model::{Data, Model, add_effect};
+use crate::model::{Data, Entry, Model, Setting, add_effect};
 use crate::output::additions;
 
 /// Estimates what the model leaves open.
@@ -37,6 +37,16 @@ pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
         better = add_effect(&better, &name, &settings)?;
     }
     Ok(better)
+}
+
+/// The model in which rows that are to be measured lie: that of the data, or one with more parts in its batch.
+///
+/// # Errors
+/// As those of [`fitted`].
+pub fn extended(model: &Model, next: &Next) -> Result<Option<Model>, Error> {
+    let Some((key, count)) = next.experiment.raises else { return Ok(None) };
+    let setting = Setting { key: key.into(), value: Entry::Whole(i64::try_from(count).unwrap_or(i64::MAX)) };
+    Ok(Some(super::revised(model, &[setting], &[])?))
 }
 
 /// The model with one missing effect after the other, each with its name, as far as values go that a model may hold.

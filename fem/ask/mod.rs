@@ -16,7 +16,7 @@ mod study;
 pub use catalogue::catalogue;
 pub use comparison::{compare_all, refuse_mixed};
 pub use compensation::compensate;
-pub use completion::{completed, fit, fitted, notes, steps};
+pub use completion::{completed, extended, fit, fitted, notes, steps};
 pub use error::{Error, Marks};
 pub use page::{Depth, Made, Page};
 pub use planning::plan;

@@ -177,6 +177,9 @@ pub struct Diagnose {
     /// Write the model with the missing effects and all fitted values
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
+    /// Write the rows to measure next, to be filled in; where they need a longer batch, the model too, beside them
+    #[arg(long, value_name = "ROWS.csv")]
+    pub next: Option<PathBuf>,
     /// How many effects to look for together, at most
     #[arg(long, value_name = "N", default_value_t = crate::diagnose::MOST_EFFECTS as u8, value_parser = clap::value_parser!(u8).range(1..=8))]
     pub max_effects: u8,

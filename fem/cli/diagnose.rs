@@ -1,6 +1,6 @@
 //! `fem diagnose`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::args;
@@ -14,7 +14,7 @@ use crate::input::{InputError, Problem};
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::files::{self, Guard};
-use crate::output::{DiagnosisAnswer, Folder};
+use crate::output::{DiagnosisAnswer, Folder, quoted, rows_to_measure};
 use crate::process::Process;
 use crate::progress::{Progress, Stretch};
 
@@ -25,6 +25,9 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
         guard.check(new)?;
+    }
+    if let Some(rows) = &args.next {
+        guard.check(rows)?;
     }
     let progress = args.limit.progress();
     let data = Data::of(&model, args.data.load(&*model.process, false)?)?.watched(progress.clone());
@@ -38,7 +41,35 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
             say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
         }
     }
+    if let Some(rows) = &args.next {
+        write_next(args, rows, (&data, &diagnosis), guard)?;
+    }
     print_diagnosis(args, &data, &diagnosis)
+}
+
+/// Writes the rows to measure next and, where they lie beyond the model, the model that has them; says how to go on.
+fn write_next(
+    args: &args::Diagnose,
+    rows: &Path,
+    (data, diagnosis): (&Data, &Diagnosis),
+    guard: Guard,
+) -> Result<(), Error> {
+    let Some(next) = &diagnosis.next else {
+        say!("note: no further measurement that fem knows of would tell more, and {} is not written", rows.display());
+        return Ok(());
+    };
+    let mut model = args.models[0].clone();
+    if let Some(longer) = ask::extended(data.model, next)? {
+        model = rows.with_extension("toml");
+        files::write(&model, longer.text_at(&model).as_bytes(), guard)?;
+        say!("written {}, whose batch has the parts to measure", model.display());
+    }
+    files::write(rows, rows_to_measure(data, next).as_bytes(), guard)?;
+    let with = args.data.with.iter().map(|file| format!(" --with {}", quoted(&file.to_string_lossy())));
+    let with: String = with.chain(data.said.iter().map(|word| format!(" {}", quoted(word)))).collect();
+    let (model, rows) = (quoted(&model.to_string_lossy()), quoted(&rows.to_string_lossy()));
+    say!("written {rows}, to be filled in; then: fem diagnose {model}{with} --with {rows}");
+    Ok(())
 }
 
 /// Diagnoses several tests of one machine together.
@@ -53,6 +84,10 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
     if args.add_to.is_some() {
         let problem = Problem::new("--add-to writes one model, and these are several");
         return Err(problem.help("leave it out: the commands that complete each model are printed").into());
+    }
+    if args.next.is_some() {
+        let problem = Problem::new("--next writes rows of one test, and these are several");
+        return Err(problem.help("leave it out: what to measure is printed").into());
     }
     let loaded: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
     let reading = args.data.reading.said()?;

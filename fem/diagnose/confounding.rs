@@ -147,7 +147,7 @@ fn alternative<'a>(best: &CandidateModel<'a>, trial: CandidateModel<'a>, candida
 }
 
 /// Differences of two models in the parameters with priors, in prior standard uncertainties.
-pub fn priors_apart(best: &CandidateModel, alternative: &CandidateModel) -> Vec<f64> {
+fn priors_apart(best: &CandidateModel, alternative: &CandidateModel) -> Vec<f64> {
     let moved = |i: usize| {
         let variable = &alternative.objective.variables[i];
         let [a, b] = [best, alternative].map(|t| variable.value(t.solution.position[i]));

@@ -7,7 +7,7 @@
 //! model of the prediction about the best fit: along what the data cannot tell the usual decides, and no run of the
 //! model is needed. (MacKay 2003, chapter 27; Kass and Raftery 1995.)
 
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::candidate_model::CandidateModel;
 use crate::fit::Usual;
@@ -32,21 +32,32 @@ pub fn criterion(trial: &CandidateModel) -> Option<f64> {
 
 /// −2 ln of the marginal likelihood.
 fn minus_two_log(trial: &CandidateModel) -> Option<f64> {
-    let objective = &trial.objective;
-    let jacobian = match &trial.solution.slopes {
-        Some(slopes) => objective.jacobian_of(slopes, &trial.solution.position),
-        None => objective.jacobian(&trial.solution)?,
-    };
-    let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
-    let (misfit, level) = misfit_and_level(trial, trial.solution.chi2);
-    let linear = Linear {
-        normal: jacobian.tr_mul(&jacobian) / level,
-        gradient: jacobian.tr_mul(&residuals) / level,
-        at: trial.solution.position.clone(),
-        axes: objective.variables.iter().map(|v| Axis::new(v.usual, v.unit)).collect(),
-    };
-    let (rise, volume) = linear.most_probable()?;
-    Some(misfit + rise + volume + objective.noise.log_determinant())
+    let linear = Linear::about(trial)?;
+    let (here, factor) = linear.most_probable()?;
+    let volume = 2.0 * factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum::<f64>();
+    let misfit = misfit(trial, trial.solution.chi2);
+    Some(misfit + here.value + volume + trial.objective.noise.log_determinant())
+}
+
+/// What data and prior leave of the parameters of a fitted set.
+pub struct Left {
+    /// Step from the fit to the most probable point, in the search variables.
+    pub step: DVector<f64>,
+    /// A root of their covariance: V = root·rootᵀ.
+    pub root: DMatrix<f64>,
+}
+
+/// What data and prior leave of the parameters of a fitted set; `None` where the model cannot be computed beside its best
+/// values.
+pub fn left(trial: &CandidateModel) -> Option<Left> {
+    let linear = Linear::about(trial)?;
+    let (here, factor) = linear.most_probable()?;
+    // The covariance of u is H⁻¹ = L⁻ᵀL⁻¹.
+    let mut root = factor.l().tr_solve_lower_triangular(&DMatrix::identity(here.u.len(), here.u.len()))?;
+    for (i, slope) in here.slopes.iter().enumerate() {
+        root.row_mut(i).scale_mut(*slope);
+    }
+    Some(Left { step: here.step, root })
 }
 
 /// Price of a noise that is larger than what is known of it, beyond that of the effect of the measurement that says so.
@@ -140,12 +151,25 @@ struct Point {
 }
 
 impl Linear {
-    /// The rise of χ² and of the prior at the most probable point, and the logarithm of the determinant there.
-    fn most_probable(&self) -> Option<(f64, f64)> {
+    fn about(trial: &CandidateModel) -> Option<Self> {
+        let objective = &trial.objective;
+        let jacobian = match &trial.solution.slopes {
+            Some(slopes) => objective.jacobian_of(slopes, &trial.solution.position),
+            None => objective.jacobian(&trial.solution)?,
+        };
+        let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
+        let (_, level) = misfit_and_level(trial, trial.solution.chi2);
+        Some(Self {
+            normal: jacobian.tr_mul(&jacobian) / level,
+            gradient: jacobian.tr_mul(&residuals) / level,
+            at: trial.solution.position.clone(),
+            axes: objective.variables.iter().map(|v| Axis::new(v.usual, v.unit)).collect(),
+        })
+    }
+
+    /// The most probable point, and the factor of the curvature there.
+    fn most_probable(&self) -> Option<(Point, Cholesky<f64, Dyn>)> {
         let n = self.at.len();
-        if n == 0 {
-            return Some((0.0, 0.0));
-        }
         let mut here = self.point(DVector::from_fn(n, |i, _| self.axes[i].from(self.at[i])));
         let mut damping = 1e-3;
         for _ in 0..STEPS {
@@ -177,8 +201,7 @@ impl Linear {
             }
         }
         let factor = Cholesky::new(self.curvature(&here))?;
-        let volume = 2.0 * factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum::<f64>();
-        Some((here.value, volume))
+        Some((here, factor))
     }
 
     fn point(&self, u: DVector<f64>) -> Point {

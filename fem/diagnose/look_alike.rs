@@ -4,15 +4,14 @@
 //! Both are weighed by −2 ln L, with the prices by which terms and effects are weighed against each other and
 //! without: what is no more than the margin of confounded effects behind in either cannot be told apart.
 
-use nalgebra::DVector;
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
-use super::confounding::{EQUAL_FIT, priors_apart};
+use super::confounding::EQUAL_FIT;
 use super::instrument::{self, Proposal, criterion, minus_two_log};
 use super::lead::{fit_with, starts, without};
 use super::moves::SEARCHING;
-use super::residual_projection::{ProjectedResidual, length_outside};
+use super::residual_projection::ProjectedResidual;
 use super::search::SearchResult;
 use super::sensitivity;
 use crate::fit::{StoppingCriterion, minimise, resume};
@@ -32,8 +31,8 @@ pub struct LookAlike<'a> {
     pub cause: Description,
     /// The effect or term that fits as well.
     pub other: Description,
-    /// The model with it, where it was fitted, and its squared separation from the best.
-    pub model: Option<(CandidateModel<'a>, f64)>,
+    /// The model with it.
+    pub model: CandidateModel<'a>,
 }
 
 /// Finds what stands in for each cause of the best model across the catalogues, the nearest first.
@@ -82,8 +81,7 @@ fn terms_instead<'a>(
         trial.solution = resume(&mut trial.objective, trial.solution, StoppingCriterion::FULL);
         let rise = behind(&trial, best);
         let other = instrument::description(&term, best.objective.data);
-        let model = (rise <= EQUAL_FIT).then(|| separation(best, &mut trial).map(|apart| (trial, apart)))?;
-        Some((rise, LookAlike { cause: cause.clone(), other, model }))
+        (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause: cause.clone(), other, model: trial }))
     };
     // Of each effect the most promising term that fits as well; effects do not wait for each other.
     let mut of_effects: Vec<Vec<(Proposal, Term)>> = Vec::new();
@@ -132,9 +130,8 @@ fn effects_instead<'a>(
             trial = instrument::resized(&trial, repeats).unwrap_or(trial);
         }
         let rise = behind(&trial, best);
-        let model = separation(best, &mut trial).map(|apart| (trial, apart));
-        let cause = instrument::description(term, data);
-        (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause, other: candidates[candidate].effect.clone(), model }))
+        let (cause, other) = (instrument::description(term, data), candidates[candidate].effect.clone());
+        (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause, other, model: trial }))
     };
     let mut all: Vec<(f64, LookAlike<'a>)> = (0..candidates.len()).into_par_iter().filter_map(stand_in).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -149,12 +146,4 @@ fn without_term<'a>(best: &CandidateModel<'a>, number: usize, repeats: &Repeats)
     rest.objective.noise = Noise::beside(&terms, data, repeats, &best.residuals()).0.with(terms, data);
     rest.solution = minimise(&mut rest.objective, &best.solution.position, &[], StoppingCriterion::FULL)?;
     Some(rest)
-}
-
-/// Squared distance between the predictions of two models that neither the parameters nor the noise of the
-/// second can bridge, in standard uncertainties.
-fn separation(best: &CandidateModel, trial: &mut CandidateModel) -> Option<f64> {
-    let jacobian = trial.objective.jacobian(&trial.solution)?;
-    let apart = trial.objective.noise.whiten(best.change_from(trial)).into_iter().chain(priors_apart(best, trial));
-    Some(length_outside(&jacobian, DVector::from_vec(apart.collect())).powi(2))
 }

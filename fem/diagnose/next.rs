@@ -1,18 +1,36 @@
-//! Next measurement: the candidate experiment that best tells confounded effects apart (design of
-//! experiments).
+//! Next measurement: the candidate experiment that tells most about which of the sets that fit is true (Bayesian design
+//! of experiments).
+//!
+//! Each set predicts the rows of an experiment with the uncertainty that the data leave of its parameters: a normal
+//! distribution of mean m and covariance C = I + LLᵀ in standard uncertainties of the rows. What an experiment is
+//! expected to tell is the mutual information of set and rows; of a mixture of normal distributions it is no less than
+//!
+//! −Σᵢ wᵢ ln Σⱼ wⱼ exp(−Bᵢⱼ), Bᵢⱼ = ⅛ δ² + ½ ln |C̄| − ¼ ln |Cᵢ||Cⱼ|, δ² = ΔᵀC̄⁻¹Δ, C̄ = ½(Cᵢ + Cⱼ)
+//!
+//! with Bhattacharyya's distances B (Kolchinsky and Tracey 2017, Entropy 19, 361). L has a column for each parameter, so
+//! that all of it is computed from inner products of columns, for any number of repeats.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
-use super::candidate_model::CandidateModel;
-use super::confounding::{Confounding, SEPARATE, priors_apart};
+use super::candidate_model::{CandidateModel, Weighed};
+use super::confounding::{Confounding, SEPARATE};
+use super::laplace;
 use super::look_alike::LookAlike;
-use super::residual_projection::length_outside;
 use super::search::SearchResult;
+use crate::noise::Acts;
 use crate::process::{CandidateExperiment, Description, Rows};
 
 /// Numbers of repeats of an experiment that are considered.
 pub const REPEATS: &[usize] = &[1, 2, 4, 8];
+/// Weight, beside the best set, of what a diagnosis tells as indistinguishable: it should be told apart, however
+/// improbable it is.
+const TOLD: f64 = 0.05;
+/// Information below which an experiment is not worth the making, nats, and as a part of what is not known.
+const LEAST: f64 = 0.05;
+const LEAST_PART: f64 = 0.2;
+/// Part of the most that any experiment tells which is enough for a shorter one to be preferred.
+const ENOUGH: f64 = 0.9;
 
 /// Measurement to make next.
 #[derive(Clone, Debug)]
@@ -21,12 +39,18 @@ pub struct Next {
     pub experiment: CandidateExperiment,
     /// Number of repeats of each of its rows.
     pub repeats: usize,
-    /// Pairs of effects that it tells apart, or, where it is not enough, brings farther apart.
+    /// Pairs of effects that it tells apart, or, where it is not enough, brings farther apart; those that stand for
+    /// each other in the most probable sets first.
     pub pairs: Vec<(Description, Description)>,
-    /// Separation of the worst pair, in standard uncertainties.
+    /// Effects of which it tells whether they are there.
+    pub whether: Vec<Description>,
+    /// Separation of the worst of them, in standard uncertainties.
     pub separation: f64,
     /// Whether that separation is enough to tell them apart.
     pub enough: bool,
+    /// As how many equally probable sets those that fit now count, and those that are expected to be left; of a plan,
+    /// which has no sets, nothing.
+    pub sets: Option<(f64, f64)>,
 }
 
 impl Next {
@@ -36,115 +60,248 @@ impl Next {
     }
 }
 
-/// Two models that the rows cannot tell apart: the best, and one with another cause in the place of one of its
-/// own.
-struct Rival<'r, 'a> {
-    /// The cause, and the other.
-    pair: (&'r Description, &'r Description),
+/// A set that may be true.
+struct Contender<'r, 'a> {
     model: &'r CandidateModel<'a>,
-    /// Squared separation in the rows that were measured.
-    separation: f64,
-    /// Whether one of the causes is the instrument's: new rows then have a zero that nobody knows.
-    has_free_zero: bool,
+    /// Effects that it has beyond the model, those of the measurement too.
+    effects: Vec<Description>,
+    weight: f64,
+    left: laplace::Left,
 }
 
-/// Selects the candidate experiment that tells most pairs apart, with the fewest rows. `None` where nothing
-/// is confounded, or no experiment would help.
-pub fn next(
-    found: &SearchResult,
-    best: &CandidateModel,
-    confoundings: &[Confounding],
-    look_alikes: &[LookAlike],
-) -> Option<Next> {
-    let experiments = best.objective.data.model.system.candidate_experiments(&best.objective.data.rows);
-    let effect = |number: usize| &found.candidates[number].effect;
-    let of_effects = confoundings.iter().flat_map(|own| {
-        own.alternatives.iter().map(move |other| Rival {
-            pair: (effect(own.candidate), effect(other.candidate)),
-            model: &other.model,
-            separation: other.separation,
-            has_free_zero: false,
+impl<'r, 'a> Contender<'r, 'a> {
+    fn new(model: &'r CandidateModel<'a>, more: Option<&Description>, criterion: f64, best: f64) -> Option<Self> {
+        let effects = model.objective.added.iter().chain(more).cloned().collect();
+        let weight = (0.5 * (best - criterion)).exp();
+        Some(Self { model, effects, weight, left: laplace::left(model)? })
+    }
+
+    fn names(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = self.effects.iter().map(|effect| &*effect.name).collect();
+        names.sort_unstable();
+        names
+    }
+}
+
+/// The sets that may be true: those that hold nearly all of the probability, and all that a diagnosis tells as
+/// indistinguishable.
+fn contenders<'r, 'a>(
+    found: &'r SearchResult<'a>,
+    confoundings: &'r [Confounding<'a>],
+    look_alikes: &'r [LookAlike<'a>],
+) -> Vec<Contender<'r, 'a>> {
+    let best = found.tried.first().map_or(0.0, |set| set.criterion);
+    let credible = found.credible().iter();
+    let mut all: Vec<Contender> =
+        credible.filter_map(|Weighed { model, criterion }| Contender::new(model, None, *criterion, best)).collect();
+    let of_effects = confoundings.iter().flat_map(|own| &own.alternatives).map(|other| (&other.model, None));
+    // An effect of the machine in the place of a term is among the model's own; a term is not.
+    let of_terms = look_alikes.iter().map(|own| {
+        let is_term = !own.model.objective.added.contains(&own.other);
+        (&own.model, is_term.then_some(&own.other))
+    });
+    for (model, more) in of_effects.chain(of_terms) {
+        let Some(criterion) = laplace::criterion(model) else { continue };
+        let Some(mut other) = Contender::new(model, more, criterion, best) else { continue };
+        if all.iter().all(|own| own.names() != other.names()) {
+            other.weight = other.weight.clamp(TOLD, 1.0);
+            all.push(other);
+        }
+    }
+    let whole: f64 = all.iter().map(|own| own.weight).sum();
+    all.iter_mut().for_each(|own| own.weight /= whole);
+    all
+}
+
+/// Chooses the experiment that tells most, or the shortest of those that tell nearly as much. `None` where one set is
+/// certain, or no experiment would help.
+pub fn next(found: &SearchResult, confoundings: &[Confounding], look_alikes: &[LookAlike]) -> Option<Next> {
+    let data = found.base.objective.data;
+    let contenders = contenders(found, confoundings, look_alikes);
+    let weights: Vec<f64> = contenders.iter().map(|own| own.weight).collect();
+    let entropy = -weights.iter().map(|w| w * w.ln()).sum::<f64>();
+    if entropy < LEAST {
+        return None;
+    }
+    let experiments = data.model.system.candidate_experiments(&data.rows);
+    let rate = |experiment: CandidateExperiment| {
+        let prospect = Prospect::new(&contenders, &experiment.rows)?;
+        let at = |repeats: &usize| (*repeats, prospect.information(*repeats));
+        let rated: Vec<(usize, f64)> = REPEATS.iter().map(at).collect();
+        Some((experiment, prospect, rated))
+    };
+    let rated: Vec<_> = experiments.into_par_iter().filter_map(rate).collect();
+    let all = || {
+        rated.iter().flat_map(|(experiment, prospect, rated)| {
+            rated.iter().map(move |(repeats, tells)| (experiment, prospect, *repeats, *tells))
         })
-    });
-    let of_terms = look_alikes.iter().filter_map(|own| {
-        let (model, separation) = own.model.as_ref()?;
-        Some(Rival { pair: (&own.cause, &own.other), model, separation: *separation, has_free_zero: true })
-    });
-    let rivals: Vec<Rival> = of_effects.chain(of_terms).collect();
-    let rated: Vec<Next> =
-        experiments.into_par_iter().flat_map_iter(|experiment| rate(best, &rivals, &experiment)).collect();
-    let value = |n: &Next| (if n.enough { n.pairs.len() } else { 0 }, n.separation);
-    rated.into_iter().max_by(|a, b| {
-        let told = value(a).0.cmp(&value(b).0);
-        let rows = if a.enough { b.observations().cmp(&a.observations()) } else { std::cmp::Ordering::Equal };
-        told.then(rows).then(value(a).1.total_cmp(&value(b).1))
+    };
+    let most = all().map(|own| own.3).fold(0.0, f64::max);
+    let rows = |own: &(&CandidateExperiment, &Prospect, usize, f64)| own.2 * own.0.rows.len();
+    let (experiment, prospect, repeats, tells) = all()
+        .filter(|own| own.3 >= ENOUGH * most && own.3 >= LEAST.max(LEAST_PART * entropy))
+        .min_by(|a, b| rows(a).cmp(&rows(b)).then(b.3.total_cmp(&a.3)))?;
+    let told = prospect.told(&contenders, repeats);
+    Some(Next {
+        experiment: experiment.clone(),
+        repeats,
+        pairs: told.pairs,
+        whether: told.whether,
+        separation: told.separation,
+        enough: told.enough,
+        sets: Some((entropy.exp(), (entropy - tells).max(0.0).exp())),
     })
 }
 
-/// Rates an experiment for each number of repeats.
-fn rate(best: &CandidateModel, rivals: &[Rival], experiment: &CandidateExperiment) -> Vec<Next> {
-    let contrast = |rival: &Rival| {
-        let pair = (rival.pair.0.clone(), rival.pair.1.clone());
-        Some((pair, rival.separation, Contrast::new(best, rival, &experiment.rows)?))
-    };
-    let contrasts: Vec<_> = rivals.iter().filter_map(contrast).collect();
-    let at = |repeats: usize| {
-        let seen: Vec<_> =
-            contrasts.iter().map(|(pair, before, c)| (pair.clone(), *before, c.distance(repeats))).collect();
-        let told = |s: &&(_, f64, f64)| s.2 * s.2 >= SEPARATE;
-        let enough = seen.iter().any(|s| told(&s));
-        let helped: Vec<_> = seen.iter().filter(|s| if enough { told(s) } else { s.2 * s.2 > s.1 + 1.0 }).collect();
-        let separation = helped.iter().map(|s| s.2).fold(f64::INFINITY, f64::min);
-        let pairs: Vec<_> = helped.iter().map(|s| s.0.clone()).collect();
-        (!pairs.is_empty()).then(|| Next { experiment: experiment.clone(), repeats, pairs, separation, enough })
-    };
-    REPEATS.iter().filter_map(|r| at(*r)).collect()
+/// What the sets predict of the rows of an experiment: inner products of the columns of their uncertainties and of
+/// their predictions, in standard uncertainties of rows that are measured once.
+struct Prospect {
+    weights: Vec<f64>,
+    /// Columns of each set's L, and last its prediction less that of the first set.
+    columns: Vec<std::ops::Range<usize>>,
+    products: DMatrix<f64>,
 }
 
-/// Difference between two models over the measured rows and those of an experiment.
-struct Contrast {
-    measured: DVector<f64>,
-    jacobian: DMatrix<f64>,
-    /// Difference in each row of the experiment, measured once, in its standard uncertainty.
-    experiment: DVector<f64>,
-    experiment_jacobian: DMatrix<f64>,
-}
-
-impl Contrast {
-    fn new(best: &CandidateModel, rival: &Rival, experiment: &Rows) -> Option<Self> {
-        let alternative = rival.model;
-        let (one, other) = (best.objective.clone(), alternative.objective.clone());
-        let sigma = experiment.observable.iter().map(|o| one.noise.usual(one.data, *o));
-        let sigma = DVector::from_iterator(experiment.len(), sigma);
-        let mut jacobian = other.jacobian(&alternative.solution)?;
-        // Residuals are measured less predicted, so that their derivatives have the opposite sign.
-        let mut experiment_jacobian = -other.sensitivities(&alternative.solution.position, experiment)?;
-        experiment_jacobian.column_iter_mut().for_each(|mut c| c.component_div_assign(&sigma));
-        let ahead = one.predict_rows(&best.solution.position, experiment)?;
-        let behind = other.predict_rows(&alternative.solution.position, experiment)?;
-        let measured = best.solution.predicted.iter().zip(&alternative.solution.predicted).map(|(p, q)| p - q);
-        if rival.has_free_zero {
-            let columns = jacobian.ncols();
-            jacobian = jacobian.insert_column(columns, 0.0);
-            experiment_jacobian = experiment_jacobian.insert_column(columns, 0.0);
-            experiment_jacobian.set_column(columns, &sigma.map(|s| 1.0 / s));
+impl Prospect {
+    fn new(contenders: &[Contender], rows: &Rows) -> Option<Self> {
+        let mut columns = Vec::new();
+        let mut all: Vec<DVector<f64>> = Vec::new();
+        for own in contenders {
+            let objective = &own.model.objective;
+            let sigma = rows.observable.iter().map(|o| objective.noise.usual(objective.data, *o));
+            let sigma = DVector::from_iterator(rows.len(), sigma);
+            let position = &own.model.solution.position;
+            let slopes = objective.sensitivities(position, rows)?;
+            let predicted = DVector::from_vec(objective.predict_rows(position, rows)?) + &slopes * &own.left.step;
+            let first = all.len();
+            let spread = slopes * &own.left.root;
+            all.extend(spread.column_iter().map(|column| column.component_div(&sigma)));
+            // What rows share by the way of measuring, new rows share anew.
+            let shared = objective.noise.terms.iter().filter(|term| matches!(term.effect.acts, Acts::Shared(_)));
+            let shared: f64 = shared.map(|term| term.size.powi(2)).filter(|size| size.is_finite()).sum();
+            all.push(sigma.map(|s| shared.sqrt() / s));
+            all.push(predicted.component_div(&sigma));
+            columns.push(first..all.len());
         }
-        let measured = other.noise.whiten(measured).into_iter().chain(priors_apart(best, alternative)).collect();
-        let experiment = (DVector::from_vec(ahead) - DVector::from_vec(behind)).component_div(&sigma);
-        Some(Self { measured: DVector::from_vec(measured), jacobian, experiment, experiment_jacobian })
+        let first = all[columns.first()?.end - 1].clone();
+        for own in &columns {
+            all[own.end - 1] -= &first;
+        }
+        let all = DMatrix::from_columns(&all);
+        if all.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        Some(Self { weights: contenders.iter().map(|own| own.weight).collect(), columns, products: all.tr_mul(&all) })
     }
 
-    /// Distance between the two, in standard uncertainties, that no parameter of the alternative can bridge.
-    fn distance(&self, repeats: usize) -> f64 {
-        let weight = (repeats as f64).sqrt();
-        let (n, m) = (self.measured.len(), self.experiment.len());
-        let apart = DVector::from_iterator(
-            n + m,
-            self.measured.iter().copied().chain(self.experiment.iter().map(|v| v * weight)),
-        );
-        let mut both = DMatrix::zeros(n + m, self.jacobian.ncols());
-        both.rows_mut(0, n).copy_from(&self.jacobian);
-        both.rows_mut(n, m).copy_from(&(&self.experiment_jacobian * weight));
-        length_outside(&both, apart)
+    /// I + r·MᵀM of some columns, factored, of rows that are repeated r times.
+    fn factored(&self, own: &[usize], scale: f64) -> Option<Cholesky<f64, Dyn>> {
+        let entry = |r: usize, c: usize| scale * self.products[(own[r], own[c])] + f64::from(u8::from(r == c));
+        Cholesky::new(DMatrix::from_fn(own.len(), own.len(), entry))
+    }
+
+    fn log_determinant(factor: &Cholesky<f64, Dyn>) -> f64 {
+        2.0 * factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum::<f64>()
+    }
+
+    fn spread(&self, i: usize) -> std::ops::Range<usize> {
+        self.columns[i].start..self.columns[i].end - 1
+    }
+
+    /// Squared distance δ² of what two sets predict, and Bhattacharyya's distance.
+    fn apart(&self, i: usize, j: usize, repeats: f64) -> Option<(f64, f64)> {
+        let both: Vec<usize> = self.spread(i).chain(self.spread(j)).collect();
+        let (p, q) = (self.columns[i].end - 1, self.columns[j].end - 1);
+        let along = |c: usize| self.products[(p, c)] - self.products[(q, c)];
+        let square = along(p) - along(q);
+        let factor = self.factored(&both, 0.5 * repeats)?;
+        let shadow = DVector::from_iterator(both.len(), both.iter().map(|c| along(*c)));
+        // (I + r·½MMᵀ)⁻¹ = I − r·½ M (I + r·½ MᵀM)⁻¹ Mᵀ
+        let taken = 0.5 * repeats * shadow.dot(&factor.solve(&shadow));
+        let distance = (repeats * (square - taken)).max(0.0);
+        let own = |i: usize| Some(Self::log_determinant(&self.factored(&self.spread(i).collect::<Vec<_>>(), repeats)?));
+        let volume = 0.5 * Self::log_determinant(&factor) - 0.25 * (own(i)? + own(j)?);
+        Some((distance, 0.125 * distance + volume.max(0.0)))
+    }
+
+    /// What the experiment tells about the sets, nats.
+    fn information(&self, repeats: usize) -> f64 {
+        let n = self.weights.len();
+        let mut overlap = DMatrix::identity(n, n);
+        for i in 0..n {
+            for j in 0..i {
+                let both = self.apart(i, j, repeats as f64).map_or(1.0, |(_, b)| (-b).exp());
+                (overlap[(i, j)], overlap[(j, i)]) = (both, both);
+            }
+        }
+        let seen = overlap * DVector::from_column_slice(&self.weights);
+        -self.weights.iter().zip(seen.iter()).map(|(w, seen)| w * seen.ln()).sum::<f64>()
+    }
+
+    /// What it tells apart: effects in which two sets differ by one, those of the most probable sets first.
+    fn told(&self, contenders: &[Contender], repeats: usize) -> Told {
+        let mut differences: Vec<(f64, f64, Difference)> = Vec::new();
+        for i in 0..contenders.len() {
+            for j in 0..contenders.len() {
+                let Some(difference) = Difference::between(&contenders[i].effects, &contenders[j].effects) else {
+                    continue;
+                };
+                let Some((distance, _)) = self.apart(i, j, repeats as f64) else { continue };
+                differences.push((self.weights[i] * self.weights[j], distance, difference));
+            }
+        }
+        differences.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let is_told = |own: &&(f64, f64, Difference)| own.1 >= SEPARATE;
+        let enough = differences.iter().any(|own| is_told(&own));
+        let mut told = Told { pairs: Vec::new(), whether: Vec::new(), separation: f64::INFINITY, enough };
+        for (_, distance, difference) in
+            differences.iter().filter(|own| if enough { is_told(own) } else { own.1 > 1.0 })
+        {
+            let is_new = match difference {
+                Difference::Instead(a, b) => {
+                    let is_known =
+                        |p: &(Description, Description)| (&p.0, &p.1) == (*a, *b) || (&p.0, &p.1) == (*b, *a);
+                    let is_new = !told.pairs.iter().any(is_known);
+                    is_new.then(|| told.pairs.push(((*a).clone(), (*b).clone())));
+                    is_new
+                }
+                Difference::Beside(a) => {
+                    let is_new = !told.whether.contains(a);
+                    is_new.then(|| told.whether.push((*a).clone()));
+                    is_new
+                }
+            };
+            if is_new {
+                told.separation = told.separation.min(distance.sqrt());
+            }
+        }
+        told
+    }
+}
+
+/// What an experiment tells.
+struct Told {
+    pairs: Vec<(Description, Description)>,
+    whether: Vec<Description>,
+    separation: f64,
+    enough: bool,
+}
+
+/// In which one effect two sets differ.
+enum Difference<'e> {
+    /// One in the place of the other.
+    Instead(&'e Description, &'e Description),
+    /// One more.
+    Beside(&'e Description),
+}
+
+impl<'e> Difference<'e> {
+    fn between(one: &'e [Description], other: &'e [Description]) -> Option<Self> {
+        let only = |a: &'e [Description], b: &[Description]| a.iter().filter(|e| !b.contains(e)).collect::<Vec<_>>();
+        match (&only(one, other)[..], &only(other, one)[..]) {
+            ([a], [b]) => Some(Self::Instead(a, b)),
+            ([a], []) => Some(Self::Beside(a)),
+            _ => None,
+        }
     }
 }

@@ -91,8 +91,10 @@ pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
                 experiment: experiment.clone(),
                 repeats: *repeats,
                 pairs,
+                whether: Vec::new(),
                 separation,
                 enough: true,
+                sets: None,
             })
         };
         REPEATS.iter().filter_map(at).collect::<Vec<_>>()

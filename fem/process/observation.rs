@@ -228,6 +228,16 @@ pub struct CandidateExperiment {
     pub values: Vec<f64>,
     /// The rows to measure.
     pub rows: Rows,
+    /// A count in the model file, by its path, that must be raised to this for the rows to lie in the model: the parts
+    /// of a batch.
+    pub raises: Option<(&'static str, usize)>,
+}
+
+impl CandidateExperiment {
+    /// An experiment with new values of a coordinate.
+    pub fn new(words: impl Into<String>, coordinate: &Coordinate, values: impl Into<Vec<f64>>, rows: Rows) -> Self {
+        Self { words: words.into(), coordinate: coordinate.name.clone(), values: values.into(), rows, raises: None }
+    }
 }
 
 /// A row that the system cannot be asked for.

@@ -6,7 +6,8 @@ mod commands;
 mod text;
 
 pub use additions::additions;
-pub(super) use additions::{name, quoted};
+pub(super) use additions::name;
+pub use additions::quoted;
 pub(super) use commands::{commands, with};
 pub(super) use text::{
     bent, bound, chance, errors, experiment, label, next_measurement, note, pairs, separated, separated_pairs,

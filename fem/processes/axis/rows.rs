@@ -129,11 +129,8 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
     let last = of.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
     let run = 1.0 + of.columns[RUN].iter().copied().fold(0.0, f64::max);
     let at_once = |targets: &[f64], time: f64| rows(there_and_back(targets, run, |_| time));
-    let experiment = |words: &str, coordinate: usize, values, rows| CandidateExperiment {
-        words: words.into(),
-        coordinate: COORDINATES[coordinate].name.clone(),
-        values,
-        rows,
+    let experiment = |words: &str, coordinate: usize, values: Vec<f64>, rows| {
+        CandidateExperiment::new(words, &COORDINATES[coordinate], values, rows)
     };
     let moved: Vec<f64> = some.iter().enumerate().map(|(i, x)| x + setup.lead * (0.13 + 0.25 * i as f64)).collect();
     let at_moved = rows(moved.iter().map(|x| (*x, Direction::Forward, run, last)));

@@ -104,7 +104,7 @@ pub fn candidate_experiments(setup: &Setup) -> Vec<CandidateExperiment> {
     let experiment = |words: &str, column: usize, pass: Pass| {
         let rows = around((0..72).map(|i| f64::from(5 * i).to_radians()).collect(), pass);
         let values = vec![rows.columns[column][0]];
-        CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name.clone(), values, rows }
+        CandidateExperiment::new(words, &COORDINATES[column], values, rows)
     };
     let slower = Pass { speed: 0.5 * usual.speed, ..usual };
     let reversed = Pass { is_reversed: true, ..usual };

@@ -135,7 +135,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
                       angles: Vec<f64>| {
         let values = value.map_or_else(|| angles.clone(), |v| vec![v]);
         let rows = at_feed(feed, direction, angles);
-        CandidateExperiment { words, coordinate: COORDINATES[coordinate].name.clone(), values, rows }
+        CandidateExperiment::new(words, &COORDINATES[coordinate], values, rows)
     };
     let around = |direction, feed| {
         let all = angles(&Setup { feed, points: 72, ..setup.clone() }, direction);

@@ -144,7 +144,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
         let mut values = rows.columns[column].to_vec();
         values.sort_unstable_by(f64::total_cmp);
         values.dedup();
-        CandidateExperiment { words: words.into(), coordinate: COORDINATES[column].name.clone(), values, rows }
+        CandidateExperiment::new(words, &COORDINATES[column], values, rows)
     };
     let mut experiments = vec![
         experiment("bore another ring at half the jaw force", JAW_FORCE, &|_| 0.5 * setup.jaw_force),

@@ -73,8 +73,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
         (from..=count).map(|i| setup.max_force * (to * f64::from(i) / f64::from(count))).collect()
     };
     let experiment = |words: String, coordinate: usize, values, rows| {
-        let coordinate = COORDINATES[coordinate].name.clone();
-        CandidateExperiment { words, coordinate, values, rows }
+        CandidateExperiment::new(words, &COORDINATES[coordinate], values, rows)
     };
     let (fine, whole) = (part(0.1, 20), part(1.0, 50));
     let [step, end] = [0.005, 0.1].map(|part| FORCE.shown(part * setup.max_force));

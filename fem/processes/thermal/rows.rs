@@ -142,8 +142,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let evenly =
         |from: f64, to: f64| (1..=TIMES).map(|i| from + (to - from) * i as f64 / TIMES as f64).collect::<Vec<f64>>();
     let experiment = |words: &str, coordinate: usize, values: &[f64], rows: Rows| {
-        let coordinate = COORDINATES[coordinate].name.clone();
-        CandidateExperiment { words: words.into(), coordinate, values: values.to_vec(), rows }
+        CandidateExperiment::new(words, &COORDINATES[coordinate], values, rows)
     };
     let seen = |observable: usize| rows.observable.contains(&observable);
     let mut experiments = Vec::new();

@@ -186,21 +186,24 @@ pub fn conditions(setup: &Setup, rows: &Rows, row: usize, diameter: f64) -> Cond
 /// force, a cold machine, other parts, another blank, and places from end to end.
 pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
     let mut experiments = Vec::new();
-    let mut add = |words: String, column: usize, values: Vec<f64>, rows: Rows| {
-        experiments.push(CandidateExperiment { words, coordinate: COORDINATES[column].name.clone(), values, rows });
-    };
     let places = measured_places(rows);
-    let last = (0..rows.len()).filter_map(|r| rows.get(PART, r)).fold(1.0, f64::max);
-    let another = |changes: &[(usize, f64)]| at(rows, &places, last, changes);
+    let last = (0..rows.len()).filter_map(|r| rows.get(PART, r)).fold(0.0, f64::max);
+    let number = last as usize + 1;
+    let raises = (number > setup.schedule.parts).then_some(("batch.parts", number));
+    let mut add = |words: String, column: usize, values: Vec<f64>, rows: Rows| {
+        let experiment = CandidateExperiment::new(words, &COORDINATES[column], values, rows);
+        let is_further = experiment.rows.columns[PART].iter().any(|part| *part > last);
+        experiments.push(CandidateExperiment { raises: raises.filter(|_| is_further), ..experiment });
+    };
+    let another = |changes: &[(usize, f64)]| at(rows, &places, last + 1.0, changes);
     for force in new_forces(&levels(setup, rows)) {
         let words = format!("turn another part with a radial force of {:.0}", FORCE.shown(force));
         add(words, FORCE_OF_ROW, vec![force], another(&[(FORCE_OF_ROW, force)]));
     }
-    let (number, to) = (last as usize, setup.schedule.pass.to);
-    let (time, path) = (setup.schedule.time(number, to) + REST, setup.schedule.path(number, to));
+    let time = setup.schedule.start(number) + REST;
     let words = "let the machine rest for four hours and turn another part".into();
-    add(words, TIME_OF_ROW, vec![time], another(&[(TIME_OF_ROW, time), (PATH_OF_ROW, path)]));
-    let further = path * FURTHER;
+    add(words, TIME_OF_ROW, vec![time], another(&[(TIME_OF_ROW, time)]));
+    let further = setup.schedule.path(number, setup.schedule.pass.to) * FURTHER;
     let words = "turn another part after the edge has cut half as far again".into();
     add(words, PATH_OF_ROW, vec![further], another(&[(PATH_OF_ROW, further)]));
     let measured: BTreeSet<usize> = (0..rows.len()).map(|r| part(rows, r)).collect();
@@ -217,7 +220,7 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     add(words, BLANK, vec![stock], blanks);
     let length = setup.length();
     let fine: Vec<f64> = (0..PLACES).map(|i| length * (0.01 + 0.98 * i as f64 / (PLACES - 1) as f64)).collect();
-    let all = at(rows, &fine, last, &[]);
+    let all = at(rows, &fine, last.max(1.0), &[]);
     add(format!("measure a part at {PLACES} places from end to end"), X, fine, all);
     experiments
 }

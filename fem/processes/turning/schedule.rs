@@ -48,7 +48,7 @@ pub struct Schedule {
     pub pass: Pass,
     /// How many parts.
     pub parts: usize,
-    /// Start of the last pass of each part, s since the start of the batch.
+    /// Start of the last pass of each part and of one more, which an experiment may ask for, s since the start of the batch.
     starts: Vec<f64>,
     /// (x, ∫₀ˣ D/2 dx) at the ends of the segments.
     swept: Vec<(f64, f64)>,
@@ -72,7 +72,7 @@ impl Schedule {
             }
             (part - 1) as f64 * cycle_time + rested + earlier
         };
-        let starts = (1..=parts).map(start).collect();
+        let starts = (1..=parts + 1).map(start).collect();
         let mut swept = vec![(0.0, 0.0)];
         let (mut x, mut area) = (0.0, 0.0);
         for segment in segments {
@@ -83,7 +83,7 @@ impl Schedule {
         Self { pass, parts, starts, swept }
     }
 
-    /// Start of the last pass of `part` (from 1), s; parts beyond the batch start with its last.
+    /// Start of the last pass of `part` (from 1), s; parts further beyond the batch than the first start with that one.
     pub fn start(&self, part: usize) -> f64 {
         let last = self.starts.len().saturating_sub(1);
         self.starts.get(part.saturating_sub(1).min(last)).copied().unwrap_or(0.0)
@@ -91,7 +91,7 @@ impl Schedule {
 
     /// Starts of the last pass of all parts in order, s.
     pub fn starts(&self) -> &[f64] {
-        &self.starts
+        &self.starts[..self.parts]
     }
 
     /// When the tool is at `x` on `part`, s since the start of the batch.
