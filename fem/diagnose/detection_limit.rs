@@ -50,10 +50,12 @@ pub fn detection_limit(
     let shown = match entry.neutral {
         Neutral::Infinity => entry.kind.from_si(1.0 / least),
         Neutral::Value(neutral) => neutral + entry.kind.from_si(least),
+        Neutral::Written(written) => written * least.exp(),
         Neutral::Shape => entry.kind.from_si(least),
     };
     let reachable = match entry.neutral {
         Neutral::Infinity => shown > entry.range.0,
+        Neutral::Written(written) => shown / written < entry.range.1 / written,
         Neutral::Value(_) | Neutral::Shape => shown < entry.range.1,
     };
     let detectable = own_share >= HIDDEN && reachable && shown.is_finite();

@@ -85,6 +85,11 @@ pub struct Outlier {
 pub enum Cause {
     /// The machine's, the fixture's or the part's.
     Physical,
+    /// A value that the model file has is wrong.
+    Value {
+        /// What is written, SI.
+        written: f64,
+    },
     /// The measurement's.
     Measurement {
         /// Its entry in the catalogue.

@@ -9,7 +9,7 @@ use crate::fit::{StoppingCriterion, minimise, size_estimate};
 use crate::measure::{Repeats, grouping_name};
 use crate::model::Data;
 use crate::noise::{Acts, FROM, MEASUREMENT, Restricted, Term, beyond_chi2, effects};
-use crate::process::Description;
+use crate::process::{Description, Neutral};
 
 /// The rows that are weighed down.
 pub fn outliers(best: &CandidateModel) -> Vec<Outlier> {
@@ -80,6 +80,9 @@ pub fn missing_effects(
 
 /// Cause behind an effect that was found among the candidates.
 pub fn cause(effect: &Description) -> Cause {
+    if let Some((Neutral::Written(written), kind)) = effect.parameters.first().map(|p| (p.neutral, p.kind)) {
+        return Cause::Value { written: kind.to_si(written) };
+    }
     match effects::all().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {
         Some(entry) => Cause::of(entry, effect.observable.clone()),
         None => Cause::Physical,

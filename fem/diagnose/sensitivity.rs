@@ -264,7 +264,12 @@ impl Probe<'_, '_> {
             linear.iter().map(|s| self.change(&s.beside(&position), s.parameter, s.size)).collect::<Option<_>>()?;
         let signed = linear.iter().map(|s| {
             let entry = &effect.parameters[s.parameter];
-            s.phase.is_some() || entry.neutral != Neutral::Infinity && entry.bounds == Bounds::Any && !s.is_square
+            let is_signed = match entry.neutral {
+                Neutral::Written(_) => true,
+                Neutral::Infinity => false,
+                Neutral::Value(_) | Neutral::Shape => entry.bounds == Bounds::Any && !s.is_square,
+            };
+            s.phase.is_some() || is_signed
         });
         let whitened = |column: &DVector<f64>| self.trial.whiten(column.iter().copied());
         (!raw.is_empty()).then(|| Variant {

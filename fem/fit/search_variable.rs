@@ -92,6 +92,9 @@ const FAR: f64 = 10.0;
 /// Largest size of an unknown of the model, in terms of its usual one, that a fit tries before it asks.
 const AWAY: f64 = 100.0;
 
+/// Usual size of ln (v/v₀) of a value that somebody wrote as v₀, for steps.
+const RATIO: f64 = 0.2;
+
 /// Transformation between the search variable s and the value v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Scale {
@@ -103,6 +106,8 @@ enum Scale {
     Reciprocal,
     /// s = ln v: a positive quantity of unknown size.
     Logarithm,
+    /// s = ln (v/v₀): a value that somebody wrote as v₀.
+    Ratio(f64),
 }
 
 impl SearchVariable {
@@ -116,6 +121,7 @@ impl SearchVariable {
         let scale = match (entry.map(|e| e.neutral), parameter.bounds) {
             (Some(Neutral::Infinity), _) => Scale::Reciprocal,
             (Some(Neutral::Value(neutral)), Bounds::Any) if neutral != 0.0 => Scale::From(neutral),
+            (Some(Neutral::Written(written)), _) => Scale::Ratio(parameter.kind.to_si(written)),
             (_, Bounds::Positive) => Scale::Logarithm,
             _ => Scale::Plain,
         };
@@ -142,6 +148,7 @@ impl SearchVariable {
         }
         let unit = match scale {
             Scale::Logarithm => 1.0,
+            Scale::Ratio(_) => RATIO,
             Scale::From(_) => range.map_or(1.0, |(low, high)| 0.5 * (high - low)),
             // Where a search is told to begin it is told a size, too.
             Scale::Plain if prior.is_none() && written.abs() > 0.0 => written.abs(),
@@ -176,6 +183,7 @@ impl SearchVariable {
                 (Some((low, high)), _) => high - low,
                 (None, Scale::Reciprocal) => FAR / plausible.0,
                 (None, Scale::From(neutral)) => FAR * (plausible.1 - neutral),
+                (None, Scale::Ratio(written)) => (FAR * plausible.1 / written).ln(),
                 (None, Scale::Plain | Scale::Logarithm) => FAR * plausible.1,
             };
             let smallest = match variable.scale {
@@ -194,6 +202,9 @@ impl SearchVariable {
                 (Scale::Plain, Some(default)) => Usual::Place { centre: default, spread: 0.5 * plausible.1 },
                 (Scale::From(neutral), _) => {
                     Usual::Adjusted { spread: (plausible.1 - neutral) * Usual::NINE_TENTHS * 2.0 }
+                }
+                (Scale::Ratio(written), _) => {
+                    Usual::Place { centre: 0.0, spread: 2.0 * Usual::NINE_TENTHS * (plausible.1 / written).ln() }
                 }
                 (Scale::Logarithm, _) => Usual::place(plausible.0.ln(), plausible.1.ln()),
                 (Scale::Plain, None) if plausible.0 > 0.0 => Usual::size(plausible.0, plausible.1),
@@ -226,6 +237,7 @@ impl SearchVariable {
             Scale::From(neutral) => value - neutral,
             Scale::Reciprocal => 1.0 / value,
             Scale::Logarithm => value.ln(),
+            Scale::Ratio(written) => (value / written).ln(),
         }
         .clamp(self.low, self.high)
     }
@@ -237,6 +249,7 @@ impl SearchVariable {
             Scale::From(neutral) => neutral + position,
             Scale::Reciprocal => 1.0 / position,
             Scale::Logarithm => position.exp(),
+            Scale::Ratio(written) => written * position.exp(),
         }
     }
 
@@ -256,6 +269,7 @@ impl SearchVariable {
             Scale::Plain | Scale::From(_) => 1.0,
             Scale::Reciprocal => 1.0 / (position * position),
             Scale::Logarithm => position.exp(),
+            Scale::Ratio(written) => written.abs() * position.exp(),
         }
     }
 
@@ -281,13 +295,17 @@ impl SearchVariable {
         const REACH: f64 = 12.0;
         match self.scale {
             Scale::Logarithm => (self.low.max(of - REACH), self.high.min(of + REACH)),
-            Scale::Plain | Scale::From(_) | Scale::Reciprocal => (self.low, self.high),
+            Scale::Plain | Scale::From(_) | Scale::Reciprocal | Scale::Ratio(_) => (self.low, self.high),
         }
     }
 
     /// Whether the value falls as the search variable rises.
     pub fn is_reversed(&self) -> bool {
-        self.scale == Scale::Reciprocal
+        match self.scale {
+            Scale::Reciprocal => true,
+            Scale::Ratio(written) => written < 0.0,
+            Scale::Plain | Scale::From(_) | Scale::Logarithm => false,
+        }
     }
 }
 
@@ -302,7 +320,11 @@ fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
     match (scale, bounds) {
         // An infinite stiffness is zero compliance.
         (Scale::Reciprocal, _) => (0.0, f64::INFINITY),
+        (Scale::Ratio(written), Bounds::Within(low, high)) if written > 0.0 => {
+            ((low.max(1e-3 * written) / written).ln(), (high / written).ln())
+        }
         // e^±80 spans every physical size.
+        (Scale::Ratio(_), _) => (-80.0, 80.0),
         (Scale::Logarithm, _) => (-80.0, 80.0),
         (Scale::Plain, Bounds::Positive) => (f64::MIN_POSITIVE, f64::INFINITY),
         (Scale::Plain, Bounds::NotNegative) => (0.0, f64::INFINITY),

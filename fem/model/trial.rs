@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{Model, Place, places, read};
+use super::{Model, Place, place_among, places, read};
 use crate::input::{Instead, ParameterId, Reader};
 use crate::noise::{self, MEASUREMENT, Term};
-use crate::process::{Active, Failure, ForwardModel, System};
+use crate::process::{Active, Failure, ForwardModel, ON_TRIAL, System};
 
 impl Model {
     /// The model with values (SI) entered for quantities, by their paths: known, whatever the file says of them. The
@@ -50,8 +50,23 @@ impl Model {
     /// The values make no model.
     #[doc(hidden)]
     pub fn forward_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn ForwardModel>, Failure> {
+        let is_value = |active: &&Active| active.description.table == ON_TRIAL;
+        let on_trial: Vec<(&str, f64)> = added
+            .iter()
+            .filter(is_value)
+            .filter_map(|active| Some((&*active.description.name, *active.values.first()?)))
+            .collect();
+        if on_trial.iter().any(|(path, _)| self.place(path).is_none()) {
+            let others: Vec<Active> = added.iter().filter(|active| !is_value(active)).cloned().collect();
+            return self.with_values(&on_trial)?.forward_with(values, &others);
+        }
         self.forward_of(values, |mut effects| {
-            effects.extend_from_slice(added);
+            for (path, value) in on_trial {
+                if let Some((effect, parameter)) = place_among(&effects, path) {
+                    effects[effect].values[parameter] = value;
+                }
+            }
+            effects.extend(added.iter().filter(|active| !is_value(active)).cloned());
             effects
         })
     }

@@ -106,6 +106,9 @@ impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
 /// Table of a model file for effects of the machine, the fixture and the part.
 pub const EFFECTS: &str = "effects";
 
+/// In the place of a table: a value that the model file has already, under the path that is its name, is on trial.
+pub const ON_TRIAL: &str = "on trial";
+
 /// An effect as `fem effects` describes it, with all that is needed to read it from a model.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -170,6 +173,8 @@ pub enum Neutral {
     Infinity,
     /// The parameter shapes the effect and does not switch it.
     Shape,
+    /// What somebody wrote, in the canonical unit: a value on trial. Others are told by their ratio to it.
+    Written(f64),
 }
 
 /// An effect of a model with the values of its parameters.
@@ -195,6 +200,9 @@ impl Description {
     /// Path of one of its parameters in a model file.
     #[doc(hidden)]
     pub fn path(&self, parameter: &Parameter) -> ParameterId {
+        if self.table == ON_TRIAL {
+            return (&*self.name).into();
+        }
         let of = self.observable.as_ref().map_or(String::new(), |name| format!("-{name}"));
         format!("{}.{}{of}.{}", self.table, self.name, parameter.name).into()
     }
@@ -228,7 +236,7 @@ impl Description {
     #[doc(hidden)]
     pub fn neutral(&self) -> Active {
         let value = |p: &Parameter| match p.neutral {
-            Neutral::Value(value) => p.kind.to_si(value),
+            Neutral::Value(value) | Neutral::Written(value) => p.kind.to_si(value),
             Neutral::Infinity => f64::INFINITY,
             Neutral::Shape => p.kind.to_si(p.example()),
         };
@@ -293,6 +301,12 @@ impl Parameter {
     /// A positive quantity that shapes the effect without switching it: a time constant, a width.
     pub const fn shape(name: &'static str, kind: Kind, about: &'static str, range: (f64, f64)) -> Self {
         Self::new(name, kind, about, Neutral::Shape, Bounds::Positive, range)
+    }
+
+    /// A value of the model that may have been written wrongly, by a factor that is usually no more than this.
+    pub fn written(name: Name, kind: Kind, bounds: Bounds, value: f64, factor: f64) -> Self {
+        let ends = (value / factor, value * factor);
+        Self { name, ..Self::new("", kind, "the value that is written", Neutral::Written(value), bounds, ends) }
     }
 
     /// A value for an example, in the canonical unit: in the middle of the plausible range, with one digit.
