@@ -60,6 +60,12 @@ pub fn left(trial: &CandidateModel) -> Option<Left> {
     Some(Left { step: here.step, root })
 }
 
+/// The parameters of a fitted model as the prior sees them.
+fn axes(trial: &CandidateModel) -> Vec<Axis> {
+    let variables = trial.objective.variables.iter().zip(&trial.solution.position);
+    variables.map(|(v, at)| Axis::new(v.usual, v.unit, *at)).collect()
+}
+
 /// Price of a noise that is larger than what is known of it, beyond that of the effect of the measurement that says so.
 const UNSAID: f64 = 12.0;
 
@@ -90,11 +96,14 @@ enum Axis {
     Place { centre: f64, spread: f64 },
     /// s = spread·u, and u is normal.
     Adjusted { spread: f64 },
+    /// s stays where it is, one of so many places: a step has no slope.
+    OneOf { at: f64, places: f64 },
 }
 
 impl Axis {
-    fn new(usual: Option<Usual>, unit: f64) -> Self {
+    fn new(usual: Option<Usual>, unit: f64, at: f64) -> Self {
         match usual {
+            Some(Usual::OneOf(count)) => Self::OneOf { at, places: count as f64 },
             Some(Usual::Size { centre, spread }) => Self::Size { centre, spread },
             Some(Usual::Place { centre, spread }) => Self::Place { centre, spread },
             Some(Usual::Adjusted { spread }) => Self::Adjusted { spread },
@@ -108,6 +117,7 @@ impl Axis {
             Self::Size { centre, spread } => ((s.abs().ln() - centre) / spread).max(-VANISHING),
             Self::Place { centre, spread } => (s - centre) / spread,
             Self::Adjusted { spread } => s / spread,
+            Self::OneOf { .. } => 0.0,
         }
     }
 
@@ -120,6 +130,7 @@ impl Axis {
             }
             Self::Place { centre, spread } => (centre + spread * u, *spread),
             Self::Adjusted { spread } => (spread * u, *spread),
+            Self::OneOf { at, .. } => (*at, 0.0),
         }
     }
 
@@ -127,6 +138,7 @@ impl Axis {
     fn price(&self, u: f64) -> (f64, f64) {
         match self {
             Self::Adjusted { .. } => (u * u, 1.0),
+            Self::OneOf { places, .. } => (2.0 * places.ln(), 1.0),
             _ => ((TAILS + 1.0) * (u * u / TAILS).ln_1p(), (TAILS + 1.0) / (TAILS + u * u)),
         }
     }
@@ -163,7 +175,7 @@ impl Linear {
             normal: jacobian.tr_mul(&jacobian) / level,
             gradient: jacobian.tr_mul(&residuals) / level,
             at: trial.solution.position.clone(),
-            axes: objective.variables.iter().map(|v| Axis::new(v.usual, v.unit)).collect(),
+            axes: axes(trial),
         })
     }
 
@@ -228,9 +240,16 @@ impl Linear {
     }
 }
 
+/// Price of the part after which something happened, of a dozen.
+const STEP: f64 = 5.0;
+
 /// Price of an effect at a usual size among a hundred rows, odds included, by which sets are ranked before they are
 /// fitted.
 pub fn usual_price(effect: &Description) -> f64 {
-    let of = |parameter: &Parameter| if parameter.neutral == Neutral::Shape { 2.0 } else { 5.0 };
+    let of = |parameter: &Parameter| match parameter.neutral {
+        Neutral::Shape if parameter.is_step => STEP,
+        Neutral::Shape => 2.0,
+        _ => 5.0,
+    };
     effect.parameters.iter().map(of).sum::<f64>() - 2.0 * effect.odds.to_one.ln()
 }

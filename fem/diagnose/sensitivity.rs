@@ -3,12 +3,13 @@
 //!
 //! A linear parameter (an amplitude, a compliance) enters almost linearly and gives one column: the change
 //! of the prediction per unit. A nonlinear parameter (a time constant, an exponent, a place) is tried on a
-//! grid; each point of the grid is a [`Variant`] with columns of its own.
+//! grid; each point of the grid is a [`Variant`] with columns of its own. One in which the law is a step is tried at
+//! every border between measured parts, or at some of them if they are many.
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use crate::fit::{Objective, SearchVariable, Solution};
+use crate::fit::{MOST_STARTS, Objective, SearchVariable, Solution};
 use crate::input::Bounds;
 use crate::process::{Description, Neutral};
 use crate::units::PERIOD;
@@ -196,6 +197,9 @@ impl Probe<'_, '_> {
                 None => TOGETHER,
             };
             let variable = &self.variables[*i];
+            if let Some(steps) = &variable.steps {
+                return (*i, steps.spread(MOST_STARTS));
+            }
             // A periodic parameter is tried over one period.
             match effect.parameters[*i].period.map(|p| 0.5 * effect.parameters[*i].kind.to_si(p)) {
                 Some(half) => (*i, variable.grid_within(-half, half, count)),

@@ -39,6 +39,9 @@ const CONFLICTING: f64 = 4.0;
 /// Part of the prior uncertainty above which the data have hardly sharpened the prior.
 const UNSHARPENED: f64 = 0.95;
 
+/// Half the width of a 95 % interval of the standard normal distribution.
+const HALF: f64 = 1.959_964;
+
 /// Makes the estimates at a minimum, with warnings.
 pub fn estimates(
     objective: &Objective,
@@ -55,8 +58,14 @@ pub fn estimates(
         let interval = Interval { low: found.low.map(|v| v + turn), high: found.high.map(|v| v + turn) };
         let curvature = covariance[(i, i)].sqrt();
         let (low, high) = variable.within_reach(position);
-        let std =
-            if curvature < high - low { spread(curvature * variable.rate(position), &interval) } else { f64::INFINITY };
+        let std = if variable.steps.is_some() {
+            // There is no curvature, and a place that is certain has no uncertainty.
+            interval.low.zip(interval.high).map_or(f64::INFINITY, |(low, high)| 0.5 * (high - low) / HALF)
+        } else if curvature < high - low {
+            spread(curvature * variable.rate(position), &interval)
+        } else {
+            f64::INFINITY
+        };
         let mut warnings = Vec::new();
         let at_bound = position <= variable.low || position >= variable.high;
         if at_bound {
@@ -101,8 +110,6 @@ pub fn estimates(
 /// Standard uncertainty from the curvature of χ², or from the width of the interval where the two contradict
 /// each other: the curvature at the bottom of a valley that is no parabola does not tell its width.
 fn spread(curvature: f64, interval: &Interval) -> f64 {
-    /// Half the width of a 95 % interval of the standard normal distribution.
-    const HALF: f64 = 1.959_964;
     let width = interval.low.zip(interval.high).map(|(low, high)| 0.5 * (high - low) / HALF);
     match width {
         Some(width) if !(0.5..2.0).contains(&(curvature / width)) => width,

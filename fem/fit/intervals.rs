@@ -8,6 +8,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::least_squares::{StoppingCriterion, minimise};
 use super::objective::{Objective, Solution};
+use super::steps::Steps;
 use crate::noise::NoiseSource;
 use crate::process::Failure;
 
@@ -106,6 +107,9 @@ struct Profile<'a> {
 
 impl Profile<'_> {
     fn interval(&mut self, objective: &mut Objective, covariance: &DMatrix<f64>, i: usize) -> Interval {
+        if let Some(steps) = objective.variables[i].steps.clone() {
+            return self.stepped(objective, &steps, i);
+        }
         let walked = self.walked(objective, covariance, i);
         match objective.data.progress.permits("intervals by the profile of chi2: they are by its curvature") {
             true => walked,
@@ -123,6 +127,30 @@ impl Profile<'_> {
         let ends = [self.best.position[i] - half, self.best.position[i] + half].map(end);
         let [low, high] = if variable.is_reversed() { [ends[1], ends[0]] } else { ends };
         Interval { low, high }
+    }
+
+    /// The interval of a parameter that stands at certain places alone: from the first to the last of those, about the
+    /// best one, at which χ² has not risen by the quantile. It reaches to the last number for which that place stands.
+    fn stepped(&mut self, objective: &mut Objective, steps: &Steps, i: usize) -> Interval {
+        /// Places outside, one after the other, beyond which no further one is tried.
+        const OUTSIDE: usize = 2;
+        let best = steps.at(self.best.position[i]);
+        let mut ends = [best; 2];
+        for (end, direction) in ends.iter_mut().zip([-1, 1]) {
+            let mut outside = 0;
+            for by in (1..=TRIALS as isize).map(|by| direction * by) {
+                let Some(place) = steps.beside(best, by).filter(|_| outside < OUTSIDE) else { break };
+                let start = self.at(i, place);
+                match self.follow(objective, i, start).filter(|there| there.rise < self.quantile.sqrt()) {
+                    Some(_) => (*end, outside) = (place, 0),
+                    None => outside += 1,
+                }
+                if self.deeper.is_some() {
+                    break;
+                }
+            }
+        }
+        Interval { low: Some(ends[0]), high: Some(steps.last_of(ends[1])) }
     }
 
     fn walked(&mut self, objective: &mut Objective, covariance: &DMatrix<f64>, i: usize) -> Interval {

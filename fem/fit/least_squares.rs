@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::jacobian::Differences;
 use super::objective::{Objective, Solution};
+use super::settle::settle;
 use crate::process::Failure;
 
 /// Criterion by which a search for a minimum stops.
@@ -98,7 +99,7 @@ fn descend(objective: &mut Objective, from: Solution, held: &[usize], stop: Stop
         }
         here = further;
     }
-    here
+    settle(objective, here, held, |objective, from| within_bounds(objective, from, held, stop))
 }
 
 /// Descends to a minimum within the bounds. Between Jacobians by differences, each step mends the last one by what it has seen (Broyden

@@ -8,8 +8,10 @@ mod jacobian;
 pub(crate) mod least_squares;
 mod objective;
 mod search_variable;
+mod settle;
 mod sizes;
 pub(crate) mod starts;
+mod steps;
 
 pub use edits::{edits, uncertain};
 pub use estimates::Estimate;
@@ -19,6 +21,7 @@ pub use objective::{Objective, Solution, Trials};
 pub use search_variable::{SearchVariable, Usual};
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
+pub use steps::MOST_STARTS;
 
 use nalgebra::DMatrix;
 

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use nalgebra::{DMatrix, DVector};
 
 use super::search_variable::SearchVariable;
+use super::steps::Steps;
 use crate::input::Parameter;
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
@@ -80,6 +81,11 @@ impl<'a> Objective<'a> {
                 variable.starts = if starts.is_empty() { std::mem::take(&mut variable.starts) } else { starts };
             }
         }
+        for (variable, parameter) in variables.iter_mut().zip(&model.parameters) {
+            if let Some(entry) = model.catalogue(&parameter.path).filter(|entry| entry.is_step) {
+                *variable = variable.clone().stepping(steps(data, entry));
+            }
+        }
         let free = variables.iter().filter(|a| a.prior.is_none()).count();
         if data.len() < free + 1 + data.datum_directions.len() {
             let circle = match data.datum_directions.len() {
@@ -123,7 +129,8 @@ impl<'a> Objective<'a> {
                 bounds: entry.bounds,
                 span: None,
             });
-            more.variables.push(SearchVariable::of_candidate(entry, self.extent(entry)));
+            let steps = if entry.is_step { steps(self.data, entry) } else { None };
+            more.variables.push(SearchVariable::of_candidate(entry, self.extent(entry)).stepping(steps));
         }
         more.added.push(effect.clone());
         more
@@ -294,6 +301,12 @@ impl<'a> Objective<'a> {
         let inverse = &eigen.eigenvectors * inverse * eigen.eigenvectors.transpose();
         DMatrix::from_fn(n, n, |r, c| inverse[(r, c)] * scale[r] * scale[c])
     }
+}
+
+/// The measured numbers along the coordinate of a parameter in which the law is a step.
+fn steps(data: &Data, entry: &process::Parameter) -> Option<Steps> {
+    let column = data.model.process.coordinates().iter().position(|c| Some(&c.name) == entry.along.as_ref())?;
+    Steps::new(data.rows.columns[column].iter().copied())
 }
 
 /// Standard deviation of the observed values of some rows.

@@ -1,5 +1,6 @@
 //! Search variables: transformed parameters in which the prediction is nearly linear, within bounds.
 
+use super::steps::Steps;
 use crate::input::{Bounds, Parameter};
 use crate::process::Neutral;
 use crate::units::{Knowledge, Quantity};
@@ -24,6 +25,8 @@ pub struct SearchVariable {
     limits: (f64, f64),
     /// What is usual, if it belongs to a candidate effect.
     pub usual: Option<Usual>,
+    /// Where it may stand, if the law is a step in it.
+    pub steps: Option<Steps>,
 }
 
 /// Soft knowledge of a parameter of a candidate effect, in the search variable s: nothing is impossible, but what is
@@ -49,6 +52,8 @@ pub enum Usual {
         /// Standard deviation of s.
         spread: f64,
     },
+    /// One of so many places, each as likely as any other.
+    OneOf(usize),
 }
 
 impl Usual {
@@ -66,6 +71,7 @@ impl Usual {
             Self::Size { centre, spread } => (centre + BEYOND * spread).exp(),
             Self::Place { centre, spread } => centre.abs() + BEYOND * spread,
             Self::Adjusted { spread } => BEYOND * spread,
+            Self::OneOf(_) => f64::INFINITY,
         }
     }
 
@@ -122,6 +128,7 @@ impl SearchVariable {
             (Some(Neutral::Infinity), _) => Scale::Reciprocal,
             (Some(Neutral::Value(neutral)), Bounds::Any) if neutral != 0.0 => Scale::From(neutral),
             (Some(Neutral::Written(written)), _) => Scale::Ratio(parameter.kind.to_si(written)),
+            _ if entry.is_some_and(|e| e.is_step) => Scale::Plain,
             (_, Bounds::Positive) => Scale::Logarithm,
             _ => Scale::Plain,
         };
@@ -161,7 +168,7 @@ impl SearchVariable {
             (low, high) = (low.max(-AWAY * unit), high.min(AWAY * unit));
         }
         let is_surveyed = prior.is_none() && range.is_none();
-        Self { scale, low, high, prior, unit, starts, is_surveyed, limits, usual: None }
+        Self { scale, low, high, prior, unit, starts, is_surveyed, limits, usual: None, steps: None }
     }
 
     /// Makes the search variable of a parameter of a candidate effect. A nonlinear parameter stays near its
@@ -199,7 +206,10 @@ impl SearchVariable {
             variable.usual = Some(match (variable.scale, entry.default) {
                 (Scale::Reciprocal, _) => Usual::size(1.0 / plausible.1, 1.0 / plausible.0),
                 // It may as well be left out.
-                (Scale::Plain, Some(default)) => Usual::Place { centre: default, spread: 0.5 * plausible.1 },
+                (Scale::Plain, Some(default)) => {
+                    let farthest = (plausible.1 - default).abs().max((plausible.0 - default).abs());
+                    Usual::Place { centre: default, spread: 0.5 * farthest }
+                }
                 (Scale::From(neutral), _) => {
                     Usual::Adjusted { spread: (plausible.1 - neutral) * Usual::NINE_TENTHS * 2.0 }
                 }
@@ -230,22 +240,40 @@ impl SearchVariable {
         variable
     }
 
+    /// Lets it stand at these places alone, if there are any.
+    #[must_use]
+    pub fn stepping(mut self, steps: Option<Steps>) -> Self {
+        let Some(steps) = steps else { return self };
+        (self.low, self.high) = steps.bounds();
+        self.limits = (self.low, self.high);
+        self.unit = 1.0;
+        match self.usual {
+            // A search begins at every place by itself.
+            Some(_) => (self.starts, self.usual) = (steps.spread(1), Some(Usual::OneOf(steps.count()))),
+            None if self.starts.len() > 1 => self.starts = steps.spread(steps.count()),
+            None => {}
+        }
+        self.steps = Some(steps);
+        self
+    }
+
     /// Search variable of a value.
     pub fn position(&self, value: f64) -> f64 {
-        match self.scale {
+        let position = match self.scale {
             Scale::Plain => value,
             Scale::From(neutral) => value - neutral,
             Scale::Reciprocal => 1.0 / value,
             Scale::Logarithm => value.ln(),
             Scale::Ratio(written) => (value / written).ln(),
-        }
-        .clamp(self.low, self.high)
+        };
+        let position = self.steps.as_ref().map_or(position, |steps| steps.at(position));
+        position.clamp(self.low, self.high)
     }
 
     /// Value at a search variable.
     pub fn value(&self, position: f64) -> f64 {
         match self.scale {
-            Scale::Plain => position,
+            Scale::Plain => self.steps.as_ref().map_or(position, |steps| steps.at(position)),
             Scale::From(neutral) => neutral + position,
             Scale::Reciprocal => 1.0 / position,
             Scale::Logarithm => position.exp(),

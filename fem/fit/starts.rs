@@ -91,9 +91,7 @@ fn valleys(objective: &mut Objective, best: &Solution, i: usize) -> Vec<DVector<
 
 /// Searches between the starts of parameters that have many: the place of a step has no slope to follow.
 fn between(objective: &mut Objective, mut best: Solution) -> Solution {
-    for i in
-        (0..objective.variables.len()).filter(|i| objective.variables[*i].starts.len() > SEVERAL).collect::<Vec<_>>()
-    {
+    for i in (0..objective.variables.len()).filter(|i| is_sought(objective, *i)).collect::<Vec<_>>() {
         let starts = &objective.variables[i].starts;
         let (low, high) = starts.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(*s), h.max(*s)));
         let gap = (high - low) / starts.len() as f64 * 2.0;
@@ -121,9 +119,7 @@ const FINE: i32 = 24;
 fn settle_linear(objective: &mut Objective) {
     let first = |a: &super::search_variable::SearchVariable| a.position(a.starts.first().copied().unwrap_or(1.0));
     let start = DVector::from_iterator(objective.variables.len(), objective.variables.iter().map(first));
-    for i in
-        (0..objective.variables.len()).filter(|i| objective.variables[*i].starts.len() > SEVERAL).collect::<Vec<_>>()
-    {
+    for i in (0..objective.variables.len()).filter(|i| is_sought(objective, *i)).collect::<Vec<_>>() {
         let at = |times: f64| {
             let mut moved = start.clone();
             moved[i] *= times;
@@ -139,6 +135,12 @@ fn settle_linear(objective: &mut Objective) {
 
 /// Number of starts beyond which a parameter is sought everywhere.
 const SEVERAL: usize = 10;
+
+/// Whether a parameter is sought everywhere: one that stands at certain places alone begins at each of them.
+fn is_sought(objective: &Objective, i: usize) -> bool {
+    let variable = &objective.variables[i];
+    variable.starts.len() > SEVERAL && variable.steps.is_none()
+}
 
 /// Makes every combination of the parameters' starts, or evenly spread ones where there are many.
 fn combinations(objective: &Objective) -> Vec<DVector<f64>> {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::Problem;
+use super::{Problem, Source};
 use crate::units::LARGEST;
 
 /// Name and unit of a header cell `name [unit]`; the unit is empty where there is none.
@@ -57,6 +57,13 @@ pub fn line_at(text: &str, offset: usize, skipped: usize) -> Range<usize> {
         start += line.len() + text[start + line.len()..].find('\n').map_or(1, |i| i + 1);
     }
     offset + skipped..offset + skipped
+}
+
+/// The problem with the line of the file that it is about.
+pub(super) fn on_line(source: &Source, problem: Problem) -> Problem {
+    let line = problem.span.as_ref().map(|span| source.line_column(span.start).0);
+    let message = line.map_or(problem.message.clone(), |line| format!("line {line}: {}", problem.message));
+    Problem { message, ..problem }
 }
 
 /// The problem of a file, whose text begins `skipped` bytes into it, that is no CSV.

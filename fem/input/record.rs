@@ -8,8 +8,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::cells::on_line;
+use super::parted_by_commas;
 use super::{Cache, Field, NamedFile, Problem, Reader, did_you_mean, line_at, name_and_unit, no_csv, number};
-use super::{Source, parted_by_commas};
 use crate::units::{Kind, Quantity, Unit};
 
 /// Largest file, bytes: some million points.
@@ -264,13 +265,6 @@ fn column(header: &csv::StringRecord, wanted: &Wanted) -> Result<(usize, Unit), 
             Err((*key, Problem::new(format!("there is no column `{name}`")).help(help)))
         }
     }
-}
-
-/// The problem with the line that it is about.
-fn on_line(source: &Source, problem: Problem) -> Problem {
-    let line = problem.span.as_ref().map(|span| source.line_column(span.start).0);
-    let message = line.map_or(problem.message.clone(), |line| format!("line {line}: {}", problem.message));
-    Problem { message, ..problem }
 }
 
 #[cfg(test)]

@@ -85,6 +85,7 @@ fn parameter(name: Name, kind: Kind) -> Parameter {
         needed_with: None,
         along: None,
         period: None,
+        is_step: false,
     }
 }
 

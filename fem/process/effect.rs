@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{Belongs, Failure, FormulaLaw};
 use crate::input::{Bounds, Name, ParameterId, Reader};
-use crate::units::Kind;
+use crate::units::{Kind, NUMBER};
 
 /// An effect of the catalogue, as data: what it is, what it needs of a set-up `S`, and its law, which
 /// shapes a machine `M`. The law takes the values of its `N` parameters (SI) in the order in which they are
@@ -162,6 +162,8 @@ pub struct Parameter {
     /// In the canonical unit, where values that differ by it are the same: results stand within half of it
     /// on either side of zero.
     pub period: Option<f64>,
+    /// Whether the law is a step in it, which numbers parts or the like: between whole numbers it has no slope.
+    pub is_step: bool,
 }
 
 /// The value of a parameter at which its effect vanishes.
@@ -270,6 +272,7 @@ impl Parameter {
             needed_with: None,
             along: None,
             period: None,
+            is_step: false,
         }
     }
 
@@ -343,7 +346,17 @@ impl Parameter {
             needed_with: None,
             along: Some(Name::new(along)),
             period: None,
+            is_step: false,
         }
+    }
+
+    /// The number, of those that count along a coordinate, after which something happens; what is no whole number is
+    /// rounded to one by the law.
+    pub const fn after(name: &'static str, about: &'static str, along: &'static str, range: (f64, f64)) -> Self {
+        let mut after = Self::place(name, NUMBER, about, along, range);
+        after.bounds = Bounds::Positive;
+        after.is_step = true;
+        after
     }
 
     /// A phase, which shapes the effect without switching it and comes round after `period` (in the

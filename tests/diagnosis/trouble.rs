@@ -47,8 +47,14 @@ impl Tally {
             return;
         }
         let Ok(diagnosis) = score::diagnosis(&case) else { return };
-        let physical: Vec<Vec<&str>> =
-            diagnosis.missing.iter().filter(|m| m.cause == Cause::Physical).map(score::class).collect();
+        let wanted = trouble.names();
+        // A step of the instrument at the first row of a part and a correction of the tool there are one cause with two
+        // names: whichever is named first, the other stands in its class.
+        let is_hidden = |name: &&str| case.truth.hidden.iter().any(|hidden| hidden.effect == *name);
+        let is_of_trouble =
+            |class: &Vec<&str>| class.iter().any(|name| wanted.contains(name)) && !class.iter().any(is_hidden);
+        let physical = diagnosis.missing.iter().filter(|m| m.cause == Cause::Physical).map(score::class);
+        let (of_trouble, physical): (Vec<Vec<&str>>, Vec<Vec<&str>>) = physical.partition(is_of_trouble);
         if case.truth.hidden.is_empty() {
             self.nothing[0] += 1;
             self.nothing[1] += usize::from(physical.is_empty());
@@ -59,8 +65,8 @@ impl Tally {
             self.one[1] += usize::from(physical.len() == 1 && physical[0].contains(&hidden));
         }
         self.told[0] += 1;
-        let wanted = trouble.names();
-        let is_told = wanted.is_empty() || names(&diagnosis).any(|name| wanted.contains(&name));
+        let is_told =
+            wanted.is_empty() || !of_trouble.is_empty() || names(&diagnosis).any(|name| wanted.contains(&name));
         self.told[1] += usize::from(is_told);
         if !is_told || case.truth.hidden.is_empty() && !physical.is_empty() {
             let said: Vec<&str> = diagnosis.missing.iter().map(|m| &*m.effect.name).collect();

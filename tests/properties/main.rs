@@ -52,9 +52,14 @@ fn equipped(start: &str) -> String {
     start.replace("[drives]", &drives) + "\n[cut]\nnormal_force = \"200 N\"\ntangential_force = \"120 N\"\n"
 }
 
-/// What must act for an effect to be felt at all: surroundings that drift are felt through what loses heat.
+/// What must act for an effect to be felt at all: surroundings that drift are felt through what loses heat, a new insert
+/// by the wear of the old one.
 fn beside(process: &dyn Process, effect: &Description) -> Vec<Active> {
-    let through = if effect.name == "ambient-drift" { "convection" } else { "" };
+    let through = match &*effect.name {
+        "ambient-drift" => "convection",
+        "insert-change" => "tool-wear",
+        _ => "",
+    };
     process.effects().into_iter().filter(|e| e.name == through).map(|e| e.typical()).collect()
 }
 

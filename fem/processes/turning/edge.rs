@@ -23,7 +23,7 @@ impl Edge {
         model.optional_table("edge", "the cutting edge and the wear land on its flank", |t| {
             let angle = t.quantity("clearance_angle", ANGLE, "clearance angle of the flank");
             let clearance = angle.within(0.0, 0.7).required().tan();
-            let last = schedule.path(schedule.parts, schedule.pass.to);
+            let last = schedule.longest_path();
             let along = Along { name: "path", kind: PATH, needed: [0.0, last] };
             let about = "measured width of the wear land over the cutting path";
             let recorded = t.quantity("wear_land", LENGTH, about).not_negative().optional_varying(along);

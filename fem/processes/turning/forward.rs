@@ -188,9 +188,10 @@ impl<'a> Standing<'a> {
         let (setup, rows, x) = (&*self.machine.setup, self.rows, self.at(row));
         let i = self.positions.partition_point(|p| *p < x);
         let diameter = setup.diameter(x);
-        let (time, path) = rows::moment(setup, rows, row, rows::part(rows, row), x);
+        let part = rows::part(rows, row);
+        let (time, path) = rows::moment(setup, rows, row, part, x);
         let conditions = rows::conditions(setup, rows, row, diameter);
-        let last = Cutting::new(self.machine, &Moment { x, diameter, time, path }, conditions);
+        let last = Cutting::new(self.machine, &Moment { x, diameter, part, time, path }, conditions);
         let met = match rows.get(BLANK, row) {
             Some(_) => 0.0,
             None => elastic.before(i, x, angle, &last)?,

@@ -10,16 +10,18 @@ use crate::solve::{Hold, Shaft};
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
 
-/// Place and time at which a point of a part is turned.
+/// Place, part and time at which a point is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
     /// Distance from the headstock, m.
     pub x: f64,
     /// Finished diameter there, m.
     pub diameter: f64,
+    /// Number of the part, from 1.
+    pub part: usize,
     /// Time since the start of the batch, s.
     pub time: f64,
-    /// Cutting path of the tool so far, m.
+    /// Cutting path of the insert so far, m.
     pub path: f64,
 }
 
@@ -28,6 +30,15 @@ pub type Shift = Box<dyn Fn(&Moment) -> f64 + Send + Sync>;
 
 /// How far the edge has drawn back after a cutting path, both in m.
 pub type Wear = Box<dyn Fn(f64) -> f64 + Send + Sync>;
+
+/// A change of the insert of which no list tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Renewal {
+    /// Number of the part after which it was.
+    pub after: f64,
+    /// Part of the wear that goes with the old edge.
+    pub share: f64,
+}
 
 /// A support of the shaft whose place effects move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,18 +99,21 @@ pub struct Machine {
     pub lifts: Vec<Shift>,
     /// Wear of the edge; each shows twice on the diameter.
     pub wears: Vec<Wear>,
+    /// Changes of the insert beside those of the schedule.
+    pub renewals: Vec<Renewal>,
     /// Why an effect cannot be computed; the machine then predicts nothing.
     pub failure: Option<Failure>,
 }
 
 impl Machine {
-    /// The ideal machine: rigid, cold and sharp. Only the tool holder of the model yields.
+    /// The ideal machine: rigid, cold and sharp. Only the tool holder of the model yields, and the nose stands where it
+    /// was set between parts.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         let carriage = Joint { spring_compliance: setup.holder_compliance, contacts: Vec::new() };
         let hold = setup.hold();
         let (headstock, tailstock) = (Joint::default(), Joint::default());
-        Self {
-            setup,
+        let mut machine = Self {
+            setup: setup.clone(),
             headstock,
             tailstock,
             carriage,
@@ -110,8 +124,13 @@ impl Machine {
             shifts: Vec::new(),
             lifts: Vec::new(),
             wears: Vec::new(),
+            renewals: Vec::new(),
             failure: None,
+        };
+        if !(setup.schedule.events.corrections.is_empty() && setup.schedule.events.inserts.is_empty()) {
+            machine.add_shift(move |at| setup.schedule.correction(at.part));
         }
+        machine
     }
 
     /// Adds a change of diameter, m.
@@ -139,9 +158,22 @@ impl Machine {
         self.wears.iter().map(|by| by(path)).sum()
     }
 
+    /// How far the edge that cuts at a moment has drawn back, m.
+    fn wear_at(&self, moment: &Moment) -> f64 {
+        let worn = self.wear(moment.path);
+        let schedule = &self.setup.schedule;
+        // An insert that was changed again since is none of the schedule's.
+        let acts = |r: &&Renewal| r.after < moment.part as f64 && r.after > schedule.new_since(moment.part) as f64;
+        let renewed = self.renewals.iter().filter(acts).map(|renewal| {
+            let before = schedule.path(renewal.after as usize, schedule.pass.to);
+            renewal.share * (self.wear((moment.path - before).max(0.0)) - worn)
+        });
+        worn + renewed.sum::<f64>()
+    }
+
     /// Where the nose stands at a moment.
     pub fn nose_at(&self, moment: &Moment) -> Nose {
-        Nose { across: all(&self.shifts, moment) + 2.0 * self.wear(moment.path), up: 2.0 * all(&self.lifts, moment) }
+        Nose { across: all(&self.shifts, moment) + 2.0 * self.wear_at(moment), up: 2.0 * all(&self.lifts, moment) }
     }
 
     /// How far headstock and tailstock stand from their places at a moment, away from the tool, m.
@@ -153,7 +185,7 @@ impl Machine {
     pub fn moment_on(&self, part: usize, x: f64) -> Moment {
         let Setup { schedule, .. } = &*self.setup;
         let (time, path) = (schedule.time(part, x), schedule.path(part, x));
-        Moment { x, diameter: self.setup.diameter(x), time, path }
+        Moment { x, diameter: self.setup.diameter(x), part, time, path }
     }
 
     /// Whether the gap at a place is another one at another time.

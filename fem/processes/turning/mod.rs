@@ -3,13 +3,16 @@
 //! The tool stands at x and pushes the shaft away by y(x); the diameter grows by ΔD = 2·y(x), and everything
 //! that moves the tool nose toward or away from the axis adds to it.
 
+mod batch;
 pub(crate) mod cut;
 mod edge;
 mod effects;
 pub(crate) mod elastic;
+mod events;
 pub(crate) mod forward;
 mod heating;
 mod lift_off;
+mod log;
 mod machine;
 mod passes;
 pub(crate) mod refinement;

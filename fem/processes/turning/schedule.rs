@@ -1,5 +1,6 @@
 //! When and after how much cutting each point of each part is turned.
 
+use super::events::{Events, InsertChange, Pause};
 use crate::process::Segment;
 
 /// One pass of the tool along the shaft.
@@ -32,15 +33,6 @@ impl Pass {
     }
 }
 
-/// A rest of the machine after a part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pause {
-    /// Part number, from 1.
-    pub after: usize,
-    /// s.
-    pub duration: f64,
-}
-
 /// The batch: part k starts (k − 1) cycles and all earlier pauses after the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
@@ -52,6 +44,8 @@ pub struct Schedule {
     starts: Vec<f64>,
     /// (x, ∫₀ˣ D/2 dx) at the ends of the segments.
     swept: Vec<(f64, f64)>,
+    /// Events between parts.
+    pub events: Events,
 }
 
 impl Schedule {
@@ -60,14 +54,13 @@ impl Schedule {
         pass: Pass,
         earlier: f64,
         (parts, cycle_time): (usize, f64),
-        mut pauses: Vec<Pause>,
+        events: Events,
         segments: &[Segment],
     ) -> Self {
-        pauses.sort_by_key(|p| p.after);
-        let mut pauses = pauses.into_iter().peekable();
+        let mut pauses = events.pauses.iter().peekable();
         let mut rested = 0.0;
         let start = |part: usize| {
-            while let Some(pause) = pauses.next_if(|p| p.after < part) {
+            while let Some(pause) = pauses.next_if(|p: &&Pause| p.after < part) {
                 rested += pause.duration;
             }
             (part - 1) as f64 * cycle_time + rested + earlier
@@ -80,7 +73,7 @@ impl Schedule {
             area += 0.5 * segment.section.diameter * segment.length;
             swept.push((x, area));
         }
-        Self { pass, parts, starts, swept }
+        Self { pass, parts, starts, swept, events }
     }
 
     /// Start of the last pass of `part` (from 1), s; parts further beyond the batch than the first start with that one.
@@ -99,11 +92,33 @@ impl Schedule {
         self.start(part) + (x - self.pass.from).abs() / self.pass.speed()
     }
 
-    /// Cutting path of the tool until it is at `x` on `part`, m: ∫πD dx per feed, over all earlier parts and
-    /// this one.
+    /// Cutting path of the insert until it is at `x` on `part`, m: ∫πD dx per feed, over this part and all
+    /// since the insert was changed.
     pub fn path(&self, part: usize, x: f64) -> f64 {
         let whole = self.path_between(self.pass.from, self.pass.to);
-        (part.saturating_sub(1)) as f64 * whole + self.path_between(self.pass.from, x)
+        part.saturating_sub(1 + self.new_since(part)) as f64 * whole + self.path_between(self.pass.from, x)
+    }
+
+    /// Longest cutting path of an insert, m.
+    pub fn longest_path(&self) -> f64 {
+        let ends = self.events.inserts.iter().map(|insert| insert.after).chain([self.parts]);
+        ends.map(|part| self.path(part, self.pass.to)).fold(f64::NAN, f64::max)
+    }
+
+    /// The part after which the insert that cuts `part` was new; 0 for that of the first.
+    pub fn new_since(&self, part: usize) -> usize {
+        self.insert_of(part).map_or(0, |insert| insert.after)
+    }
+
+    /// By how much larger `part` is for what was entered and for how its insert sits, m.
+    pub fn correction(&self, part: usize) -> f64 {
+        let corrections = self.events.corrections.iter().take_while(|correction| correction.after < part);
+        let entered: f64 = corrections.map(|correction| correction.diameter).sum();
+        entered + self.insert_of(part).map_or(0.0, |insert| insert.diameter)
+    }
+
+    fn insert_of(&self, part: usize) -> Option<&InsertChange> {
+        self.events.inserts.iter().rfind(|insert| insert.after < part)
     }
 
     /// The work turns by dx/feed (rad) under the tool, whose edge then passes D/2 per radian.

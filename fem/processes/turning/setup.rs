@@ -2,17 +2,18 @@
 
 use std::sync::Arc;
 
+use super::batch;
 use super::cut::{Conditions, Cut};
 use super::edge::Edge;
 use super::heating::HeatedRods;
 use super::passes::{Blank, EarlierPass};
-use super::schedule::{Pause, Schedule};
+use super::schedule::Schedule;
 use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
 use crate::material::Material;
 use crate::process::Segment;
 use crate::solve::{Hold, Rest, Shaft};
-use crate::units::{LENGTH, STIFFNESS, TIME};
+use crate::units::{LENGTH, STIFFNESS};
 
 /// Largest number of predicted points, rows of `profile.csv`, which take some 300 MB; beyond it a slip is more
 /// likely than a wish.
@@ -126,8 +127,8 @@ impl Setup {
                 t.count("positions", "evenly spaced tool positions along the pass").between(2, 1_000_000).or(101)
             })
             .unwrap_or(101);
-        let (parts, cycle_time, pauses) = read_batch(model, earlier + pass.duration());
-        let schedule = Schedule::new(pass, earlier, (parts, cycle_time), pauses, &segments);
+        let (parts, cycle_time, events) = batch::read(model, earlier + pass.duration());
+        let schedule = Schedule::new(pass, earlier, (parts, cycle_time), events, &segments);
         if positions.saturating_mul(parts) > MOST_POINTS {
             let message = format!("{positions} positions on {parts} parts are more than {MOST_POINTS} points");
             model.problem("batch", message, "take fewer positions or parts");
@@ -263,38 +264,6 @@ fn read_holder(t: &Reader, beam: BeamTheory) -> f64 {
         BeamTheory::Timoshenko => bending + overhang / shear,
         BeamTheory::EulerBernoulli => bending,
     }
-}
-
-fn read_batch(model: &Reader, cutting_time: f64) -> (usize, f64, Vec<Pause>) {
-    let batch = model.optional_table("batch", "the parts turned one after the other", |t| {
-        let parts = t.count("parts", "how many parts").between(1, 1_000_000).or(1);
-        let cycle = t
-            .quantity("cycle_time", TIME, "from the start of one part to the start of the next")
-            .positive()
-            .or(cutting_time);
-        if cycle < cutting_time * (1.0 - 1e-9) {
-            let message = format!(
-                "the cycle time of {:.4} is shorter than the cut, which takes {:.4}",
-                TIME.shown(cycle),
-                TIME.shown(cutting_time)
-            );
-            t.problem("cycle_time", message, "lengthen the cycle, or feed faster");
-        }
-        let pauses = t.list("pauses", "breaks between parts", |t, _| {
-            let after = t.count("after", "part after which the machine rests").between(1, 1_000_000).required();
-            if after > parts {
-                t.problem(
-                    "after",
-                    format!("`after` is {after}"),
-                    format!("it must be a whole number from 1 to {parts}"),
-                );
-            }
-            let duration = t.quantity("duration", TIME, "how long it rests").positive().required();
-            Pause { after, duration }
-        });
-        (parts, cycle, pauses)
-    });
-    batch.unwrap_or((1, cutting_time, Vec::new()))
 }
 
 fn read_mesh(model: &Reader, length: f64) -> (f64, BeamTheory) {

@@ -4,6 +4,7 @@
 mod beams;
 mod benchmark;
 mod cross_check;
+mod events;
 mod feedback;
 mod geometry;
 mod heating;
@@ -26,6 +27,7 @@ pub fn cases() -> Vec<Case> {
         geometry::cases(),
         meetings::cases(),
         time::cases(),
+        events::cases(),
         heating::cases(),
         cross_check::cases(),
     ]

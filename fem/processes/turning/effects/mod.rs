@@ -10,7 +10,9 @@ mod front_guideway_wear;
 mod guideway_height;
 mod guideway_taper;
 mod guideway_wear;
+mod insert_change;
 mod joint_contact;
+mod offset_correction;
 mod rest_offset;
 mod setting_error;
 mod spindle_thermal_drift;
@@ -54,6 +56,8 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &rest_offset::REST_OFFSET,
     &setting_error::SETTING_ERROR,
     &cross_slide_play::CROSS_SLIDE_PLAY,
+    &offset_correction::OFFSET_CORRECTION,
+    &insert_change::INSERT_CHANGE,
 ];
 
 #[cfg(test)]
@@ -104,6 +108,6 @@ pub(super) mod bench {
 
     /// On part 2 at x = 0.15 m: 3.75 min into the cut.
     pub fn moment() -> Moment {
-        Moment { x: 0.15, diameter: 0.05, time: 825.0, path: 800.0 }
+        Moment { x: 0.15, diameter: 0.05, part: 2, time: 825.0, path: 800.0 }
     }
 }

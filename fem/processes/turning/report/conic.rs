@@ -16,7 +16,7 @@ pub fn figure(machine: &Machine) -> Option<Figure> {
     let setup = &machine.setup;
     let (length, diameter) = (setup.length(), setup.diameter(0.0));
     // Of the first diameter, before the first cut, where nothing is worn and nothing warm.
-    let begin = |x: f64| Moment { x, diameter, time: 0.0, path: 0.0 };
+    let begin = |x: f64| Moment { x, diameter, part: 1, time: 0.0, path: 0.0 };
     let is_lifted = machine.lifts.iter().any(|lift| lift(&begin(length)) != 0.0);
     let squared =
         |part: f64| (0.5 * (diameter + machine.nose_at(&begin(part * length)).error(diameter, 0.0).0)).powi(2);

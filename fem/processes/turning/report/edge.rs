@@ -22,7 +22,7 @@ pub fn figure(machine: &Machine) -> Option<(Figure, Option<String>)> {
     let life = life(machine, edge, largest);
     let limit = LENGTH.format(largest);
     let (line, warning) = match life {
-        Some(path) if path < end => {
+        Some(path) if path < schedule.longest_path() => {
             let part = (1..=schedule.parts).find(|k| schedule.path(*k, schedule.pass.to) >= path).unwrap_or(1);
             let line = format!("{limit} is reached after {:.1}, on part {part}", PATH.shown(path));
             let warning = format!("the wear land is wider than {limit} from part {part} on: change the edge before it");

@@ -4,6 +4,7 @@ mod bodies;
 mod compliance;
 mod conic;
 mod edge;
+mod events;
 mod form;
 pub mod roundness;
 mod shapes;
@@ -125,7 +126,7 @@ fn schedule(setup: &Setup) -> Figure {
     let (parts, pass) = (schedule.parts, schedule.pass);
     let (cut, end, path) = (pass.duration(), schedule.time(parts, pass.to), schedule.path(parts, pass.to));
     let [cut_shown, end_shown] = [cut, end].map(|time| TIME.shown(time));
-    Figure::new("schedule", "schedule")
+    let figure = Figure::new("schedule", "schedule")
         .unit("time_unit", TIME)
         .unit("path_unit", PATH)
         .line(format!(
@@ -135,7 +136,8 @@ fn schedule(setup: &Setup) -> Figure {
         .entry("parts", parts)
         .quantity("cutting_time", TIME, cut)
         .quantity("end", TIME, end)
-        .quantity("path", PATH, path)
+        .quantity("path", PATH, path);
+    events::told(&schedule.events, figure)
 }
 
 fn plots(positions: &[f64], errors: &[f64]) -> Vec<Plot> {

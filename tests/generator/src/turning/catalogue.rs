@@ -1,4 +1,4 @@
-//! The 24 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
+//! The 26 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
 
 use super::job::{Holding, Job};
 use crate::law::{Law, Parameter, Role};
@@ -54,7 +54,14 @@ const REST: &[Parameter] = &[Parameter("offset", "um", 5.0, 30.0, Role::Signed)]
 
 const PLAY: &[Parameter] = &[Parameter("gap", "um", 2.0, 20.0, Role::Amplitude)];
 
-/// All of them: those of any lathe, those of a surveyed one, that of rests and that of shoulders.
+/// The number of the part is drawn from those of the batch.
+const CORRECTION: &[Parameter] =
+    &[Parameter("after", "", 1.0, 7.0, Role::Shape), Parameter("diameter", "um", 5.0, 40.0, Role::Signed)];
+
+const INSERT: &[Parameter] =
+    &[Parameter("after", "", 1.0, 7.0, Role::Shape), Parameter("share", "", 0.85, 1.0, Role::Amplitude)];
+
+/// All of them: those of any lathe, those of a surveyed one, those of rests, of shoulders and of an edge that wears.
 pub const LAWS: &[Law] = &[
     ("headstock-compliance", STIFFNESS),
     ("tailstock-compliance", STIFFNESS),
@@ -73,6 +80,7 @@ pub const LAWS: &[Law] = &[
     ("guideway-wear", HOLLOW),
     ("tailstock-offset", TAILSTOCK),
     ("setting-error", SETTING),
+    ("offset-correction", CORRECTION),
     ("tool-breakdown", BREAKDOWN),
     ("wear-land", LAND),
     ("front-guideway-wear", FRONT),
@@ -80,11 +88,12 @@ pub const LAWS: &[Law] = &[
     ("bed-sag", SAG),
     ("rest-offset", REST),
     ("cross-slide-play", PLAY),
+    ("insert-change", INSERT),
 ];
 /// How many any lathe has.
-const USUAL: usize = 18;
-/// How many need what few jobs have: a rest, a shoulder.
-const OF_SOME: usize = 2;
+const USUAL: usize = 19;
+/// How many need what few jobs have: a rest, a shoulder, wear that is known.
+const OF_SOME: usize = 3;
 /// Those that any lathe has.
 pub const OF_ANY: &[Law] = LAWS.split_at(USUAL).0;
 /// Those of which nothing is known unless edge and bed were measured.
@@ -92,15 +101,19 @@ pub const OF_SURVEYED: &[Law] = LAWS.split_at(LAWS.len() - OF_SOME).0.split_at(U
 
 /// "tailstock-* and tailstock-offset not in `chuck`; chuck-tilt not in `centres`; the others all".
 /// Those of a surveyed lathe need its survey, that of rests a rest, and the
-/// play of the cross slide a shoulder that the pass climbs.
+/// play of the cross slide a shoulder that the pass climbs; a new insert needs several parts.
 pub fn admits(job: &Job, effect: &str) -> bool {
     let is_known = job.survey.is_some() || OF_ANY.iter().any(|law| law.0 == effect);
     match effect {
         "rest-offset" => !job.set_up.rests.is_empty(),
+        "insert-change" => job.parts > 1,
         "cross-slide-play" => job.rows.iter().any(|row| job.has_climbed(row.x)),
         _ => is_known && holds(job.holding, effect),
     }
 }
+
+/// What wears the edge.
+pub const WEARS: [&str; 3] = ["tool-wear", "tool-breakdown", "wear-land"];
 
 /// Whether a workholding admits the effect.
 pub fn holds(holding: Holding, effect: &str) -> bool {

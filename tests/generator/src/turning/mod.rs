@@ -3,6 +3,7 @@
 //! finite-volume rod for the heat.
 
 pub mod catalogue;
+pub mod corrected;
 pub mod design;
 pub mod equilibrium;
 pub mod heat;
@@ -22,7 +23,7 @@ use job::Job;
 
 use crate::Process;
 use crate::job::{NoiseKind, Shown};
-use crate::law::{Cause, Law};
+use crate::law::{self, Cause, Law};
 use crate::random::Random;
 
 /// Diameters of turned shafts, um.
@@ -77,12 +78,22 @@ impl crate::job::Job for Job {
         (0.05, 6.0)
     }
 
-    fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
-        admits(self, effect)
+    fn admits(&self, effect: &str, causes: &[Cause]) -> bool {
+        // A new insert is felt by the wear of the old one.
+        let has_worn = || causes.iter().any(|cause| catalogue::WEARS.contains(&cause.effect));
+        admits(self, effect) && (effect != "insert-change" || has_worn())
     }
 
     fn length(&self) -> f64 {
         self.shaft.length()
+    }
+
+    fn draw(&self, effect: &'static str, random: &mut Random) -> Cause {
+        let mut cause = law::draw(self.laws(), effect, self.length(), random);
+        for (_, after) in cause.parameters.iter_mut().filter(|(name, _)| *name == "after") {
+            *after = random.whole(1, self.parts - 1) as f64;
+        }
+        cause
     }
 
     fn least_factor(&self, effect: &str) -> f64 {

@@ -24,9 +24,11 @@ pub fn movers(job: &Job, causes: &[Cause]) -> Vec<Mover> {
     let mut names: Vec<&str> = causes.iter().map(|cause| cause.effect).collect();
     names.dedup();
     let mut movers = vec![Mover::default(); job.rows.len()];
+    let edge =
+        Edge { job, change: value(causes, "insert-change", "after").zip(value(causes, "insert-change", "share")) };
     for effect in names {
         let size = |parameter: &str| value(causes, effect, parameter).unwrap_or(0.0);
-        let law = law(job, effect, &size);
+        let law = law(job, &edge, effect, &size);
         for (mover, row) in movers.iter_mut().zip(&job.rows) {
             let more = law(row);
             mover.across += more.across;
@@ -35,6 +37,29 @@ pub fn movers(job: &Job, causes: &[Cause]) -> Vec<Mover> {
         }
     }
     movers
+}
+
+/// The edge that cuts, and that in its place beyond a part.
+struct Edge<'a> {
+    job: &'a Job,
+    /// The part after which it is another, and the share of its wear that goes.
+    change: Option<(f64, f64)>,
+}
+
+impl Edge<'_> {
+    /// What a wear that follows the path (m) has taken off it at a row.
+    fn worn(&self, row: &Row, wear: impl Fn(f64) -> f64) -> f64 {
+        let path = self.job.path(row.part, row.x);
+        match self.change {
+            Some((after, share)) if row.part as f64 > after => {
+                // The first part of the new edge begins where the other ended.
+                let first = if self.job.forward { 0.0 } else { self.job.shaft.length() };
+                let begun = self.job.path(after as usize + 1, first);
+                (1.0 - share) * wear(path) + share * wear(path - begun)
+            }
+            _ => wear(path),
+        }
+    }
 }
 
 /// A law of the rows.
@@ -46,18 +71,21 @@ fn across<'a>(law: impl Fn(&Row) -> f64 + 'a) -> OfRow<'a> {
 }
 
 /// The law of an effect; of what yields, of feedback and of a centre out of line nothing moves without force.
-fn law<'a>(job: &'a Job, effect: &str, size: &'a dyn Fn(&str) -> f64) -> OfRow<'a> {
+fn law<'a>(job: &'a Job, edge: &'a Edge, effect: &str, size: &'a dyn Fn(&str) -> f64) -> OfRow<'a> {
     let length = job.shaft.length();
     match effect {
         // [002 (31)(32)]: run-in that saturates, then a rate; the blunt tool leaves more.
         "tool-wear" => across(move |row| {
-            let path = job.path(row.part, row.x);
-            size("run_in") * (1.0 - (-path / size("run_in_path")).exp()) + size("rate") * path * 1e-3
+            edge.worn(row, |path| {
+                size("run_in") * (1.0 - (-path / size("run_in_path")).exp()) + size("rate") * path * 1e-3
+            })
         }),
         // The third period: nothing up to its onset, then a power of the path beyond, in km.
         "tool-breakdown" => across(move |row| {
-            let beyond = 1e-3 * (job.path(row.part, row.x) - size("onset"));
-            if beyond > 0.0 { size("wear") * (size("exponent") * beyond.ln()).exp() } else { 0.0 }
+            edge.worn(row, |path| {
+                let beyond = 1e-3 * (path - size("onset"));
+                if beyond > 0.0 { size("wear") * (size("exponent") * beyond.ln()).exp() } else { 0.0 }
+            })
         }),
         "tool-thermal-growth" => across(move |row| -growth(job, size("elongation"), size("time_constant"), row)),
         "workpiece-heating" => heating(job, size("power"), size("convection")),
@@ -72,9 +100,13 @@ fn law<'a>(job: &'a Job, effect: &str, size: &'a dyn Fn(&str) -> f64) -> OfRow<'
         "guideway-height" => Box::new(move |row| Mover { up: size("slope") * row.x, ..Mover::default() }),
         "guideway-wear" => across(move |row| size("depth") * bell(row.x, size)),
         "setting-error" => across(move |_| size("offset")),
+        // The nose is moved by half of what the operator enters for the diameter.
+        "offset-correction" => {
+            across(move |row| if row.part as f64 > size("after") { 0.5 * size("diameter") } else { 0.0 })
+        }
         // The screw has crossed its play after a climb, and the nose stands deeper by it.
         "cross-slide-play" => across(move |row| if job.has_climbed(row.x) { -size("gap") } else { 0.0 }),
-        "wear-land" | "front-guideway-wear" | "bed-twist" | "bed-sag" => surveyed(job, effect, length, size),
+        "wear-land" | "front-guideway-wear" | "bed-twist" | "bed-sag" => surveyed(job, edge, effect, length, size),
         _ => across(|_| 0.0),
     }
 }
@@ -85,12 +117,12 @@ fn bell(x: f64, size: &dyn Fn(&str) -> f64) -> f64 {
 }
 
 /// What needs to know the edge or the bed: [002 (31)], and levers by the geometry of a tilting carriage.
-fn surveyed<'a>(job: &'a Job, effect: &str, length: f64, size: &'a dyn Fn(&str) -> f64) -> OfRow<'a> {
+fn surveyed<'a>(job: &'a Job, edge: &'a Edge, effect: &str, length: f64, size: &'a dyn Fn(&str) -> f64) -> OfRow<'a> {
     let Some(survey) = &job.survey else { return across(|_| 0.0) };
     let lever = survey.height / survey.spacing;
     match effect {
         "wear-land" => across(move |row| {
-            let width = survey.width(job.path(row.part, row.x));
+            let width = edge.worn(row, |path| survey.width(path));
             size("share") * 1e3 * width * survey.clearance.to_radians().tan()
         }),
         // The rear way wears a fifth; the carriage tilts by the difference.

@@ -1,7 +1,7 @@
 //! Small jobs in which any two effects may meet: every way of holding, with and without a steady rest that
 //! stands out of line, and what a machine or a blank may be besides.
 
-use super::catalogue::{LAWS, admits};
+use super::catalogue::{LAWS, WEARS, admits};
 use super::design::STEEL;
 use super::job::{Holding, Job, Row, Survey};
 use super::set_up::{Holder, Lobe, Pass, Rest, SetUp, Wave};
@@ -37,6 +37,8 @@ const COMPANY: &[Shown] = &[
     Shown { effect: "chuck-tilt", parameter: "stiffness", written: 400.0, std: 50.0 },
     Shown { effect: "force-feedback", parameter: "exponent", written: 0.85, std: 0.1 },
 ];
+/// Wear (um/km) of an edge that is changed.
+const WORN: Shown = Shown { effect: "tool-wear", parameter: "rate", written: 9.0, std: 1.0 };
 /// How many of them do not need a blank.
 const SPRINGS: usize = 4;
 
@@ -65,6 +67,9 @@ pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Opti
         6 => shallow(&mut job),
         5 => job.set_up.holder = Some(Holder { overhang: 60.0, width: 20.0, height: 25.0 }),
         _ => {}
+    }
+    if effects.contains(&"insert-change") && !effects.iter().any(|effect| WEARS.contains(effect)) {
+        job.shown.push(WORN);
     }
     job.shown.retain(|shown| !effects.contains(&shown.effect) && admits(&job_of(holding), shown.effect));
     effects.iter().all(|effect| LAWS.iter().any(|law| law.0 == *effect) && admits(&job, effect)).then_some(job)
