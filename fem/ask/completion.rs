@@ -5,7 +5,7 @@ use crate::diagnose::{Diagnosis, Next};
 use crate::fit::{Fit, has_nothing_to_fit};
 use crate::input::Problem;
 use crate::model::{Data, Entry, Model, Setting, add_effect};
-use crate::output::additions;
+use crate::output::{Addition, additions};
 
 /// Estimates what the model leaves open.
 ///
@@ -33,10 +33,18 @@ pub fn fitted(data: &Data, fit: &Fit) -> Result<Model, Error> {
 /// As those of [`fitted`].
 pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
     let mut better = fitted(data, &diagnosis.fit)?;
-    for (name, settings) in additions(data, diagnosis) {
-        better = add_effect(&better, &name, &settings)?;
+    for addition in additions(data, diagnosis) {
+        better = mended(&better, &addition)?;
     }
     Ok(better)
+}
+
+/// The model with one cause seen to.
+fn mended(model: &Model, addition: &Addition) -> Result<Model, Problem> {
+    match addition {
+        Addition::Effect(name, settings) => add_effect(model, name, settings),
+        Addition::Value(setting) => super::revised(model, std::slice::from_ref(setting), &[]),
+    }
 }
 
 /// The model in which rows that are to be measured lie: that of the data, or one with more parts in its batch.
@@ -53,9 +61,9 @@ pub fn extended(model: &Model, next: &Next) -> Result<Option<Model>, Error> {
 pub fn steps(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Model)> {
     let mut model = data.model.clone();
     let mut steps = Vec::new();
-    for (effect, settings) in additions(data, diagnosis) {
-        let Ok(better) = add_effect(&model, &effect, &settings) else { break };
-        steps.push((effect, better.clone()));
+    for addition in additions(data, diagnosis) {
+        let Ok(better) = mended(&model, &addition) else { break };
+        steps.push((addition.name().to_string(), better.clone()));
         model = better;
     }
     steps

@@ -191,6 +191,9 @@ pub struct Diagnose {
     /// Tell on stderr where the time went
     #[arg(long)]
     pub profile: bool,
+    /// Print all: where the model fails, every cause and every effect on trial, every command
+    #[arg(long)]
+    pub verbose: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

@@ -109,7 +109,7 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard:
         say!("{}", stretches(&progress.profile()));
     }
     if let Some(directory) = &args.output {
-        Folder { directory, guard }.write("diagnose", &DiagnosisAnswer(data, &diagnosis), progress)?;
+        Folder { directory, guard }.write("diagnose", &DiagnosisAnswer::new(data, &diagnosis), progress)?;
     }
     Ok(diagnosis)
 }
@@ -117,7 +117,8 @@ fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard:
 /// Prints a diagnosis.
 fn print_diagnosis(args: &args::Diagnose, data: &Data, diagnosis: &Diagnosis) -> Result<(), Error> {
     notes(&ask::notes(data, diagnosis));
-    print(&page(&DiagnosisAnswer(data, diagnosis), args.json))
+    let answer = DiagnosisAnswer::new(data, diagnosis);
+    print(&page(&if args.verbose { answer.verbose() } else { answer }, args.json))
 }
 
 /// A table of what the stretches of a computation took.

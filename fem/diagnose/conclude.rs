@@ -11,6 +11,7 @@ use super::diagnosis::{Diagnosis, Missing, Outlook};
 use super::failure::unsolvable;
 use super::few_places::few_places;
 use super::hypothesis::Hypothesis;
+use super::largest_change::LargestChange;
 use super::lead;
 use super::null_distribution::{Variance, variance};
 use super::posterior::{CERTAIN, Posterior};
@@ -250,6 +251,7 @@ fn missing(
             goodness: goodness(&rest),
             p_value: found.null_distribution.p_value(measured),
             estimates: fit.estimates.iter().filter(|e| own_paths.contains(&e.parameter.path)).cloned().collect(),
+            largest_change: LargestChange::of_member(found, best, last),
             indistinguishable_from: own.map_or(Vec::new(), |p| {
                 p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()
             }),

@@ -2,6 +2,7 @@
 
 use super::bent_law::Bend;
 use super::detection_limit::DetectionLimit;
+use super::largest_change::LargestChange;
 use super::next::Next;
 use super::posterior::Posterior;
 use super::verdict::{GoodnessOfFit, Verdict};
@@ -60,6 +61,14 @@ pub struct Diagnosis {
     pub cross_validation_by: Option<Name>,
     /// Number of evaluations at which the model could not be computed, and of all evaluations.
     pub trials: (usize, usize),
+}
+
+impl Diagnosis {
+    /// Whether something remains that no effect explains.
+    #[must_use]
+    pub fn leaves_structure(&self) -> bool {
+        matches!(self.verdict, Verdict::PartlyExplained | Verdict::Unexplained)
+    }
 }
 
 /// A row that lies far outside of what the others scatter.
@@ -144,6 +153,9 @@ pub struct Missing {
     pub p_value: f64,
     /// Estimates of its parameters, fitted with all others.
     pub estimates: Vec<Estimate>,
+    /// Largest change that it makes in the rows; `None` where it changes none, as outlying rows do not.
+    #[doc(hidden)]
+    pub largest_change: Option<LargestChange>,
     /// Confounded effects: those that fit as well in its place.
     pub indistinguishable_from: Vec<Description>,
     /// How far and along what its law bends, where that describes much of what is left.

@@ -3,6 +3,7 @@
 use super::candidate_model::CandidateModel;
 use super::diagnosis::{Cause, Missing, Outlier};
 use super::instrument;
+use super::largest_change::LargestChange;
 use super::posterior::Posterior;
 use super::verdict::GoodnessOfFit;
 use crate::fit::{StoppingCriterion, minimise, size_estimate};
@@ -41,6 +42,7 @@ pub fn missing_effects(
     let Some(mean) = best.objective.mean(&best.solution) else { return Vec::new() };
     let (data, noise) = (best.objective.data, &best.objective.noise);
     let residuals = best.residuals();
+    let shares = noise.shares(&residuals);
     let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
     let whole = restricted.minus_two_log(noise);
     let tell = |(number, term): (usize, &Term)| {
@@ -70,6 +72,7 @@ pub fn missing_effects(
             // At the edge of its range the size of a term has half of χ² with one degree of freedom.
             p_value: beyond_chi2(1.0, without - whole).map_or(1.0, |p| 0.5 * p),
             estimates: vec![size_estimate(term, data, &restricted, noise, number)],
+            largest_change: LargestChange::of(&shares[number], &noise.sigma, data),
             indistinguishable_from: Vec::new(),
             bend: None,
         }

@@ -16,6 +16,9 @@ const HALF: f64 = 0.5;
 pub struct GoodnessOfFit {
     /// Root mean square of its residuals, SI; in standard uncertainties where there are several observables.
     pub rms: f64,
+    /// Root mean square of the residuals of each of the file's observables, SI.
+    #[doc(hidden)]
+    pub rms_of: Vec<f64>,
     /// Reduced χ², or lack of fit over pure error (F) with repeats.
     pub reduced_chi2: f64,
     /// Probability that chance alone gives a larger χ² (p-value); `None` where the noise is only estimated.
@@ -60,6 +63,7 @@ impl GoodnessOfFit {
         let (reduced_chi2, p_value) = reduced_chi2(&trial.objective, &trial.solution, repeats);
         Self {
             rms: rms(trial),
+            rms_of: rms_of(trial),
             reduced_chi2,
             p_value,
             cross_validation: folds.and_then(|f| f.error(trial)),
@@ -83,6 +87,16 @@ pub fn rms(trial: &CandidateModel) -> f64 {
     let left = objective.data.together(&left, &objective.noise.sigma);
     let counted = left.iter().enumerate().filter(|(row, _)| !objective.noise.is_weighed_down(*row));
     compare::rms(&counted.map(|(_, error)| *error).collect::<Vec<_>>())
+}
+
+/// Root mean square residual of the rows of each observable, SI.
+fn rms_of(trial: &CandidateModel) -> Vec<f64> {
+    let CandidateModel { objective, .. } = trial;
+    let residuals = trial.residuals();
+    let left = objective.noise.unshared(&residuals);
+    let counted = |row: &&usize| !objective.noise.is_weighed_down(**row);
+    let of = |rows: Vec<usize>| compare::rms(&rows.iter().filter(counted).map(|row| left[*row]).collect::<Vec<_>>());
+    objective.data.rows_by_observable().into_iter().map(of).collect()
 }
 
 /// Structure of the residuals of a fitted model.

@@ -257,7 +257,7 @@ impl Noise {
     }
 
     /// Most probable contribution of each term to every row, SI, in the order of the terms: zeros, steps, drifts.
-    fn shares(&self, residuals: &[f64]) -> Vec<Vec<f64>> {
+    pub fn shares(&self, residuals: &[f64]) -> Vec<Vec<f64>> {
         let mut of_terms = vec![vec![0.0; residuals.len()]; self.terms.len()];
         if let Some(shared) = &self.shared {
             for (term, column) in shared.amplitudes(residuals, &self.sigma) {

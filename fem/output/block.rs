@@ -13,10 +13,14 @@ pub enum Block {
     Heading(String),
     /// A sentence without its capital and its full stop.
     Sentence(String),
+    /// The same by itself, wrapped where it is longer than a line.
+    Paragraph(String),
     /// Items of equal weight.
     List(Vec<String>),
     /// Items behind their shares or names.
     Labelled(Vec<(String, String)>),
+    /// Entries behind labels of one width, wrapped; one without a label belongs to the label before.
+    Entries(Vec<(String, String)>),
     /// Cells in columns.
     Table(Table),
     /// Commands to go on with, and remarks between them.

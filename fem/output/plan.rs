@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::answer::Answer;
 use super::block::Block;
-use super::diagnosis::{bound, experiment, next as next_json, pairs};
+use super::diagnosis::{bound, experiment, next as next_json, told_apart};
 use super::measurement;
 use crate::diagnose::Plan;
 use crate::measure::MeasuredObservable;
@@ -49,7 +49,7 @@ impl Answer for PlanAnswer<'_> {
         if let Some(next) = &plan.next {
             blocks.push(Block::Heading("to tell most of them apart".into()));
             blocks.push(Block::Sentence(format!("{} more", experiment(next))));
-            blocks.push(Block::Sentence(format!("tells {}", pairs(next))));
+            blocks.push(Block::Sentence(format!("tells {}", told_apart(next).join(", "))));
         }
         blocks
     }

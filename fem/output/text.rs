@@ -4,6 +4,17 @@ use super::answer::{Answer, left_undone};
 use super::block::{Block, Cell, Table};
 use super::plot;
 
+/// Columns into which words are wrapped on any wider terminal, and where there is none.
+const WIDEST: usize = 100;
+
+/// Space at which no line is wrapped.
+const NO_BREAK: char = '\u{a0}';
+
+/// Words that no line parts, such as a value with its unit.
+pub(super) fn whole(text: &str) -> String {
+    text.replace(' ', &NO_BREAK.to_string())
+}
+
 /// An answer as text; curves take as many columns, or those of the usual terminal.
 pub fn text(answer: &dyn Answer, columns: Option<usize>) -> String {
     let mut blocks = answer.blocks();
@@ -11,21 +22,48 @@ pub fn text(answer: &dyn Answer, columns: Option<usize>) -> String {
     if !undone.is_empty() {
         blocks.extend([Block::Heading("the time was over; left undone:".into()), Block::List(undone)]);
     }
-    blocks.iter().map(|block| text_of(block, columns.unwrap_or(plot::USUAL))).collect()
+    blocks.iter().map(|block| text_of(block, columns)).collect()
 }
 
 /// A block with its line ends.
-fn text_of(block: &Block, columns: usize) -> String {
+fn text_of(block: &Block, columns: Option<usize>) -> String {
+    let width = columns.map_or(WIDEST, |columns| columns.min(WIDEST));
     match block {
         Block::Lines(lines) => lines.clone(),
         Block::Caution(caution) => format!("\ncaution: {caution}\n"),
         Block::Heading(heading) => format!("\n{heading}\n"),
         Block::Sentence(sentence) => format!("  {sentence}\n"),
+        Block::Paragraph(text) => format!("\n{}", wrapped("", text, 2, width)),
+        Block::Entries(items) => format!("\n{}", entries(items, width)),
         Block::List(items) | Block::Commands(items) => items.iter().map(|item| format!("  {item}\n")).collect(),
         Block::Labelled(items) => items.iter().map(|(label, item)| format!("  {label}  {item}\n")).collect(),
         Block::Table(all) => table(all),
-        Block::Curve(curve) => format!("\n{}\n", plot::lines(curve, columns).join("\n")),
+        Block::Curve(curve) => format!("\n{}\n", plot::lines(curve, columns.unwrap_or(plot::USUAL)).join("\n")),
     }
+}
+
+/// Entries below one another, behind the column of their labels; what an entry goes on with stands deeper than others.
+fn entries(items: &[(String, String)], width: usize) -> String {
+    let column = items.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
+    items.iter().map(|(label, text)| wrapped(&format!("{label:<column$}  "), text, column + 4, width)).collect()
+}
+
+/// Words behind a label, wrapped at spaces; further lines are indented. A word that is longer than a line is left whole,
+/// and so is what no-break spaces hold together.
+fn wrapped(label: &str, text: &str, indent: usize, width: usize) -> String {
+    let (mut lines, mut end, mut gap) = (label.to_string(), label.chars().count(), "");
+    for word in text.split(' ') {
+        let letters = word.chars().count();
+        if !gap.is_empty() && end + 1 + letters > width {
+            lines += &format!("\n{}", " ".repeat(indent));
+            (end, gap) = (indent, "");
+        }
+        lines += gap;
+        lines += &word.replace(NO_BREAK, " ");
+        end += gap.len() + letters;
+        gap = " ";
+    }
+    lines + "\n"
 }
 
 /// A table below an empty line: names to the left, numbers to the right, remarks apart.
@@ -61,6 +99,15 @@ fn table(table: &Table) -> String {
 mod tests {
     use super::*;
     use crate::output::block::Column;
+
+    #[test]
+    fn entries_stand_behind_their_labels() {
+        let items = [("open", "a 73\u{a0}%, b 8\u{a0}%"), ("", "c"), ("ruled out", "word"), ("", "longer-than-a-line")];
+        let items = items.map(|(label, text)| (label.to_string(), text.to_string()));
+        let told =
+            "open       a 73 %,\n             b 8 %\n           c\nruled out  word\n           longer-than-a-line\n";
+        assert_eq!(entries(&items, 19), told);
+    }
 
     #[test]
     fn columns_stand_below_their_headings() {

@@ -18,6 +18,7 @@ class Answer(TypedDict):
 
     json: str
     text: str
+    details: str
     figures: list[tuple[str, str]]
     tables: list[dict[str, list[Column]]]
     coordinates: list[str]
@@ -29,7 +30,7 @@ class Answer(TypedDict):
 def bare(json: str, text: str, notes: list[str]) -> Answer:
     """An answer without figures, tables and models."""
     return Answer(
-        json=json, text=text, figures=[], tables=[], coordinates=[], notes=notes, model=None, steps=[]
+        json=json, text=text, details="", figures=[], tables=[], coordinates=[], notes=notes, model=None, steps=[]
     )
 
 

@@ -368,11 +368,18 @@ class Diagnosis(Listing):
         self.steps: list[Model] = [Model._of(step) for step in answer["steps"]]
         """The model with one missing effect after the other: `fem.compare([model, *diagnosis.steps], data)` shows the
         error falling."""
-        # Commands name files, of which there are none here.
-        told, commands, _ = self.text.partition("\nto go on\n")
-        if commands:
-            self.text = f"{told}\nto go on\n  .steps   the model with one of them after the other\n"
-            self.text += "  .model   the model with all of them, every value re-fitted\n" if self.model else ""
+        self.details: str = self._without_commands(answer["details"])
+        """All of it, as `fem diagnose --verbose` prints it: where the model fails, every cause, every effect on trial."""
+        self.text = self._without_commands(self.text) + "  .details all of it\n"
+
+    def _without_commands(self, text: str) -> str:
+        """The text with attributes in the place of commands, which name files, of which there are none here."""
+        told, commands, _ = text.partition("\nto go on\n")
+        if not commands:
+            return text
+        steps = "  .steps   the model with one of them after the other\n" if self.steps else ""
+        model = "  .model   the model with all of them, every value re-fitted\n" if self.steps and self.model else ""
+        return f"{told}\nto go on\n{steps}{model}"
 
     def _records(self) -> list[dict[str, Any]]:
         keys = ("effect", "kind", "rms_after", "delta_bic", "p_value", "note")

@@ -21,6 +21,8 @@ pub struct Answer {
     pub json: String,
     /// The page for people.
     pub text: String,
+    /// More than the page, where the command prints that on request.
+    pub details: String,
     /// Figures as SVG, by their names.
     pub figures: Vec<(String, String)>,
     /// Tables by their names: those of the model, or of each of several.

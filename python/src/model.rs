@@ -7,7 +7,7 @@ use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, fitte
 use fem::diagnose::diagnose;
 use fem::input::{Parameter, Source};
 use fem::model::{self, Data, Entry, Setting, add_effect};
-use fem::output::{ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, PlanAnswer, RunAnswer};
+use fem::output::{ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, PlanAnswer, RunAnswer, text};
 use fem::progress::Progress;
 use fem::units::Knowledge;
 use pyo3::prelude::*;
@@ -128,8 +128,9 @@ impl Model {
                 marked(model, &marks)
             });
             let steps = steps.collect();
-            let answer = Answer::of(&DiagnosisAnswer(data, &found), data.model);
-            Ok(Answer { notes, model, steps, ..answer })
+            let answer = Answer::of(&DiagnosisAnswer::new(data, &found), data.model);
+            let details = text(&DiagnosisAnswer::new(data, &found).verbose(), None);
+            Ok(Answer { details, notes, model, steps, ..answer })
         })
     }
 

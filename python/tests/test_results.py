@@ -71,7 +71,9 @@ def test_the_error_falls_step_by_step(rigid: fem.Model, measured: dict[str, Any]
     assert frame.groupby("model")["residual [um]"].apply(lambda r: (r**2).mean() ** 0.5).min() == pytest.approx(min(errors))
     assert found.model is not None and found.model.compare(measured).adequate
     # Commands name files, of which there are none.
-    assert "fem add" not in found.text and found.text.rstrip().endswith("every value re-fitted")
+    assert "fem diagnose" not in found.text and found.text.rstrip().endswith(".details all of it")
+    assert "fem add" not in found.details and found.details.rstrip().endswith("every value re-fitted")
+    assert found.text.count("\n") < 30 < found.details.count("\n")
 
 
 def test_a_diagnosis_is_what_the_command_says(root: Path, command: Any, found: fem.Diagnosis) -> None:

@@ -439,7 +439,9 @@ fn what_is_found_is_added_and_nothing_is_left() {
 #[test]
 fn the_commands_that_are_shown_do_the_same() {
     let place = place();
-    let told = place.fem(&["diagnose", AXIS, "--with", DATA]).out;
+    let short = place.fem(&["diagnose", AXIS, "--with", DATA]).out;
+    assert!(short.contains("outliers: lines 41, 74;") && short.lines().count() <= 25, "{short}");
+    let told = place.fem(&["diagnose", AXIS, "--with", DATA, "--verbose"]).out;
     for said in ["zero-shift by run, ", "  line 41 ", "  line 74 ", "measure a master between the groups"] {
         assert!(told.contains(said), "{told}");
     }
@@ -458,6 +460,17 @@ fn the_commands_that_are_shown_do_the_same() {
     // A fit weighs the rows by the same covariance, and says so.
     let fitted = place.fem(&["fit", last, "--with", DATA]).out;
     assert!(fitted.contains("; outliers, 2 rows"), "{fitted}");
+}
+
+/// Play moves the rows by its gap; rows that are wrong by themselves move no other.
+#[test]
+fn a_finding_tells_what_it_does_to_the_rows() {
+    let found = parsed(&place().fem(&["diagnose", AXIS, "--with", DATA, "--json"]).out);
+    let missing = |name: &str| found["missing"].as_array().unwrap().iter().find(|m| m["effect"] == name).unwrap();
+    let change = |name: &str| missing(name)["largest_change"]["value"].as_f64();
+    let gap = missing("backlash")["parameters"]["gap"]["value"].as_f64().unwrap();
+    assert!((change("backlash").unwrap() / gap - 1.0).abs() < 1e-9, "{found}");
+    assert!(change("zero-shift").is_some_and(|by| by > 0.0) && change("outliers").is_none(), "{found}");
 }
 
 /// Every part is 0.6 um larger than the one before it, and the rows stand in the order in which they were taken:
@@ -489,7 +502,7 @@ fn a_trend_over_the_parts_is_a_wear_or_a_drift() {
     assert!(!found["next_measurement"].is_null(), "{found}");
     let separated = found["separated_by"].as_array().unwrap();
     assert!(separated.iter().any(|s| s["text"].as_str().unwrap().contains("master")), "{separated:?}");
-    let told = place.fem(&["diagnose", "shaft.toml", "--with", DATA]).out;
+    let told = place.fem(&["diagnose", "shaft.toml", "--with", DATA, "--verbose"]).out;
     assert!(told.contains("these data cannot tell; in general: ") && told.contains("measure next"), "{told}");
 }
 

@@ -24,7 +24,7 @@ fn each_step_is_the_command_that_the_diagnosis_gives() {
     let mut models = vec![RIGID.to_string()];
     for left in (0..=3).rev() {
         let at = models.last().unwrap().clone();
-        let answer = place.fem(&["diagnose", &at, "--with", DATA]);
+        let answer = place.fem(&["diagnose", &at, "--with", DATA, "--verbose"]);
         assert_eq!(answer.status, 0, "{}", answer.err);
         if left == 3 {
             insta::assert_snapshot!("story", answer.out);
@@ -50,6 +50,28 @@ fn each_step_is_the_command_that_the_diagnosis_gives() {
     for line in shown.lines().filter(|l| l.contains(".toml")).take(4) {
         assert!(readme.contains(line.trim()), "README does not show: {line}");
     }
+}
+
+#[test]
+fn the_answer_is_read_at_a_glance() {
+    let answer = place().fem(&["diagnose", RIGID, "--with", DATA]);
+    assert!(answer.status == 0 && answer.out.lines().count() <= 25, "{}", answer.out);
+    assert!(answer.out.lines().skip(1).all(|line| line.chars().count() <= 100), "{}", answer.out);
+    insta::assert_snapshot!("story-short", answer.out);
+}
+
+/// A spring of the headstock moves the diameter by 2·F/k·(1 − x/L)², by statics; the first place is 20 mm of 500 mm
+/// from it.
+#[test]
+fn a_cause_tells_what_it_does_to_the_part() {
+    let answer = place().fem(&["diagnose", RIGID, "--with", DATA, "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+    let missing = json["missing"].as_array().unwrap().iter().find(|m| m["effect"] == "headstock-compliance").unwrap();
+    let change = &missing["largest_change"];
+    let stiffness = missing["parameters"]["stiffness"]["value"].as_f64().unwrap();
+    let by_hand = 2.0 * 450.0 / stiffness * 0.96f64.powi(2);
+    assert!((change["value"].as_f64().unwrap() / by_hand - 1.0).abs() < 1e-6, "{change}, by hand {by_hand}");
+    assert_eq!((&change["unit"], &change["observable"]), (&"um".into(), &"diameter_error".into()));
 }
 
 #[test]

@@ -62,7 +62,8 @@ fn a_class_of_the_shafts_becomes_one_name_with_the_tailstock() {
 #[test]
 fn the_commands_complete_the_model_of_each_test() {
     let place = place();
-    let answer = place.fem(&BOTH);
+    insta::assert_snapshot!("tailstock-short", place.fem(&BOTH).out);
+    let answer = place.fem(&[&BOTH[..], &["--verbose"]].concat());
     insta::assert_snapshot!("tailstock", answer.out);
     let commands: Vec<&str> = answer.out.lines().filter_map(|line| line.strip_prefix("  fem ")).collect();
     let (last, adds) = commands.split_last().unwrap();
@@ -89,7 +90,7 @@ fn the_order_of_the_tests_does_not_matter() {
     let place = place();
     let other = ["diagnose", "tailstock.toml", "--with", "tailstock.csv", "shafts.toml", "--with", "shafts.csv"];
     let said = |args: &[&str]| {
-        let out = place.fem(args).out;
+        let out = place.fem(&[args, &["--verbose"]].concat()).out;
         let causes = out.lines().skip_while(|line| !line.starts_with("cause ")).take(4);
         causes.filter(|line| !line.starts_with("  in ")).map(str::to_string).collect::<Vec<_>>()
     };

@@ -12,18 +12,44 @@ pub fn name(e: &Estimate) -> &str {
     e.parameter.path.key()
 }
 
-/// Tables in which the missing effects are added, in their order, with the settings that `fem add` takes.
-pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<(String, Vec<Setting>)> {
+/// What mends a model by one cause.
+pub enum Addition {
+    /// A table of an effect more, by its name, with the settings that `fem add` takes.
+    Effect(String, Vec<Setting>),
+    /// Another value for a key that it has, by its path, as `fem set` takes it.
+    Value(Setting),
+}
+
+impl Addition {
+    /// Name of the effect, or path of the value.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Effect(name, _) => name,
+            Self::Value(setting) => &setting.key,
+        }
+    }
+}
+
+/// What mends a model, cause by cause in their order.
+pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<Addition> {
     let mut names: Vec<String> = Vec::new();
     let mut addition = |missing: &Missing| {
+        let settings = settings(missing, &diagnosis.fit);
         let name = match &missing.cause {
             Cause::Physical => missing.effect.name.to_string(),
             Cause::Measurement { .. } => data.model.free_table(&missing.effect.name, &names),
+            Cause::Value { .. } => {
+                let key = missing.effect.name.to_string();
+                return settings
+                    .into_iter()
+                    .next()
+                    .map(|Setting { value, .. }| Addition::Value(Setting { key, value }));
+            }
         };
         names.push(name.clone());
-        (name, settings(missing, &diagnosis.fit))
+        Some(Addition::Effect(name, settings))
     };
-    diagnosis.missing.iter().map(&mut addition).collect()
+    diagnosis.missing.iter().filter_map(&mut addition).collect()
 }
 
 /// The settings with which a missing effect is added.
@@ -72,9 +98,20 @@ fn fitted_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
 /// The command that adds an effect to the model in a file, and the name of the file that it writes.
 pub fn add(from: &str, name: &str, settings: &[Setting]) -> (String, String) {
     let values: Vec<String> = settings.iter().map(|s| format!("'{}={}'", s.key, s.value)).collect();
-    let stem = Path::new(from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let to = format!("{stem}-{name}.toml");
+    let to = file_with(from, name);
     (format!("fem add {} {name} {} -o {}", quoted(from), values.join(" "), quoted(&to)), to)
+}
+
+/// The command that puts another value into the model in a file, and the name of the file that it writes.
+pub fn set(from: &str, Setting { key, value }: &Setting) -> (String, String) {
+    let to = file_with(from, key.rsplit('.').next().unwrap_or(key));
+    (format!("fem set {} '{key}={value}' -o {}", quoted(from), quoted(&to)), to)
+}
+
+/// Name of the file for a model with something more.
+fn file_with(from: &str, name: &str) -> String {
+    let stem = Path::new(from).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    format!("{stem}-{name}.toml")
 }
 
 /// Quotes a word for a shell.

@@ -70,7 +70,8 @@ pub fn fits(data: &Data, d: &Diagnosis) -> String {
 /// The tests in which a cause acts, by their numbers, and as what.
 fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usize, Option<&'c Acting>)> {
     match &missing.cause {
-        Cause::Physical => {
+        // Tests put no values on trial.
+        Cause::Physical | Cause::Value { .. } => {
             let shared = campaign.effect(&missing.effect.name);
             shared.map_or(Vec::new(), |shared| shared.acts.iter().map(|(test, acting)| (*test, Some(acting))).collect())
         }

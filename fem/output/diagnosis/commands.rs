@@ -1,10 +1,16 @@
 //! Says how to go on: the commands that add missing effects.
 
-use super::additions::{add, additions, quoted};
+use super::additions::{Addition, add, additions, quoted, set};
 use super::campaign;
 use crate::diagnose::Diagnosis;
 use crate::model::Data;
 use crate::units::Knowledge;
+
+/// The command that adds all that is missing at once; of several tests there is none.
+pub fn command(data: &Data, d: &Diagnosis) -> Option<String> {
+    let is_one = data.model.campaign().is_none() && !d.missing.is_empty();
+    is_one.then(|| format!("fem diagnose {} {} --add-to better.toml", quoted(&data.model.source.name), with(data)))
+}
 
 /// The commands that add what is missing.
 pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
@@ -16,13 +22,16 @@ pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
         return campaign::commands(campaign, data, d);
     }
     let (mut lines, mut from) = (Vec::new(), model.source.name.to_string());
-    for (name, settings) in additions(data, d) {
-        let (line, to) = add(&from, &name, &settings);
+    for addition in additions(data, d) {
+        let (line, to) = match &addition {
+            Addition::Effect(name, settings) => add(&from, name, settings),
+            Addition::Value(setting) => set(&from, setting),
+        };
         lines.push(line);
         from = to;
     }
-    let (file, data) = (quoted(&model.source.name), with(data));
-    let all = format!("fem diagnose {file} {data} --add-to better.toml");
+    let Some(all) = command(data, d) else { return lines };
+    let data = with(data);
     if model.parameters.is_empty() {
         lines.push(format!("fem compare {} {data}", quoted(&from)));
         lines.push(format!("or all at once, every value re-fitted: {all}"));

@@ -1,18 +1,25 @@
 //! The answer of `fem diagnose`: which effects are missing.
 
+mod absent;
 mod additions;
 mod campaign;
 mod commands;
+mod kinds;
+mod short;
 mod text;
+mod verdict;
+mod words;
 
-pub use additions::additions;
+pub(super) use absent::{bound, note};
 pub(super) use additions::name;
 pub use additions::quoted;
+pub use additions::{Addition, additions};
 pub(super) use commands::{commands, with};
 pub(super) use text::{
-    bent, bound, chance, errors, experiment, label, next_measurement, note, pairs, separated, separated_pairs,
-    separations, traits, unexplained, verdict,
+    errors, experiment, next_measurement, separated, separated_pairs, separations, told_apart, unexplained,
 };
+pub(super) use verdict::verdict;
+pub(super) use words::{bent, chance, label, largest_change, traits};
 
 use serde_json::{Map, Value as Json, json};
 
@@ -28,7 +35,7 @@ use crate::diagnose::{Believed, Cause, Diagnosis, GoodnessOfFit, Group, Missing,
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
-use crate::process::Description;
+use crate::process::{Description, ON_TRIAL};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -36,7 +43,7 @@ use crate::units::Kind;
 fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
     let kind = data.kind();
     let first = (format!("{} re-fitted", data.model.stem().display()), diagnosis.before.rms);
-    let added = diagnosis.missing.iter().map(|m| (format!("+ {}", text::label(m)), m.goodness.rms));
+    let added = diagnosis.missing.iter().map(|m| (format!("+ {}", label(m)), m.goodness.rms));
     Falling {
         title: format!("root mean square error of {}", data.model.stem().display()),
         steps: std::iter::once(first).chain(added).map(|(label, rms)| (label, kind.from_si(rms))).collect(),
@@ -46,16 +53,36 @@ fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
 }
 
 /// The diagnosis of data with their model: the missing effects, and the way to them.
-pub struct DiagnosisAnswer<'a>(pub &'a Data<'a>, pub &'a Diagnosis);
+pub struct DiagnosisAnswer<'a> {
+    data: &'a Data<'a>,
+    diagnosis: &'a Diagnosis,
+    is_verbose: bool,
+}
+
+impl<'a> DiagnosisAnswer<'a> {
+    /// The answer whose text is some 25 lines.
+    #[must_use]
+    pub fn new(data: &'a Data<'a>, diagnosis: &'a Diagnosis) -> Self {
+        Self { data, diagnosis, is_verbose: false }
+    }
+
+    /// The answer whose text is all that is known: where the model fails, every cause, every effect on trial, every
+    /// command.
+    #[must_use]
+    pub fn verbose(self) -> Self {
+        Self { is_verbose: true, ..self }
+    }
+}
 
 impl Answer for DiagnosisAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
-        text::blocks(self.0, self.1)
+        let blocks = if self.is_verbose { text::blocks } else { short::blocks };
+        blocks(self.data, self.diagnosis)
     }
 
     /// `fem diagnose --json`: `fem-diagnosis/1`.
     fn json(&self) -> Json {
-        let Self(data, d) = *self;
+        let Self { data, diagnosis: d, .. } = *self;
         let kind = data.kind();
         let mut all = json!({
             "schema": "fem-diagnosis/1",
@@ -71,7 +98,7 @@ impl Answer for DiagnosisAnswer<'_> {
             "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
             "verdict": d.verdict.word(),
             "missing": d.missing.iter().map(|m| missing(m, data)).collect::<Vec<_>>(),
-            "described": d.missing.iter().filter(|m| m.describes()).map(text::label).collect::<Vec<_>>(),
+            "described": d.missing.iter().filter(|m| m.describes()).map(label).collect::<Vec<_>>(),
             "outliers": d.outliers.iter().map(|o| outlier(o, data)).collect::<Vec<_>>(),
             "after": after(d, kind),
             "parameters": d.fit.estimates.iter().map(|e| (e.parameter.path.to_string(), estimate(e))).collect::<Map<_, _>>(),
@@ -93,11 +120,11 @@ impl Answer for DiagnosisAnswer<'_> {
     }
 
     fn figures(&self) -> Vec<(String, Svg)> {
-        vec![("diagnosis".into(), falling(self.0, self.1).svg())]
+        vec![("diagnosis".into(), falling(self.data, self.diagnosis).svg())]
     }
 
     fn progress(&self) -> Option<&Progress> {
-        Some(&self.0.progress)
+        Some(&self.data.progress)
     }
 
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
@@ -148,14 +175,18 @@ fn missing(missing: &Missing, data: &Data) -> Json {
     let kind = data.kind();
     let name = |e: &Estimate| e.parameter.path.key().to_string();
     let measurement = match &missing.cause {
-        Cause::Physical => None,
+        Cause::Physical | Cause::Value { .. } => None,
         Cause::Measurement { effect, by, observable, records, from_line, along, period, .. } => {
             Some((effect, by, observable, records, from_line, along, period))
         }
     };
     json!({
         "effect": missing.effect.name,
-        "kind": if measurement.is_some() { "measurement" } else { "physical" },
+        "kind": kind_of(&missing.effect),
+        "written": match missing.cause {
+            Cause::Value { written } => missing.estimates.first().map(|e| e.parameter.kind.from_si(written)),
+            Cause::Physical | Cause::Measurement { .. } => None,
+        },
         "by": measurement.map(|m| m.1),
         "observable": measurement.map(|m| m.2),
         "rows": measurement.map(|m| m.3),
@@ -169,6 +200,10 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "held_out_after": missing.goodness.cross_validation.filter(|h| h.is_finite()),
         "p_value": missing.p_value,
         "probability": missing.probability,
+        "largest_change": missing.largest_change.as_ref().map(|change| {
+            let seen = &data.observables[change.observable];
+            json!({ "value": seen.kind.from_si(change.value), "unit": seen.kind.unit, "observable": seen.name })
+        }),
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "bend": missing.bend.as_ref().map(|b| json!({ "along": b.along, "share": b.share })),
@@ -189,7 +224,11 @@ fn estimate(e: &Estimate) -> Json {
 
 /// Word for the origin of an effect, in JSON.
 fn kind_of(effect: &Description) -> &'static str {
-    if effect.table == MEASUREMENT { "measurement" } else { "physical" }
+    match effect.table {
+        MEASUREMENT => "measurement",
+        ON_TRIAL => "value",
+        _ => "physical",
+    }
 }
 
 fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
@@ -201,13 +240,13 @@ fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
         "delta_bic": outlook.delta_bic,
         "p_value": outlook.p_value,
         "probability": diagnosis.posterior.of(&outlook.effect.name),
-        "note": text::note(outlook, diagnosis),
+        "note": note(outlook, diagnosis),
     })
 }
 
 /// Where nothing on the menu tells look-alikes apart: what the catalogue says would.
 fn said_to_separate(d: &Diagnosis) -> Option<Json> {
-    let [a, b, by] = text::separated_pairs(d).into_iter().next()?;
+    let [a, b, by] = separated_pairs(d).into_iter().next()?;
     Some(json!({
         "text": by, "coordinate": null, "values": [], "unit": "", "observations": null, "repeats": null,
         "separation": null, "enough": null, "separates": [[a, b]],
@@ -225,9 +264,11 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
         "unit": kind.map(|k| k.unit).unwrap_or_default(),
         "observations": next.observations(),
         "repeats": next.repeats,
-        "separation": next.separation,
+        "separation": finite(next.separation),
         "enough": next.enough,
         "separates": next.pairs.iter().map(|(a, b)| json!([a.name, b.name])).collect::<Vec<_>>(),
+        "decides": next.whether.iter().map(|effect| &effect.name).collect::<Vec<_>>(),
+        "sets": next.sets.map(|(now, then)| json!({ "now": now, "expected": then })),
     })
 }
 
@@ -236,7 +277,7 @@ fn remaining(data: &Data, diagnosis: &Diagnosis) -> Json {
         Verdict::Adequate | Verdict::MissingEffect => Json::Null,
         Verdict::PartlyExplained | Verdict::Unexplained => {
             let features: Vec<Json> = diagnosis.remaining.iter().map(super::comparison::feature).collect();
-            json!({ "text": text::unexplained(data, diagnosis), "features": features })
+            json!({ "text": unexplained(data, diagnosis), "features": features })
         }
     }
 }

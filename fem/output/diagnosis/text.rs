@@ -1,18 +1,18 @@
-//! A diagnosis for people: the story from the failing model to the noise.
+//! All of a diagnosis for people: the story from the failing model to the noise.
 
 use super::additions::name;
-use super::campaign;
 use super::commands::commands;
-use crate::diagnose::{
-    Bend, CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, RULED_OUT, Verdict,
-};
+use super::verdict::verdict;
+use super::words::{as_written, bent, chance, label, largest_change, percent, traits};
+use super::{absent, campaign};
+use crate::diagnose::{CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, RULED_OUT, Verdict};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::output::block::{Block, Cell, Column, Table};
-use crate::output::comparison;
 use crate::output::fit::Short;
-use crate::output::{measurement, number};
-use crate::process::{Description, Holds, Neutral};
+use crate::output::listing::listed;
+use crate::output::{comparison, measurement};
+use crate::process::{Description, Holds};
 use crate::units::Kind;
 
 /// The story.
@@ -20,7 +20,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
     let (model, kind) = (data.model, data.kind());
     let mut blocks = vec![Block::Lines(head(data, d))];
     blocks.extend(d.cautions.iter().cloned().map(Block::Caution));
-    blocks.push(Block::Heading(verdict(d)));
+    blocks.push(Block::Heading(verdict(data, d)));
     blocks.extend(where_it_fails(d));
     blocks.extend((1..).zip(&d.missing).flat_map(|(number, missing)| cause(number, missing, data, d)));
     blocks.extend(shared(d));
@@ -30,7 +30,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
     if model.campaign().is_some() {
         blocks.push(Block::Lines(campaign::fits(data, d)));
     }
-    if structure_remains(d) {
+    if d.leaves_structure() {
         if !d.missing.is_empty() {
             let caution = "the intervals count the noise alone: what remains may have bent the values further";
             blocks.push(Block::Heading(caution.into()));
@@ -39,7 +39,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
         blocks.push(Block::Sentence(unexplained(data, d)));
         blocks.extend(own_effect(data, d));
     }
-    blocks.extend(not_seen(d));
+    blocks.extend(absent::blocks(d));
     let next = next_measurement(d);
     if !next.is_empty() {
         blocks.push(Block::Heading("measure next".into()));
@@ -57,7 +57,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
 }
 
 /// The model, its data, their noise, and what is known of both.
-fn head(data: &Data, d: &Diagnosis) -> String {
+pub fn head(data: &Data, d: &Diagnosis) -> String {
     let (name, noise) = (&data.model.source.name, comparison::noise_text(&d.noise, data));
     let mut text = format!("{name} against {}: {} observations, noise {noise}\n", data.name, data.len());
     text += &measurement::at_work(name, &data.terms, &*data.model.process, Some(data));
@@ -68,36 +68,13 @@ fn head(data: &Data, d: &Diagnosis) -> String {
     text
 }
 
-fn structure_remains(d: &Diagnosis) -> bool {
-    matches!(d.verdict, Verdict::PartlyExplained | Verdict::Unexplained)
-}
-
-pub fn verdict(d: &Diagnosis) -> String {
-    let (certain, open): (Vec<&Missing>, Vec<&Missing>) = d.missing.iter().partition(|m| m.probability >= CERTAIN);
-    let listed = |some: &[&Missing]| some.iter().map(|m| &*m.effect.name).collect::<Vec<_>>().join(", ");
-    let names = match (certain.is_empty(), open.is_empty()) {
-        (_, true) => listed(&certain),
-        (true, false) => format!("perhaps {}", listed(&open)),
-        (false, false) => format!("{}, perhaps {}", listed(&certain), listed(&open)),
-    };
-    match d.verdict {
-        Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
-        Verdict::MissingEffect => {
-            let them = if d.missing.len() == 1 { "it" } else { "them" };
-            format!("missing: {names}; with {them} the model comes down to the noise")
-        }
-        Verdict::PartlyExplained => format!("partly explained: {names}; structure remains"),
-        Verdict::Unexplained => "unexplained: the model fails, and no effect known here is the cause".into(),
-    }
-}
-
 fn where_it_fails(d: &Diagnosis) -> Vec<Block> {
     if d.verdict == Verdict::Adequate {
         return Vec::new();
     }
     let mut blocks = vec![Block::Heading("where it fails, with what the model leaves open re-fitted".into())];
     if d.features.is_empty() {
-        let is_of_noise = d.missing.iter().all(|m| m.cause != Cause::Physical);
+        let is_of_noise = d.missing.iter().all(|m| matches!(m.cause, Cause::Measurement { .. }));
         let sentence = match d.before.is_as_noise() {
             true if is_of_noise => "along no coordinate: the noise is not what it is taken for",
             true => "along no coordinate by itself: what is missing is known by its shape alone",
@@ -110,21 +87,6 @@ fn where_it_fails(d: &Diagnosis) -> Vec<Block> {
     blocks
 }
 
-/// A missing effect in a few words, with what groups the rows: `zero-shift by run`.
-pub fn label(missing: &Missing) -> String {
-    match &missing.cause {
-        Cause::Physical => missing.effect.name.to_string(),
-        Cause::Measurement { by, observable, along, period, .. } => {
-            let of = observable.as_ref().map_or(String::new(), |name| format!(" of {name}"));
-            let along = along.as_ref().map_or(String::new(), |name| format!(" along {name}"));
-            let period = period.map_or(String::new(), |(period, kind)| {
-                format!(", once in {:.4} {}", Short(kind.from_si(period)), kind.unit)
-            });
-            format!("{}{}{along}{of}{period}", missing.effect.name, measurement::grouped(by))
-        }
-    }
-}
-
 fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Block> {
     let effect = &missing.effect;
     let what = if missing.describes() { "described" } else { "cause" };
@@ -133,7 +95,9 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
         let places = campaign::places(campaign, data, missing).join(", in ");
         blocks.push(Block::Sentence(format!("in {places}")));
     }
+    blocks.extend(as_written(missing).map(Block::Sentence));
     blocks.push(Block::List(estimates(missing)));
+    blocks.extend(largest_change(missing, data).map(|[moves, size]| Block::Sentence(format!("it {moves} {size}"))));
     blocks.push(Block::Sentence(chance(missing.p_value)));
     if missing.probability < CERTAIN {
         let percent = percent(missing.probability);
@@ -175,11 +139,6 @@ pub fn shared(d: &Diagnosis) -> Vec<Block> {
     blocks
 }
 
-/// A probability: `97 %`.
-pub fn percent(probability: f64) -> String {
-    format!("{:.0} %", 100.0 * probability)
-}
-
 /// A line for each value of a missing effect, with its interval.
 fn estimates(missing: &Missing) -> Vec<String> {
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
@@ -188,7 +147,8 @@ fn estimates(missing: &Missing) -> Vec<String> {
         let value = format!("{:.4} {}", Short(k.from_si(e.value)), k.unit);
         let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.4}", Short(k.from_si(v))));
         // The factor of outlying rows is set, and has no interval.
-        let is_set = missing.cause != Cause::Physical && e.interval.low.is_none() && e.interval.high.is_none();
+        let is_set =
+            matches!(missing.cause, Cause::Measurement { .. }) && e.interval.low.is_none() && e.interval.high.is_none();
         let interval = match is_set {
             true => String::new(),
             false => format!(" 95 %: {} to {}", end(e.interval.low), end(e.interval.high)),
@@ -197,23 +157,6 @@ fn estimates(missing: &Missing) -> Vec<String> {
         format!("{:<width$}  {:<20}{interval}{warnings}", name(e), value.trim_end()).trim_end().to_string()
     };
     missing.estimates.iter().map(line).collect()
-}
-
-/// A bend that the law of a missing effect does not have.
-pub fn bent(bend: &Bend) -> String {
-    let along = bend.along.as_ref().map_or("with its own size".into(), |name| format!("along {name}"));
-    format!("its shape is not wholly this law: it bends {along}, by up to {:.0} % of itself", 100.0 * bend.share)
-}
-
-/// Traits of an effect of the measurement in this process and these rows, and last how to tell it from effects of the
-/// machine; nothing of these.
-pub fn traits(missing: &Missing, model: &Model) -> Vec<String> {
-    let Cause::Measurement { effect, by, from, .. } = &missing.cause else { return Vec::new() };
-    let curve = measurement::curve(effect, by, &*model.process);
-    let curve = curve.map(|(name, about)| format!("in this process a {name}: {about}"));
-    let from = from.as_ref().map(|place| format!("from {place} on"));
-    let separates = format!("what separates it from effects of the machine: {}", effect.separates);
-    curve.into_iter().chain(from).chain([separates]).collect()
 }
 
 /// Most outlying rows that are listed.
@@ -256,14 +199,6 @@ pub fn separated_from_measurement(d: &Diagnosis) -> Vec<[&str; 3]> {
 /// What separates pairs of effects.
 pub fn separations(pairs: &[[&str; 3]]) -> Block {
     Block::List(pairs.iter().map(|[one, other, by]| format!("{one} from {other}: {by}")).collect())
-}
-
-/// Writes the p-value of an effect.
-pub fn chance(p: f64) -> String {
-    match p {
-        p if p < 1e-6 => "chance alone gives as much in less than one search in a million".into(),
-        p => format!("chance alone gives as much in one search of {:.0}", (1.0 / p).max(1.0)),
-    }
 }
 
 /// The falling error: the model re-fitted, and with each missing effect added. The last column is headed by the
@@ -317,77 +252,12 @@ fn own_effect(data: &Data, d: &Diagnosis) -> Option<Block> {
     )))
 }
 
-/// Writes a note on a candidate effect.
-pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
-    if d.missing.iter().any(|m| m.effect == outlook.effect) {
-        return "missing".into();
-    }
-    let alternative = d.missing.iter().find(|m| m.indistinguishable_from.contains(&outlook.effect));
-    if let Some(missing) = alternative {
-        return format!("cannot be told from {} here", missing.effect.label());
-    }
-    if outlook.probability >= RULED_OUT {
-        return format!("may be there: {}", percent(outlook.probability));
-    }
-    let Some(v) = &outlook.detection_limit else { return "it cannot be computed here".into() };
-    if structure_remains(d) && v.detectable {
-        return "not judged while structure remains".into();
-    }
-    match v.smallest.filter(|_| v.detectable) {
-        Some(smallest) => format!("would have been seen from {} on", bound(&outlook.effect, &v.parameter, smallest)),
-        None => "cannot be seen in these data".into(),
-    }
-}
-
-/// Writes a detection limit: `rate >= 0.4 um/km`, for a stiffness `<=`.
-pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
-    let entry = effect.parameters.iter().find(|p| p.name == parameter);
-    let unit = entry.map(|p| p.kind.unit).unwrap_or_default();
-    let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };
-    let told = match entry.map(|p| p.neutral) {
-        // A factor of 1.00042 is told by what it differs from 1.
-        Some(Neutral::Value(neutral)) if neutral != 0.0 && smallest != neutral => {
-            let digits = 1.0 - (smallest - neutral).abs().log10().floor();
-            number::fixed(smallest, digits.clamp(0.0, 15.0) as usize)
-        }
-        _ => format!("{:.2}", Short(smallest)),
-    };
-    format!("{parameter} {sign} {told} {unit}").trim_end().to_string()
-}
-
-fn not_seen(d: &Diagnosis) -> Vec<Block> {
-    let absent = |c: &&Outlook| {
-        let named = d.missing.iter().any(|m| m.effect == c.effect || m.indistinguishable_from.contains(&c.effect));
-        !named && c.probability < RULED_OUT && c.detection_limit.is_some()
-    };
-    let rest: Vec<&Outlook> = d.candidates.iter().filter(absent).collect();
-    let is_seen = |c: &&Outlook| c.detection_limit.as_ref().is_some_and(|v| v.detectable);
-    let (seen, hidden): (Vec<&Outlook>, Vec<&Outlook>) = rest.iter().copied().partition(is_seen);
-    let mut blocks = Vec::new();
-    // Structure that remains may hide effects.
-    if !seen.is_empty() && !structure_remains(d) {
-        let width = rest.iter().map(|c| c.effect.label().len()).max().unwrap_or(0);
-        let line = |c: &&Outlook| {
-            let v = c.detection_limit.as_ref().and_then(|v| v.smallest.map(|s| bound(&c.effect, &v.parameter, s)));
-            format!("{:<width$}  {}", c.effect.label(), v.unwrap_or_default())
-        };
-        let heading = "not found, and nine times in ten it would have been, at a usual shape, from";
-        blocks.extend([Block::Heading(heading.into()), Block::List(seen.iter().map(line).collect())]);
-    }
-    if !hidden.is_empty() {
-        let names: Vec<_> = hidden.iter().map(|c| c.effect.label()).collect();
-        blocks.push(Block::Heading(format!("these data could not show: {}", names.join(", "))));
-    }
-    blocks
-}
-
 /// The next measurement, and what separates effects of the machine from those of the measurement.
 pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
     let mut blocks = Vec::new();
     if let Some(next) = &d.next {
-        let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
         blocks.push(Block::Sentence(experiment(next)));
-        blocks.push(Block::Sentence(format!("it {tells} {}, by {:.1} sigma", pairs(next), next.separation)));
+        blocks.extend(told_by(next, usize::MAX).into_iter().map(Block::Sentence));
     }
     let pairs = separated_from_measurement(d);
     if !pairs.is_empty() {
@@ -402,8 +272,21 @@ pub fn experiment(next: &Next) -> String {
     format!("{}{often}: {} rows", next.experiment.words, next.observations())
 }
 
-/// The effects that it tells apart.
-pub fn pairs(next: &Next) -> String {
-    let pairs: Vec<String> = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.label(), b.label())).collect();
-    pairs.join(", ")
+/// What it tells: how many sets it is expected to leave, and the effects that it tells apart, up to so many.
+pub fn told_by(next: &Next, most: usize) -> Vec<String> {
+    let sets = next.sets.map(|(now, then)| {
+        let counted = |sets: f64| format!("{:.0}", sets.max(1.0));
+        format!("of what counts as {} sets that fit equally it is expected to leave {}", counted(now), counted(then))
+    });
+    let tells = if next.enough { "tells" } else { "helps to tell, though not enough," };
+    let told = told_apart(next);
+    let apart =
+        (!told.is_empty()).then(|| format!("it {tells} {}, by {:.1} sigma", listed(&told, most), next.separation));
+    sets.into_iter().chain(apart).collect()
+}
+
+/// The effects that it tells apart, and those of which it tells whether they are there.
+pub fn told_apart(next: &Next) -> Vec<String> {
+    let pairs = next.pairs.iter().map(|(a, b)| format!("{} from {}", a.label(), b.label()));
+    pairs.chain(next.whether.iter().map(|effect| format!("whether {} is there", effect.label()))).collect()
 }

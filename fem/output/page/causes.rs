@@ -5,6 +5,7 @@ use super::subject::{Evidence, Subject};
 use crate::diagnose::{Cause, Diagnosis, Missing};
 use crate::fit::Estimate;
 use crate::input::Name;
+use crate::model::Data;
 use crate::output::block::{Block, Cell, Column, Table};
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, escaped, named};
 use crate::output::fit::Short;
@@ -23,13 +24,13 @@ pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
     let card = |(number, missing): (usize, &Missing)| {
         // As the command numbers them.
         let number = if missing.describes() { format!("described {number}") } else { number.to_string() };
-        card(&number, missing, &curves, subject)
+        card(&number, missing, &curves, (subject, found.data))
     };
     let cards = (1..).zip(&d.missing).map(card).collect();
     Section { id: "causes", title: "The causes", blocks: cards }
 }
 
-fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], subject: &Subject) -> String {
+fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, data): (&Subject, &Data)) -> String {
     let effect = &missing.effect;
     let mut html = format!(
         "<article class=\"cause\"><h3><span class=\"number\">{number}</span>{}</h3><p>{}</p>",
@@ -42,6 +43,9 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], subject: &Sub
         escaped(effect.source)
     ));
     html.push_str(&estimates("Values, with the 95 % intervals of their profiles", &missing.estimates));
+    if let Some([moves, size]) = diagnosis::largest_change(missing, data) {
+        html.push_str(&html::paragraph("note", &sentence(&format!("it {moves} {size}"))));
+    }
     html.push_str(&html::paragraph("note", &sentence(&diagnosis::chance(missing.p_value))));
     if let Some(bend) = &missing.bend {
         html.push_str(&html::paragraph("caution", &sentence(&diagnosis::bent(bend))));

@@ -22,9 +22,9 @@ pub fn block(block: &Block) -> String {
         Block::Lines(_) | Block::Curve(_) => String::new(),
         Block::Caution(text) => paragraph("caution", &format!("Caution: {text}")),
         Block::Heading(text) => heading(&capital(text)),
-        Block::Sentence(text) => paragraph("", &sentence(text)),
+        Block::Sentence(text) | Block::Paragraph(text) => paragraph("", &sentence(text)),
         Block::List(items) => list(items),
-        Block::Labelled(items) => {
+        Block::Labelled(items) | Block::Entries(items) => {
             list(&items.iter().map(|(label, item)| format!("{}: {item}", label.trim())).collect::<Vec<_>>())
         }
         Block::Table(all) => table(all),

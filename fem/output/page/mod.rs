@@ -102,12 +102,12 @@ fn kicker(subject: &Subject) -> String {
 /// The verdict as a sentence, and whether it is good news.
 fn verdict(subject: &Subject) -> (String, &'static str) {
     let (text, mood) = match &subject.evidence {
-        Some(Evidence { diagnosis: Some(d), .. }) => {
+        Some(Evidence { diagnosis: Some(d), data: found, .. }) => {
             let mood = match d.verdict {
                 Verdict::Adequate | Verdict::MissingEffect => "good",
                 Verdict::PartlyExplained | Verdict::Unexplained => "bad",
             };
-            (diagnosis::verdict(d), mood)
+            (diagnosis::verdict(found, d), mood)
         }
         Some(Evidence { comparisons, .. }) => match comparisons.last() {
             Some(c) => {

@@ -1,0 +1,83 @@
+//! The verdict in plain words, with the fall of the error.
+
+use super::kinds::{Kinds, is_grouped};
+use crate::diagnose::{Diagnosis, GoodnessOfFit, Group, Verdict};
+use crate::model::Data;
+use crate::output::listing::listed;
+
+/// Most observables of which the error is told one by one; of more it is told in standard uncertainties.
+const EACH: usize = 2;
+/// Part of the error that must be gone to be told as its fall.
+const NOTABLE: f64 = 0.05;
+/// Most members of a group that are named in the verdict.
+const FEW: usize = 3;
+
+/// The verdict as a sentence, for text and page.
+pub fn verdict(data: &Data, d: &Diagnosis) -> String {
+    let them = match &d.missing[..] {
+        [one] if !is_grouped(d, &one.effect) => "it",
+        _ => "them",
+    };
+    match d.verdict {
+        Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
+        Verdict::MissingEffect => match fall(data, d) {
+            Some(fall) => format!("missing: {}; with {them} {fall}, down to the noise", names(d)),
+            None => {
+                let left = errors(data, &d.after);
+                format!("missing: {}; with {them} the noise explains the error of {left}", names(d))
+            }
+        },
+        Verdict::PartlyExplained => {
+            let fall = fall(data, d).map_or(String::new(), |fall| format!(" with {them} {fall}, and"));
+            format!("partly explained: {};{fall} structure remains", names(d))
+        }
+        Verdict::Unexplained => {
+            let left = errors(data, &d.before);
+            format!("unexplained: the model is off by {left}, and no effect known here is the cause")
+        }
+    }
+}
+
+/// Names of what is told: the certain ones, how many of each group, and what may be there.
+fn names(d: &Diagnosis) -> String {
+    let kinds = Kinds::of(d);
+    let own = kinds.certain.iter().chain(&kinds.described).map(|m| m.effect.name.to_string());
+    let is_told = |group: &&Group| d.missing.iter().any(|m| group.effects.contains(&m.effect.name));
+    let groups = d.posterior.groups.iter().filter(is_told).map(some_of);
+    let perhaps: Vec<&str> = kinds.perhaps.iter().map(|m| &*m.effect.name).collect();
+    let perhaps = (!perhaps.is_empty()).then(|| format!("perhaps {}", perhaps.join(", ")));
+    own.chain(groups).chain(perhaps).collect::<Vec<_>>().join(", ")
+}
+
+/// How many of a group are there.
+fn some_of(group: &Group) -> String {
+    match group.effects.len() {
+        few if few <= FEW => format!("at least {} of {}", group.at_least, listed(&group.effects, FEW)),
+        many => format!("at least {} of a group of {many}", group.at_least),
+    }
+}
+
+/// The fall of the error from the model to that with all that is missing; `None` where it hardly falls.
+fn fall(data: &Data, d: &Diagnosis) -> Option<String> {
+    if d.after.rms > (1.0 - NOTABLE) * d.before.rms {
+        return None;
+    }
+    let fall = |[before, after, unit]: [String; 3]| format!("from {before} to {after} {unit}");
+    let all: Vec<String> =
+        each(data, &d.before).zip(each(data, &d.after)).map(|(a, b)| fall([a.0, b.0, b.1])).collect();
+    Some(format!("the error falls {}", all.join(" and ")))
+}
+
+/// What a model leaves, in words.
+fn errors(data: &Data, goodness: &GoodnessOfFit) -> String {
+    each(data, goodness).map(|(value, unit)| format!("{value} {unit}")).collect::<Vec<_>>().join(" and ")
+}
+
+/// Root mean square error of each observable with its unit, or of all together where there are many.
+fn each(data: &Data, goodness: &GoodnessOfFit) -> impl Iterator<Item = (String, String)> {
+    let all = match data.observables.len() {
+        2..=EACH => data.observables.iter().map(|seen| seen.kind).zip(goodness.rms_of.iter().copied()).collect(),
+        _ => vec![(data.kind(), goodness.rms)],
+    };
+    all.into_iter().map(|(kind, rms)| (format!("{:.3}", kind.from_si(rms)), kind.unit.to_string()))
+}

@@ -1,0 +1,67 @@
+//! Words for a missing effect.
+
+use crate::diagnose::{Bend, Cause, Missing};
+use crate::model::{Data, Model};
+use crate::output::fit::Short;
+use crate::output::measurement;
+
+/// A missing effect in a few words, with what groups the rows: `zero-shift by run`.
+pub fn label(missing: &Missing) -> String {
+    match &missing.cause {
+        Cause::Physical | Cause::Value { .. } => missing.effect.name.to_string(),
+        Cause::Measurement { by, observable, along, period, .. } => {
+            let of = observable.as_ref().map_or(String::new(), |name| format!(" of {name}"));
+            let along = along.as_ref().map_or(String::new(), |name| format!(" along {name}"));
+            let period = period.map_or(String::new(), |(period, kind)| {
+                format!(", once in {:.4} {}", Short(kind.from_si(period)), kind.unit)
+            });
+            format!("{}{}{along}{of}{period}", missing.effect.name, measurement::grouped(by))
+        }
+    }
+}
+
+/// What is written where a value is wrong: `written as 60 N/um`.
+pub fn as_written(missing: &Missing) -> Option<String> {
+    let Cause::Value { written } = missing.cause else { return None };
+    let kind = missing.effect.parameters.first()?.kind;
+    Some(format!("written as {:.4} {}", Short(kind.from_si(written)), kind.unit).trim_end().into())
+}
+
+/// What a missing effect does to the rows, `moves the rows by up to`, and its size, `38.0 um`.
+pub fn largest_change(missing: &Missing, data: &Data) -> Option<[String; 2]> {
+    let change = missing.largest_change.as_ref()?;
+    let seen = &data.observables[change.observable];
+    let rows = if data.observables.len() == 1 { "the rows" } else { &*seen.name };
+    let size = format!("{:.3} {}", Short(seen.kind.from_si(change.value)), seen.kind.unit);
+    Some([format!("moves {rows} by up to"), size.trim_end().into()])
+}
+
+/// A probability: `97 %`.
+pub fn percent(probability: f64) -> String {
+    format!("{:.0} %", 100.0 * probability)
+}
+
+/// Writes the p-value of an effect.
+pub fn chance(p: f64) -> String {
+    match p {
+        p if p < 1e-6 => "chance alone gives as much in less than one search in a million".into(),
+        p => format!("chance alone gives as much in one search of {:.0}", (1.0 / p).max(1.0)),
+    }
+}
+
+/// A bend that the law of a missing effect does not have.
+pub fn bent(bend: &Bend) -> String {
+    let along = bend.along.as_ref().map_or("with its own size".into(), |name| format!("along {name}"));
+    format!("its shape is not wholly this law: it bends {along}, by up to {:.0} % of itself", 100.0 * bend.share)
+}
+
+/// Traits of an effect of the measurement in this process and these rows, and last how to tell it from effects of the
+/// machine; nothing of these.
+pub fn traits(missing: &Missing, model: &Model) -> Vec<String> {
+    let Cause::Measurement { effect, by, from, .. } = &missing.cause else { return Vec::new() };
+    let curve = measurement::curve(effect, by, &*model.process);
+    let curve = curve.map(|(name, about)| format!("in this process a {name}: {about}"));
+    let from = from.as_ref().map(|place| format!("from {place} on"));
+    let separates = format!("what separates it from effects of the machine: {}", effect.separates);
+    curve.into_iter().chain(from).chain([separates]).collect()
+}
