@@ -44,6 +44,7 @@ fn mended(model: &Model, addition: &Addition) -> Result<Model, Problem> {
     match addition {
         Addition::Effect(name, settings) => add_effect(model, name, settings),
         Addition::Value(setting) => super::revised(model, std::slice::from_ref(setting), &[]),
+        Addition::Without(name) => super::revised(model, &[], std::slice::from_ref(name)),
     }
 }
 

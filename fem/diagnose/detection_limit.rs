@@ -3,7 +3,7 @@
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
 use crate::input::Name;
-use crate::process::Neutral;
+use crate::process::{Grows, Neutral};
 
 /// Standard uncertainties by which a sensitivity must exceed the threshold for a detection in nine cases of
 /// ten (power 0.9).
@@ -50,12 +50,14 @@ pub fn detection_limit(
     let shown = match entry.neutral {
         Neutral::Infinity => entry.kind.from_si(1.0 / least),
         Neutral::Value(neutral) => neutral + entry.kind.from_si(least),
-        Neutral::Written(written) => written * least.exp(),
+        Neutral::Written(written, Grows::Inversely) => written / (1.0 + least),
+        Neutral::Written(written, _) => written * (1.0 + least),
         Neutral::Shape => entry.kind.from_si(least),
     };
     let reachable = match entry.neutral {
         Neutral::Infinity => shown > entry.range.0,
-        Neutral::Written(written) => shown / written < entry.range.1 / written,
+        Neutral::Written(written, Grows::Inversely) => shown / written > entry.range.0 / written,
+        Neutral::Written(written, _) => shown / written < entry.range.1 / written,
         Neutral::Value(_) | Neutral::Shape => shown < entry.range.1,
     };
     let detectable = own_share >= HIDDEN && reachable && shown.is_finite();

@@ -83,7 +83,7 @@ pub fn missing_effects(
 
 /// Cause behind an effect that was found among the candidates.
 pub fn cause(effect: &Description) -> Cause {
-    if let Some((Neutral::Written(written), kind)) = effect.parameters.first().map(|p| (p.neutral, p.kind)) {
+    if let Some((Neutral::Written(written, _), kind)) = effect.parameters.first().map(|p| (p.neutral, p.kind)) {
         return Cause::Value { written: kind.to_si(written) };
     }
     match effects::all().find(|e| effect.table == MEASUREMENT && e.name == effect.name) {

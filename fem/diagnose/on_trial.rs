@@ -3,7 +3,7 @@
 
 use crate::input::Parameter;
 use crate::model::Model;
-use crate::process::{self, Belongs, Description, EFFECTS, ON_TRIAL, Odds};
+use crate::process::{Belongs, Description, ON_TRIAL, Odds};
 use crate::units::Knowledge;
 
 /// Factor by which a value that nobody measured is usually off, at most.
@@ -21,24 +21,23 @@ pub fn values_on_trial(model: &Model) -> Vec<Description> {
         let value = quantity.quantity.value;
         quantity.quantity.knowledge == Knowledge::Known && value.is_finite() && value != 0.0
     };
-    let of_effect = |quantity: &&Parameter| quantity.path.starts_with(EFFECTS);
-    model.quantities.iter().filter(is_known).filter(of_effect).map(value_on_trial).collect()
+    model.quantities.iter().filter(is_known).filter_map(|quantity| value_on_trial(model, quantity)).collect()
 }
 
-fn value_on_trial(quantity: &Parameter) -> Description {
-    let written = quantity.kind.from_si(quantity.quantity.value);
-    let name = quantity.path.to_string();
-    let key = quantity.path.key().to_string().into();
-    Description {
+/// A value of an effect of the catalogue on trial.
+fn value_on_trial(model: &Model, quantity: &Parameter) -> Option<Description> {
+    // A part and a phase have no ratio to another.
+    let entry = model.catalogue(&quantity.path).filter(|entry| !entry.is_step && entry.period.is_none())?;
+    Some(Description {
         table: ON_TRIAL,
-        name: name.into(),
+        name: quantity.path.to_string().into(),
         observable: None,
         about: "the value that the model has is wrong".into(),
         law: "as the law has it, with another value".into(),
         source: "",
         belongs: Belongs::Test,
         odds: ODDS,
-        parameters: vec![process::Parameter::written(key, quantity.kind, quantity.bounds, written, FACTOR)].into(),
+        parameters: vec![entry.on_trial(quantity.kind.from_si(quantity.quantity.value), FACTOR)].into(),
         look_alikes: &[],
-    }
+    })
 }

@@ -269,7 +269,7 @@ impl Probe<'_, '_> {
         let signed = linear.iter().map(|s| {
             let entry = &effect.parameters[s.parameter];
             let is_signed = match entry.neutral {
-                Neutral::Written(_) => true,
+                Neutral::Written(..) => true,
                 Neutral::Infinity => false,
                 Neutral::Value(_) | Neutral::Shape => entry.bounds == Bounds::Any && !s.is_square,
             };

@@ -2,7 +2,7 @@
 
 use super::steps::Steps;
 use crate::input::{Bounds, Parameter};
-use crate::process::Neutral;
+use crate::process::{Grows, Neutral};
 use crate::units::{Knowledge, Quantity};
 
 /// Parameter as the search sees it: transformed, bounded, with its prior and its starts.
@@ -112,8 +112,9 @@ enum Scale {
     Reciprocal,
     /// s = ln v: a positive quantity of unknown size.
     Logarithm,
-    /// s = ln (v/v₀): a value that somebody wrote as v₀.
-    Ratio(f64),
+    /// A value that somebody wrote as v₀, so that s = 0 there: s = v/v₀ − 1, v₀/v − 1 or ln (v/v₀), in which its effect is
+    /// the most nearly linear.
+    Ratio(f64, Grows),
 }
 
 impl SearchVariable {
@@ -127,7 +128,7 @@ impl SearchVariable {
         let scale = match (entry.map(|e| e.neutral), parameter.bounds) {
             (Some(Neutral::Infinity), _) => Scale::Reciprocal,
             (Some(Neutral::Value(neutral)), Bounds::Any) if neutral != 0.0 => Scale::From(neutral),
-            (Some(Neutral::Written(written)), _) => Scale::Ratio(parameter.kind.to_si(written)),
+            (Some(Neutral::Written(written, grows)), _) => Scale::Ratio(parameter.kind.to_si(written), grows),
             _ if entry.is_some_and(|e| e.is_step) => Scale::Plain,
             (_, Bounds::Positive) => Scale::Logarithm,
             _ => Scale::Plain,
@@ -155,7 +156,7 @@ impl SearchVariable {
         }
         let unit = match scale {
             Scale::Logarithm => 1.0,
-            Scale::Ratio(_) => RATIO,
+            Scale::Ratio(..) => RATIO,
             Scale::From(_) => range.map_or(1.0, |(low, high)| 0.5 * (high - low)),
             // Where a search is told to begin it is told a size, too.
             Scale::Plain if prior.is_none() && written.abs() > 0.0 => written.abs(),
@@ -190,7 +191,8 @@ impl SearchVariable {
                 (Some((low, high)), _) => high - low,
                 (None, Scale::Reciprocal) => FAR / plausible.0,
                 (None, Scale::From(neutral)) => FAR * (plausible.1 - neutral),
-                (None, Scale::Ratio(written)) => (FAR * plausible.1 / written).ln(),
+                (None, Scale::Ratio(written, Grows::Otherwise)) => (FAR * plausible.1 / written).ln(),
+                (None, Scale::Ratio(written, _)) => FAR * plausible.1 / written,
                 (None, Scale::Plain | Scale::Logarithm) => FAR * plausible.1,
             };
             let smallest = match variable.scale {
@@ -213,7 +215,7 @@ impl SearchVariable {
                 (Scale::From(neutral), _) => {
                     Usual::Adjusted { spread: (plausible.1 - neutral) * Usual::NINE_TENTHS * 2.0 }
                 }
-                (Scale::Ratio(written), _) => {
+                (Scale::Ratio(written, _), _) => {
                     Usual::Place { centre: 0.0, spread: 2.0 * Usual::NINE_TENTHS * (plausible.1 / written).ln() }
                 }
                 (Scale::Logarithm, _) => Usual::place(plausible.0.ln(), plausible.1.ln()),
@@ -264,7 +266,9 @@ impl SearchVariable {
             Scale::From(neutral) => value - neutral,
             Scale::Reciprocal => 1.0 / value,
             Scale::Logarithm => value.ln(),
-            Scale::Ratio(written) => (value / written).ln(),
+            Scale::Ratio(written, Grows::Linearly) => value / written - 1.0,
+            Scale::Ratio(written, Grows::Inversely) => written / value - 1.0,
+            Scale::Ratio(written, Grows::Otherwise) => (value / written).ln(),
         };
         let position = self.steps.as_ref().map_or(position, |steps| steps.at(position));
         position.clamp(self.low, self.high)
@@ -277,7 +281,9 @@ impl SearchVariable {
             Scale::From(neutral) => neutral + position,
             Scale::Reciprocal => 1.0 / position,
             Scale::Logarithm => position.exp(),
-            Scale::Ratio(written) => written * position.exp(),
+            Scale::Ratio(written, Grows::Linearly) => written * (1.0 + position),
+            Scale::Ratio(written, Grows::Inversely) => written / (1.0 + position),
+            Scale::Ratio(written, Grows::Otherwise) => written * position.exp(),
         }
     }
 
@@ -297,7 +303,9 @@ impl SearchVariable {
             Scale::Plain | Scale::From(_) => 1.0,
             Scale::Reciprocal => 1.0 / (position * position),
             Scale::Logarithm => position.exp(),
-            Scale::Ratio(written) => written.abs() * position.exp(),
+            Scale::Ratio(written, Grows::Linearly) => written.abs(),
+            Scale::Ratio(written, Grows::Inversely) => written.abs() / (1.0 + position).powi(2),
+            Scale::Ratio(written, Grows::Otherwise) => written.abs() * position.exp(),
         }
     }
 
@@ -323,7 +331,7 @@ impl SearchVariable {
         const REACH: f64 = 12.0;
         match self.scale {
             Scale::Logarithm => (self.low.max(of - REACH), self.high.min(of + REACH)),
-            Scale::Plain | Scale::From(_) | Scale::Reciprocal | Scale::Ratio(_) => (self.low, self.high),
+            Scale::Plain | Scale::From(_) | Scale::Reciprocal | Scale::Ratio(..) => (self.low, self.high),
         }
     }
 
@@ -331,7 +339,7 @@ impl SearchVariable {
     pub fn is_reversed(&self) -> bool {
         match self.scale {
             Scale::Reciprocal => true,
-            Scale::Ratio(written) => written < 0.0,
+            Scale::Ratio(written, grows) => (written < 0.0) != (grows == Grows::Inversely),
             Scale::Plain | Scale::From(_) | Scale::Logarithm => false,
         }
     }
@@ -348,11 +356,18 @@ fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
     match (scale, bounds) {
         // An infinite stiffness is zero compliance.
         (Scale::Reciprocal, _) => (0.0, f64::INFINITY),
-        (Scale::Ratio(written), Bounds::Within(low, high)) if written > 0.0 => {
+        (Scale::Ratio(_, Grows::Inversely), _) => (-1.0, f64::INFINITY),
+        (Scale::Ratio(written, Grows::Linearly), bounds) => match bounds {
+            Bounds::Any => (f64::NEG_INFINITY, f64::INFINITY),
+            Bounds::Positive => (-1.0 + 1e-6, f64::INFINITY),
+            Bounds::NotNegative => (-1.0, f64::INFINITY),
+            Bounds::Within(low, high) => (low / written - 1.0, high / written - 1.0),
+        },
+        (Scale::Ratio(written, Grows::Otherwise), Bounds::Within(low, high)) if written > 0.0 => {
             ((low.max(1e-3 * written) / written).ln(), (high / written).ln())
         }
         // e^±80 spans every physical size.
-        (Scale::Ratio(_), _) => (-80.0, 80.0),
+        (Scale::Ratio(..), _) => (-80.0, 80.0),
         (Scale::Logarithm, _) => (-80.0, 80.0),
         (Scale::Plain, Bounds::Positive) => (f64::MIN_POSITIVE, f64::INFINITY),
         (Scale::Plain, Bounds::NotNegative) => (0.0, f64::INFINITY),

@@ -211,6 +211,11 @@ impl Model {
         Some(&self.effects[effect].description.parameters[parameter])
     }
 
+    /// Name of the effect to which a quantity belongs, by its path.
+    pub fn effect_of(&self, path: &str) -> Option<&str> {
+        self.place(path).map(|(effect, _)| &*self.effects[effect].description.name)
+    }
+
     /// Catalogue entry of a parameter of an effect, by its path.
     pub fn catalogue(&self, path: &str) -> Option<&crate::process::Parameter> {
         self.effect_parameter(path).filter(|_| !self.is_of_formula(path))

@@ -47,7 +47,7 @@ impl Answer for CatalogueAnswer {
 /// One entry of the catalogue in JSON.
 fn entry(process: &dyn Process, effect: &Description) -> Value {
     let neutral = |n: Neutral| match n {
-        Neutral::Value(value) | Neutral::Written(value) => json!(value),
+        Neutral::Value(value) | Neutral::Written(value, _) => json!(value),
         Neutral::Infinity => json!("infinity"),
         Neutral::Shape => Value::Null,
     };
@@ -115,7 +115,7 @@ fn page(process: &str, effect: &Description) -> String {
 
 fn parameter_line(p: &Parameter) -> String {
     let neutral = match p.neutral {
-        Neutral::Value(value) | Neutral::Written(value) => format!("vanishes at {value}"),
+        Neutral::Value(value) | Neutral::Written(value, _) => format!("vanishes at {value}"),
         Neutral::Infinity => "vanishes at infinity".into(),
         Neutral::Shape => "shapes the effect".into(),
     };

@@ -175,8 +175,19 @@ pub enum Neutral {
     Infinity,
     /// The parameter shapes the effect and does not switch it.
     Shape,
-    /// What somebody wrote, in the canonical unit: a value on trial. Others are told by their ratio to it.
-    Written(f64),
+    /// What somebody wrote, in the canonical unit: a value on trial, and how its effect grows with it.
+    Written(f64, Grows),
+}
+
+/// How an effect grows with one of its parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grows {
+    /// As the parameter does: an amplitude.
+    Linearly,
+    /// As its reciprocal: a stiffness.
+    Inversely,
+    /// In some other way: a shape.
+    Otherwise,
 }
 
 /// An effect of a model with the values of its parameters.
@@ -238,7 +249,7 @@ impl Description {
     #[doc(hidden)]
     pub fn neutral(&self) -> Active {
         let value = |p: &Parameter| match p.neutral {
-            Neutral::Value(value) | Neutral::Written(value) => p.kind.to_si(value),
+            Neutral::Value(value) | Neutral::Written(value, _) => p.kind.to_si(value),
             Neutral::Infinity => f64::INFINITY,
             Neutral::Shape => p.kind.to_si(p.example()),
         };
@@ -306,10 +317,17 @@ impl Parameter {
         Self::new(name, kind, about, Neutral::Shape, Bounds::Positive, range)
     }
 
-    /// A value of the model that may have been written wrongly, by a factor that is usually no more than this.
-    pub fn written(name: Name, kind: Kind, bounds: Bounds, value: f64, factor: f64) -> Self {
-        let ends = (value / factor, value * factor);
-        Self { name, ..Self::new("", kind, "the value that is written", Neutral::Written(value), bounds, ends) }
+    /// A value (in the canonical unit) for this parameter that may have been written wrongly, by a factor that is usually
+    /// no more than this.
+    pub fn on_trial(&self, value: f64, factor: f64) -> Self {
+        let grows = match self.neutral {
+            Neutral::Infinity => Grows::Inversely,
+            Neutral::Value(0.0) => Grows::Linearly,
+            Neutral::Value(_) | Neutral::Shape | Neutral::Written(..) => Grows::Otherwise,
+        };
+        let (name, about) = (self.name.clone(), "the value that is written");
+        let (neutral, range) = (Neutral::Written(value, grows), (value / factor, value * factor));
+        Self { name, ..Self::new("", self.kind, about, neutral, self.bounds, range) }
     }
 
     /// A value for an example, in the canonical unit: in the middle of the plausible range, with one digit.

@@ -18,13 +18,15 @@ pub enum Addition {
     Effect(String, Vec<Setting>),
     /// Another value for a key that it has, by its path, as `fem set` takes it.
     Value(Setting),
+    /// An effect that it has and that is not there, by its name.
+    Without(String),
 }
 
 impl Addition {
     /// Name of the effect, or path of the value.
     pub fn name(&self) -> &str {
         match self {
-            Self::Effect(name, _) => name,
+            Self::Effect(name, _) | Self::Without(name) => name,
             Self::Value(setting) => &setting.key,
         }
     }
@@ -40,10 +42,11 @@ pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<Addition> {
             Cause::Measurement { .. } => data.model.free_table(&missing.effect.name, &names),
             Cause::Value { .. } => {
                 let key = missing.effect.name.to_string();
-                return settings
-                    .into_iter()
-                    .next()
-                    .map(|Setting { value, .. }| Addition::Value(Setting { key, value }));
+                let vanishes = missing.estimates.iter().any(|e| e.value == 0.0 || e.value.is_infinite());
+                return match data.model.effect_of(&key).filter(|_| vanishes) {
+                    Some(effect) => Some(Addition::Without(effect.to_string())),
+                    None => settings.into_iter().next().map(|own| Addition::Value(Setting { key, ..own })),
+                };
             }
         };
         names.push(name.clone());
@@ -106,6 +109,12 @@ pub fn add(from: &str, name: &str, settings: &[Setting]) -> (String, String) {
 pub fn set(from: &str, Setting { key, value }: &Setting) -> (String, String) {
     let to = file_with(from, key.rsplit('.').next().unwrap_or(key));
     (format!("fem set {} '{key}={value}' -o {}", quoted(from), quoted(&to)), to)
+}
+
+/// The command that leaves an effect out of the model in a file, and the name of the file that it writes.
+pub fn leave_out(from: &str, name: &str) -> (String, String) {
+    let to = file_with(from, &format!("without-{name}"));
+    (format!("fem set {} --without {name} -o {}", quoted(from), quoted(&to)), to)
 }
 
 /// Name of the file for a model with something more.

@@ -1,6 +1,6 @@
 //! Says how to go on: the commands that add missing effects.
 
-use super::additions::{Addition, add, additions, quoted, set};
+use super::additions::{Addition, add, additions, leave_out, quoted, set};
 use super::campaign;
 use crate::diagnose::Diagnosis;
 use crate::model::Data;
@@ -26,6 +26,7 @@ pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
         let (line, to) = match &addition {
             Addition::Effect(name, settings) => add(&from, name, settings),
             Addition::Value(setting) => set(&from, setting),
+            Addition::Without(name) => leave_out(&from, name),
         };
         lines.push(line);
         from = to;
