@@ -60,13 +60,14 @@ impl<'a> Binnings<'a> {
             None => (vec![0; self.measurements.len()], 1),
         };
         let levels = |i: usize| own(i).map_or(1, |quantiles| quantiles.count(PAIR_LEVELS));
-        let beside = |i: usize, other: usize| bins(i, LEVELS.min(CELLS / levels(other)));
         let (parts, waves) = match along.0[..] {
             [] => (Vec::new(), None),
             [i] => (vec![bins(i, BINS)], Some(Waves::new(&[bins(i, LEVELS)]))),
             [i, j, ..] => {
-                let waves = Waves::new(&[beside(i, j), beside(j, i)]);
-                (vec![bins(i, PAIR_BINS), bins(j, PAIR_BINS)], Some(waves))
+                let first = bins(i, LEVELS.min(CELLS / levels(j)));
+                // Where many rows share a value there are fewer levels than were asked for, or more than a pair has.
+                let second = bins(j, LEVELS.min(CELLS / first.1));
+                (vec![bins(i, PAIR_BINS), bins(j, PAIR_BINS)], Some(Waves::new(&[first, second])))
             }
         };
         let (bins, counts) = parts.into_iter().unzip();
@@ -188,8 +189,12 @@ impl Binned {
     ) -> (Option<Trend>, Vec<(f64, f64)>) {
         let ([bins], [i]) = (&self.bins[..], &self.along.0[..]) else { return (None, Vec::new()) };
         let canonical = |v: f64| coordinates[*i].holds.kind().map_or(v, |k| k.from_si(v));
-        let (places, counts) = gather(bins, self.counts[0], measurements.rows.columns[*i].iter().copied());
-        let (sums, _) = gather(bins, self.counts[0], residuals.iter().copied());
+        // Of joined files some may not have the coordinate.
+        let column = &measurements.rows.columns[*i];
+        let placed: Vec<usize> = (0..column.len()).filter(|row| !column[*row].is_nan()).collect();
+        let bins: Vec<u8> = placed.iter().map(|row| bins[*row]).collect();
+        let (places, counts) = gather(&bins, self.counts[0], placed.iter().map(|row| column[*row]));
+        let (sums, _) = gather(&bins, self.counts[0], placed.iter().map(|row| residuals[*row]));
         let points: Vec<(f64, f64, f64)> = (0..self.counts[0])
             .filter(|b| counts[*b] > 0.0)
             .map(|b| (canonical(places[b] / counts[b]), kind.from_si(sums[b] / counts[b]), counts[b]))

@@ -7,12 +7,16 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod advised;
 mod events;
 mod instrument;
 mod machine;
+mod scaled;
 mod score;
 mod table;
 mod trouble;
+mod whole;
+mod whole_table;
 
 use std::path::Path;
 

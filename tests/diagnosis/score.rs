@@ -137,13 +137,19 @@ fn said(case: &Case, diagnosis: &Diagnosis, hidden: &[&str], classes: &[Vec<&str
 /// Length of the difference between the prediction of the revealed model and what the case was made from,
 /// in standard uncertainties.
 pub fn apart(case: &Case) -> f64 {
-    let model = Model::parse(Source::new("revealed.toml", case.revealed.clone())).expect("the model is right");
-    let exact = Source::new("exact.csv", case.exact.clone());
+    between(&case.revealed, &case.exact, &case.truth.noise_of_rows)
+}
+
+/// Length of the difference between what a model predicts and what was made without noise, in standard
+/// uncertainties of the rows.
+pub fn between(model: &str, exact: &str, noise_of_rows: &[f64]) -> f64 {
+    let model = Model::parse(Source::new("revealed.toml", model.to_string())).expect("the model is right");
+    let exact = Source::new("exact.csv", exact.to_string());
     let exact = Measurements::parse(exact, &*model.process).expect("so are the data");
     let rows = model.system.resolved(&exact.rows);
     let predicted = model.forward().observe(&rows).expect("the model can be computed");
     let mut differences: Vec<f64> = predicted.iter().zip(&exact.observed).map(|(p, e)| p - e).collect();
     model.system.datum_directions(&rows).iter().for_each(|direction| direction.take_out(&mut differences));
-    let squares = differences.iter().zip(&case.truth.noise_of_rows).map(|(d, sigma)| (d / sigma).powi(2));
+    let squares = differences.iter().zip(noise_of_rows).map(|(d, sigma)| (d / sigma).powi(2));
     squares.sum::<f64>().sqrt()
 }

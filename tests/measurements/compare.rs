@@ -122,3 +122,33 @@ fn hidden_effects_make_models_fail() {
         }
     }
 }
+
+/// Of several files one may lack a column, and a bow along it is told of the others.
+#[test]
+fn a_file_without_a_column_stands_beside_one_with_it() {
+    let model = Model::parse(Source::new("model.toml", MODEL)).unwrap();
+    let read = |name: &str, text: String| Measurements::parse(Source::new(name, text), &*model.process).unwrap();
+    let blank = |i: u32| 41.0 + 0.02 * f64::from(i);
+    let bow = |i: u32| 0.5 * (f64::from(i) - 9.5).powi(2);
+    let with: String = (0..20).map(|i| format!("100,{},{},1\n", blank(i), bow(i))).collect();
+    let without: String = (0..20).map(|i| format!("{},20,1\n", 20 + 20 * i)).collect();
+    let files = vec![
+        read("with.csv", format!("x [mm],blank [mm],diameter_error [um],u [um]\n{with}")),
+        read("without.csv", format!("x [mm],diameter_error [um],u [um]\n{without}")),
+    ];
+    let data = Data::of(&model, Measurements::joined(files).unwrap()).unwrap();
+    let trends: Vec<Trend> = compare(&data).unwrap().features.into_iter().filter_map(|f| f.trend).collect();
+    let is_bow = |trend: &Trend| matches!(trend, Trend::Quadratic { at, .. } if (at - blank(9)).abs() < 0.05);
+    assert!(trends.iter().any(is_bow), "{trends:?}");
+}
+
+/// Half of the rows share a value of each coordinate, twenty of which there are: more pairs than waves are made of.
+#[test]
+fn values_that_many_rows_share_leave_few_pairs() {
+    let model = Model::parse(Source::new("model.toml", MODEL)).unwrap();
+    let of = |i: u32, step: u32| if i % (2 * step) < step { 0 } else { (i * 7 + i / 20) % 20 };
+    let row = |i: u32| format!("{},{},{},1\n", 100 + 10 * of(i, 1), 300 + 10 * of(i, 2), i % 5);
+    let text = format!("x [mm],radial_force [N],diameter_error [um],u [um]\n{}", (0..800).map(row).collect::<String>());
+    let measurements = Measurements::parse(Source::new("rows.csv", text), &*model.process).unwrap();
+    assert!(!compare(&Data::of(&model, measurements).unwrap()).unwrap().features.is_empty());
+}

@@ -132,7 +132,12 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
     let experiment = |words: &str, coordinate: usize, values: Vec<f64>, rows| {
         CandidateExperiment::new(words, &COORDINATES[coordinate], values, rows)
     };
-    let moved: Vec<f64> = some.iter().enumerate().map(|(i, x)| x + setup.lead * (0.13 + 0.25 * i as f64)).collect();
+    let end = setup.from + setup.travel;
+    let aside = |(i, x): (usize, &f64)| {
+        let by = setup.lead * (0.13 + 0.25 * i as f64);
+        if x + by <= end { x + by } else { x - by }
+    };
+    let moved: Vec<f64> = some.iter().enumerate().map(aside).filter(|x| (setup.from..=end).contains(x)).collect();
     let at_moved = rows(moved.iter().map(|x| (*x, Direction::Forward, run, last)));
     let both_sides = rows(some.iter().enumerate().flat_map(|(i, x)| {
         let time = last + setup.test.reading * (2 * i + 1) as f64;

@@ -188,14 +188,13 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     let mut experiments = Vec::new();
     let places = measured_places(rows);
     let last = (0..rows.len()).filter_map(|r| rows.get(PART, r)).fold(0.0, f64::max);
-    let number = last as usize + 1;
-    let raises = (number > setup.schedule.parts).then_some(("batch.parts", number));
+    let number = setup.schedule.parts + 1;
     let mut add = |words: String, column: usize, values: Vec<f64>, rows: Rows| {
         let experiment = CandidateExperiment::new(words, &COORDINATES[column], values, rows);
-        let is_further = experiment.rows.columns[PART].iter().any(|part| *part > last);
-        experiments.push(CandidateExperiment { raises: raises.filter(|_| is_further), ..experiment });
+        let is_further = experiment.rows.columns[PART].iter().any(|part| *part == number as f64);
+        experiments.push(CandidateExperiment { raises: is_further.then_some(("batch.parts", number)), ..experiment });
     };
-    let another = |changes: &[(usize, f64)]| at(rows, &places, last + 1.0, changes);
+    let another = |changes: &[(usize, f64)]| at(rows, &places, number as f64, changes);
     for force in new_forces(&levels(setup, rows)) {
         let words = format!("turn another part with a radial force of {:.0}", FORCE.shown(force));
         add(words, FORCE_OF_ROW, vec![force], another(&[(FORCE_OF_ROW, force)]));

@@ -1,5 +1,6 @@
 //! What the makers of cases need to know of a job, whatever its process.
 
+use crate::asked::Asked;
 use crate::law::{Cause, Law, draw};
 use crate::random::Random;
 
@@ -38,6 +39,9 @@ pub trait Job {
 
     /// What the model shows with `+-`.
     fn shown(&self) -> &[Shown];
+
+    /// Takes out of the model what it shows with `+-`: what is then left is an ideal machine.
+    fn forget(&mut self);
 
     /// The shown parameters at these values, as causes.
     fn causes(&self, values: &[f64]) -> Vec<Cause> {
@@ -123,6 +127,11 @@ pub trait Job {
     /// Structure of size about one at every row that no effect can make, with its name.
     fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>);
 
+    /// The same machine with these rows measured in the place of its own; None where they cannot be made here.
+    fn asked(&self, _rows: &[Asked]) -> Option<Box<dyn Job>> {
+        None
+    }
+
     /// The tables of the model file but `[effects]`.
     fn tables(&self) -> String;
 
@@ -143,6 +152,10 @@ macro_rules! of_fields {
 
         fn shown(&self) -> &[Shown] {
             &self.shown
+        }
+
+        fn forget(&mut self) {
+            self.shown.clear();
         }
 
         fn noise(&self) -> NoiseKind {

@@ -7,6 +7,7 @@
 //! deviations, after projection onto the tangent of all `+-` parameters of the written model with their
 //! prior rows appended.
 
+pub mod asked;
 pub mod axis;
 pub mod cam;
 pub mod contour;
@@ -25,7 +26,9 @@ pub mod thermal;
 pub mod trouble;
 mod tuning;
 pub mod turning;
+pub mod typical;
 pub mod visibility;
+pub mod whole;
 pub mod writing;
 
 pub use axis::AXIS;
@@ -39,6 +42,7 @@ pub use stiffness::STIFFNESS;
 pub use thermal::THERMAL;
 pub use trouble::Trouble;
 pub use turning::{SURVEYED_TURNING, TURNING, story};
+pub use whole::Whole;
 
 use foreign::what_catalogue_leaves;
 use job::Job;

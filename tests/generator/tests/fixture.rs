@@ -131,6 +131,7 @@ mod milled {
             clamps: vec![50.0, 350.0],
             clamp_force: 4000.0,
             cutter: Some(Cutter { force: 300.0, depth: Some(1.0), diameter: Some(100.0) }),
+            press: None,
             rows,
             noise: NoiseKind::Neither,
             shown: vec![],

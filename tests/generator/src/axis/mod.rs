@@ -1,6 +1,7 @@
 //! Feed axes under a positioning test. The laws are short; they are written down once more here, in mm and
 //! um, so that a slip of the program in sign, unit or origin shows.
 
+pub mod asked;
 pub mod catalogue;
 pub mod design;
 pub mod scenes;
@@ -11,6 +12,7 @@ use std::f64::consts::{PI, TAU};
 use catalogue::LAWS;
 
 use crate::Process;
+use crate::asked::Asked;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
 use crate::preload::Side;
@@ -203,6 +205,10 @@ impl crate::job::Job for Job {
             }
         };
         (name, self.rows.iter().map(shape).collect())
+    }
+
+    fn asked(&self, rows: &[Asked]) -> Option<Box<dyn crate::job::Job>> {
+        Some(Box::new(asked::asked(self, rows)?))
     }
 
     fn tables(&self) -> String {

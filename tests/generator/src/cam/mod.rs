@@ -2,6 +2,7 @@
 //! position by position ([`motion`]). Follower's lifts, other divisions, blocks that begin and end at rest and
 //! shifted ends are not made.
 
+pub mod asked;
 pub mod catalogue;
 pub mod design;
 pub mod motion;
@@ -16,6 +17,7 @@ use motion::{Machine, Motion};
 use profile::{Place, Profile};
 
 use crate::Process;
+use crate::asked::Asked;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
 use crate::random::Random;
@@ -159,6 +161,10 @@ impl crate::job::Job for Job {
             }
         };
         (name, self.rows.iter().map(shape).collect())
+    }
+
+    fn asked(&self, rows: &[Asked]) -> Option<Box<dyn crate::job::Job>> {
+        Some(Box::new(asked::asked(self, rows)?))
     }
 
     fn tables(&self) -> String {

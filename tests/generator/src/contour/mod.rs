@@ -1,6 +1,7 @@
 //! Circular tests of two axes. Slides are followed behind their drives step by step ([`axis`]); what comes behind
 //! them on a machine is written down once more here, in mm and um. Rectangles and polygons are not made.
 
+pub mod asked;
 pub mod axis;
 pub mod catalogue;
 pub mod design;
@@ -13,6 +14,7 @@ use axis::{Axis, Lost, State};
 use catalogue::LAWS;
 
 use crate::Process;
+use crate::asked::Asked;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
 use crate::preload::Side;
@@ -137,6 +139,10 @@ impl crate::job::Job for Job {
             }
         };
         (name, self.rows.iter().map(shape).collect())
+    }
+
+    fn asked(&self, rows: &[Asked]) -> Option<Box<dyn crate::job::Job>> {
+        Some(Box::new(asked::asked(self, rows)?))
     }
 
     fn tables(&self) -> String {

@@ -2,6 +2,7 @@
 //! boundary value problem in the radius, solved by Chebyshev collocation of the equations of equilibrium,
 //! instead of finite elements or Michell's closed terms.
 
+pub mod asked;
 pub mod catalogue;
 pub mod design;
 pub mod elastic;
@@ -15,6 +16,7 @@ use catalogue::LAWS;
 use job::{Job, Row};
 
 use crate::Process;
+use crate::asked::Asked;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
 use crate::random::Random;
@@ -52,6 +54,10 @@ impl crate::job::Job for Job {
 
     fn shown(&self) -> &[Shown] {
         &self.shown
+    }
+
+    fn forget(&mut self) {
+        self.shown.clear();
     }
 
     fn noise(&self) -> NoiseKind {
@@ -128,6 +134,10 @@ impl crate::job::Job for Job {
             }
         };
         (name, self.rows.iter().map(shape).collect())
+    }
+
+    fn asked(&self, rows: &[Asked]) -> Option<Box<dyn crate::job::Job>> {
+        Some(Box::new(asked::asked(self, rows)?))
     }
 
     fn tables(&self) -> String {

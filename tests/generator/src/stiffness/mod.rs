@@ -1,6 +1,7 @@
 //! Joints under a load that rises and falls. The force that a joint transmits is followed along the way of the
 //! load, as the joint itself goes, where the program has closed forms of each branch.
 
+pub mod asked;
 pub mod catalogue;
 pub mod design;
 pub mod scenes;
@@ -11,6 +12,7 @@ use std::f64::consts::TAU;
 use catalogue::LAWS;
 
 use crate::Process;
+use crate::asked::Asked;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
 use crate::preload::Side;
@@ -106,6 +108,10 @@ impl crate::job::Job for Job {
             }
         };
         (name, self.rows.iter().enumerate().map(shape).collect())
+    }
+
+    fn asked(&self, rows: &[Asked]) -> Option<Box<dyn crate::job::Job>> {
+        Some(Box::new(asked::asked(self, rows)?))
     }
 
     fn tables(&self) -> String {

@@ -1,6 +1,7 @@
 //! Heated rods, by other numerics than the program under test: finite volumes instead of finite elements,
 //! another implicit method in time, the sensors' lag through the recorded history. Heated [plates](plate) by series.
 
+pub mod asked;
 pub mod catalogue;
 pub mod design;
 pub mod job;
@@ -16,6 +17,7 @@ use job::{Job, Row, Seen};
 use rod::{Heater, Rod, histories};
 
 use crate::Process;
+use crate::asked::Asked;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{Cause, Law, value};
 use crate::random::Random;
@@ -129,6 +131,10 @@ impl crate::job::Job for Job {
             }
         };
         (name, self.rows.iter().zip(self.scales()).map(|(row, scale)| scale * shape(row)).collect())
+    }
+
+    fn asked(&self, rows: &[Asked]) -> Option<Box<dyn crate::job::Job>> {
+        Some(Box::new(asked::asked(self, rows)?))
     }
 
     fn tables(&self) -> String {

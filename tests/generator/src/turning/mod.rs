@@ -2,6 +2,7 @@
 //! elements, the force method and a bracketing root search instead of a Newton iteration, a fine implicit
 //! finite-volume rod for the heat.
 
+pub mod asked;
 pub mod catalogue;
 pub mod corrected;
 pub mod design;
@@ -22,6 +23,7 @@ use equilibrium::errors;
 use job::Job;
 
 use crate::Process;
+use crate::asked::Asked;
 use crate::job::{NoiseKind, Shown};
 use crate::law::{self, Cause, Law};
 use crate::random::Random;
@@ -60,6 +62,10 @@ impl crate::job::Job for Job {
 
     fn shown(&self) -> &[Shown] {
         &self.shown
+    }
+
+    fn forget(&mut self) {
+        self.shown.clear();
     }
 
     fn noise(&self) -> NoiseKind {
@@ -114,6 +120,10 @@ impl crate::job::Job for Job {
 
     fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {
         shapes::draw_shape(self, random)
+    }
+
+    fn asked(&self, rows: &[Asked]) -> Option<Box<dyn crate::job::Job>> {
+        Some(Box::new(asked::asked(self, rows)?))
     }
 
     fn tables(&self) -> String {
