@@ -26,9 +26,8 @@ pub const REPEATS: &[usize] = &[1, 2, 4, 8];
 /// Weight, beside the best set, of what a diagnosis tells as indistinguishable: it should be told apart, however
 /// improbable it is.
 const TOLD: f64 = 0.05;
-/// Information below which an experiment is not worth the making, nats, and as a part of what is not known.
-const LEAST: f64 = 0.05;
-const LEAST_PART: f64 = 0.2;
+/// Information below which an experiment is not worth the making, nats: one set of ten is expected to be ruled out.
+const LEAST: f64 = 0.1;
 /// Part of the most that any experiment tells which is enough for a shorter one to be preferred.
 const ENOUGH: f64 = 0.9;
 
@@ -74,6 +73,25 @@ impl<'r, 'a> Contender<'r, 'a> {
         let effects = model.objective.added.iter().chain(more).cloned().collect();
         let weight = (0.5 * (best - criterion)).exp();
         Some(Self { model, effects, weight, left: laplace::left(model)? })
+    }
+
+    /// What it predicts of some rows, in standard uncertainties of each measured once: columns of L, and last the most
+    /// probable values. `None` where it cannot be computed.
+    fn columns(&self, rows: &Rows) -> Option<Vec<DVector<f64>>> {
+        let objective = &self.model.objective;
+        let sigma = rows.observable.iter().map(|o| objective.noise.usual(objective.data, *o));
+        let sigma = DVector::from_iterator(rows.len(), sigma);
+        let position = &self.model.solution.position;
+        let slopes = objective.sensitivities(position, rows)?;
+        let predicted = DVector::from_vec(objective.predict_rows(position, rows)?) + &slopes * &self.left.step;
+        let spread = slopes * &self.left.root;
+        // What rows share by the way of measuring, new rows share anew.
+        let shared = objective.noise.terms.iter().filter(|term| matches!(term.effect.acts, Acts::Shared(_)));
+        let shared: f64 = shared.map(|term| term.size.powi(2)).filter(|size| size.is_finite()).sum();
+        let spread = spread.column_iter().map(|column| column.component_div(&sigma));
+        let all: Vec<DVector<f64>> =
+            spread.chain([sigma.map(|s| shared.sqrt() / s), predicted.component_div(&sigma)]).collect();
+        all.iter().all(|column| column.iter().all(|value| value.is_finite())).then_some(all)
     }
 
     fn names(&self) -> Vec<&str> {
@@ -139,7 +157,7 @@ pub fn next(found: &SearchResult, confoundings: &[Confounding], look_alikes: &[L
     let most = all().map(|own| own.3).fold(0.0, f64::max);
     let rows = |own: &(&CandidateExperiment, &Prospect, usize, f64)| own.2 * own.0.rows.len();
     let (experiment, prospect, repeats, tells) = all()
-        .filter(|own| own.3 >= ENOUGH * most && own.3 >= LEAST.max(LEAST_PART * entropy))
+        .filter(|own| own.3 >= ENOUGH * most && own.3 >= LEAST)
         .min_by(|a, b| rows(a).cmp(&rows(b)).then(b.3.total_cmp(&a.3)))?;
     let told = prospect.told(&contenders, repeats);
     Some(Next {
@@ -156,6 +174,8 @@ pub fn next(found: &SearchResult, confoundings: &[Confounding], look_alikes: &[L
 /// What the sets predict of the rows of an experiment: inner products of the columns of their uncertainties and of
 /// their predictions, in standard uncertainties of rows that are measured once.
 struct Prospect {
+    /// Numbers of the sets, and their weights.
+    members: Vec<usize>,
     weights: Vec<f64>,
     /// Columns of each set's L, and last its prediction less that of the first set.
     columns: Vec<std::ops::Range<usize>>,
@@ -163,35 +183,23 @@ struct Prospect {
 }
 
 impl Prospect {
+    /// Of sets that cannot be computed at these rows nothing is expected.
     fn new(contenders: &[Contender], rows: &Rows) -> Option<Self> {
-        let mut columns = Vec::new();
-        let mut all: Vec<DVector<f64>> = Vec::new();
-        for own in contenders {
-            let objective = &own.model.objective;
-            let sigma = rows.observable.iter().map(|o| objective.noise.usual(objective.data, *o));
-            let sigma = DVector::from_iterator(rows.len(), sigma);
-            let position = &own.model.solution.position;
-            let slopes = objective.sensitivities(position, rows)?;
-            let predicted = DVector::from_vec(objective.predict_rows(position, rows)?) + &slopes * &own.left.step;
-            let first = all.len();
-            let spread = slopes * &own.left.root;
-            all.extend(spread.column_iter().map(|column| column.component_div(&sigma)));
-            // What rows share by the way of measuring, new rows share anew.
-            let shared = objective.noise.terms.iter().filter(|term| matches!(term.effect.acts, Acts::Shared(_)));
-            let shared: f64 = shared.map(|term| term.size.powi(2)).filter(|size| size.is_finite()).sum();
-            all.push(sigma.map(|s| shared.sqrt() / s));
-            all.push(predicted.component_div(&sigma));
-            columns.push(first..all.len());
+        let (mut members, mut columns, mut all) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, own) in contenders.iter().enumerate() {
+            let Some(more) = own.columns(rows) else { continue };
+            members.push(number);
+            columns.push(all.len()..all.len() + more.len());
+            all.extend(more);
         }
-        let first = all[columns.first()?.end - 1].clone();
+        let first: DVector<f64> = all[columns.first()?.end - 1].clone();
         for own in &columns {
             all[own.end - 1] -= &first;
         }
         let all = DMatrix::from_columns(&all);
-        if all.iter().any(|value| !value.is_finite()) {
-            return None;
-        }
-        Some(Self { weights: contenders.iter().map(|own| own.weight).collect(), columns, products: all.tr_mul(&all) })
+        let whole: f64 = members.iter().map(|i| contenders[*i].weight).sum();
+        let weights = members.iter().map(|i| contenders[*i].weight / whole).collect();
+        Some(Self { weights, members, columns, products: all.tr_mul(&all) })
     }
 
     /// I + r·MᵀM of some columns, factored, of rows that are repeated r times.
@@ -241,11 +249,10 @@ impl Prospect {
     /// What it tells apart: effects in which two sets differ by one, those of the most probable sets first.
     fn told(&self, contenders: &[Contender], repeats: usize) -> Told {
         let mut differences: Vec<(f64, f64, Difference)> = Vec::new();
-        for i in 0..contenders.len() {
-            for j in 0..contenders.len() {
-                let Some(difference) = Difference::between(&contenders[i].effects, &contenders[j].effects) else {
-                    continue;
-                };
+        for (i, one) in self.members.iter().enumerate() {
+            for (j, other) in self.members.iter().enumerate() {
+                let [one, other] = [one, other].map(|number| &contenders[*number].effects);
+                let Some(difference) = Difference::between(one, other) else { continue };
                 let Some((distance, _)) = self.apart(i, j, repeats as f64) else { continue };
                 differences.push((self.weights[i] * self.weights[j], distance, difference));
             }
