@@ -123,7 +123,7 @@ pub fn cited(source: &str) -> String {
 fn parameters(effect: &Description) -> String {
     let row = |p: &Parameter| {
         let neutral = match p.neutral {
-            Neutral::Value(value) => format!("{value}"),
+            Neutral::Value(value) | Neutral::Written(value, _) => format!("{value}"),
             Neutral::Infinity => "infinity".into(),
             Neutral::Shape => "never: it shapes the effect".into(),
         };

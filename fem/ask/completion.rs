@@ -43,6 +43,8 @@ pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
 fn mended(model: &Model, addition: &Addition) -> Result<Model, Problem> {
     match addition {
         Addition::Effect(name, settings) => add_effect(model, name, settings),
+        // An effect that was left out has no values.
+        Addition::Value(setting) if model.effect_of(&setting.key).is_none() => Ok(model.clone()),
         Addition::Value(setting) => super::revised(model, std::slice::from_ref(setting), &[]),
         Addition::Without(name) => super::revised(model, &[], std::slice::from_ref(name)),
     }

@@ -137,7 +137,9 @@ pub fn conclude(
         named.bend = Some(bend);
     }
     let next = match progress.permits("what to measure next") {
-        true => progress.stretch("what to measure next", || next::next(&found, &confoundings, &look_alikes)),
+        true => {
+            progress.stretch("what to measure next", || next::next(&found, &confoundings, &look_alikes, &posterior))
+        }
         false => None,
     };
     let trials = (best.objective.trials.failures(), best.objective.trials.evaluations());

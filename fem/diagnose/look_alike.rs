@@ -131,7 +131,7 @@ fn effects_instead<'a>(
         }
         let rise = behind(&trial, best);
         let (cause, other) = (instrument::description(term, data), candidates[candidate].effect.clone());
-        (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause, other, model: trial }))
+        (rise <= EQUAL_FIT).then_some((rise, LookAlike { cause, other, model: trial }))
     };
     let mut all: Vec<(f64, LookAlike<'a>)> = (0..candidates.len()).into_par_iter().filter_map(stand_in).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -44,7 +44,7 @@ pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
 pub use largest_change::LargestChange;
 pub use next::Next;
 pub use plan::{Alike, Plan, plan};
-pub use posterior::{Believed, CERTAIN, Group, Posterior, RULED_OUT};
+pub use posterior::{Believed, CERTAIN, Group, Posterior, RULED_OUT, speaks};
 pub use search::SIGNIFICANCE;
 pub use verdict::{GoodnessOfFit, Verdict};
 

@@ -10,6 +10,8 @@
 //! with Bhattacharyya's distances B (Kolchinsky and Tracey 2017, Entropy 19, 361). L has a column for each parameter, so
 //! that all of it is computed from inner products of columns, for any number of repeats.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
@@ -17,7 +19,9 @@ use super::candidate_model::{CandidateModel, Weighed};
 use super::confounding::{Confounding, SEPARATE};
 use super::laplace;
 use super::look_alike::LookAlike;
+use super::posterior::Posterior;
 use super::search::SearchResult;
+use crate::input::Name;
 use crate::noise::Acts;
 use crate::process::{CandidateExperiment, Description, Rows};
 
@@ -64,6 +68,8 @@ struct Contender<'r, 'a> {
     model: &'r CandidateModel<'a>,
     /// Effects that it has beyond the model, those of the measurement too.
     effects: Vec<Description>,
+    /// Names of those about which there is a question, sorted.
+    asked: Vec<String>,
     weight: f64,
     left: laplace::Left,
 }
@@ -72,7 +78,7 @@ impl<'r, 'a> Contender<'r, 'a> {
     fn new(model: &'r CandidateModel<'a>, more: Option<&Description>, criterion: f64, best: f64) -> Option<Self> {
         let effects = model.objective.added.iter().chain(more).cloned().collect();
         let weight = (0.5 * (best - criterion)).exp();
-        Some(Self { model, effects, weight, left: laplace::left(model)? })
+        Some(Self { model, effects, asked: Vec::new(), weight, left: laplace::left(model)? })
     }
 
     /// What it predicts of some rows, in standard uncertainties of each measured once: columns of L, and last the most
@@ -107,6 +113,7 @@ fn contenders<'r, 'a>(
     found: &'r SearchResult<'a>,
     confoundings: &'r [Confounding<'a>],
     look_alikes: &'r [LookAlike<'a>],
+    posterior: &Posterior,
 ) -> Vec<Contender<'r, 'a>> {
     let best = found.tried.first().map_or(0.0, |set| set.criterion);
     let credible = found.credible().iter();
@@ -126,25 +133,51 @@ fn contenders<'r, 'a>(
             all.push(other);
         }
     }
+    // Nobody asks for what is told of no account: sets that differ in nothing else are one.
+    let candidates = &found.candidates;
+    let members = found.best().members.iter().map(|member| &candidates[*member].effect.name);
+    let instead =
+        confoundings.iter().flat_map(|own| &own.alternatives).map(|other| &candidates[other.candidate].effect.name);
+    let across = look_alikes.iter().flat_map(|own| [&own.cause.name, &own.other.name]);
+    let grouped = posterior.groups.iter().flat_map(|group| &group.effects);
+    let told: BTreeSet<&Name> = members.chain(instead).chain(across).chain(grouped).collect();
     let whole: f64 = all.iter().map(|own| own.weight).sum();
-    all.iter_mut().for_each(|own| own.weight /= whole);
+    for own in &mut all {
+        let is_asked = |effect: &&Description| told.contains(&effect.name) || posterior.is_notable(effect);
+        own.asked = own.effects.iter().filter(is_asked).map(|effect| effect.name.to_string()).collect();
+        own.asked.sort_unstable();
+        own.weight /= whole;
+    }
     all
+}
+
+/// Entropy of what is asked, nats.
+fn entropy(contenders: &[Contender]) -> f64 {
+    let mut weights: BTreeMap<&[String], f64> = BTreeMap::new();
+    for own in contenders {
+        *weights.entry(&own.asked).or_default() += own.weight;
+    }
+    -weights.values().map(|w| w * w.ln()).sum::<f64>()
 }
 
 /// Chooses the experiment that tells most, or the shortest of those that tell nearly as much. `None` where one set is
 /// certain, or no experiment would help.
-pub fn next(found: &SearchResult, confoundings: &[Confounding], look_alikes: &[LookAlike]) -> Option<Next> {
+pub fn next(
+    found: &SearchResult,
+    confoundings: &[Confounding],
+    look_alikes: &[LookAlike],
+    posterior: &Posterior,
+) -> Option<Next> {
     let data = found.base.objective.data;
-    let contenders = contenders(found, confoundings, look_alikes);
-    let weights: Vec<f64> = contenders.iter().map(|own| own.weight).collect();
-    let entropy = -weights.iter().map(|w| w * w.ln()).sum::<f64>();
+    let contenders = contenders(found, confoundings, look_alikes, posterior);
+    let entropy = entropy(&contenders);
     if entropy < LEAST {
         return None;
     }
     let experiments = data.model.system.candidate_experiments(&data.rows);
     let rate = |experiment: CandidateExperiment| {
         let prospect = Prospect::new(&contenders, &experiment.rows)?;
-        let at = |repeats: &usize| (*repeats, prospect.information(*repeats));
+        let at = |repeats: &usize| (*repeats, prospect.information(&contenders, *repeats));
         let rated: Vec<(usize, f64)> = REPEATS.iter().map(at).collect();
         Some((experiment, prospect, rated))
     };
@@ -232,13 +265,15 @@ impl Prospect {
         Some((distance, 0.125 * distance + volume.max(0.0)))
     }
 
-    /// What the experiment tells about the sets, nats.
-    fn information(&self, repeats: usize) -> f64 {
+    /// What the experiment tells about what is asked, nats.
+    fn information(&self, contenders: &[Contender], repeats: usize) -> f64 {
         let n = self.weights.len();
         let mut overlap = DMatrix::identity(n, n);
         for i in 0..n {
             for j in 0..i {
-                let both = self.apart(i, j, repeats as f64).map_or(1.0, |(_, b)| (-b).exp());
+                let [one, other] = [i, j].map(|i| &contenders[self.members[i]].asked);
+                let apart = if one == other { None } else { self.apart(i, j, repeats as f64) };
+                let both = apart.map_or(1.0, |(_, b)| (-b).exp());
                 (overlap[(i, j)], overlap[(j, i)]) = (both, both);
             }
         }
@@ -251,8 +286,9 @@ impl Prospect {
         let mut differences: Vec<(f64, f64, Difference)> = Vec::new();
         for (i, one) in self.members.iter().enumerate() {
             for (j, other) in self.members.iter().enumerate() {
-                let [one, other] = [one, other].map(|number| &contenders[*number].effects);
-                let Some(difference) = Difference::between(one, other) else { continue };
+                let [one, other] = [one, other].map(|number| &contenders[*number]);
+                let asked = Difference::between(&one.effects, &other.effects).filter(|_| one.asked != other.asked);
+                let Some(difference) = asked else { continue };
                 let Some((distance, _)) = self.apart(i, j, repeats as f64) else { continue };
                 differences.push((self.weights[i] * self.weights[j], distance, difference));
             }

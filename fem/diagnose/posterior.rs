@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::candidate_model::{CandidateModel, Weighed};
 use super::search::{MOST_TOLD, SearchResult, TOLD};
 use crate::input::Name;
+use crate::process::Description;
 
 /// Probability from which an effect, or a number of a group, is certain.
 pub const CERTAIN: f64 = 0.9;
@@ -14,6 +15,16 @@ pub const RULED_OUT: f64 = 0.05;
 const GROUPED: f64 = 0.01;
 /// Ratio of the probability of two effects together to that of independent ones below which they stand for each other.
 const INSTEAD: f64 = 0.8;
+
+/// Ratio of the odds with the data to those before them (Bayes factor) from which an effect is told as found: below,
+/// the evidence is "not worth more than a bare mention" (Kass and Raftery 1995).
+const NOTABLE: f64 = 3.0;
+
+/// Whether data that raise a probability from `before` to `now` speak for an effect.
+pub fn speaks(now: f64, before: f64) -> bool {
+    let odds = |p: f64| p / (1.0 - p);
+    odds(now) >= NOTABLE * odds(before)
+}
 
 /// A set of effects with its criterion.
 #[derive(Clone, Debug)]
@@ -123,6 +134,12 @@ impl Posterior {
     /// Probability of an effect.
     pub fn of(&self, name: &str) -> f64 {
         self.probabilities.get(name).map_or(0.0, |p| p.min(1.0))
+    }
+
+    /// Whether the data speak for an effect.
+    pub fn is_notable(&self, effect: &Description) -> bool {
+        let before = effect.odds.to_one / (1.0 + effect.odds.to_one);
+        speaks(self.of(&effect.name), before)
     }
 
     /// Whether two effects stand for each other in a group.

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 /// The first of some items, and how many more there are; never one more, which would take no less room.
 pub fn listed(items: &[impl Display], most: usize) -> String {
-    let shown = if items.len() <= most + 1 { items.len() } else { most };
+    let shown = if items.len() <= most.saturating_add(1) { items.len() } else { most };
     let all = items.iter().take(shown).map(ToString::to_string).collect::<Vec<_>>().join(", ");
     match items.len() - shown {
         0 => all,

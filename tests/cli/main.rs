@@ -22,6 +22,7 @@ mod hostile;
 mod import;
 mod measurement;
 mod mesh_file;
+mod next;
 mod pages;
 mod passes;
 mod records;

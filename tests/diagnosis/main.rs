@@ -10,6 +10,7 @@
 mod advised;
 mod events;
 mod instrument;
+mod left_wrong;
 mod machine;
 mod scaled;
 mod score;

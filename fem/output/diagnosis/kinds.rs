@@ -1,12 +1,8 @@
 //! The kinds of what a diagnosis says of effects: certain, described, open; groups have their own in the posterior.
 
 use super::words::label;
-use crate::diagnose::{CERTAIN, Diagnosis, Missing, RULED_OUT};
+use crate::diagnose::{CERTAIN, Diagnosis, Missing, RULED_OUT, speaks};
 use crate::process::Description;
-
-/// Ratio of the odds with the data to those before them (Bayes factor) from which an effect is told as found: below,
-/// the evidence is "not worth more than a bare mention" (Kass and Raftery 1995).
-const NOTABLE: f64 = 3.0;
 
 /// The effects that a diagnosis tells, by kind.
 pub struct Kinds<'d> {
@@ -50,8 +46,7 @@ impl<'d> Kinds<'d> {
 impl Open {
     /// Whether the data speak for it.
     pub fn is_notable(&self) -> bool {
-        let odds = |p: f64| p / (1.0 - p);
-        self.before.is_none_or(|before| odds(self.probability) >= NOTABLE * odds(before))
+        self.before.is_none_or(|before| speaks(self.probability, before))
     }
 }
 
