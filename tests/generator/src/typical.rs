@@ -21,6 +21,12 @@ pub const WEIGHTS: &[(&str, f64, &str)] = &[
     ("chuck-tilt", SOMETIMES, "a chuck holds long work over short jaws"),
     ("force-feedback", OFTEN, "the force follows the depth"),
     ("tool-wear", ALWAYS, "every edge wears"),
+    (
+        "offset-correction",
+        SOMETIMES,
+        "offsets are corrected in the middle of a batch, and it is not always written down",
+    ),
+    ("insert-change", SELDOM, "inserts are changed within a batch where edges last for less than one"),
     ("tool-thermal-growth", OFTEN, "tools warm, less so under coolant"),
     ("workpiece-heating", OFTEN, "work warms, less so under coolant"),
     ("spindle-thermal-drift", ALWAYS, "every headstock warms from a cold start"),
