@@ -28,7 +28,7 @@ pub struct Whole {
 
 impl Process {
     /// A machine with three to six effects, typical ones more often, none of which stands in the model; each is
-    /// at least [`VISIBLE`] from the others' company, in a design in which the noise can be learnt.
+    /// at least `VISIBLE` from the others' company, in a design in which the noise can be learnt.
     pub fn whole_machine(&self, seed: u64) -> Whole {
         let mut random = Random::new(&format!("{}whole", self.name), seed);
         loop {
