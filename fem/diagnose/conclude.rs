@@ -136,7 +136,10 @@ pub fn conclude(
     {
         named.bend = Some(bend);
     }
-    let next = match progress.permits("what to measure next") {
+    let is_unexplained = verdict == Verdict::Unexplained;
+    // Of sets none of which explains the data nothing is believed, and nothing is asked.
+    let posterior = if is_unexplained { Posterior::default() } else { posterior };
+    let next = match !is_unexplained && progress.permits("what to measure next") {
         true => {
             progress.stretch("what to measure next", || next::next(&found, &confoundings, &look_alikes, &posterior))
         }
