@@ -14,7 +14,7 @@ use crate::input::{InputError, Problem};
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::files::{self, Guard};
-use crate::output::{DiagnosisAnswer, Folder, quoted, rows_to_measure};
+use crate::output::{DiagnosisAnswer, Folder, quoted, rows_to_measure, with};
 use crate::process::Process;
 use crate::progress::{Progress, Stretch};
 
@@ -65,10 +65,8 @@ fn write_next(
         say!("written {}, whose batch has the parts to measure", model.display());
     }
     files::write(rows, rows_to_measure(data, next).as_bytes(), guard)?;
-    let with = args.data.with.iter().map(|file| format!(" --with {}", quoted(&file.to_string_lossy())));
-    let with: String = with.chain(data.said.iter().map(|word| format!(" {}", quoted(word)))).collect();
     let (model, rows) = (quoted(&model.to_string_lossy()), quoted(&rows.to_string_lossy()));
-    say!("written {rows}, to be filled in; then: fem diagnose {model}{with} --with {rows}");
+    say!("written {rows}, to be filled in; then: fem diagnose {model} {} --with {rows}", with(data));
     Ok(())
 }
 

@@ -19,7 +19,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{findings, look_alike, moves, next};
+use super::{findings, laplace, look_alike, moves, next};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
@@ -320,10 +320,9 @@ impl Projection {
 fn nine_in_ten(mut limits: Vec<(f64, DetectionLimit)>) -> Option<DetectionLimit> {
     limits.sort_by(|a, b| a.1.own_share.total_cmp(&b.1.own_share));
     let least = limits.iter().map(|l| l.0).fold(f64::INFINITY, f64::min);
-    let weight = |criterion: f64| (0.5 * (least - criterion)).exp();
-    let mut left = 0.1 * limits.iter().map(|l| weight(l.0)).sum::<f64>();
+    let mut left = 0.1 * limits.iter().map(|l| laplace::weight(l.0, least)).sum::<f64>();
     let holds = |limit: &(f64, DetectionLimit)| {
-        left -= weight(limit.0);
+        left -= laplace::weight(limit.0, least);
         left < 0.0
     };
     limits.into_iter().find(holds).map(|limit| limit.1)

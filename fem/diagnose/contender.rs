@@ -33,7 +33,7 @@ pub struct Contender<'r, 'a> {
 impl<'r, 'a> Contender<'r, 'a> {
     fn new(model: &'r CandidateModel<'a>, more: Option<&Description>, criterion: f64, best: f64) -> Option<Self> {
         let effects = model.objective.added.iter().chain(more).cloned().collect();
-        let weight = (0.5 * (best - criterion)).exp();
+        let weight = laplace::weight(criterion, best);
         Some(Self { model, effects, asked: Vec::new(), weight, left: laplace::left(model)? })
     }
 

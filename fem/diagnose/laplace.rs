@@ -30,6 +30,11 @@ pub fn criterion(trial: &CandidateModel) -> Option<f64> {
     Some(minus_two_log(trial)? + odds + objective.noise.price())
 }
 
+/// Weight of a set with a criterion beside one with another: the ratio of their probabilities.
+pub fn weight(criterion: f64, beside: f64) -> f64 {
+    (0.5 * (beside - criterion)).exp()
+}
+
 /// −2 ln of the marginal likelihood.
 fn minus_two_log(trial: &CandidateModel) -> Option<f64> {
     let linear = Linear::about(trial)?;

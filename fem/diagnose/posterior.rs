@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::candidate_model::{CandidateModel, Weighed};
+use super::laplace;
 use super::search::{MOST_TOLD, SearchResult, TOLD};
 use crate::input::Name;
 use crate::process::Description;
@@ -101,7 +102,7 @@ impl Posterior {
         let mut sets: BTreeMap<Vec<Name>, (f64, f64, f64)> = BTreeMap::new();
         for visit in visits {
             // The same set in two searches of one noise counts once.
-            let weight = (0.5 * (least - visit.criterion)).exp();
+            let weight = laplace::weight(visit.criterion, least);
             let own = sets.entry(visit.effects.clone()).or_insert((0.0, f64::INFINITY, 0.0));
             if visit.criterion < own.1 {
                 *own = (weight, visit.criterion, visit.reduced_chi2);

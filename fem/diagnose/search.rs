@@ -99,7 +99,7 @@ impl<'a> SearchResult<'a> {
     /// The most probable sets, which together hold nearly all of the probability under this noise.
     pub fn credible(&self) -> &[Weighed<'a>] {
         let least = self.tried.first().map_or(0.0, |best| best.criterion);
-        let weight = |set: &Weighed| (0.5 * (least - set.criterion)).exp();
+        let weight = |set: &Weighed| laplace::weight(set.criterion, least);
         let whole: f64 = self.tried.iter().map(weight).sum();
         let mut told = 0.0;
         let is_credible = |set: &&Weighed| {
@@ -233,7 +233,7 @@ impl<'a> Pool<'_, 'a> {
 
     /// Weight of all that were visited, of a set with this criterion one.
     fn weight(&self, criterion: f64) -> f64 {
-        self.visited.values().map(|own| (0.5 * (criterion - own.set.criterion)).exp()).sum()
+        self.visited.values().map(|own| laplace::weight(own.set.criterion, criterion)).sum()
     }
 
     fn visit(&mut self, sets: Vec<CandidateModel<'a>>) {

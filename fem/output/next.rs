@@ -2,6 +2,7 @@
 
 use super::csv;
 use super::fit::Short;
+use crate::compare::rms;
 use crate::diagnose::Next;
 use crate::model::Data;
 use crate::process::{Absent, Column, Coordinate, Table};
@@ -25,8 +26,8 @@ pub fn rows_to_measure(data: &Data, next: &Next) -> String {
         for seen in &observed {
             let name = if data.observables.len() == 1 { "u".to_string() } else { format!("u_{}", seen.name) };
             let own = (0..data.len()).filter(|row| data.observable(*row) == seen.position);
-            let (count, squares) = own.fold((0.0, 0.0), |(n, sum), row| (n + 1.0, sum + known[row].powi(2)));
-            let usual = Short(seen.kind.from_si((squares / f64::max(count, 1.0)).sqrt())).to_string();
+            let own: Vec<f64> = own.map(|row| known[row]).collect();
+            let usual = Short(seen.kind.from_si(rms(&own))).to_string();
             let usual: f64 = usual.parse().unwrap_or(f64::NAN);
             let of = |row: usize| if rows.observable[row] == seen.position { usual } else { f64::NAN };
             columns.push(Column::numbers(name, Some(&seen.kind.unit), (0..rows.len()).map(of).collect()));

@@ -1,15 +1,9 @@
 //! The rows to measure next: written to be filled in, with the model that has them, and diagnosed with the others.
 
-use super::fem::{Answer, Place, model};
+use super::fem::{Answer, model};
+use super::tailstock::place;
 
 const DIAGNOSE: [&str; 6] = ["diagnose", "shafts.toml", "--with", "shafts.csv", "--next", "next.csv"];
-
-fn place() -> Place {
-    let place = Place::new();
-    let files = ["lathe.toml", "shafts.toml", "shafts.csv", "tailstock.toml", "tailstock.csv"];
-    files.iter().for_each(|file| place.write(file, model(&format!("tailstock/{file}"))));
-    place
-}
 
 #[test]
 fn rows_are_written_filled_in_and_diagnosed() {

@@ -6,7 +6,7 @@ const FILES: [&str; 5] = ["lathe.toml", "shafts.toml", "shafts.csv", "tailstock.
 const BOTH: [&str; 7] =
     ["diagnose", "shafts.toml", "--with", "shafts.csv", "tailstock.toml", "--with", "tailstock.csv"];
 
-fn place() -> Place {
+pub fn place() -> Place {
     let place = Place::new();
     FILES.iter().for_each(|file| place.write(file, model(&format!("tailstock/{file}"))));
     place

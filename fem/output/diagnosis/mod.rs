@@ -14,7 +14,8 @@ pub(super) use absent::{bound, note};
 pub(super) use additions::name;
 pub use additions::quoted;
 pub use additions::{Addition, additions};
-pub(super) use commands::{commands, with};
+pub(super) use commands::commands;
+pub use commands::with;
 pub(super) use text::{
     errors, experiment, next_measurement, separated, separated_pairs, separations, told_apart, unexplained,
 };
