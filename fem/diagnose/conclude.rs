@@ -13,6 +13,7 @@ use super::few_places::few_places;
 use super::hypothesis::Hypothesis;
 use super::largest_change::LargestChange;
 use super::lead;
+use super::model_average::Others;
 use super::null_distribution::{Variance, variance};
 use super::posterior::{CERTAIN, Posterior};
 use super::prior_conflict::PriorConflict;
@@ -20,7 +21,7 @@ use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{findings, laplace, look_alike, moves, next};
-use crate::fit::{self, Fit, StoppingCriterion, minimise};
+use crate::fit::{self, Estimate, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
 use crate::noise::is_round_off;
@@ -232,6 +233,13 @@ fn missing(
     (goodness, posterior): (&dyn Fn(&CandidateModel) -> GoodnessOfFit, &Posterior),
 ) -> Vec<Missing> {
     let mut list = Vec::new();
+    let others = Others::beside(found, best);
+    let widened = |mut estimate: Estimate| {
+        if let Some(others) = &others {
+            others.widen(&mut estimate, best);
+        }
+        estimate
+    };
     let mut rest = best.clone();
     while !rest.members.is_empty() {
         let smaller = rest
@@ -255,7 +263,10 @@ fn missing(
             effect,
             goodness: goodness(&rest),
             p_value: found.null_distribution.p_value(measured),
-            estimates: fit.estimates.iter().filter(|e| own_paths.contains(&e.parameter.path)).cloned().collect(),
+            estimates: {
+                let own = fit.estimates.iter().filter(|e| own_paths.contains(&e.parameter.path));
+                own.cloned().map(&widened).collect()
+            },
             largest_change: LargestChange::of_member(found, best, last),
             indistinguishable_from: own.map_or(Vec::new(), |p| {
                 p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()

@@ -24,6 +24,7 @@ mod laplace;
 mod largest_change;
 mod lead;
 mod look_alike;
+mod model_average;
 mod moves;
 mod next;
 mod null_distribution;

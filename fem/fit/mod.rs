@@ -3,6 +3,7 @@
 
 mod edits;
 mod estimates;
+mod growth;
 mod intervals;
 mod jacobian;
 pub(crate) mod least_squares;

@@ -82,8 +82,11 @@ impl<'a> Objective<'a> {
             }
         }
         for (variable, parameter) in variables.iter_mut().zip(&model.parameters) {
-            if let Some(entry) = model.catalogue(&parameter.path).filter(|entry| entry.is_step) {
+            let Some(entry) = model.catalogue(&parameter.path) else { continue };
+            if entry.is_step {
                 *variable = variable.clone().stepping(steps(data, entry));
+            } else if let Some(reach) = entry.along.as_ref().and_then(|along| model.system.reach(along)) {
+                *variable = variable.clone().within(reach);
             }
         }
         let free = variables.iter().filter(|a| a.prior.is_none()).count();

@@ -242,6 +242,18 @@ impl SearchVariable {
         variable
     }
 
+    /// Keeps it between two values (SI), as a place is kept on the body that it belongs to.
+    #[must_use]
+    pub fn within(mut self, (low, high): (f64, f64)) -> Self {
+        let ends = (self.position(low), self.position(high));
+        (self.low, self.high) = (self.low.max(ends.0), self.high.min(ends.1));
+        self.limits = (self.low, self.high);
+        if self.starts.len() > 1 {
+            self.starts = spread(low, high);
+        }
+        self
+    }
+
     /// Lets it stand at these places alone, if there are any.
     #[must_use]
     pub fn stepping(mut self, steps: Option<Steps>) -> Self {

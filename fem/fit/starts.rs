@@ -3,6 +3,7 @@
 
 use nalgebra::DVector;
 
+use super::growth::grown;
 use super::least_squares::{StoppingCriterion, minimise};
 use super::objective::{Objective, Solution};
 use crate::compare::SIGNIFICANCE;
@@ -32,7 +33,13 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     tried.sort_by(|a, b| a.chi2.total_cmp(&b.chi2));
     let finals: Vec<Solution> =
         tried.iter().take(3).filter_map(|s| minimise(objective, &s.position, &[], StoppingCriterion::FULL)).collect();
-    let best = finals.into_iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2)).ok_or_else(|| Failure {
+    let deepest = |found: Vec<Solution>| found.into_iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2));
+    let mut best = deepest(finals);
+    if best.as_ref().is_none_or(|best| !is_explained(objective, best)) {
+        let grown = grown(objective).and_then(|from| minimise(objective, &from.position, &[], StoppingCriterion::FULL));
+        best = deepest(best.into_iter().chain(grown).collect());
+    }
+    let best = best.ok_or_else(|| Failure {
         message: "the model cannot be computed anywhere that the fit begins".into(),
         help: "give the parameters values from which `fem run` works".into(),
     })?;
