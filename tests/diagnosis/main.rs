@@ -16,6 +16,7 @@ mod scaled;
 mod score;
 mod table;
 mod trouble;
+mod unknown;
 mod whole;
 mod whole_table;
 
