@@ -2,15 +2,15 @@
 //!
 //! The catalogue knows what is usual of machines that err by micrometres. A press errs by millimetres and a diamond lathe
 //! by nanometres, and what is missing in them is told by the same shapes. So the usual sizes of effects move with the
-//! data: effects of one kind (lengths, slopes, stiffnesses) by one factor, which keeps what is known of them beside each
-//! other. It follows from the residual of the model alone, beside what the effects of the kind would make of the rows at
+//! data: effects of one sort (errors, stiffnesses, forces) by one factor, which keeps what is known of them beside each
+//! other. It follows from the residual of the model alone, beside what the effects of the sort would make of the rows at
 //! their usual sizes.
 
+use nalgebra::DVector;
 use rayon::prelude::*;
 
 use crate::fit::{Coarseness, Objective, Solution};
-use crate::process::Description;
-use crate::units::Kind;
+use crate::process::{Description, Parameter};
 
 /// Ratio of what is measured for to the uncertainty of the instrument, as instruments are chosen.
 const INSTRUMENT: f64 = 10.0;
@@ -25,35 +25,24 @@ pub fn coarseness(objective: &Objective, base: &Solution, effects: &[Description
         let first = objective.variables.len();
         let mut neutral: Vec<f64> = base.position.iter().copied().collect();
         neutral.extend(trial.variables[first..].iter().map(|v| v.middle()));
-        let of = |(i, entry): (usize, &crate::process::Parameter)| {
-            let usual = Coarseness::moves(effect, entry).then(|| trial.variables[first + i].typical_size()).flatten()?;
-            let mut there = nalgebra::DVector::from_vec(neutral.clone());
-            there[first + i] = usual;
+        let of = |(i, entry): (usize, &Parameter)| {
+            let sort = Coarseness::sort(effect, entry)?;
+            let mut there = DVector::from_vec(neutral.clone());
+            there[first + i] = trial.variables[first + i].typical_size()?;
             let predicted = trial.predict(&there)?;
             let change = predicted.iter().zip(&base.predicted).map(|(p, q)| p - q);
             let made = trial.whiten(change).norm() / (base.predicted.len() as f64).sqrt();
             let beyond = (left / made).ln();
-            beyond.is_finite().then_some((entry.kind, beyond))
+            beyond.is_finite().then_some((sort, beyond))
         };
         effect.parameters.iter().enumerate().filter_map(of).collect::<Vec<_>>()
     };
-    let all: Vec<(Kind, f64)> = effects.par_iter().flat_map_iter(sizes).collect();
-    let mut kinds: Vec<(Kind, Vec<f64>)> = Vec::new();
-    for (kind, beyond) in all {
-        match kinds.iter_mut().find(|own| own.0 == kind) {
-            Some(own) => own.1.push(beyond),
-            None => kinds.push((kind, vec![beyond])),
-        }
+    let all: Vec<(usize, f64)> = effects.par_iter().flat_map_iter(sizes).collect();
+    let of_sort = |sort: usize| all.iter().filter(move |own| own.0 == sort).map(|own| own.1).collect::<Vec<f64>>();
+    if std::env::var("FEM_COARSE").is_ok_and(|mode| mode == "off") {
+        return Coarseness::default();
     }
-    let mode = std::env::var("FEM_COARSE").unwrap_or_default();
-    if std::env::var("FEM_COARSE_SAY").is_ok() {
-        for (kind, beyond) in &mut kinds {
-            eprintln!("coarse {} n {} q {:.2} decades, left {left:.1}", kind.unit, beyond.len(), median(beyond) / std::f64::consts::LN_10);
-        }
-    }
-    if mode == "off" { return Coarseness::default(); }
-    let believed = |x: f64| if mode == "exact" { x } else { believed(x) };
-    Coarseness::of(kinds.into_iter().map(|(kind, mut beyond)| (kind, believed(median(&mut beyond)).exp())).collect())
+    Coarseness::of(|sort| believed(median(&mut of_sort(sort))))
 }
 
 /// What of a logarithm is believed to be the machine's own and not that of what happens to be missing in it: shrunk by the

@@ -2,38 +2,45 @@
 
 use std::sync::Arc;
 
-use crate::input::Bounds;
 use crate::noise::MEASUREMENT;
 use crate::process::{Description, Neutral, Parameter};
-use crate::units::Kind;
+use crate::units::{
+    CONTACT_COEFFICIENT, FORCE, JAW_MOMENT, Kind, MICRO, POWER, ROTATIONAL_STIFFNESS, SLOPE, STEEP_SLOPE, STIFFNESS,
+    TEMPERATURE_RISE, TWIST, WEAR_PER_PART, WEAR_RATE,
+};
 
-/// Factor on the usual size of the effects of each kind; one of kinds that it does not name.
+/// Kinds of sizes that grow together where a machine is coarser. What places, angles, times, ratios and heat transfer are
+/// does not: a clamp that stands a hundred times as far away stands beside the part.
+const TOGETHER: &[&[Kind]] = &[
+    &[MICRO, SLOPE, STEEP_SLOPE, TWIST, WEAR_RATE, WEAR_PER_PART],
+    &[STIFFNESS, ROTATIONAL_STIFFNESS],
+    &[CONTACT_COEFFICIENT],
+    &[FORCE, JAW_MOMENT],
+    &[POWER, TEMPERATURE_RISE],
+];
+
+/// Factor on the usual size of the effects of each sort; one of the sorts beyond the end.
 #[derive(Clone, Debug, Default)]
 pub struct Coarseness {
-    factors: Arc<[(Kind, f64)]>,
+    factors: Arc<[f64]>,
 }
 
 impl Coarseness {
-    /// Of these factors.
-    pub fn of(factors: Vec<(Kind, f64)>) -> Self {
-        Self { factors: factors.into() }
+    /// That of each sort by what the logarithms of its sizes are beyond the usual.
+    pub fn of(beyond: impl Fn(usize) -> f64) -> Self {
+        Self { factors: (0..TOGETHER.len()).map(|sort| beyond(sort).exp()).collect() }
     }
 
-    /// Whether a parameter is a size that moves with the machine: no ratio, no place, and nothing of the instrument.
-    pub fn moves(effect: &Description, entry: &Parameter) -> bool {
-        let is_size = match entry.neutral {
-            Neutral::Value(value) => value == 0.0 && entry.range.1 > 0.0,
-            Neutral::Infinity => true,
-            Neutral::Shape | Neutral::Written(..) => false,
-        };
-        is_size && effect.table != MEASUREMENT && !entry.kind.unit.is_empty() && !matches!(entry.bounds, Bounds::Within(..))
+    /// Number of the sort of a parameter, if it is a size that grows with the machine.
+    pub fn sort(effect: &Description, entry: &Parameter) -> Option<usize> {
+        let is_size = matches!(entry.neutral, Neutral::Value(0.0) | Neutral::Infinity) && effect.table != MEASUREMENT;
+        TOGETHER.iter().position(|kinds| is_size && kinds.contains(&entry.kind))
     }
 
     /// The parameter of an effect, with what is plausible in this machine.
     pub fn plausible(&self, effect: &Description, entry: &Parameter) -> Parameter {
-        let own = self.factors.iter().find(|(kind, _)| *kind == entry.kind && Self::moves(effect, entry));
-        let Some((_, factor)) = own else { return entry.clone() };
-        let factor = if entry.neutral == Neutral::Infinity { 1.0 / factor } else { *factor };
+        let own = Self::sort(effect, entry).and_then(|sort| self.factors.get(sort));
+        let factor = own.map_or(1.0, |factor| if entry.neutral == Neutral::Infinity { 1.0 / factor } else { *factor });
         Parameter { range: (factor * entry.range.0, factor * entry.range.1), ..entry.clone() }
     }
 }
