@@ -7,6 +7,7 @@
 
 mod bent_law;
 mod candidate_model;
+mod coarseness;
 mod conclude;
 mod confounding;
 mod contender;
@@ -103,6 +104,7 @@ fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
     let mean = objective.mean(&solution).ok_or_else(unsolvable)?;
     let (noise, within) = Noise::stated(&data.terms, data, repeats, &residuals, &mean);
     objective.noise = noise;
+    objective.coarseness = coarseness::coarseness(&objective, &solution, &absent);
     let mut found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     let mut conflicts = Vec::new();
     while let Some((parameter, conflict)) = prior_conflict::conflicting_prior(&found, &within) {

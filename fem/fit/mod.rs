@@ -1,6 +1,7 @@
 //! Estimates the parameters that a model does not know exactly: bounded nonlinear least squares with priors
 //! (maximum a posteriori), and profile-likelihood intervals.
 
+mod coarseness;
 mod edits;
 mod estimates;
 mod growth;
@@ -14,6 +15,7 @@ mod sizes;
 pub(crate) mod starts;
 mod steps;
 
+pub use coarseness::Coarseness;
 pub use edits::{edits, uncertain};
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{DMatrix, DVector};
 
+use super::coarseness::Coarseness;
 use super::search_variable::SearchVariable;
 use super::steps::Steps;
 use crate::input::Parameter;
@@ -29,6 +30,8 @@ pub struct Objective<'a> {
     pub variables: Vec<SearchVariable>,
     /// Noise by which the rows are weighted.
     pub noise: Noise,
+    /// By how much the usual sizes of candidate effects are beyond those of the catalogue.
+    pub coarseness: Coarseness,
     /// Evaluations of the model so far, of this objective and of all that were made of it.
     pub trials: Arc<Trials>,
 }
@@ -116,6 +119,7 @@ impl<'a> Objective<'a> {
             parameters: model.parameters.clone(),
             variables,
             noise,
+            coarseness: Coarseness::default(),
             trials: Arc::default(),
         })
     }
@@ -125,6 +129,7 @@ impl<'a> Objective<'a> {
     pub fn with(&self, effect: &Description) -> Self {
         let mut more = self.clone();
         for entry in &*effect.parameters {
+            let entry = &self.coarseness.plausible(effect, entry);
             more.parameters.push(Parameter {
                 path: effect.path(entry),
                 kind: entry.kind,

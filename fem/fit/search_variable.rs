@@ -337,6 +337,20 @@ impl SearchVariable {
         0f64.clamp(self.low, self.high)
     }
 
+    /// The usual size, if it is a size.
+    pub fn typical_size(&self) -> Option<f64> {
+        match self.usual {
+            Some(Usual::Size { centre, .. }) => Some(centre.exp()),
+            _ => None,
+        }
+    }
+
+    /// Where a size vanishes, and the middle start of what shapes an effect.
+    pub fn middle(&self) -> f64 {
+        let middle = self.starts.get(self.starts.len() / 2).filter(|_| self.starts.len() > 1);
+        middle.map_or(self.neutral(), |value| self.position(*value))
+    }
+
     /// Bounds; those of a positive quantity of unknown size no more than a factor of some hundred thousand
     /// away: further off it is as good as zero or infinite.
     pub fn within_reach(&self, of: f64) -> (f64, f64) {

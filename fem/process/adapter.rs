@@ -10,6 +10,10 @@ use super::{
 use crate::input::Reader;
 use crate::progress::Progress;
 
+/// How many times beyond what is believable of the model's own programme a prediction of measured rows may be: what is
+/// measured is there, however coarse.
+const MEASURED: f64 = 1000.0;
+
 impl<D: Definition> Process for D {
     fn name(&self) -> &'static str {
         D::NAME
@@ -164,11 +168,11 @@ impl<D: Definition> Assembled<D> {
         self.failure.clone().map_or(Ok(()), Err)
     }
 
-    /// Adds formula effects, takes datum directions out, and refuses what is not believable.
-    fn completed(&self, mut values: Vec<f64>, rows: &Rows) -> Result<Vec<f64>, Failure> {
+    /// Adds formula effects, takes datum directions out, and refuses what is so many times beyond what is believable.
+    fn completed(&self, mut values: Vec<f64>, rows: &Rows, times: f64) -> Result<Vec<f64>, Failure> {
         self.add_formulas(rows, &mut values);
         D::datum_directions(&self.setup, rows).iter().for_each(|direction| direction.take_out(&mut values));
-        self.believable(&values, rows)?;
+        self.believable(&values, rows, times)?;
         Ok(values)
     }
 
@@ -182,10 +186,10 @@ impl<D: Definition> Assembled<D> {
         }
     }
 
-    fn believable(&self, values: &[f64], rows: &Rows) -> Result<(), Failure> {
+    fn believable(&self, values: &[f64], rows: &Rows, times: f64) -> Result<(), Failure> {
         let limits: Vec<_> = (0..D::OBSERVABLES.len()).map(|o| D::limit(&self.setup, o)).collect();
         // A size that is itself unknown limits nothing.
-        let wrong = |(value, o): &(&f64, &usize)| !value.is_finite() || value.abs() >= limits[**o].size;
+        let wrong = |(value, o): &(&f64, &usize)| !value.is_finite() || value.abs() >= times * limits[**o].size;
         let Some((value, observable)) = values.iter().zip(rows.observable.iter()).find(wrong) else { return Ok(()) };
         if !value.is_finite() && !self.formulas.is_empty() {
             return Err(Failure {
@@ -209,12 +213,12 @@ impl<D: Definition> ForwardModel for Assembled<D> {
             return Err(Failure { message: "the computation was stopped".into(), help: "start it again".into() });
         }
         let programme = self.programme();
-        self.completed(D::predict(&self.machine, programme, progress)?, programme)
+        self.completed(D::predict(&self.machine, programme, progress)?, programme, 1.0)
     }
 
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
         self.possible()?;
-        self.completed(D::observe(&self.machine, rows)?, rows)
+        self.completed(D::observe(&self.machine, rows)?, rows, MEASURED)
     }
 
     fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure> {

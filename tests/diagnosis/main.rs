@@ -8,6 +8,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod advised;
+mod calibration;
 mod events;
 mod instrument;
 mod left_wrong;

@@ -174,7 +174,7 @@ pub fn tally(process: &Process, seeds: impl Iterator<Item = u64>) -> Tally {
     stories.sort_by_key(|(seed, _)| *seed);
     for (seed, story) in &stories {
         let Some(directory) = std::env::var_os("FEM_MISSES") else { continue };
-        println!("{}{seed}: {}", process.name, story.said);
+        println!("{}{seed}, {:.1} s: {}", process.name, story.seconds, story.said);
         let is_false = !story.first.false_causes.is_empty() || !story.last.false_causes.is_empty();
         if is_false || story.first.told.is_empty() {
             let place = std::path::Path::new(&directory).join(format!("whole {}{seed}", process.name));
