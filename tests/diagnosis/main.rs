@@ -18,6 +18,7 @@ mod table;
 mod trouble;
 mod whole;
 mod whole_table;
+mod wrong_in_tables;
 
 use std::path::Path;
 
