@@ -1,6 +1,6 @@
 //! Materials: a built-in list, or a table of one's own.
 
-use crate::input::{Bounds, Reader, did_you_mean};
+use crate::input::{Bounds, Doubt, Grows, Reader, did_you_mean};
 use crate::units::{CONDUCTIVITY, CONTRACTION, EXPANSION, Kind, MASS_DENSITY, PRESSURE, SPECIFIC_HEAT};
 
 /// An isotropic, linear material. SI units.
@@ -44,6 +44,15 @@ const fn material(
     Material { youngs_modulus, poisson_ratio, density, expansion, conductivity, specific_heat }
 }
 
+/// Doubt about a property that somebody wrote himself. The density and Poisson's ratio of a metal are known
+/// better than any deflection.
+const OF_AN_ALLOY: Doubt = Doubt::by_factor(
+    0.05,
+    1.2,
+    Grows::Otherwise,
+    "properties of an alloy differ from those of the one in the handbook by some percent, and by tens where it is cast",
+);
+
 impl Material {
     /// Reads a material from `key`: a name, or a table with every property, or overrides on a `base`.
     pub fn read(table: &Reader, key: &'static str) -> Self {
@@ -74,6 +83,7 @@ impl Material {
     fn read_own(own: &Reader, base: Option<Self>) -> Self {
         let read = |key, kind: Kind, about, bounds, of: fn(&Self) -> f64| {
             let field = own.quantity(key, kind, about).bounds(bounds);
+            let field = if matches!(key, "density" | "poisson_ratio") { field } else { field.estimated(OF_AN_ALLOY) };
             match &base {
                 Some(base) => field.or(of(base)),
                 None => field.required(),

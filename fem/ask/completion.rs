@@ -44,7 +44,9 @@ fn mended(model: &Model, addition: &Addition) -> Result<Model, Problem> {
     match addition {
         Addition::Effect(name, settings) => add_effect(model, name, settings),
         // An effect that was left out has no values.
-        Addition::Value(setting) if model.effect_of(&setting.key).is_none() => Ok(model.clone()),
+        Addition::Value(setting) if setting.key.starts_with("effects.") && model.effect_of(&setting.key).is_none() => {
+            Ok(model.clone())
+        }
         Addition::Value(setting) => super::revised(model, std::slice::from_ref(setting), &[]),
         Addition::Without(name) => super::revised(model, &[], std::slice::from_ref(name)),
     }

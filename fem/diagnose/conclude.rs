@@ -24,6 +24,7 @@ use super::{findings, laplace, look_alike, moves, next};
 use crate::fit::{self, Estimate, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
+use crate::model::OwnOdds;
 use crate::noise::is_round_off;
 use crate::process::Failure;
 
@@ -199,6 +200,7 @@ fn cautions(
         !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
     };
     let mut cautions: Vec<String> = conflicts.iter().map(PriorConflict::text).collect();
+    cautions.extend(own_odds(&measurements.model.odds));
     if measurements.progress.is_over() {
         cautions.push("the time was over before the search was: the verdict is about what was tried by then".into());
     }
@@ -221,6 +223,12 @@ fn cautions(
         cautions.push(format!("no more than {most} effects were looked for together; --max-effects looks for more"));
     }
     cautions
+}
+
+/// What the model says about odds, on which all probabilities depend.
+fn own_odds(odds: &OwnOdds) -> Option<String> {
+    let told: Vec<String> = odds.iter().map(|(name, odds)| format!("{odds} to one for {name}")).collect();
+    (!told.is_empty()).then(|| format!("probabilities follow the odds that the model gives itself: {}", told.join(", ")))
 }
 
 /// Lists the effects of the best model, the most needed first, each with its alternatives.

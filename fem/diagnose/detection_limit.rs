@@ -2,8 +2,8 @@
 
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
-use crate::input::Name;
-use crate::process::{Grows, Neutral};
+use crate::input::{Grows, Name};
+use crate::process::Neutral;
 
 /// Standard uncertainties by which a sensitivity must exceed the threshold for a detection in nine cases of
 /// ten (power 0.9).
@@ -51,13 +51,17 @@ pub fn detection_limit(
         Neutral::Infinity => entry.kind.from_si(1.0 / least),
         Neutral::Value(neutral) => neutral + entry.kind.from_si(least),
         Neutral::Written(written, Grows::Inversely) => written / (1.0 + least),
-        Neutral::Written(written, _) => written * (1.0 + least),
+        Neutral::Written(written, Grows::Linearly) => written * (1.0 + least),
+        // The search variable is the logarithm of the ratio.
+        Neutral::Written(written, Grows::Otherwise) => written * least.exp(),
+        Neutral::Written(written, Grows::Evenly) => entry.kind.from_si(entry.kind.to_si(written) + least),
         Neutral::Shape => entry.kind.from_si(least),
     };
     let reachable = match entry.neutral {
         Neutral::Infinity => shown > entry.range.0,
         Neutral::Written(written, Grows::Inversely) => shown / written > entry.range.0 / written,
-        Neutral::Written(written, _) => shown / written < entry.range.1 / written,
+        Neutral::Written(_, Grows::Evenly) => shown < entry.range.1,
+        Neutral::Written(written, Grows::Linearly | Grows::Otherwise) => shown / written < entry.range.1 / written,
         Neutral::Value(_) | Neutral::Shape => shown < entry.range.1,
     };
     let detectable = own_share >= HIDDEN && reachable && shown.is_finite();

@@ -98,6 +98,7 @@ fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
     let repeats = data.repeats();
     let extent = Extent { most, deepens: true, known: &[], progress };
     let absent = [absent(data.model), instrument::absent_readings(data), values_on_trial(data.model)].concat();
+    let absent: Vec<Description> = absent.into_iter().map(|effect| data.model.odds.put_on(effect)).collect();
     let mut objective = Objective::new(data)?;
     let mut solution = fit::best(&mut objective)?;
     let residuals = data.residuals(&solution.predicted);

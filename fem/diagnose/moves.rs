@@ -10,6 +10,7 @@ use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
 use super::sensitivity::CandidateEffect;
 use crate::fit::{Objective, SearchVariable, Solution, StoppingCriterion, resume};
+use crate::process::ON_TRIAL;
 
 /// Starts of a fit: the best variants of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
@@ -85,6 +86,10 @@ pub fn moves(
             let Some((variant, best)) = starts.first() else { continue };
             let own = &candidates[*added].variants[*variant];
             if best.delta_chi2 == 0.0 && projected.seen(own).is_none() {
+                if candidates[*added].effect.table == ON_TRIAL {
+                    // A value of which the data say nothing stays as it is written.
+                    continue;
+                }
                 // The others imitate all of it: it may be there for all that the data say, at a usual size.
                 let amplitudes =
                     own.linear.iter().enumerate().map(|(i, p)| if i == 0 { p.size } else { 0.0 }).collect();

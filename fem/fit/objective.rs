@@ -136,6 +136,7 @@ impl<'a> Objective<'a> {
                 quantity: Quantity { value: entry.kind.to_si(entry.example()), knowledge: Knowledge::Free },
                 bounds: entry.bounds,
                 span: None,
+                doubt: None,
             });
             let steps = if entry.is_step { steps(self.data, entry) } else { None };
             more.variables.push(SearchVariable::of_candidate(entry, self.extent(entry)).stepping(steps));

@@ -1,8 +1,8 @@
 //! Search variables: transformed parameters in which the prediction is nearly linear, within bounds.
 
 use super::steps::Steps;
-use crate::input::{Bounds, Parameter};
-use crate::process::{Grows, Neutral};
+use crate::input::{Bounds, Grows, Parameter};
+use crate::process::Neutral;
 use crate::units::{Knowledge, Quantity};
 
 /// Parameter as the search sees it: transformed, bounded, with its prior and its starts.
@@ -106,7 +106,8 @@ const RATIO: f64 = 0.2;
 enum Scale {
     /// s = v.
     Plain,
-    /// s = v less the value at which the effect vanishes, where that is not zero: a factor.
+    /// s = v less the value at which the effect vanishes, where that is not zero: a factor, or a value that somebody wrote and
+    /// that is off by an amount.
     From(f64),
     /// s = 1/v: a stiffness, in whose reciprocal deflections are linear and an infinite one is zero.
     Reciprocal,
@@ -128,6 +129,7 @@ impl SearchVariable {
         let scale = match (entry.map(|e| e.neutral), parameter.bounds) {
             (Some(Neutral::Infinity), _) => Scale::Reciprocal,
             (Some(Neutral::Value(neutral)), Bounds::Any) if neutral != 0.0 => Scale::From(neutral),
+            (Some(Neutral::Written(written, Grows::Evenly)), _) => Scale::From(parameter.kind.to_si(written)),
             (Some(Neutral::Written(written, grows)), _) => Scale::Ratio(parameter.kind.to_si(written), grows),
             _ if entry.is_some_and(|e| e.is_step) => Scale::Plain,
             (_, Bounds::Positive) => Scale::Logarithm,
@@ -182,6 +184,7 @@ impl SearchVariable {
             quantity: Quantity { value: f64::NAN, knowledge: Knowledge::Free },
             bounds: entry.bounds,
             span: None,
+            doubt: None,
         };
         let mut variable = Self::new(&parameter, Some(entry));
         (variable.low, variable.high) = variable.limits;
@@ -195,13 +198,14 @@ impl SearchVariable {
                 (None, Scale::Ratio(written, _)) => FAR * plausible.1 / written,
                 (None, Scale::Plain | Scale::Logarithm) => FAR * plausible.1,
             };
+            let is_factor = matches!(variable.scale, Scale::From(_)) && !matches!(entry.neutral, Neutral::Written(..));
             let smallest = match variable.scale {
                 // As many times too small as too large: nothing can be said by an instrument that shows nothing.
-                Scale::From(neutral) => neutral * (neutral / (neutral + largest) - 1.0),
+                Scale::From(neutral) if is_factor => neutral * (neutral / (neutral + largest) - 1.0),
                 _ => -largest,
             };
             (variable.low, variable.high) = (variable.low.max(smallest), variable.high.min(largest));
-            if extent.is_some() || matches!(variable.scale, Scale::From(_)) {
+            if extent.is_some() || is_factor {
                 // Later than the file lasts says nothing, and a scale that is off by more is another instrument.
                 variable.limits = (variable.low, variable.high);
             }
@@ -211,6 +215,9 @@ impl SearchVariable {
                 (Scale::Plain, Some(default)) => {
                     let farthest = (plausible.1 - default).abs().max((plausible.0 - default).abs());
                     Usual::Place { centre: default, spread: 0.5 * farthest }
+                }
+                (Scale::From(neutral), _) if !is_factor => {
+                    Usual::Place { centre: 0.0, spread: 2.0 * Usual::NINE_TENTHS * (plausible.1 - neutral) }
                 }
                 (Scale::From(neutral), _) => {
                     Usual::Adjusted { spread: (plausible.1 - neutral) * Usual::NINE_TENTHS * 2.0 }
@@ -280,7 +287,7 @@ impl SearchVariable {
             Scale::Logarithm => value.ln(),
             Scale::Ratio(written, Grows::Linearly) => value / written - 1.0,
             Scale::Ratio(written, Grows::Inversely) => written / value - 1.0,
-            Scale::Ratio(written, Grows::Otherwise) => (value / written).ln(),
+            Scale::Ratio(written, Grows::Otherwise | Grows::Evenly) => (value / written).ln(),
         };
         let position = self.steps.as_ref().map_or(position, |steps| steps.at(position));
         position.clamp(self.low, self.high)
@@ -295,7 +302,7 @@ impl SearchVariable {
             Scale::Logarithm => position.exp(),
             Scale::Ratio(written, Grows::Linearly) => written * (1.0 + position),
             Scale::Ratio(written, Grows::Inversely) => written / (1.0 + position),
-            Scale::Ratio(written, Grows::Otherwise) => written * position.exp(),
+            Scale::Ratio(written, Grows::Otherwise | Grows::Evenly) => written * position.exp(),
         }
     }
 
@@ -317,7 +324,7 @@ impl SearchVariable {
             Scale::Logarithm => position.exp(),
             Scale::Ratio(written, Grows::Linearly) => written.abs(),
             Scale::Ratio(written, Grows::Inversely) => written.abs() / (1.0 + position).powi(2),
-            Scale::Ratio(written, Grows::Otherwise) => written.abs() * position.exp(),
+            Scale::Ratio(written, Grows::Otherwise | Grows::Evenly) => written.abs() * position.exp(),
         }
     }
 

@@ -27,6 +27,7 @@ pub fn size_estimate(
             quantity: Quantity { value: term.size, knowledge: Knowledge::Free },
             bounds: Bounds::NotNegative,
             span: None,
+            doubt: None,
         },
         value: term.size,
         std: width,

@@ -3,7 +3,7 @@
 use serde_json::json;
 use toml_edit::{Item, Value};
 
-use super::{Bounds, Name, Problem, Reader, did_you_mean};
+use super::{Bounds, Doubt, Name, Problem, Reader, did_you_mean};
 use crate::units::{Kind, Knowledge, LARGEST, Quantity};
 
 impl<'a> Reader<'a> {
@@ -37,16 +37,23 @@ pub struct Field<'r, 'a> {
     pub(super) about: &'static str,
     bounds: Bounds,
     is_chosen: bool,
+    doubt: Option<Doubt>,
 }
 
 impl<'r, 'a> Field<'r, 'a> {
     pub(super) fn new(reader: &'r Reader<'a>, key: impl Into<Name>, kind: Kind, about: &'static str) -> Self {
-        Self { reader, key: key.into(), kind, about, bounds: Bounds::Any, is_chosen: false }
+        Self { reader, key: key.into(), kind, about, bounds: Bounds::Any, is_chosen: false, doubt: None }
     }
 
     /// Is chosen by whoever computes, as a step or a size of elements: no measurement tells it, and it is never unknown.
     pub fn chosen(mut self) -> Self {
         self.is_chosen = true;
+        self
+    }
+
+    /// Is what people measure or estimate, so that a diagnosis may doubt it where it is written as known.
+    pub fn estimated(mut self, doubt: Doubt) -> Self {
+        self.doubt = Some(doubt);
         self
     }
 
@@ -119,7 +126,7 @@ impl<'r, 'a> Field<'r, 'a> {
     fn read(&self) -> Option<f64> {
         let item = self.reader.item(self.key.clone())?;
         match self.parse(item).and_then(|q| self.check(q)) {
-            Ok(quantity) => Some(self.reader.note(&self.key, self.kind, self.bounds, quantity, item.span())),
+            Ok(quantity) => Some(self.reader.note(&self.key, (self.kind, self.bounds, self.doubt), quantity, item.span())),
             Err(problem) => {
                 self.reader.refuse(problem.at(item.span()));
                 Some(f64::NAN)

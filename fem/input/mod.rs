@@ -4,6 +4,7 @@
 mod bounds;
 mod bytes;
 mod cells;
+mod doubt;
 mod excerpt;
 mod field;
 mod file;
@@ -21,6 +22,7 @@ mod tables;
 
 pub use bounds::Bounds;
 pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};
+pub use doubt::{Doubt, Grows};
 pub use excerpt::{Excerpt, shortened};
 pub use field::{Choice, Count, Field};
 pub use file::{NamedFile, seen_from};

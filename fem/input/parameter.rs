@@ -5,7 +5,7 @@ use std::fmt;
 use std::ops::{Deref, Range};
 use std::sync::Arc;
 
-use super::Bounds;
+use super::{Bounds, Doubt};
 use crate::units::{Kind, Quantity};
 
 /// Name of a quantity among all of a model: the path of its key, as in `effects.tool-wear.rate` or
@@ -84,4 +84,7 @@ pub struct Parameter {
     pub bounds: Bounds,
     /// Bytes of its value in the model file; `None` where the file does not have it.
     pub span: Option<Range<usize>>,
+    /// How far it may be off where it is written as known, if it is what people estimate.
+    #[doc(hidden)]
+    pub doubt: Option<Doubt>,
 }

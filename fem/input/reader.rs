@@ -19,7 +19,7 @@ use std::sync::Arc;
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{Item, TableLike};
 
-use super::{Bounds, Kept, Name, Parameter, ParameterId, Problem, nearest};
+use super::{Bounds, Doubt, Kept, Name, Parameter, ParameterId, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
 /// Most problems that are kept while a file is read.
@@ -336,8 +336,7 @@ impl<'a> Reader<'a> {
     pub(super) fn note(
         &self,
         key: &str,
-        kind: Kind,
-        bounds: Bounds,
+        (kind, bounds, doubt): (Kind, Bounds, Option<Doubt>),
         quantity: Quantity,
         span: Option<Range<usize>>,
     ) -> f64 {
@@ -350,7 +349,7 @@ impl<'a> Reader<'a> {
             return *entered;
         }
         let value = instead.tried.get(path.as_str()).copied().unwrap_or(quantity.value);
-        let parameter = Parameter { path: path.into(), kind, quantity, bounds, span };
+        let parameter = Parameter { path: path.into(), kind, quantity, bounds, span, doubt };
         let found = &mut self.findings.found.borrow_mut();
         if self.is_as_written() {
             found.quantities.push(parameter.clone());

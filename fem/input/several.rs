@@ -73,7 +73,7 @@ impl Reader<'_> {
             return refuse(problem.help(format!("write {written}")));
         };
         match Quantity::parse(text, &kind) {
-            Ok(quantity) => Some(self.note(path, kind, super::Bounds::Any, quantity, value.span())),
+            Ok(quantity) => Some(self.note(path, (kind, super::Bounds::Any, None), quantity, value.span())),
             Err(error) => {
                 let help = error.hint.unwrap_or_else(|| format!("write {written}"));
                 refuse(Problem::new(format!("`{path}`: {}", error.message)).help(help))

@@ -7,6 +7,7 @@ mod edit;
 mod formula_effect;
 mod machine;
 mod named;
+mod odds;
 mod process;
 mod require;
 mod run;
@@ -19,6 +20,7 @@ pub use add::{Setting, add_effect};
 pub use campaign::{Acting, Campaign, Shared, Test};
 pub use data::Data;
 pub use machine::Machine;
+pub use odds::{OwnOdds, VALUES};
 pub use process::ModelProcess;
 pub use run::{Contribution, Run};
 pub use schema::schema;
@@ -67,6 +69,9 @@ pub struct Model {
     places: Vec<Place>,
     /// All quantities that the file has.
     pub quantities: Arc<[Parameter]>,
+    /// Odds of effects that it gives itself.
+    #[doc(hidden)]
+    pub odds: OwnOdds,
     /// Machine that it names.
     #[doc(hidden)]
     pub machine: Option<Machine>,
@@ -129,7 +134,7 @@ impl Model {
     /// Reads a model from its tables, with what was kept from readings before.
     fn of_tables(source: Source, tables: Tables, kept: Kept) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
-        let ((title, machine, system, effects, measurement), found) =
+        let ((title, machine, system, effects, measurement, odds), found) =
             Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| read(model, process));
         let Found { parameters, quantities, files, problems } = found;
         let Some(system) = system.filter(|_| problems.is_empty()) else { return Err(problems) };
@@ -143,6 +148,7 @@ impl Model {
             parameters,
             places,
             quantities: quantities.into(),
+            odds,
             machine,
             entered: HashMap::new(),
             files,
@@ -245,14 +251,15 @@ fn find_process(document: &Table) -> Result<&'static dyn Process, Problem> {
 fn read(
     model: &Reader,
     process: &dyn Process,
-) -> (Option<String>, Option<Machine>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>) {
+) -> (Option<String>, Option<Machine>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>, OwnOdds) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
     model.part("measurement");
     let system: Option<Arc<dyn System>> = process.read(model).map(Arc::from);
     let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
-    (title, machine, system, effects, noise::read(model, process))
+    let odds = OwnOdds::read(model, process);
+    (title, machine, system, effects, noise::read(model, process), odds)
 }
 
 fn read_effects(model: &Reader, process: &dyn Process, system: Option<&dyn System>) -> Vec<Active> {

@@ -131,7 +131,7 @@ impl Model {
 
     #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
     fn read_instead(&self, instead: Instead) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
-        let ((_, _, system, effects, terms), found) =
+        let ((_, _, system, effects, terms, _), found) =
             Reader::of_file(self.tables.now(), self.source.folder(), &self.kept, instead, |model| {
                 read(model, &*self.process)
             });

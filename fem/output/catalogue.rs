@@ -67,6 +67,8 @@ fn entry(process: &dyn Process, effect: &Description) -> Value {
         "about": effect.about,
         "law": effect.law,
         "source": effect.source,
+        "odds": effect.odds.to_one,
+        "odds_because": effect.odds.because,
         "parameters": effect.parameters.iter().map(parameter).collect::<Vec<_>>(),
         "look_alikes": effect.look_alikes.iter().map(|l| l.0).collect::<Vec<_>>(),
         "separated_by": effect.look_alikes.iter().map(|l| l.1).collect::<Vec<_>>(),
@@ -92,8 +94,8 @@ fn list(entries: &[(&dyn Process, Description)], of_measurement: &[&MeasurementE
 /// All about one effect.
 fn page(process: &str, effect: &Description) -> String {
     let mut text = format!(
-        "{} ({process})\n  {}\n\n  law     {}\n  source  {}\n\n",
-        effect.name, effect.about, effect.law, effect.source
+        "{} ({process})\n  {}\n\n  law     {}\n  source  {}\n  odds    {} to one: {}\n\n",
+        effect.name, effect.about, effect.law, effect.source, effect.odds.to_one, effect.odds.because
     );
     for parameter in &*effect.parameters {
         let _ = writeln!(text, "  {}", parameter_line(parameter));

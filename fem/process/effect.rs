@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::{Belongs, Failure, FormulaLaw};
-use crate::input::{Bounds, Name, ParameterId, Reader};
+use crate::input::{Bounds, Doubt, Grows, Name, ParameterId, Reader};
 use crate::units::{Kind, NUMBER};
 
 /// An effect of the catalogue, as data: what it is, what it needs of a set-up `S`, and its law, which
@@ -179,17 +179,6 @@ pub enum Neutral {
     Written(f64, Grows),
 }
 
-/// How an effect grows with one of its parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Grows {
-    /// As the parameter does: an amplitude.
-    Linearly,
-    /// As its reciprocal: a stiffness.
-    Inversely,
-    /// In some other way: a shape.
-    Otherwise,
-}
-
 /// An effect of a model with the values of its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Active {
@@ -325,9 +314,22 @@ impl Parameter {
             Neutral::Value(0.0) => Grows::Linearly,
             Neutral::Value(_) | Neutral::Shape | Neutral::Written(..) => Grows::Otherwise,
         };
-        let (name, about) = (self.name.clone(), "the value that is written");
-        let (neutral, range) = (Neutral::Written(value, grows), (value / factor, value * factor));
-        Self { name, ..Self::new("", self.kind, about, neutral, self.bounds, range) }
+        let range = (value / factor, value * factor);
+        Self::written(self.name.clone(), self.kind, self.bounds, Neutral::Written(value, grows), range)
+    }
+
+    /// A quantity of a table, with its value in SI, that may have been written wrongly.
+    pub fn doubted(name: Name, (kind, bounds): (Kind, Bounds), si: f64, doubt: Doubt) -> Self {
+        let (low, high) = match doubt.grows {
+            Grows::Evenly => (si - doubt.off, si + doubt.off),
+            Grows::Linearly | Grows::Inversely | Grows::Otherwise => (si / doubt.off, si * doubt.off),
+        };
+        let neutral = Neutral::Written(kind.from_si(si), doubt.grows);
+        Self::written(name, kind, bounds, neutral, (kind.from_si(low), kind.from_si(high)))
+    }
+
+    fn written(name: Name, kind: Kind, bounds: Bounds, neutral: Neutral, range: (f64, f64)) -> Self {
+        Self { name, ..Self::new("", kind, "the value that is written", neutral, bounds, range) }
     }
 
     /// A value for an example, in the canonical unit: in the middle of the plausible range, with one digit.

@@ -10,6 +10,7 @@ mod blank;
 mod definition;
 mod drawing;
 mod effect;
+pub mod estimates;
 mod failure;
 mod figure;
 pub mod formula_effect;
@@ -34,7 +35,7 @@ pub(crate) use blank::{BlankProfile, BlankWords, Wave};
 pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
 pub use effect::{
-    Active, CatalogueEffect, Description, EFFECTS, Effect, Grows, Neutral, ON_TRIAL, Odds, Parameter, nothing,
+    Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing,
 };
 pub use failure::Failure;
 pub use figure::{Datum, Figure, extremes, first_extreme, range, spread};

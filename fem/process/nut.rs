@@ -1,7 +1,7 @@
 //! The nut of a screw drive: two halves that press on each other, which leaves no clearance between screw and
 //! slide, only what the halves yield [seed 000, fig. 5].
 
-use super::Figure;
+use super::{Figure, estimates};
 use crate::input::{Bounds, Reader};
 use crate::joint::{Joint, Pair};
 use crate::units::{CONTACT_COEFFICIENT, FORCE, NUMBER, STIFFNESS};
@@ -20,10 +20,12 @@ impl Nut {
     pub fn read(screw: &Reader) -> Option<Self> {
         screw.optional_table("nut", "its nut, of two halves that press on each other", |t| {
             let preload =
-                t.quantity("preload", FORCE, "with which the halves press on each other").positive().required();
+                t.quantity("preload", FORCE, "with which the halves press on each other").estimated(estimates::PRELOAD);
+            let preload = preload.positive().required();
             let stiffness = t.quantity("stiffness", STIFFNESS, "of the spring in each half; rigid if left out");
             let contact = t.quantity("c", CONTACT_COEFFICIENT, "coefficient of the contact in each half, c*Q^n");
-            let (stiffness, contact) = (stiffness.positive().optional(), contact.not_negative().optional());
+            let stiffness = stiffness.estimated(estimates::STIFFNESS).positive().optional();
+            let contact = contact.estimated(estimates::CONTACT).not_negative().optional();
             let exponent = t.quantity("n", NUMBER, "exponent of that contact").bounds(Bounds::Within(0.0, 1.0)).or(0.5);
             if stiffness.is_none() && contact.is_none() {
                 let help = "add stiffness = \"400 N/um\", or the contact c = \"0.2 um/N^n\" with n = 0.5";

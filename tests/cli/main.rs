@@ -23,6 +23,7 @@ mod import;
 mod measurement;
 mod mesh_file;
 mod next;
+mod odds;
 mod pages;
 mod passes;
 mod records;

@@ -20,6 +20,7 @@ mod trouble;
 mod unknown;
 mod whole;
 mod whole_table;
+mod wrong_in_tables;
 
 use std::path::Path;
 

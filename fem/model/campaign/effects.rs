@@ -142,6 +142,7 @@ impl Shared {
             quantity: *quantity,
             bounds: entry.bounds,
             span: None,
+            doubt: None,
         });
         let parameters = parameters.collect();
         Ok(Some((Active { formula, ..self.description.with(values) }, parameters)))

@@ -1,13 +1,14 @@
 //! Joins the models of tests to one.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use super::effects;
+use super::effects::{self, Acting, Shared};
 use super::layout::Layout;
 use super::system::Whole;
 use super::test::{Campaign, Test, origins};
 use crate::input::{Kept, Name, Parameter, Problem, Source};
+use crate::model::odds::OwnOdds;
 use crate::model::tables::Tables;
 use crate::model::{Model, ModelProcess, places};
 use crate::process::Active;
@@ -23,6 +24,7 @@ impl Model {
         let names = names(&models);
         let layout = Layout::new(names.iter().zip(models.iter().map(|m| &*m.process)));
         let shared = effects::gather(&names, &models, &layout);
+        let odds = own_odds(&models, &shared)?;
         let (mut active, mut parameters): (Vec<Active>, Vec<Parameter>) = (Vec::new(), Vec::new());
         for effect in &shared {
             if let Some((own, uncertain)) = effect.stated(&models)? {
@@ -52,6 +54,7 @@ impl Model {
             places: places(&parameters, &active, &[]),
             parameters,
             quantities: Arc::default(),
+            odds,
             entered: HashMap::new(),
             files: Vec::new(),
             kept: Kept::default(),
@@ -60,6 +63,34 @@ impl Model {
             effects: active,
         })
     }
+}
+
+/// The odds that the models give, by the names that effects have among all tests.
+///
+/// # Errors
+/// Two of them give different odds to one effect.
+fn own_odds(models: &[Model], shared: &[Shared]) -> Result<OwnOdds, Problem> {
+    let of_effect = |effect: &Shared| {
+        let of_test = |(test, acting): &(usize, Acting)| match acting {
+            Acting::Effect(own) => Some((effect.description.name.clone(), models[*test].odds.of(&own.name)?)),
+            Acting::Quantity(_) => None,
+        };
+        effect.acts.iter().filter_map(of_test).collect::<Vec<_>>()
+    };
+    // A scale and a clock are of a test, and have one name in all of them.
+    let is_of_process = |model: &Model, name: &Name| model.process.effects().iter().any(|own| own.name == *name);
+    let of_others = |model: &Model| {
+        let others = model.odds.iter().filter(|(name, _)| !is_of_process(model, name));
+        others.map(|(name, odds)| (name.clone(), odds)).collect::<Vec<_>>()
+    };
+    let mut all = BTreeMap::new();
+    for (name, odds) in shared.iter().flat_map(of_effect).chain(models.iter().flat_map(of_others)) {
+        if *all.entry(name.clone()).or_insert(odds) != odds {
+            let problem = Problem::new(format!("two models give different odds to `{name}`"));
+            return Err(problem.help("write the same odds into both, or into one of them"));
+        }
+    }
+    Ok(OwnOdds::new(all))
 }
 
 /// Names of tests: those of their files, made apart.

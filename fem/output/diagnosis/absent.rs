@@ -4,10 +4,11 @@
 use super::kinds::is_grouped;
 use super::words::percent;
 use crate::diagnose::{Diagnosis, Outlook, RULED_OUT};
+use crate::input::Grows;
 use crate::output::block::Block;
 use crate::output::fit::Short;
 use crate::output::number;
-use crate::process::{Description, Neutral, ON_TRIAL};
+use crate::process::{Description, Neutral, ON_TRIAL, Parameter};
 
 /// Effects that are not there.
 pub struct Absent<'d> {
@@ -95,7 +96,8 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
 pub fn bound(effect: &Description, parameter: &str, smallest: f64) -> String {
     let entry = effect.parameters.iter().find(|p| p.name == parameter);
     let unit = entry.map(|p| p.kind.unit).unwrap_or_default();
-    let sign = if entry.is_some_and(|p| p.neutral == Neutral::Infinity) { "<=" } else { ">=" };
+    let is_soft = |p: &Parameter| matches!(p.neutral, Neutral::Infinity | Neutral::Written(_, Grows::Inversely));
+    let sign = if entry.is_some_and(is_soft) { "<=" } else { ">=" };
     let told = match entry.map(|p| p.neutral) {
         // A factor of 1.00042 is told by what it differs from 1.
         Some(Neutral::Value(neutral)) if neutral != 0.0 && smallest != neutral => {

@@ -93,6 +93,7 @@ impl Answer for DiagnosisAnswer<'_> {
             "observations": data.len(),
             "observations_used": d.rows,
             "cautions": d.cautions,
+            "odds": data.model.odds.iter().map(|(name, odds)| (name.to_string(), json!(odds))).collect::<Map<_, _>>(),
             "noise": super::comparison::noise(&d.noise, kind),
             "measurement": measurement::json(&data.terms, &*data.model.process, Some(data)),
             "before": goodness(&d.before, kind),

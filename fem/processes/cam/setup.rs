@@ -6,6 +6,7 @@ use super::guide::wheel_rate;
 use super::profile::{self, Drawn, Profile, Segment, turn};
 use super::program::Program;
 use crate::input::Reader;
+use crate::process::estimates::CUTTING_FORCE;
 use crate::process::Spot;
 use crate::units::{FORCE_PER_RATE, LENGTH, MICRO};
 
@@ -63,7 +64,7 @@ impl Setup {
                 t.quantity("stock", MICRO, "thickness of the layer that a turn takes off").positive().optional();
             let about =
                 "normal force per removal rate, which grinding-deflection needs; for the whole width of the cam";
-            (stock, t.quantity("force_per_rate", FORCE_PER_RATE, about).positive().optional())
+            (stock, t.quantity("force_per_rate", FORCE_PER_RATE, about).estimated(CUTTING_FORCE).positive().optional())
         });
         let (stock, force_per_rate) = cut.unwrap_or_default();
         let points = model.optional_table("measurement", "where the cam is predicted", |t| {

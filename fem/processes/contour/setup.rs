@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::drive::{self, Drive, Feedback};
 use super::path::{Direction, Path, dot};
 use crate::input::Reader;
+use crate::process::estimates::{self, CUTTING_FORCE};
 use crate::units::{ANGLE, FEED_RATE, FORCE, FREQUENCY, GAIN, LENGTH, MICRO};
 
 /// Most corners of a polygon: more than any has.
@@ -64,14 +65,14 @@ impl Setup {
             let about = "where positions are measured: on the motor, or by a scale on the slide, which sees the screw";
             let feedback = t.choice("feedback", about, Feedback::WORDS).or_first(Feedback::Motor);
             let about = "frequency at which the drives stick and slip; only for stick-slip";
-            let frequency = t.quantity("frequency", FREQUENCY, about).positive().optional();
+            let frequency = t.quantity("frequency", FREQUENCY, about).estimated(estimates::FREQUENCY).positive().optional();
             (gain, drive::read(t, lead.optional()), feedback, frequency)
         });
         let force = model.optional_table("cut", "the cut, if there is one", |t| {
             let about = "force on the tool across the path, positive outwards";
-            let normal = t.quantity("normal_force", FORCE, about).or(0.0);
+            let normal = t.quantity("normal_force", FORCE, about).estimated(CUTTING_FORCE).or(0.0);
             let about = "force on the tool that holds it back along the path";
-            [normal, t.quantity("tangential_force", FORCE, about).or(0.0)]
+            [normal, t.quantity("tangential_force", FORCE, about).estimated(CUTTING_FORCE).or(0.0)]
         });
         let tolerance = model.optional_table("tolerance", "what the contour is held against", |t| {
             t.quantity("deviation", MICRO, "largest deviation allowed on either side").positive().required()

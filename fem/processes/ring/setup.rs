@@ -8,6 +8,7 @@ use super::response::{MeshSize, Proportions, Response};
 use crate::input::{Cache, Reader};
 use crate::material::Material;
 use crate::mesh::Mesh;
+use crate::process::estimates::{CLAMPING_FORCE, CUTTING_FORCE};
 use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
 
 /// Most elements: more than any ring needs, some seconds and 800 MB.
@@ -100,12 +101,13 @@ impl Setup {
         });
         let (jaws, jaw_force) = model.table("chuck", "the chuck that holds the ring by its outside", |t| {
             let jaws = t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
-            (jaws, t.quantity("jaw_force", FORCE, "radial force of each jaw").not_negative().required())
+            let force = t.quantity("jaw_force", FORCE, "radial force of each jaw").estimated(CLAMPING_FORCE);
+            (jaws, force.not_negative().required())
         });
         let cut = model.optional_table("cut", "how the bore is cut", |t| {
             let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while boring").not_negative();
             let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
-            (speed.optional(), force.positive().optional())
+            (speed.optional(), force.estimated(CUTTING_FORCE).positive().optional())
         });
         let (spindle_speed, force_per_depth) = cut.unwrap_or_default();
         let body = read_body(model, jaws, radii);

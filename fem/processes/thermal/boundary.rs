@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::source;
 use crate::input::{Along, Reader};
+use crate::process::estimates;
 use crate::solve::rod::{History, Power};
 use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, SPEED, TEMPERATURE};
 
@@ -72,15 +73,16 @@ impl Boundary {
 
 impl Condition {
     fn read(t: &Reader, run: Along) -> Self {
-        let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").optional_varying(run).map(History::from);
+        let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").estimated(estimates::POWER).optional_varying(run).map(History::from);
         let on = source::read_on(t, &[]);
-        let coefficient = t.quantity("convection", CONVECTION, "film coefficient of a loss").not_negative().optional();
+        let coefficient = t.quantity("convection", CONVECTION, "film coefficient of a loss").estimated(estimates::FILM);
+        let coefficient = coefficient.not_negative().optional();
         let ambient = temperature(t, "ambient", "of what it is lost to; the environment if left out", run);
         let held = temperature(t, "temperature", "that the edge is held at", run);
         let moving = t.optional_table("moving", "a strip of flux that moves along the edge", |t| Self::Moving {
             speed: t.quantity("speed", SPEED, "of the strip, toward growing x or y").required(),
             width: t.quantity("width", LENGTH, "of the strip").positive().required(),
-            flux: t.quantity("flux", HEAT_FLUX, "heat that flows in under it").required(),
+            flux: t.quantity("flux", HEAT_FLUX, "heat that flows in under it").estimated(estimates::POWER).required(),
             from: t.quantity("from", LENGTH, "where its middle is at the start").or(0.0),
         });
         let given = [flux.is_some(), coefficient.is_some(), held.is_some(), moving.is_some()];
@@ -120,7 +122,7 @@ pub fn refuse_contradictions(model: &Reader, boundaries: &[Boundary]) {
 
 /// A temperature (K) of an edge or beside it, constant or recorded.
 fn temperature(t: &Reader, key: &'static str, about: &'static str, run: Along) -> Option<History> {
-    let given = t.quantity(key, TEMPERATURE, about).optional_varying(run)?;
+    let given = t.quantity(key, TEMPERATURE, about).estimated(estimates::TEMPERATURE).optional_varying(run)?;
     refuse_impossible(t, key, given.least());
     Some(History::from(given))
 }

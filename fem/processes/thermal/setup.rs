@@ -8,6 +8,7 @@ use super::source;
 use super::steps::Steps;
 use crate::input::{Along, Reader};
 use crate::material::Material;
+use crate::process::estimates;
 use crate::solve::conduction::Scheme;
 use crate::solve::rod::{History, Known, PointSource};
 use crate::units::{LENGTH, TEMPERATURE, TEMPERATURE_RISE, TIME};
@@ -72,7 +73,7 @@ impl Setup {
         let (material, body, own_start) = model.table("body", "the body that is heated", |t| {
             let (material, body) = (Material::read(t, "material"), Body::read(t));
             let start = t.quantity("temperature", TEMPERATURE, "at the start; that of the surroundings if left out");
-            let start = start.optional();
+            let start = start.estimated(estimates::TEMPERATURE).optional();
             refuse_impossible(t, "temperature", start.unwrap_or(0.0));
             (material, body, start.map(|start| (start, t.is_uncertain("temperature"))))
         });
@@ -87,7 +88,7 @@ impl Setup {
         boundary::refuse_contradictions(model, &boundaries);
         let ambient = model.table("environment", "what is around the body", |t| {
             let about = "of the surroundings, and of a body that has none of its own at the start";
-            let ambient = t.quantity("temperature", TEMPERATURE, about).varying(run);
+            let ambient = t.quantity("temperature", TEMPERATURE, about).estimated(estimates::TEMPERATURE).varying(run);
             refuse_impossible(t, "temperature", ambient.least());
             (History::from(ambient), t.is_uncertain("temperature"))
         });

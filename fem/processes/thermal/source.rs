@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use crate::input::{Along, Reader, Varying};
+use crate::process::estimates;
 use crate::solve::rod::{Heater, History, PointSource, Power, Pulse};
 use crate::units::{CONDUCTANCE, FACTOR, HEAT, HEAT_CAPACITY, LENGTH, POWER, TIME};
 
@@ -22,8 +23,9 @@ pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
             "let the heat in through an edge: [[boundary]] with flux",
         );
     }
-    let power = t.quantity("power", POWER, "heat that it gives").optional_varying(run);
-    let whole = t.quantity("heat", HEAT, "all the heat that it gives while it is on, instead of a power").optional();
+    let power = t.quantity("power", POWER, "heat that it gives").estimated(estimates::POWER).optional_varying(run);
+    let whole = t.quantity("heat", HEAT, "all the heat that it gives while it is on, instead of a power");
+    let whole = whole.estimated(estimates::POWER).optional();
     let factors = t.quantities("pulses", FACTOR, "part of the power that each interval of `on` has; 1 if left out");
     let on = read_on(t, factors.as_deref().unwrap_or_default());
     if let Some(factors) = factors
@@ -79,8 +81,10 @@ pub fn read_on(t: &Reader, factors: &[f64]) -> Vec<Pulse> {
 /// The heater that a source warms first.
 fn read_heater(t: &Reader, body: &Body) -> Option<Heater> {
     let about = "of a heater that the power warms first; none if left out";
-    let heat_capacity = t.quantity("heat_capacity", HEAT_CAPACITY, about).positive().optional();
-    let contact = t.quantity("contact", CONDUCTANCE, "from that heater to the body").positive().optional();
+    let heat_capacity = t.quantity("heat_capacity", HEAT_CAPACITY, about).estimated(estimates::HEATER);
+    let heat_capacity = heat_capacity.positive().optional();
+    let contact = t.quantity("contact", CONDUCTANCE, "from that heater to the body").estimated(estimates::CONDUCTANCE);
+    let contact = contact.positive().optional();
     if heat_capacity.is_some() != contact.is_some() {
         let given = if heat_capacity.is_some() { "heat_capacity" } else { "contact" };
         let message = "a heater has a heat capacity and a contact with the body";

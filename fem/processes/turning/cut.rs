@@ -2,6 +2,7 @@
 
 use super::schedule::Pass;
 use crate::input::{Along, Reader, Varying};
+use crate::process::estimates::CUTTING_FORCE;
 use crate::units::{FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
 
 /// Depth and force of the cut.
@@ -92,11 +93,11 @@ impl Cut {
 
 /// Reads the force of a cut over a stretch of the shaft, m.
 fn read_force(t: &Reader, needed: [f64; 2]) -> Force {
-    let given = t.quantity("radial_force", FORCE, "radial force of the cut").not_negative();
+    let given = t.quantity("radial_force", FORCE, "radial force of the cut").estimated(CUTTING_FORCE).not_negative();
     let given = given.optional_varying(Along { name: "x", kind: LENGTH, needed });
     let law = t.optional_table("force", "P = C·s^y·t^x·HB^n in N, s in mm/rev, t in mm", |t| {
         let number = |key, about| t.quantity(key, NUMBER, about);
-        let coefficient = number("C", "coefficient C").positive().required();
+        let coefficient = number("C", "coefficient C").estimated(CUTTING_FORCE).positive().required();
         let depth_exponent = number("x", "exponent of the depth").within(0.0, 1.0).required();
         let feed_exponent = number("y", "exponent of the feed; 0 where the force does not depend on it");
         let feed_exponent = feed_exponent.not_negative().required();

@@ -11,6 +11,7 @@
 use super::cut::{Conditions, Cut, Force};
 use super::schedule::Pass;
 use crate::input::{Reader, Varying};
+use crate::process::estimates::CUTTING_FORCE;
 use crate::process::{BlankProfile, BlankWords, Wave};
 use crate::units::{ANGLE, FEED, FORCE, LENGTH, SPINDLE_SPEED};
 
@@ -73,7 +74,8 @@ impl EarlierPass {
         let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed; that of [cut] if left out").positive();
         let spindle_speed = speed.or(last.spindle_speed);
         let given =
-            t.quantity("radial_force", FORCE, "radial force at that depth; by [cut] if left out").not_negative();
+            t.quantity("radial_force", FORCE, "radial force at that depth; by [cut] if left out").estimated(CUTTING_FORCE);
+        let given = given.not_negative();
         let force = match (given.optional(), &cut.force) {
             (Some(force), _) => (Varying::Constant(force), depth),
             (None, Force::Law(law)) => (Varying::Constant(law.force(depth, feed)), depth),

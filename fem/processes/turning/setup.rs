@@ -11,7 +11,7 @@ use super::schedule::Schedule;
 use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
 use crate::material::Material;
-use crate::process::Segment;
+use crate::process::{Segment, estimates};
 use crate::solve::{Hold, Rest, Shaft};
 use crate::units::{LENGTH, STIFFNESS};
 
@@ -239,7 +239,8 @@ impl Setup {
 
 fn read_rest(t: &Reader, length: f64) -> Rest {
     let at = t.quantity("at", LENGTH, "distance from the headstock").positive().required();
-    let stiffness = t.quantity("stiffness", STIFFNESS, "stiffness of the rest").positive().required();
+    let stiffness = t.quantity("stiffness", STIFFNESS, "stiffness of the rest").estimated(estimates::STIFFNESS);
+    let stiffness = stiffness.positive().required();
     if at > length {
         t.problem(
             "at",
@@ -247,13 +248,15 @@ fn read_rest(t: &Reader, length: f64) -> Rest {
             format!("the shaft is {} long", LENGTH.format(length)),
         );
     }
-    let offset = t.quantity("offset", LENGTH, "how far it stands out of line, away from the tool").or(0.0);
+    let offset = t.quantity("offset", LENGTH, "how far it stands out of line, away from the tool");
+    let offset = offset.estimated(estimates::ALIGNMENT).or(0.0);
     Rest { at, stiffness, offset }
 }
 
 /// P(l³/3EI + l/κGA) per unit force, without shear in slender beams, m/N.
 fn read_holder(t: &Reader, beam: BeamTheory) -> f64 {
-    let overhang = t.quantity("overhang", LENGTH, "free length of the holder").positive().required();
+    let overhang = t.quantity("overhang", LENGTH, "free length of the holder").estimated(estimates::OVERHANG);
+    let overhang = overhang.positive().required();
     let width = t.quantity("width", LENGTH, "width, across the force").positive().required();
     let height = t.quantity("height", LENGTH, "height, along the force").positive().required();
     let material = Material::read(t, "material");
