@@ -7,6 +7,7 @@
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
+use super::change;
 use super::confounding::EQUAL_FIT;
 use super::instrument::{self, Proposal, criterion, minus_two_log};
 use super::lead::{fit_with, starts, without};
@@ -109,7 +110,9 @@ fn effects_instead<'a>(
     let data = best.objective.data;
     let term = &best.objective.noise.terms[number];
     let Some(rest) = without_term(best, number, repeats) else { return Vec::new() };
-    let is_absent = |i: &usize| !best.members.contains(i);
+    let members = || best.members.iter().map(|m| &found.candidates[*m].effect);
+    let may_change = |i: &usize| change::has_its_effect(&found.candidates[*i].effect, data.model, members());
+    let is_absent = |i: &usize| !best.members.contains(i) && may_change(i);
     let absent: Vec<Description> =
         (0..found.candidates.len()).filter(is_absent).map(|i| found.candidates[i].effect.clone()).collect();
     let candidates = sensitivity::candidates(&rest.objective, &rest.solution, &absent);

@@ -39,5 +39,6 @@ fn value_on_trial(model: &Model, quantity: &Parameter) -> Option<Description> {
         odds: ODDS,
         parameters: vec![entry.on_trial(quantity.kind.from_si(quantity.quantity.value), FACTOR)].into(),
         look_alikes: &[],
+        changes: None,
     })
 }

@@ -36,7 +36,7 @@ use crate::diagnose::{Believed, Cause, Diagnosis, GoodnessOfFit, Group, Missing,
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
-use crate::process::{Description, ON_TRIAL};
+use crate::process::{Description, ON_TRIAL, Parameter};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -181,7 +181,7 @@ fn missing(missing: &Missing, data: &Data) -> Json {
             Some((effect, by, observable, records, from_line, along, period))
         }
     };
-    json!({
+    let mut told = json!({
         "effect": missing.effect.name,
         "kind": kind_of(&missing.effect),
         "written": match missing.cause {
@@ -208,7 +208,16 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "bend": missing.bend.as_ref().map(|b| json!({ "along": b.along, "share": b.share })),
-    })
+    });
+    if let Some(changes) = &missing.effect.changes {
+        let changed = missing.effect.parameters.iter().filter(|p| !p.is_step).zip(&missing.before);
+        let value = |(p, si): (&Parameter, &f64)| {
+            (p.name.to_string(), json!({ "value": finite(p.kind.from_si(*si)), "unit": p.kind.unit }))
+        };
+        told["changes"] = json!(changes);
+        told["before"] = changed.map(value).collect::<Map<_, _>>().into();
+    }
+    told
 }
 
 fn estimate(e: &Estimate) -> Json {

@@ -27,6 +27,13 @@ pub fn as_written(missing: &Missing) -> Option<String> {
     Some(format!("written as {:.4} {}", Short(kind.from_si(written)), kind.unit).trim_end().into())
 }
 
+/// Of the change of an effect, the value that its parameter had before, by the parameter's name: `60 -> `.
+pub fn value_before(missing: &Missing, name: &str) -> Option<String> {
+    let changed = missing.effect.parameters.iter().filter(|p| !p.is_step);
+    let (parameter, before) = changed.zip(&missing.before).find(|(p, _)| p.name == *name)?;
+    Some(format!("{:.4} -> ", Short(parameter.kind.from_si(*before))))
+}
+
 /// What a missing effect does to the rows, `moves the rows by up to`, and its size, `38.0 um`.
 pub fn largest_change(missing: &Missing, data: &Data) -> Option<[String; 2]> {
     let change = missing.largest_change.as_ref()?;
