@@ -5,9 +5,9 @@ use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
 use fem::progress::Progress;
-use generator::TURNING;
 use generator::turning::changed;
 use generator::turning::corrected::{self, CORRECTION};
+use generator::{NoiseKind, TURNING, Trouble};
 
 use crate::score;
 
@@ -83,12 +83,7 @@ fn count_changed(lambda: f64, seeds: impl Iterator<Item = u64>) -> Found {
         let effect = format!("{}.changed", case.effect);
         let [before, behind] = case.stiffness;
         let name = format!("λ {lambda} {seed}, {before:.1} to {behind:.1} N/um");
-        if let Some(directory) = std::env::var_os("FEM_MISSES") {
-            let path = std::path::Path::new(&directory).join(format!("changed {lambda} {seed}"));
-            std::fs::create_dir_all(&path).unwrap();
-            std::fs::write(path.join("model.toml"), &case.model).unwrap();
-            std::fs::write(path.join("data.csv"), &case.data).unwrap();
-        }
+        keep(&format!("changed {lambda} {seed}"), &case.model, &case.data);
         found.count(&diagnosed(case.model, case.data), (&effect, case.after as f64), &name);
     }
     found
@@ -142,4 +137,37 @@ fn a_correction_does_not_hide_the_wear_of_a_whole_machine() {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low) * 3.0 / 1.96);
         assert!((1e-6 * CORRECTION.1 - middle).abs() < half, "{seed}: {low:e} to {high:e}");
     }
+}
+
+/// Counts shafts that were measured with a step of the instrument and with nothing missing: all of them, and those in
+/// which a step is named or stands in the class of what is.
+fn count_steps(seeds: impl Iterator<Item = u64>) -> [usize; 2] {
+    let cases = seeds.map(|seed| (TURNING.nothing_but(Some(Trouble::Step), seed), seed));
+    let told = cases.filter(|(case, _)| case.truth.noise == NoiseKind::Column).map(|(case, seed)| {
+        let diagnosis = score::diagnosis(&case).unwrap();
+        let classes: Vec<Vec<&str>> = diagnosis.missing.iter().map(score::class).collect();
+        let is_told = classes.iter().any(|class| class.contains(&"jump"));
+        if !is_told {
+            println!("step {seed}: {classes:?}");
+            keep(&format!("step {seed}"), &case.model, &case.data);
+        }
+        usize::from(is_told)
+    });
+    told.fold([0, 0], |[all, some], told| [all + 1, some + told])
+}
+
+#[test]
+#[ignore = "minutes long; prints the rate of README.md"]
+fn the_whole_of_steps() {
+    let [all, told] = count_steps((1000..1060).step_by(crate::every()));
+    println!("a step of the instrument: told in {told} of {all}");
+}
+
+/// Keeps a case that went wrong, where `FEM_MISSES` says so.
+fn keep(name: &str, model: &str, data: &str) {
+    let Some(directory) = std::env::var_os("FEM_MISSES") else { return };
+    let folder = std::path::Path::new(&directory).join(name);
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("model.toml"), model).unwrap();
+    std::fs::write(folder.join("data.csv"), data).unwrap();
 }

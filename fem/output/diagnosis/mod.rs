@@ -20,7 +20,7 @@ pub(super) use text::{
     errors, experiment, next_measurement, separated, separated_pairs, separations, told_apart, unexplained,
 };
 pub(super) use verdict::verdict;
-pub(super) use words::{bent, chance, label, largest_change, traits};
+pub(super) use words::{bent, chance, changed, label, largest_change, traits};
 
 use serde_json::{Map, Value as Json, json};
 
