@@ -122,9 +122,12 @@ pub fn conclude(
         false => Vec::new(),
     };
     for own in &look_alikes {
-        // What is not certain has its group.
-        let is_rival =
-            |m: &Missing| m.probability >= CERTAIN || posterior.are_grouped(&own.cause.name, &own.other.name);
+        // What is not certain has its group; a step of the machine is always held against one of the instrument.
+        let is_rival = |m: &Missing| {
+            m.probability >= CERTAIN
+                || m.effect.is_step()
+                || posterior.are_grouped(&own.cause.name, &own.other.name)
+        };
         let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name && is_rival(m));
         if let Some(named) = named.filter(|m| m.indistinguishable_from.iter().all(|o| o.name != own.other.name)) {
             named.indistinguishable_from.push(own.other.clone());

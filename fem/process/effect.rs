@@ -206,6 +206,12 @@ pub struct Active {
 }
 
 impl Description {
+    /// Whether it is a step: something that is otherwise from a place in a series on.
+    #[doc(hidden)]
+    pub fn is_step(&self) -> bool {
+        self.parameters.iter().any(|parameter| parameter.is_step)
+    }
+
     /// Name for people: with the observable, where several effects have the name.
     pub fn label(&self) -> Cow<'static, str> {
         match &self.observable {
