@@ -16,7 +16,10 @@ pub fn changes(data: &Data, absent: &[Description]) -> Vec<Description> {
     let present = data.model.effects.iter().map(|effect| &effect.description);
     let is_stated = |d: &Description| present.clone().any(|own| own.name == name_of_change(&d.name));
     let may_change = |d: &&Description| {
-        d.changes.is_none() && process.carried_over(&d.name).is_none() && d.parameters.iter().any(is_size) && !is_stated(d)
+        d.changes.is_none()
+            && process.carried_over(&d.name).is_none()
+            && d.parameters.iter().any(is_size)
+            && !is_stated(d)
     };
     present.clone().chain(absent).filter(may_change).map(|d| change_of(d, along, is_size)).collect()
 }

@@ -124,9 +124,7 @@ pub fn conclude(
     for own in &look_alikes {
         // What is not certain has its group; a step of the machine is always held against one of the instrument.
         let is_rival = |m: &Missing| {
-            m.probability >= CERTAIN
-                || m.effect.is_step()
-                || posterior.are_grouped(&own.cause.name, &own.other.name)
+            m.probability >= CERTAIN || m.effect.is_step() || posterior.are_grouped(&own.cause.name, &own.other.name)
         };
         let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name && is_rival(m));
         if let Some(named) = named.filter(|m| m.indistinguishable_from.iter().all(|o| o.name != own.other.name)) {

@@ -139,7 +139,9 @@ impl Variant {
         let mut neutral = Vec::with_capacity(self.linear.len());
         for parameter in &self.linear {
             let (own, was) = (first + parameter.parameter, self.position[parameter.parameter]);
-            let is = objective.unchanged(own, &position[..first]).map_or(was, |_| objective.neutral_at(own, &position[..first]));
+            let is = objective
+                .unchanged(own, &position[..first])
+                .map_or(was, |_| objective.neutral_at(own, &position[..first]));
             if is != was {
                 let variable = &objective.variables[own];
                 position[own] = (position[own] - was + is).clamp(variable.low, variable.high);
@@ -199,8 +201,9 @@ struct Probe<'a, 'm> {
 impl Probe<'_, '_> {
     fn variants(&self, effect: &Description) -> Vec<Variant> {
         let own = self.base.position.len();
-        let neutral: Vec<f64> =
-            (own..own + self.variables.len()).map(|i| self.trial.neutral_at(i, self.base.position.as_slice())).collect();
+        let neutral: Vec<f64> = (own..own + self.variables.len())
+            .map(|i| self.trial.neutral_at(i, self.base.position.as_slice()))
+            .collect();
         let nonlinear: Vec<usize> =
             (0..neutral.len()).filter(|i| effect.parameters[*i].neutral == Neutral::Shape).collect();
         let wave = wave(effect);

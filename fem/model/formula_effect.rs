@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use crate::formula::{Formula, FormulaError};
 use crate::input::{Bounds, Name, Reader, did_you_mean};
 use crate::process::{
-    Active, Belongs, CHANGED, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter, Process, formula_effect,
+    Active, Belongs, CHANGED, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter, Process,
+    formula_effect,
 };
 use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, UnitSymbol, unit_text};
 

@@ -178,7 +178,8 @@ fn rows_beyond_a_change_are_those_of_the_other_machine() {
 fn a_change_is_added_set_and_left_out() {
     let place = Place::new();
     place.write("model.toml", yielding("60 N/um", "# the last word\n"));
-    let add = ["add", "model.toml", "headstock-compliance.changed", "after=4", "stiffness=45 +- 3 N/um", "-o", "a.toml"];
+    let add =
+        ["add", "model.toml", "headstock-compliance.changed", "after=4", "stiffness=45 +- 3 N/um", "-o", "a.toml"];
     assert_eq!(place.fem(&add).status, 0);
     let added = place.read("a.toml");
     let table = "[effects.headstock-compliance.changed]\nafter = 4.0\nstiffness = \"45 +- 3 N/um\"\n";
@@ -196,7 +197,11 @@ const WRONG_CHANGES: &[(&str, &str, &str)] = &[
     ("[effects.tool-wear.changed]\nafter = 4\nrate = \"3 um/km\"", "wears on from part to part", "remove this table"),
     ("[effects.headstock-compliance.changed]\nafter = 4", "changes nothing", "stiffness"),
     ("[effects.headstock-compliance.changed]\nstiffness = \"45 N/um\"", "`after` is missing", "after = "),
-    ("[effects.headstock-compliance.changed]\nafter = 4\nstifness = \"45 N/um\"", "`stifness` is no key", "`stiffness`"),
+    (
+        "[effects.headstock-compliance.changed]\nafter = 4\nstifness = \"45 N/um\"",
+        "`stifness` is no key",
+        "`stiffness`",
+    ),
     ("[effects.headstock-compliance.changed]\nafter = 4\nstiffness = \"45 um\"", "`um` measures a length", "N/um"),
 ];
 
