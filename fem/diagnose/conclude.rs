@@ -26,7 +26,7 @@ use crate::input::ParameterId;
 use crate::measure::Repeats;
 use crate::model::OwnOdds;
 use crate::noise::is_round_off;
-use crate::process::Failure;
+use crate::process::{Description, Failure};
 
 /// Makes the diagnosis of the result of a search.
 ///
@@ -124,9 +124,10 @@ pub fn conclude(
         false => Vec::new(),
     };
     for own in &look_alikes {
-        // What is not certain has its group.
-        let is_rival =
-            |m: &Missing| m.probability >= CERTAIN || posterior.are_grouped(&own.cause.name, &own.other.name);
+        // What is not certain has its group; a step of the machine is always held against one of the instrument.
+        let is_rival = |m: &Missing| {
+            m.probability >= CERTAIN || m.effect.is_step() || posterior.are_grouped(&own.cause.name, &own.other.name)
+        };
         let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name && is_rival(m));
         if let Some(named) = named.filter(|m| m.indistinguishable_from.iter().all(|o| o.name != own.other.name)) {
             named.indistinguishable_from.push(own.other.clone());
@@ -250,9 +251,15 @@ fn missing(
     };
     let mut rest = best.clone();
     while !rest.members.is_empty() {
+        let is_changed = |m: &usize| {
+            let name = &found.candidates[*m].effect.name;
+            rest.members.iter().any(|other| found.candidates[*other].effect.changes.as_ref() == Some(name))
+        };
+        // What changes comes before its change.
         let smaller = rest
             .members
             .iter()
+            .filter(|m| !is_changed(m))
             .filter_map(|m| lead::without(&found.base, &found.candidates, &rest, *m).map(|t| (*m, t)));
         let Some((last, mut next)) = smaller.min_by(|a, b| a.1.solution.chi2.total_cmp(&b.1.solution.chi2)) else {
             break;
@@ -267,6 +274,7 @@ fn missing(
         let own_paths: Vec<ParameterId> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
             cause: findings::cause(&effect),
+            before: before(best, &effect),
             probability: posterior.of(&effect.name),
             effect,
             goodness: goodness(&rest),
@@ -287,6 +295,14 @@ fn missing(
     list
 }
 
+/// The values (SI) that what an effect changes has before, in the order of the effect's parameters; none where it is no
+/// change.
+fn before(best: &CandidateModel, effect: &Description) -> Vec<f64> {
+    let number = |path: ParameterId| best.objective.parameters.iter().position(|p| p.path == path);
+    let numbers = effect.parameters.iter().filter(|p| !p.is_step).filter_map(|p| number(effect.path(p)));
+    numbers.filter_map(|i| best.objective.unchanged(i, best.solution.position.as_slice())).collect()
+}
+
 /// Evaluates every candidate effect; detection limits hold in nine tenths of the weight of all sets that may be true.
 fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance, posterior: &Posterior) -> Vec<Outlook> {
     let threshold = found.null_distribution.quantile(SIGNIFICANCE);
@@ -301,6 +317,7 @@ fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance, pos
         // What was not tried for want of time would not have been found.
         let is_tried = single.is_some() || !best.objective.data.progress.is_over();
         let without = projections.iter().filter(|own| is_tried && !own.members.contains(&number));
+        let without = without.filter(|_| candidate.effect.changes.is_none());
         let limit = |own: &Projection| Some((own.criterion, detection_limit(&own.residual, candidate, threshold)?));
         let gained = single.as_ref().map_or(0.0, |t| found.base.solution.chi2 - t.solution.chi2);
         let measured =
@@ -315,6 +332,11 @@ fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance, pos
         }
     };
     let mut all: Vec<Outlook> = (0..found.candidates.len()).into_par_iter().map(outlook).collect();
+    // That nothing changed is no news.
+    let is_told = |name: &str| best.members.iter().any(|m| found.candidates[*m].effect.name == *name);
+    all.retain(|own| {
+        own.effect.changes.is_none() || is_told(&own.effect.name) || own.probability >= super::posterior::RULED_OUT
+    });
     all.sort_by(|a, b| a.delta_bic.total_cmp(&b.delta_bic));
     all
 }

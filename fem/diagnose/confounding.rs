@@ -5,6 +5,7 @@ use nalgebra::DVector;
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
+use super::change;
 use super::gain::{Gain, gain};
 use super::laplace;
 use super::lead::{bare, fit_with, promising, starts, without};
@@ -122,7 +123,10 @@ fn confounding<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, member: 
         let trial = fit_with(&bare, candidate, stranger, &starts)?;
         alternative(best, trial, candidate).filter(Alternative::is_equal)
     };
-    let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i));
+    let members = || best.members.iter().map(|m| &found.candidates[*m].effect);
+    let may_change =
+        |i: &usize| change::has_its_effect(&found.candidates[*i].effect, best.objective.data.model, members());
+    let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i)).filter(may_change);
     let mut alternatives: Vec<Alternative<'a>> = others.filter_map(stand_in).collect();
     alternatives.sort_by(|a, b| a.delta_chi2.total_cmp(&b.delta_chi2));
     Some(Confounding { candidate: member, chi2_without: without.solution.chi2, alternatives })

@@ -144,6 +144,10 @@ pub struct Missing {
     pub cause: Cause,
     /// The effect.
     pub effect: Description,
+    /// Of the change of an effect: the values (SI) before it, in the order of its parameters behind the number after
+    /// which it changed. Empty of any other effect.
+    #[doc(hidden)]
+    pub before: Vec<f64>,
     /// Probability that it is there, over all sets of effects that were weighed.
     pub probability: f64,
     /// Goodness of fit of the model with this and the effects before it.

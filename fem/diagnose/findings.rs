@@ -67,6 +67,7 @@ pub fn missing_effects(
                 from_line: term.effect.has(FROM).then(|| term.rows.first().map(|r| data.line(*r))).flatten(),
             },
             effect: instrument::description(term, data),
+            before: Vec::new(),
             probability: posterior.of(term.effect.name),
             goodness: GoodnessOfFit::of(&grown, repeats, None),
             // At the edge of its range the size of a term has half of χ² with one degree of freedom.

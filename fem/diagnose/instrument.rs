@@ -170,5 +170,6 @@ pub fn description(term: &Term, data: &Data) -> Description {
         odds: Odds::of(ADJUSTED, "instruments are adjusted"),
         parameters: vec![parameter].into(),
         look_alikes: &[],
+        changes: None,
     }
 }

@@ -7,7 +7,7 @@ use super::gain::Gain;
 use super::moves::{SEARCHING, apart, best_first};
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
-use crate::fit::{Objective, SearchVariable, Solution, StoppingCriterion, minimise, resume};
+use crate::fit::{Objective, Solution, StoppingCriterion, minimise, resume};
 
 /// Starts of a re-fit: the best variants of an effect, each of another neighbourhood.
 const STARTS: usize = 2;
@@ -27,14 +27,14 @@ struct Start {
 }
 
 impl Start {
-    /// Starts where a set stands, with an effect more, whose variables come last among `variables`.
-    fn new(parent: &CandidateModel, variant: &Variant, amplitudes: &[f64], variables: &[SearchVariable]) -> Self {
-        let from = &parent.solution.position;
-        let first = from.len();
-        let own = variant.position(amplitudes, &variables[first..]);
-        let linear = variant.linear.iter().map(|s| (first + s.parameter, variant.position[s.parameter])).collect();
-        let position = DVector::from_iterator(first + own.len(), from.iter().copied().chain(own));
-        Self { position, linear }
+    /// Starts where a set stands, with an effect more, whose variables come last in the objective.
+    fn new(parent: &CandidateModel, variant: &Variant, amplitudes: &[f64], objective: &Objective) -> Self {
+        let mut position: Vec<f64> = parent.solution.position.iter().copied().collect();
+        let first = position.len();
+        position.extend(variant.position(amplitudes, &objective.variables[first..]));
+        let from = variant.moved(&mut position, first, objective);
+        let linear = variant.linear.iter().zip(from).map(|(s, from)| (first + s.parameter, from)).collect();
+        Self { position: DVector::from_vec(position), linear }
     }
 }
 
@@ -63,7 +63,7 @@ pub fn fit_with<'a>(
     }
     let mut best: Option<Solution> = None;
     for (variant, gain) in starts {
-        let start = Start::new(parent, &candidate.variants[*variant], &gain.amplitudes, &objective.variables);
+        let start = Start::new(parent, &candidate.variants[*variant], &gain.amplitudes, &objective);
         // A model that lacks an effect is biased away from its priors; from there the way back may be
         // barred.
         let bent = objective.prior_chi2(&start.position) > BENT;

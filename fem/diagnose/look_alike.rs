@@ -7,6 +7,7 @@
 use rayon::prelude::*;
 
 use super::candidate_model::CandidateModel;
+use super::change;
 use super::confounding::EQUAL_FIT;
 use super::instrument::{self, Proposal, criterion, minus_two_log};
 use super::lead::{fit_with, starts, without};
@@ -16,7 +17,7 @@ use super::search::SearchResult;
 use super::sensitivity;
 use crate::fit::{StoppingCriterion, minimise, resume};
 use crate::measure::Repeats;
-use crate::noise::{Acts, Noise, Shape, Term};
+use crate::noise::{Acts, FROM, Noise, Shape, Term};
 use crate::process::Description;
 
 /// Rise of −2 ln L to first order beyond which an effect is not fitted in the place of a term.
@@ -71,15 +72,22 @@ fn terms_instead<'a>(
 ) -> Vec<LookAlike<'a>> {
     let Some(rest) = without(&found.base, &found.candidates, best, member) else { return Vec::new() };
     let cause = &found.candidates[member].effect;
+    // A step of the instrument has a place and a height, as one of the machine has: they fit alike where χ² is alike,
+    // whatever the one pays as noise and the other as a cause.
+    let is_step = best.objective.noise.source.is_known() && cause.is_step();
+    let rise = |trial: &CandidateModel, term: &Term| match is_step && term.effect.has(FROM) {
+        true => behind(trial, best).min(trial.solution.chi2 - best.solution.chi2),
+        false => behind(trial, best),
+    };
     let stand_in = |(proposal, term): (Proposal, Term)| {
         let mut trial = rest.clone();
         trial.objective.noise = proposal.noise;
         trial.solution = minimise(&mut trial.objective, &rest.solution.position, &[], SEARCHING)?;
-        if behind(&trial, best) > EQUAL_FIT + FAR {
+        if rise(&trial, &term) > EQUAL_FIT + FAR {
             return None;
         }
         trial.solution = resume(&mut trial.objective, trial.solution, StoppingCriterion::FULL);
-        let rise = behind(&trial, best);
+        let rise = rise(&trial, &term);
         let other = instrument::description(&term, best.objective.data);
         (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause: cause.clone(), other, model: trial }))
     };
@@ -109,7 +117,9 @@ fn effects_instead<'a>(
     let data = best.objective.data;
     let term = &best.objective.noise.terms[number];
     let Some(rest) = without_term(best, number, repeats) else { return Vec::new() };
-    let is_absent = |i: &usize| !best.members.contains(i);
+    let members = || best.members.iter().map(|m| &found.candidates[*m].effect);
+    let may_change = |i: &usize| change::has_its_effect(&found.candidates[*i].effect, data.model, members());
+    let is_absent = |i: &usize| !best.members.contains(i) && may_change(i);
     let absent: Vec<Description> =
         (0..found.candidates.len()).filter(is_absent).map(|i| found.candidates[i].effect.clone()).collect();
     let candidates = sensitivity::candidates(&rest.objective, &rest.solution, &absent);

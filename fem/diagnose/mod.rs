@@ -7,6 +7,7 @@
 
 mod bent_law;
 mod candidate_model;
+mod change;
 mod coarseness;
 mod conclude;
 mod confounding;
@@ -97,7 +98,9 @@ fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
     progress.expect(1);
     let repeats = data.repeats();
     let extent = Extent { most, deepens: true, known: &[], progress };
-    let absent = [absent(data.model), instrument::absent_readings(data), values_on_trial(data.model)].concat();
+    let missing = absent(data.model);
+    let changes = change::changes(data, &missing);
+    let absent = [missing, instrument::absent_readings(data), values_on_trial(data.model), changes].concat();
     let absent: Vec<Description> = absent.into_iter().map(|effect| data.model.odds.put_on(effect)).collect();
     let mut objective = Objective::new(data)?;
     let mut solution = fit::best(&mut objective)?;

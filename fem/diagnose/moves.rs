@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::candidate_model::{self, CandidateModel};
+use super::change;
 use super::gain::Gain;
 use super::pairs::pairs;
 use super::residual_projection::ProjectedResidual;
@@ -61,6 +62,12 @@ pub fn moves(
     let Some(jacobian) = jacobian(parent) else { return Vec::new() };
     let mut all = Vec::new();
     for dropped in std::iter::once(None).chain(parent.members.iter().copied().map(Some)) {
+        let stays = |m: &&usize| Some(**m) != dropped;
+        let kept = || parent.members.iter().filter(stays).map(|m| &candidates[*m].effect);
+        if dropped.is_some_and(|own| kept().any(|other| other.changes.as_ref() == Some(&candidates[own].effect.name))) {
+            // What changes is there.
+            continue;
+        }
         let projected = without(parent, &jacobian, candidates, dropped);
         let size = parent.members.len() - usize::from(dropped.is_some());
         let chi2 = projected.residual.norm_squared();
@@ -79,7 +86,9 @@ pub fn moves(
         let is_absent = |i: &usize| {
             !parent.members.contains(i) && !is_unseen[*i] || dropped == Some(*i) && !candidates[*i].is_of_one_shape()
         };
-        let absent: Vec<usize> = (0..candidates.len()).filter(is_absent).collect();
+        let model = parent.objective.data.model;
+        let may_change = |i: &usize| change::has_its_effect(&candidates[*i].effect, model, kept());
+        let absent: Vec<usize> = (0..candidates.len()).filter(is_absent).filter(may_change).collect();
         let gains: Vec<Vec<(usize, Gain)>> = absent.iter().map(|i| gains(&projected, &candidates[*i])).collect();
         for (added, gains) in absent.iter().zip(&gains) {
             let starts = apart(gains, STARTS);
@@ -147,9 +156,9 @@ fn without(
             continue;
         }
         for i in own {
-            let variable = &objective.variables[i];
             if effect.is_linear(i - (first - effect.parameters)) {
-                residual.axpy(variable.neutral() - set.solution.position[i], &jacobian.column(i), 1.0);
+                let neutral = objective.neutral_at(i, set.solution.position.as_slice());
+                residual.axpy(neutral - set.solution.position[i], &jacobian.column(i), 1.0);
             }
         }
     }
@@ -249,7 +258,8 @@ impl Start {
             let first = position.len();
             let variables: &[SearchVariable] = &objective.variables[first..];
             position.extend(variant.position(amplitudes, variables));
-            linear.extend(variant.linear.iter().map(|s| (first + s.parameter, variant.position[s.parameter])));
+            let from = variant.moved(&mut position, first, objective);
+            linear.extend(variant.linear.iter().zip(from).map(|(s, from)| (first + s.parameter, from)));
             columns = columns.zip(variant.slopes(amplitudes)).map(|(mut columns, own)| {
                 columns.extend(own.column_iter().map(|column| column.into_owned()));
                 columns

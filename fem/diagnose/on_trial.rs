@@ -41,6 +41,7 @@ fn value_on_trial(model: &Model, quantity: &Parameter) -> Option<Description> {
         odds,
         parameters: vec![parameter].into(),
         look_alikes: &[],
+        changes: None,
     })
 }
 

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::candidate_model::{CandidateModel, Weighed};
+use super::change;
 use super::laplace;
 use super::lead::bare;
 use super::moves::{self, Move, Reach, SEARCHING};
@@ -123,7 +124,10 @@ pub fn search<'a>(
     let null_beside = |set: &CandidateModel| {
         progress.stretch(CHANCE, || {
             let projected = ProjectedResidual::new(&mut set.objective.clone(), &set.solution)?;
-            let others = candidates.iter().enumerate().filter(|(i, _)| !set.members.contains(i)).map(|(_, c)| c);
+            let members = || set.members.iter().map(|m| &candidates[*m].effect);
+            let is_free = |effect| change::has_its_effect(effect, set.objective.data.model, members());
+            let others = candidates.iter().enumerate().filter(|(i, c)| !set.members.contains(i) && is_free(&c.effect));
+            let others = others.map(|(_, c)| c);
             let screening = Screening::new(&projected, &others.collect::<Vec<_>>());
             Some(MaxStatistic::simulate(&screening, projected.freedom, variance))
         })
@@ -362,6 +366,12 @@ impl<'a> Pool<'_, 'a> {
         }
         let beside = |number: usize| {
             let effect = std::slice::from_ref(&self.candidates[number].effect);
+            let is_changed =
+                |m: &usize| self.candidates[*m].effect.changes.as_ref() == Some(&self.candidates[number].effect.name);
+            if best.members.iter().any(is_changed) {
+                // Beside its change it is felt in a part of the rows alone.
+                return None;
+            }
             let rest = match best.members.contains(&number) {
                 true => bare(self.base, &self.candidates, best, number)?,
                 false => best.clone(),

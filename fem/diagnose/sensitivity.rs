@@ -133,6 +133,24 @@ impl Variant {
         position
     }
 
+    /// Moves its linear parameters, which follow behind the `first` of a position, to where they stand by as much beside
+    /// neutral there: what is neutral of the change of an effect depends on where the effect stands. Gives neutral.
+    pub fn moved(&self, position: &mut [f64], first: usize, objective: &Objective) -> Vec<f64> {
+        let mut neutral = Vec::with_capacity(self.linear.len());
+        for parameter in &self.linear {
+            let (own, was) = (first + parameter.parameter, self.position[parameter.parameter]);
+            let is = objective
+                .unchanged(own, &position[..first])
+                .map_or(was, |_| objective.neutral_at(own, &position[..first]));
+            if is != was {
+                let variable = &objective.variables[own];
+                position[own] = (position[own] - was + is).clamp(variable.low, variable.high);
+            }
+            neutral.push(is);
+        }
+        neutral
+    }
+
     /// Slopes of the prediction of the rows over all parameters with these amplitudes, SI per unit of the search
     /// variables; `None` where some other shape has a share in them.
     pub fn slopes(&self, amplitudes: &[f64]) -> Option<DMatrix<f64>> {
@@ -182,7 +200,10 @@ struct Probe<'a, 'm> {
 
 impl Probe<'_, '_> {
     fn variants(&self, effect: &Description) -> Vec<Variant> {
-        let neutral: Vec<f64> = self.variables.iter().map(SearchVariable::neutral).collect();
+        let own = self.base.position.len();
+        let neutral: Vec<f64> = (own..own + self.variables.len())
+            .map(|i| self.trial.neutral_at(i, self.base.position.as_slice()))
+            .collect();
         let nonlinear: Vec<usize> =
             (0..neutral.len()).filter(|i| effect.parameters[*i].neutral == Neutral::Shape).collect();
         let wave = wave(effect);
@@ -225,6 +246,9 @@ impl Probe<'_, '_> {
             _ => vec![self.linear(first, i)],
         };
         let linear: Vec<LinearParameter> = own.flat_map(of).collect();
+        if effect.changes.is_some() {
+            return self.borders(effect, points, &linear);
+        }
         let name = format!("shapes of `{}`", effect.name);
         let mut variants = Vec::new();
         for position in points {
@@ -232,15 +256,39 @@ impl Probe<'_, '_> {
             if !variants.is_empty() && !self.trial.data.progress.permits(&name) {
                 break;
             }
-            variants.extend(self.variant(effect, position, &linear));
+            let raw = self.raw(&position, &linear);
+            variants.extend(raw.and_then(|raw| self.variant(effect, position, &linear, raw)));
         }
         variants
+    }
+
+    /// Variants of the change of an effect: what it makes of the rows is the same wherever the border lies, and nothing
+    /// up to it.
+    fn borders(&self, effect: &Description, points: Vec<Vec<f64>>, linear: &[LinearParameter]) -> Vec<Variant> {
+        let Some(step) = effect.parameters.iter().position(|p| p.is_step) else { return Vec::new() };
+        let data = self.trial.data;
+        let along = effect.parameters[step].along.as_ref();
+        let Some(column) = data.model.process.coordinates().iter().position(|c| Some(&c.name) == along) else {
+            return Vec::new();
+        };
+        let Some(mut first) = points.first().cloned() else { return Vec::new() };
+        first[step] = self.variables[step].low;
+        let Some(whole) = self.raw(&first, linear) else { return Vec::new() };
+        let numbers = &data.rows.columns[column];
+        let at = |position: Vec<f64>| {
+            let after = self.variables[step].value(position[step]);
+            let beyond = |own: &DVector<f64>| {
+                DVector::from_fn(own.len(), |row, _| if numbers[row] > after { own[row] } else { 0.0 })
+            };
+            self.variant(effect, position, linear, whole.iter().map(beyond).collect())
+        };
+        points.into_iter().filter_map(at).collect()
     }
 
     /// Tries whether a parameter is linear or quadratic, at the nonlinear parameters of `at`.
     fn linear(&self, at: &[f64], parameter: usize) -> LinearParameter {
         let variable = &self.variables[parameter];
-        let (neutral, size) = (variable.neutral(), self.size(parameter));
+        let (neutral, size) = (at[parameter], self.size(parameter));
         let both = variable.low <= neutral - size;
         // The change per unit is the same from the other side if linear and opposite if quadratic; from half
         // as far it is the same, or half.
@@ -249,6 +297,8 @@ impl Probe<'_, '_> {
             (Some(far), Some(near)) => (&far - sign * &near).norm() < SQUARE * far.norm(),
             _ => false,
         };
+        // About a value that is not zero a square has a slope.
+        let is_square = is_square && neutral == variable.neutral();
         LinearParameter { parameter, size, largest: self.largest(parameter), is_square, phase: None }
     }
 
@@ -263,9 +313,18 @@ impl Probe<'_, '_> {
         variable.unit.min(variable.high - variable.neutral())
     }
 
-    fn variant(&self, effect: &Description, position: Vec<f64>, linear: &[LinearParameter]) -> Option<Variant> {
-        let raw: Vec<DVector<f64>> =
-            linear.iter().map(|s| self.change(&s.beside(&position), s.parameter, s.size)).collect::<Option<_>>()?;
+    /// Changes of the prediction per unit of the linear parameters at a position, SI.
+    fn raw(&self, position: &[f64], linear: &[LinearParameter]) -> Option<Vec<DVector<f64>>> {
+        linear.iter().map(|s| self.change(&s.beside(position), s.parameter, s.size)).collect()
+    }
+
+    fn variant(
+        &self,
+        effect: &Description,
+        position: Vec<f64>,
+        linear: &[LinearParameter],
+        raw: Vec<DVector<f64>>,
+    ) -> Option<Variant> {
         let signed = linear.iter().map(|s| {
             let entry = &effect.parameters[s.parameter];
             let is_signed = match entry.neutral {
@@ -273,7 +332,7 @@ impl Probe<'_, '_> {
                 Neutral::Infinity => false,
                 Neutral::Value(_) | Neutral::Shape => entry.bounds == Bounds::Any && !s.is_square,
             };
-            s.phase.is_some() || is_signed
+            s.phase.is_some() || is_signed || effect.changes.is_some()
         });
         let whitened = |column: &DVector<f64>| self.trial.whiten(column.iter().copied());
         (!raw.is_empty()).then(|| Variant {

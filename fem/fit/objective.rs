@@ -194,6 +194,29 @@ impl<'a> Objective<'a> {
         self.data.model.catalogue(path).or_else(of_added)
     }
 
+    /// Where a variable stands when its effect changes nothing: at its neutral value, and that of the change of an effect
+    /// where the effect itself stands at a position.
+    pub fn neutral_at(&self, variable: usize, position: &[f64]) -> f64 {
+        let own = &self.variables[variable];
+        self.unchanged(variable, position).map_or_else(|| own.neutral(), |value| own.position(value))
+    }
+
+    /// The value (SI) that a parameter of the change of an effect has in the effect itself; `None` where it is none, or the
+    /// effect is not there.
+    pub fn unchanged(&self, variable: usize, position: &[f64]) -> Option<f64> {
+        let mut first = self.data.model.parameters.len();
+        let owner = self.added.iter().find_map(|effect| {
+            let number = variable.checked_sub(first)?;
+            first += effect.parameters.len();
+            effect.parameters.get(number).map(|parameter| (effect, parameter))
+        });
+        let (effect, parameter) = owner.filter(|(_, parameter)| !parameter.is_step)?;
+        let changes = effect.changes.as_ref()?;
+        let path = format!("{}.{changes}.{}", effect.table, parameter.name);
+        let free = self.parameters.iter().position(|p| *p.path == *path).filter(|i| *i < position.len());
+        free.map(|i| self.variables[i].value(position[i])).or_else(|| self.data.model.value(&path))
+    }
+
     /// Number of parameters with a prior.
     pub fn priors(&self) -> usize {
         self.variables.iter().filter(|a| a.prior.is_some()).count()

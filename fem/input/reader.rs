@@ -275,6 +275,11 @@ impl<'a> Reader<'a> {
         matches!(&self.ground, Ground::Given(table, _) if table.contains_key(key))
     }
 
+    /// Whether the file has a table behind this key.
+    pub fn has_table(&self, key: &'static str) -> bool {
+        matches!(&self.ground, Ground::Given(table, _) if table.get(key).is_some_and(Item::is_table_like))
+    }
+
     /// Whether the file has this key in this table of it.
     pub fn has_in(&self, table: &str, key: &str) -> bool {
         let Ground::Given(own, _) = &self.ground else { return false };

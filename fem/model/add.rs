@@ -1,9 +1,9 @@
 //! One more effect in a model.
 
-use super::{Edit, Entry, Model, effect_of};
-use crate::input::{Problem, did_you_mean};
+use super::{Edit, Entry, Model, change, effect_of};
+use crate::input::{Name, Problem, did_you_mean};
 use crate::noise::{Acts, MEASUREMENT, MeasurementEffect, Size, effects, observed, size};
-use crate::process::{Description, EFFECTS, Parameter};
+use crate::process::{CHANGED, Description, EFFECTS, Parameter, change_of, is_size};
 use crate::units::{Kind, Quantity};
 
 /// A value for a key of an effect.
@@ -52,14 +52,21 @@ pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Mod
 type Keys = Vec<(String, Entry)>;
 
 fn of_process(model: &Model, name: &str, settings: &[Setting]) -> Result<Keys, Problem> {
-    let effect = effect_of(&*model.process, name)?;
+    let (effect, names) = match name.strip_suffix(CHANGED).and_then(|own| own.strip_suffix('.')) {
+        Some(own) => change_to_add(model, own, settings)?,
+        None => {
+            let effect = effect_of(&*model.process, name)?;
+            let names = effect.parameters.iter().map(|p| p.name.clone()).collect();
+            (effect, names)
+        }
+    };
     if model.effects.iter().any(|e| e.description.name == effect.name) {
         return Err(present(name).help("edit its values in the file"));
     }
     if let Err(reason) = model.system.admits(name) {
         return Err(Problem::new(reason).help("choose an effect that can act in this model"));
     }
-    let names: Vec<&str> = effect.parameters.iter().map(|p| &*p.name).collect();
+    let names: Vec<&str> = names.iter().map(|name| &**name).collect();
     check_settings(&effect.name, &names, settings, |Setting { key, value }| {
         let Some(parameter) = effect.parameters.iter().find(|p| p.name == *key) else { return Ok(()) };
         Quantity::parse(&value.to_string(), &parameter.kind).map(drop).map_err(|e| {
@@ -68,6 +75,22 @@ fn of_process(model: &Model, name: &str, settings: &[Setting]) -> Result<Keys, P
         })
     })?;
     Ok(filled(&effect, settings))
+}
+
+/// The change of an effect that the model has, in those of its parameters that are set, or in all that say how much
+/// there is of it; also the keys that may be set.
+fn change_to_add(model: &Model, name: &str, settings: &[Setting]) -> Result<(Description, Vec<Name>), Problem> {
+    let Some(own) = model.effects.iter().find(|e| e.description.name == name) else {
+        let problem = Problem::new(format!("the model has no effect `{name}` that could change"));
+        return Err(problem.help(format!("add `{name}` first")));
+    };
+    let along = change::along(name, &*model.process)
+        .map_err(|reason| Problem::new(reason).help("an effect that is the same throughout needs no change"))?;
+    let whole = change_of(&own.description, along, |_| true);
+    let names: Vec<Name> = whole.parameters.iter().map(|p| p.name.clone()).collect();
+    let is_set = |p: &Parameter| settings.iter().any(|set| p.name == *set.key);
+    let is_any_set = whole.parameters.iter().any(|p| !p.is_step && is_set(p));
+    Ok((change_of(&own.description, along, |p| if is_any_set { is_set(p) } else { is_size(p) }), names))
 }
 
 fn of_measurement(

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use crate::formula::{Formula, FormulaError};
 use crate::input::{Bounds, Name, Reader, did_you_mean};
 use crate::process::{
-    Active, Belongs, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter, Process, formula_effect,
+    Active, Belongs, CHANGED, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter, Process,
+    formula_effect,
 };
 use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, UnitSymbol, unit_text};
 
@@ -17,7 +18,8 @@ pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active
     let about = table.text("about", "what it is, for people").unwrap_or_else(|| "written in the model file".into());
     let text = table.text("formula", "what is added to the observed value, over coordinates and parameters")?;
     let (mut parameters, mut values) = (Vec::new(), Vec::new());
-    for key in table.keys().into_iter().filter(|k| !WORDS.contains(&k.as_str())) {
+    let is_change = |key: &str| key == CHANGED && table.has_table(CHANGED);
+    for key in table.keys().into_iter().filter(|k| !WORDS.contains(&k.as_str()) && !is_change(k)) {
         let key = Name::from(key);
         if coordinates(process).any(|(c, _)| *c == key) {
             let message = format!("`{key}` is a coordinate of {}", process.name());
@@ -53,6 +55,7 @@ pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active
                 odds: Odds::of(1.0, "its author believes in it"),
                 parameters: parameters.into(),
                 look_alikes: &[],
+                changes: None,
             };
             Some(Active { description, values, formula: Some(law.into()) })
         }

@@ -2,6 +2,7 @@
 
 mod add;
 mod campaign;
+mod change;
 mod data;
 mod edit;
 mod formula_effect;
@@ -107,7 +108,7 @@ fn places(parameters: &[Parameter], effects: &[Active], measurement: &[Term]) ->
 
 /// The effect to which a quantity belongs, and its position there, by its path.
 fn place_among(effects: &[Active], path: &str) -> Option<(usize, usize)> {
-    let (effect, name) = path.strip_prefix("effects.")?.split_once('.')?;
+    let (effect, name) = path.strip_prefix("effects.")?.rsplit_once('.')?;
     let effect = effects.iter().position(|e| e.description.name == effect)?;
     let parameters = &effects[effect].description.parameters;
     Some((effect, parameters.iter().position(|p| p.name == name)?))
@@ -217,6 +218,12 @@ impl Model {
         Some(&self.effects[effect].description.parameters[parameter])
     }
 
+    /// Value of a parameter of an effect, by its path, SI.
+    pub fn value(&self, path: &str) -> Option<f64> {
+        let (effect, parameter) = self.place(path)?;
+        self.effects[effect].values.get(parameter).copied()
+    }
+
     /// Name of the effect to which a quantity belongs, by its path.
     pub fn effect_of(&self, path: &str) -> Option<&str> {
         self.place(path).map(|(effect, _)| &*self.effects[effect].description.name)
@@ -271,8 +278,12 @@ fn read_effects(model: &Reader, process: &dyn Process, system: Option<&dyn Syste
         None => Err(unknown_effect(name, process, &names)),
     };
     let read = |name: &Name, table: &Reader| {
+        let changed = |effect: Active| {
+            let change = change::read(&effect.description, table, process);
+            [Some(effect), change].into_iter().flatten().collect::<Vec<_>>()
+        };
         let Some(description) = known.iter().find(|d| d.name == *name) else {
-            return formula_effect::read(name, table, process);
+            return formula_effect::read(name, table, process).map(changed).unwrap_or_default();
         };
         if let Some(Err(reason)) = system.map(|s| s.admits(name)) {
             table.problem("", reason, "remove the effect, or change what it acts on");
@@ -283,7 +294,7 @@ fn read_effects(model: &Reader, process: &dyn Process, system: Option<&dyn Syste
         if let Some(Contradiction { parameter, message, help }) = said_twice {
             table.problem(parameter, message, help);
         }
-        Some(effect)
+        changed(effect)
     };
     let about = "physical effects beyond the ideal system; one of your own has a formula";
     let names = Names { known: &names, mark: "formula", find: &find };

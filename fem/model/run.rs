@@ -83,7 +83,10 @@ impl Model {
 
     /// Contribution of an effect to every observation, SI: the prediction less that without the effect.
     fn changes(&self, effect: &Active, prediction: &[f64], progress: &Progress) -> Result<Vec<f64>, Failure> {
-        let others: Vec<Active> = self.effects.iter().filter(|e| *e != effect).cloned().collect();
+        // The change of an effect goes with it.
+        let own = &effect.description.name;
+        let is_other = |e: &&Active| *e != effect && e.description.changes.as_ref() != Some(own);
+        let others: Vec<Active> = self.effects.iter().filter(is_other).cloned().collect();
         let without = self.system.with_effects(&others).predict(progress)?;
         Ok(prediction.iter().zip(&without).map(|(a, b)| a - b).collect())
     }

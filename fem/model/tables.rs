@@ -182,16 +182,14 @@ fn remarks(edits: &[Edit]) -> impl Iterator<Item = &str> {
 
 /// Puts the tables that were added behind the comments at the end of the file.
 fn append(document: &mut DocumentMut, edits: &[Edit]) {
-    let is_there =
-        |parent: &str, name: &str| document.get(parent).and_then(|tables| tables.get(name)).is_some_and(Item::is_table);
     let first = edits.iter().find_map(|edit| match edit {
-        Edit::Add { parent, name, .. } if is_there(parent, name) => Some((*parent, name)),
+        Edit::Add { parent, name, .. } => table_of(document, parent, name).and_then(Table::position),
         _ => None,
     });
-    let Some((parent, name)) = first else { return };
+    let Some(first) = first else { return };
     let end = document.trailing().as_str().unwrap_or_default().to_string();
     let gap = if end.is_empty() || end.ends_with('\n') { "\n" } else { "\n\n" };
-    if let Some(table) = document[parent][name].as_table_mut() {
+    if let Some(table) = at_position(document.as_table_mut(), first) {
         table.decor_mut().set_prefix(format!("{end}{gap}"));
         document.set_trailing("");
     }
@@ -199,7 +197,7 @@ fn append(document: &mut DocumentMut, edits: &[Edit]) {
 
 /// Leaves the comments before a table to whatever stands behind it.
 fn hand_comments_on(document: &mut DocumentMut, parent: &str, name: &str) {
-    let table = document.get(parent).and_then(|tables| tables.get(name)).and_then(Item::as_table);
+    let table = table_of(document, parent, name);
     let before = table.and_then(|table| table.decor().prefix()).and_then(|prefix| prefix.as_str());
     let Some(before) = before.filter(|text| text.contains('#')).map(str::to_string) else { return };
     // An empty line above the table goes with it.
@@ -282,6 +280,24 @@ fn entry_of_mut(item: &mut Item, number: Option<usize>) -> Option<&mut dyn Table
     }
 }
 
+/// The table of which another one is a part, if it is one, and its name there: the change of an effect stands within
+/// the effect's table. Names may have dots themselves.
+fn owned<'n>(tables: &dyn TableLike, name: &'n str) -> (Option<&'n str>, &'n str) {
+    match name.rsplit_once('.') {
+        Some((owner, own)) if !tables.contains_key(name) && tables.contains_key(owner) => (Some(owner), own),
+        _ => (None, name),
+    }
+}
+
+/// The table of an effect, or of another thing that stands in a table of tables.
+fn table_of<'t>(document: &'t DocumentMut, parent: &str, name: &str) -> Option<&'t Table> {
+    let within = document.get(parent)?;
+    match owned(within.as_table_like()?, name) {
+        (Some(owner), own) => within.get(owner)?.get(own)?.as_table(),
+        (None, name) => within.get(name)?.as_table(),
+    }
+}
+
 /// Makes one of a model's edits, by its number.
 fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> {
     match edit {
@@ -291,23 +307,37 @@ fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> 
         }),
         Edit::Add { parent, name, keys } => {
             let values = keys.iter().map(|(key, entry)| (key, Value::from(entry)));
+            let inline = || Value::InlineTable(values.clone().collect::<InlineTable>());
             if let Some(Item::Value(Value::InlineTable(within))) = tables.get_mut(parent) {
-                within.insert(name, Value::InlineTable(values.collect::<InlineTable>()));
+                let (owner, own) = owned(within, name);
+                let owner = owner.and_then(|owner| within.get_mut(owner)).and_then(Value::as_inline_table_mut);
+                match owner {
+                    Some(owner) => owner.insert(own, inline()),
+                    None => within.insert(name, inline()),
+                };
                 return Ok(());
             }
-            let mut table: Table = values.map(|(key, value)| (key, Item::Value(value))).collect();
+            let mut table: Table = values.clone().map(|(key, value)| (key, Item::Value(value))).collect();
             // Behind every table of the file, and behind those that were added before.
             table.set_position(Some(isize::MAX / 2 + number as isize));
             let mut implicit = Table::new();
             implicit.set_implicit(true);
             let within = tables.entry(parent).or_insert(Item::Table(implicit)).as_table_mut();
             let within = within.ok_or_else(|| Problem::new(format!("`{parent}` is no table")))?;
-            within.insert(name, Item::Table(table));
+            let (owner, own) = owned(within, name);
+            match owner.and_then(|owner| within.get_mut(owner)) {
+                Some(Item::Table(owner)) => owner.insert(own, Item::Table(table)),
+                Some(Item::Value(Value::InlineTable(owner))) => owner.insert(own, inline()).map(Item::Value),
+                _ => within.insert(name, Item::Table(table)),
+            };
             Ok(())
         }
         Edit::Remove { parent, name } => {
             let within = tables.get_mut(parent).and_then(Item::as_table_like_mut);
-            let removed = within.and_then(|tables| tables.remove(name));
+            let removed = within.and_then(|tables| match owned(tables, name) {
+                (Some(owner), own) => tables.get_mut(owner)?.as_table_like_mut()?.remove(own),
+                (None, name) => tables.remove(name),
+            });
             removed.map(drop).ok_or_else(|| Problem::new(format!("the model has no table [{parent}.{name}]")))
         }
         Edit::Remark(_) => Ok(()),

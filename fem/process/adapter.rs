@@ -39,6 +39,14 @@ impl<D: Definition> Process for D {
         D::EFFECTS.iter().map(|effect| effect.description()).collect()
     }
 
+    fn in_order(&self) -> Option<&'static str> {
+        D::IN_ORDER
+    }
+
+    fn carried_over(&self, effect: &str) -> Option<&'static str> {
+        D::CARRIED_OVER.iter().find(|(name, _)| *name == effect).map(|(_, reason)| *reason)
+    }
+
     fn of_unit(&self) -> &'static [(&'static str, UnitRole)] {
         D::OF_UNIT
     }
@@ -119,35 +127,77 @@ impl<D: Definition> System for Ready<D> {
 pub struct Assembled<D: Definition> {
     setup: Arc<D::Setup>,
     programme: Arc<OnceLock<Rows>>,
+    /// The machine with the effects as they are at first, and those behind each border at which effects change.
+    stages: Vec<Stage<D>>,
+    /// Why an effect cannot act; the machine then predicts nothing.
+    failure: Option<Failure>,
+}
+
+/// A machine as it is between two borders.
+struct Stage<D: Definition> {
+    /// The number after which it is so.
+    after: f64,
     machine: D::Machine,
     /// The effects that are formulas, with the values of their parameters (SI).
     formulas: Vec<(Arc<FormulaLaw>, Vec<f64>)>,
-    /// Why an effect cannot act; the machine then predicts nothing.
-    failure: Option<Failure>,
+}
+
+impl<D: Definition> Stage<D> {
+    /// Lets effects act on a set-up.
+    fn new(setup: Arc<D::Setup>, after: f64, effects: &[Active]) -> Result<Self, Failure> {
+        let mut stage = Self { after, machine: D::ideal(setup), formulas: Vec::new() };
+        for active in effects {
+            match &active.formula {
+                Some(law) => stage.formulas.push((law.clone(), active.values.clone())),
+                None => act::<D>(active, &mut stage.machine)?,
+            }
+        }
+        Ok(stage)
+    }
+}
+
+/// Lets an effect of the catalogue act on a machine.
+fn act<D: Definition>(active: &Active, machine: &mut D::Machine) -> Result<(), Failure> {
+    let known = D::EFFECTS.iter().find(|e| e.description().name == active.description.name);
+    let effect = known.ok_or_else(|| Failure {
+        message: format!("`{}` is no effect of {}", active.description.name, D::NAME),
+        help: format!("`fem effects {}` lists them", D::NAME),
+    })?;
+    effect.act(&active.values, machine)
 }
 
 impl<D: Definition> Assembled<D> {
     /// Lets the effects act on a set-up.
     pub fn new(setup: Arc<D::Setup>, effects: &[Active]) -> Self {
-        let (machine, programme) = (D::ideal(setup.clone()), Arc::default());
-        let mut all = Self { setup, programme, machine, formulas: Vec::new(), failure: None };
-        for active in effects {
-            if let Some(law) = &active.formula {
-                all.formulas.push((law.clone(), active.values.clone()));
-            } else if let Err(failure) = all.act(active) {
-                all.failure = Some(failure);
+        let (changes, mut present): (Vec<Active>, Vec<Active>) =
+            effects.iter().cloned().partition(|e| e.description.changes.is_some());
+        let mut all = Self { setup, programme: Arc::default(), stages: Vec::new(), failure: None };
+        all.add_stage(f64::NEG_INFINITY, &present);
+        let mut borders: Vec<f64> = changes.iter().filter_map(Active::border).filter(|b| b.is_finite()).collect();
+        borders.sort_unstable_by(f64::total_cmp);
+        borders.dedup();
+        for border in borders {
+            for change in changes.iter().filter(|change| change.border() == Some(border)) {
+                present.iter_mut().for_each(|effect| *effect = effect.changed_by(change));
+                // What was not there at all comes with its change.
+                let is_there = present.iter().any(|e| Some(&e.description.name) == change.description.changes.as_ref());
+                let known = D::EFFECTS.iter().map(|e| e.description());
+                let absent = known.filter(|d| !is_there && Some(&d.name) == change.description.changes.as_ref());
+                present.extend(absent.map(|d| d.neutral().changed_by(change)));
             }
+            all.add_stage(border, &present);
         }
         all
     }
 
-    fn act(&mut self, active: &Active) -> Result<(), Failure> {
-        let known = D::EFFECTS.iter().find(|e| e.description().name == active.description.name);
-        let effect = known.ok_or_else(|| Failure {
-            message: format!("`{}` is no effect of {}", active.description.name, D::NAME),
-            help: format!("`fem effects {}` lists them", D::NAME),
-        })?;
-        effect.act(&active.values, &mut self.machine)
+    fn add_stage(&mut self, after: f64, effects: &[Active]) {
+        match Stage::new(self.setup.clone(), after, effects) {
+            Ok(stage) => self.stages.push(stage),
+            Err(failure) => {
+                self.failure = Some(failure);
+                self.stages.push(Stage { after, machine: D::ideal(self.setup.clone()), formulas: Vec::new() });
+            }
+        }
     }
 
     /// The set-up, as the tables of the model give it.
@@ -155,9 +205,9 @@ impl<D: Definition> Assembled<D> {
         &self.setup
     }
 
-    /// The machine as the effects shape it.
+    /// The machine as the effects shape it, before any of them changes.
     pub fn machine(&self) -> &D::Machine {
-        &self.machine
+        &self.stages[0].machine
     }
 
     fn programme(&self) -> &Rows {
@@ -177,13 +227,55 @@ impl<D: Definition> Assembled<D> {
     }
 
     fn add_formulas(&self, rows: &Rows, values: &mut [f64]) {
-        if self.formulas.is_empty() {
+        if !self.has_formulas() {
             return;
         }
         let rows = D::resolved(&self.setup, rows);
-        for (law, parameters) in &self.formulas {
-            law.add_to(values, &rows, parameters);
+        for (stage, own) in self.shared_out(&rows) {
+            let Some(own) = own else {
+                stage.formulas.iter().for_each(|(law, parameters)| law.add_to(values, &rows, parameters));
+                continue;
+            };
+            let mut some: Vec<f64> = own.iter().map(|row| values[*row]).collect();
+            let its = rows.some(&own);
+            stage.formulas.iter().for_each(|(law, parameters)| law.add_to(&mut some, &its, parameters));
+            own.iter().zip(some).for_each(|(row, value)| values[*row] = value);
         }
+    }
+
+    fn has_formulas(&self) -> bool {
+        self.stages.iter().any(|stage| !stage.formulas.is_empty())
+    }
+
+    /// The stages that rows belong to, each with the numbers of its rows; `None` for all of them.
+    fn shared_out(&self, rows: &Rows) -> Vec<(&Stage<D>, Option<Vec<usize>>)> {
+        let order = D::IN_ORDER.and_then(|name| D::COORDINATES.iter().position(|c| c.name == name));
+        let Some(order) = order.filter(|_| self.stages.len() > 1) else { return vec![(&self.stages[0], None)] };
+        let stage_of = |row: usize| {
+            let number = rows.get(order, row).unwrap_or(f64::NEG_INFINITY);
+            self.stages.iter().rposition(|stage| stage.after < number).unwrap_or(0)
+        };
+        let stages: Vec<usize> = (0..rows.len()).map(stage_of).collect();
+        let of = |number: usize| {
+            let own: Vec<usize> = (0..rows.len()).filter(|row| stages[*row] == number).collect();
+            match own.len() {
+                0 => None,
+                n if n == rows.len() => Some((&self.stages[number], None)),
+                _ => Some((&self.stages[number], Some(own))),
+            }
+        };
+        (0..self.stages.len()).filter_map(of).collect()
+    }
+
+    /// What every row shows, by the machine that it belongs to.
+    fn observed(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        let mut values = vec![f64::NAN; rows.len()];
+        for (stage, own) in self.shared_out(rows) {
+            let Some(own) = own else { return D::observe(&stage.machine, rows) };
+            let some = D::observe(&stage.machine, &rows.some(&own))?;
+            own.iter().zip(some).for_each(|(row, value)| values[*row] = value);
+        }
+        Ok(values)
     }
 
     fn believable(&self, values: &[f64], rows: &Rows, times: f64) -> Result<(), Failure> {
@@ -191,7 +283,7 @@ impl<D: Definition> Assembled<D> {
         // A size that is itself unknown limits nothing.
         let wrong = |(value, o): &(&f64, &usize)| !value.is_finite() || value.abs() >= times * limits[**o].size;
         let Some((value, observable)) = values.iter().zip(rows.observable.iter()).find(wrong) else { return Ok(()) };
-        if !value.is_finite() && !self.formulas.is_empty() {
+        if !value.is_finite() && self.has_formulas() {
             return Err(Failure {
                 message: "a formula of the model gives no finite number somewhere".into(),
                 help: "check it for divisions by zero, roots and logarithms of what is negative".into(),
@@ -213,17 +305,27 @@ impl<D: Definition> ForwardModel for Assembled<D> {
             return Err(Failure { message: "the computation was stopped".into(), help: "start it again".into() });
         }
         let programme = self.programme();
-        self.completed(D::predict(&self.machine, programme, progress)?, programme, 1.0)
+        let values = match &self.stages[..] {
+            [only] => D::predict(&only.machine, programme, progress)?,
+            _ => self.observed(programme)?,
+        };
+        self.completed(values, programme, 1.0)
     }
 
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
         self.possible()?;
-        self.completed(D::observe(&self.machine, rows)?, rows, MEASURED)
+        self.completed(self.observed(rows)?, rows, MEASURED)
     }
 
     fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure> {
         self.possible()?;
-        D::doubts(&self.machine, rows)
+        let mut doubts = Vec::new();
+        for (stage, own) in self.shared_out(rows) {
+            let its = own.map(|own| rows.some(&own));
+            doubts.extend(D::doubts(&stage.machine, its.as_ref().unwrap_or(rows))?);
+        }
+        doubts.dedup();
+        Ok(doubts)
     }
 
     fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure> {
@@ -233,8 +335,16 @@ impl<D: Definition> ForwardModel for Assembled<D> {
             prediction: &prediction,
             observe: &|rows| ForwardModel::observe(self, rows),
             add_formulas: &|rows, values| self.add_formulas(rows, values),
-            has_formulas: !self.formulas.is_empty(),
+            has_formulas: self.has_formulas(),
         };
-        D::report(&self.machine, &forward)
+        let mut report = D::report(self.machine(), &forward)?;
+        if let (Some(along), [_, second, ..]) = (D::IN_ORDER, &self.stages[..]) {
+            report.warnings.push(format!(
+                "an effect changes after {along} {}: what is told of the machine itself, and not of rows, is of the machine \
+                 before",
+                second.after
+            ));
+        }
+        Ok(report)
     }
 }

@@ -32,6 +32,15 @@ pub trait Definition: Sync + Sized + 'static {
     /// Its effects, in the order in which people meet them.
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Self::Setup, Self::Machine>];
 
+    /// Coordinate that numbers what is made or measured one after another, if there is one: between two numbers an
+    /// effect may change.
+    const IN_ORDER: Option<&'static str> = None;
+
+    /// Effects that are not to be written or sought as changed at a number, with the reason, as a sentence that goes on
+    /// from the effect's name: those with a memory, which rows of two machines would not have, and those that are such
+    /// an event themselves.
+    const CARRIED_OVER: &'static [(&'static str, &'static str)] = &[];
+
     /// Quantities of the tables that are what an effect is to the unit that is tested, by their paths: each is the
     /// only parameter of the effects of its role.
     const OF_UNIT: &'static [(&'static str, UnitRole)] = &[];

@@ -86,6 +86,7 @@ impl<S, M, const N: usize> CatalogueEffect<S, M> for Effect<S, M, N> {
             odds: self.odds,
             parameters: Cow::Borrowed(&self.parameters),
             look_alikes: self.look_alikes,
+            changes: None,
         }
     }
 
@@ -136,6 +137,9 @@ pub struct Description {
     pub parameters: Cow<'static, [Parameter]>,
     /// Effects whose signature can be the same, and what separates them.
     pub look_alikes: &'static [(&'static str, &'static str)],
+    /// The effect whose values it changes, where it is the change of one.
+    #[doc(hidden)]
+    pub changes: Option<Name>,
 }
 
 /// A parameter of an effect.
@@ -191,6 +195,12 @@ pub struct Active {
 }
 
 impl Description {
+    /// Whether it is a step: something that is otherwise from a place in a series on.
+    #[doc(hidden)]
+    pub fn is_step(&self) -> bool {
+        self.parameters.iter().any(|parameter| parameter.is_step)
+    }
+
     /// Name for people: with the observable, where several effects have the name.
     pub fn label(&self) -> Cow<'static, str> {
         match &self.observable {

@@ -30,6 +30,14 @@ pub trait Process: Sync {
     /// Its catalogue of effects, in the order in which people meet them.
     fn effects(&self) -> Vec<Description>;
 
+    /// Coordinate that numbers what is made or measured one after another, if there is one.
+    #[doc(hidden)]
+    fn in_order(&self) -> Option<&'static str>;
+
+    /// Why an effect cannot change between two numbers, if it cannot, as a sentence that goes on from its name.
+    #[doc(hidden)]
+    fn carried_over(&self, effect: &str) -> Option<&'static str>;
+
     /// Quantities of its tables, by their paths, that are what an effect is to the unit that a model tests.
     #[doc(hidden)]
     fn of_unit(&self) -> &'static [(&'static str, UnitRole)];

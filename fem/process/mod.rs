@@ -7,6 +7,7 @@ mod adapter;
 mod belongs;
 mod bench;
 mod blank;
+mod change;
 mod definition;
 mod drawing;
 mod effect;
@@ -32,6 +33,7 @@ pub(crate) use bench::assembled;
 #[cfg(test)]
 pub(crate) use bench::with_effect;
 pub(crate) use blank::{BlankProfile, BlankWords, Wave};
+pub use change::{CHANGED, change_of, is_size, name_of_change};
 pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
 pub use effect::{

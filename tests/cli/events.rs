@@ -140,3 +140,78 @@ fn a_fit_places_a_correction_between_two_parts() {
     assert_eq!(after["value"], 5.0, "{after}");
     assert_eq!(after["interval95"], serde_json::json!([5.0, 6.0]), "{after}");
 }
+
+/// A lathe of which the headstock gives way, with a table more.
+fn yielding(stiffness: &str, more: &str) -> String {
+    let yields = format!("[effects.headstock-compliance]\nstiffness = \"{stiffness}\"\n{more}");
+    MODEL.replace("EVENTS", "") + &yields
+}
+
+/// The rows of a profile with their parts.
+fn rows(profile: &str) -> Vec<(usize, String)> {
+    let mut lines = profile.lines().filter(|line| !line.starts_with('#'));
+    let part = lines.next().unwrap().split(',').position(|name| name == "part").unwrap();
+    lines.map(|line| (line.split(',').nth(part).unwrap().parse().unwrap(), line.to_string())).collect()
+}
+
+#[test]
+fn rows_beyond_a_change_are_those_of_the_other_machine() {
+    let place = Place::new();
+    let profile = |name: &str, model: String| {
+        place.write(&format!("{name}.toml"), model);
+        let answer = place.fem(&["run", &format!("{name}.toml"), "-o", name]);
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        (rows(&place.read(&format!("{name}/profile.csv"))), answer.out)
+    };
+    let (before, _) = profile("before", yielding("60 N/um", ""));
+    let (behind, _) = profile("behind", yielding("45 N/um", ""));
+    let change = "[effects.headstock-compliance.changed]\nafter = 4\nstiffness = \"45 N/um\"\n";
+    let (changed, told) = profile("changed", yielding("60 N/um", change));
+    let spliced: Vec<_> =
+        before.iter().zip(&behind).map(|(a, b)| if a.0 > 4 { b.clone() } else { a.clone() }).collect();
+    assert_eq!(changed, spliced);
+    assert_ne!(changed, before);
+    assert!(told.contains("headstock-compliance.changed"), "{told}");
+}
+
+#[test]
+fn a_change_is_added_set_and_left_out() {
+    let place = Place::new();
+    place.write("model.toml", yielding("60 N/um", "# the last word\n"));
+    let add =
+        ["add", "model.toml", "headstock-compliance.changed", "after=4", "stiffness=45 +- 3 N/um", "-o", "a.toml"];
+    assert_eq!(place.fem(&add).status, 0);
+    let added = place.read("a.toml");
+    let table = "[effects.headstock-compliance.changed]\nafter = 4.0\nstiffness = \"45 +- 3 N/um\"\n";
+    assert!(added.contains(table) && added.contains("# the last word"), "{added}");
+    let set = ["set", "a.toml", "effects.headstock-compliance.changed.stiffness=50 N/um", "-o", "b.toml"];
+    assert_eq!(place.fem(&set).status, 0);
+    assert!(place.read("b.toml").contains("stiffness = \"50 N/um\""));
+    let leave = ["set", "a.toml", "--without", "headstock-compliance.changed", "-o", "c.toml"];
+    assert_eq!(place.fem(&leave).status, 0);
+    assert!(!place.read("c.toml").contains("changed"));
+}
+
+/// (table of the change, part of the message, part of the remedy)
+const WRONG_CHANGES: &[(&str, &str, &str)] = &[
+    ("[effects.tool-wear.changed]\nafter = 4\nrate = \"3 um/km\"", "wears on from part to part", "remove this table"),
+    ("[effects.headstock-compliance.changed]\nafter = 4", "changes nothing", "stiffness"),
+    ("[effects.headstock-compliance.changed]\nstiffness = \"45 N/um\"", "`after` is missing", "after = "),
+    (
+        "[effects.headstock-compliance.changed]\nafter = 4\nstifness = \"45 N/um\"",
+        "`stifness` is no key",
+        "`stiffness`",
+    ),
+    ("[effects.headstock-compliance.changed]\nafter = 4\nstiffness = \"45 um\"", "`um` measures a length", "N/um"),
+];
+
+#[test]
+fn a_wrong_change_is_told_of() {
+    for (table, message, remedy) in WRONG_CHANGES {
+        let place = Place::new();
+        place.write("model.toml", format!("{}{table}\n", yielding("60 N/um", "")));
+        let answer = place.fem(&["run", "model.toml"]);
+        assert_eq!(answer.status, 2, "{table}: {}", answer.err);
+        assert!(answer.err.contains(message) && answer.err.contains(remedy), "{table}: {}", answer.err);
+    }
+}

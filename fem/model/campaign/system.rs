@@ -35,6 +35,14 @@ impl Process for Campaign {
         self.effects.iter().map(|effect| effect.description.clone()).collect()
     }
 
+    fn in_order(&self) -> Option<&'static str> {
+        None
+    }
+
+    fn carried_over(&self, _effect: &str) -> Option<&'static str> {
+        None
+    }
+
     fn of_unit(&self) -> &'static [(&'static str, UnitRole)] {
         &[]
     }

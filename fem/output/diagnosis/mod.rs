@@ -20,7 +20,7 @@ pub(super) use text::{
     errors, experiment, next_measurement, separated, separated_pairs, separations, told_apart, unexplained,
 };
 pub(super) use verdict::verdict;
-pub(super) use words::{bent, chance, label, largest_change, traits};
+pub(super) use words::{bent, chance, changed, label, largest_change, traits};
 
 use serde_json::{Map, Value as Json, json};
 
@@ -36,7 +36,7 @@ use crate::diagnose::{Believed, Cause, Diagnosis, GoodnessOfFit, Group, Missing,
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
-use crate::process::{Description, ON_TRIAL};
+use crate::process::{Description, ON_TRIAL, Parameter};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -182,7 +182,7 @@ fn missing(missing: &Missing, data: &Data) -> Json {
             Some((effect, by, observable, records, from_line, along, period))
         }
     };
-    json!({
+    let mut told = json!({
         "effect": missing.effect.name,
         "kind": kind_of(&missing.effect),
         "written": match missing.cause {
@@ -209,7 +209,16 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "bend": missing.bend.as_ref().map(|b| json!({ "along": b.along, "share": b.share })),
-    })
+    });
+    if let Some(changes) = &missing.effect.changes {
+        let changed = missing.effect.parameters.iter().filter(|p| !p.is_step).zip(&missing.before);
+        let value = |(p, si): (&Parameter, &f64)| {
+            (p.name.to_string(), json!({ "value": finite(p.kind.from_si(*si)), "unit": p.kind.unit }))
+        };
+        told["changes"] = json!(changes);
+        told["before"] = changed.map(value).collect::<Map<_, _>>().into();
+    }
+    told
 }
 
 fn estimate(e: &Estimate) -> Json {

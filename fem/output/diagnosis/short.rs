@@ -7,7 +7,7 @@ use super::commands::command;
 use super::kinds::{Kinds, Open};
 use super::text::{experiment, head, separated_from_measurement, told_by, unexplained};
 use super::verdict::verdict;
-use super::words::{as_written, bent, label, largest_change, percent};
+use super::words::{as_written, bent, label, largest_change, percent, value_before};
 use crate::diagnose::{Cause, Diagnosis, Group, Missing, Next, Outlier};
 use crate::fit::Estimate;
 use crate::input::Name;
@@ -79,7 +79,7 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
     if let Some(campaign) = data.model.campaign() {
         text += &format!(" in {}", campaign::places(campaign, data, missing).join(", "));
     }
-    let sizes = missing.estimates.iter().map(|e| estimate(e, &missing.cause));
+    let sizes = missing.estimates.iter().map(|e| estimate(e, missing));
     let values: Vec<String> = match &missing.cause {
         Cause::Measurement { from: Some(place), .. } => [format!("from {place} on")].into_iter().chain(sizes).collect(),
         // The factor of outlying rows is set, and says nothing of them.
@@ -99,16 +99,17 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
 }
 
 /// A value with its interval: `stiffness 30.4 [29.2, 31.7] N/um`.
-fn estimate(e: &Estimate, cause: &Cause) -> String {
+fn estimate(e: &Estimate, missing: &Missing) -> String {
     let k = e.parameter.kind;
     let short = |si: f64| format!("{:.4}", Short(k.from_si(si)));
     let end = |si: Option<f64>| si.map_or("open".into(), short);
     let interval = match (e.interval.low, e.interval.high) {
-        (None, None) if !matches!(cause, Cause::Measurement { .. }) => " [open]".into(),
+        (None, None) if !matches!(missing.cause, Cause::Measurement { .. }) => " [open]".into(),
         (None, None) => String::new(),
         (low, high) => format!(" [{}, {}]", end(low), end(high)),
     };
-    whole(format!("{} {}{interval} {}", name(e), short(e.value), k.unit).trim_end())
+    let before = value_before(missing, name(e)).unwrap_or_default();
+    whole(format!("{} {before}{}{interval} {}", name(e), short(e.value), k.unit).trim_end())
 }
 
 /// The lines of outlying rows.

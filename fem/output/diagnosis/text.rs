@@ -3,7 +3,7 @@
 use super::additions::name;
 use super::commands::commands;
 use super::verdict::verdict;
-use super::words::{as_written, bent, chance, label, largest_change, percent, traits};
+use super::words::{as_written, bent, chance, label, largest_change, percent, traits, value_before};
 use super::{absent, campaign};
 use crate::diagnose::{CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, RULED_OUT, Verdict};
 use crate::fit::Estimate;
@@ -144,7 +144,8 @@ fn estimates(missing: &Missing) -> Vec<String> {
     let width = missing.estimates.iter().map(|e| name(e).len()).max().unwrap_or(0);
     let line = |e: &Estimate| {
         let k = e.parameter.kind;
-        let value = format!("{:.4} {}", Short(k.from_si(e.value)), k.unit);
+        let before = value_before(missing, name(e)).unwrap_or_default();
+        let value = format!("{before}{:.4} {}", Short(k.from_si(e.value)), k.unit);
         let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.4}", Short(k.from_si(v))));
         // The factor of outlying rows is set, and has no interval.
         let is_set =

@@ -1,6 +1,7 @@
 //! Words for a missing effect.
 
 use crate::diagnose::{Bend, Cause, Missing};
+use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::output::fit::Short;
 use crate::output::measurement;
@@ -25,6 +26,27 @@ pub fn as_written(missing: &Missing) -> Option<String> {
     let Cause::Value { written } = missing.cause else { return None };
     let kind = missing.effect.parameters.first()?.kind;
     Some(format!("written as {:.4} {}", Short(kind.from_si(written)), kind.unit).trim_end().into())
+}
+
+/// Of the change of an effect, the value that its parameter had before, by the parameter's name: `60 -> `.
+pub fn value_before(missing: &Missing, name: &str) -> Option<String> {
+    let changed = missing.effect.parameters.iter().filter(|p| !p.is_step);
+    let (parameter, before) = changed.zip(&missing.before).find(|(p, _)| p.name == *name)?;
+    Some(format!("{:.4} -> ", Short(parameter.kind.from_si(*before))))
+}
+
+/// The change of an effect in a line: `stiffness 60 -> 45 N/um after part 12`.
+pub fn changed(missing: &Missing) -> Option<String> {
+    missing.effect.changes.as_ref()?;
+    let value = |e: &Estimate| {
+        let (kind, name) = (e.parameter.kind, e.parameter.path.key());
+        let before = value_before(missing, name)?;
+        Some(format!("{name} {before}{:.4} {}", Short(kind.from_si(e.value)), kind.unit).trim_end().to_string())
+    };
+    let values: Vec<String> = missing.estimates.iter().filter_map(value).collect();
+    let along = missing.effect.parameters.iter().find(|p| p.is_step)?.along.as_ref()?;
+    let after = missing.estimates.first()?.value;
+    Some(format!("{} after {along} {after}", values.join(", ")))
 }
 
 /// What a missing effect does to the rows, `moves the rows by up to`, and its size, `38.0 um`.

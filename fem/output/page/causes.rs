@@ -43,6 +43,9 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, dat
         escaped(effect.source)
     ));
     html.push_str(&estimates("Values, with the 95 % intervals of their profiles", &missing.estimates));
+    if let Some(changed) = diagnosis::changed(missing) {
+        html.push_str(&html::paragraph("note", &sentence(&changed)));
+    }
     if let Some([moves, size]) = diagnosis::largest_change(missing, data) {
         html.push_str(&html::paragraph("note", &sentence(&format!("it {moves} {size}"))));
     }

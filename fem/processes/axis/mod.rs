@@ -37,6 +37,9 @@ impl Definition for Axis {
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+    const IN_ORDER: Option<&'static str> = Some("run");
+    const CARRIED_OVER: &'static [(&'static str, &'static str)] =
+        &[("thermal-growth", "warms over many runs, and what is warm does not begin anew at a run")];
 
     fn read(model: &Reader) -> Option<Setup> {
         Some(Setup::read(model))

@@ -41,6 +41,7 @@ impl Definition for Ring {
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+    const IN_ORDER: Option<&'static str> = Some("run");
 
     fn read(model: &Reader) -> Option<Setup> {
         Some(Setup::read(model))

@@ -48,6 +48,16 @@ impl Definition for Turning {
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+    const IN_ORDER: Option<&'static str> = Some("part");
+    const CARRIED_OVER: &'static [(&'static str, &'static str)] = &[
+        ("tool-wear", "wears on from part to part: write a new edge as `inserts` in [batch]"),
+        ("tool-breakdown", "wears on from part to part: write a new edge as `inserts` in [batch]"),
+        ("tool-thermal-growth", "warms over many parts, and what is warm does not begin anew at a part"),
+        ("spindle-thermal-drift", "warms over many parts, and what is warm does not begin anew at a part"),
+        ("setting-error", "is set anew by a correction of the offset: write `corrections` in [batch]"),
+        ("offset-correction", "is an event itself"),
+        ("insert-change", "is an event itself"),
+    ];
 
     fn read(model: &Reader) -> Option<Setup> {
         Some(Setup::read(model))

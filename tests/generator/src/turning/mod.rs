@@ -4,6 +4,7 @@
 
 pub mod asked;
 pub mod catalogue;
+pub mod changed;
 pub mod corrected;
 pub mod design;
 pub mod equilibrium;
