@@ -150,7 +150,8 @@ fn harmonics(found: &SearchResult, set: &CandidateModel, member: usize, signatur
     position[found.base.objective.variables.len() + before.sum::<usize>() + phase] += quarter;
     let moved = set.objective.predict(&position)?;
     // What the others add is the same: the wave moved less the wave where it is, and the wave itself.
-    let cosine: Vec<f64> = moved.iter().zip(&set.solution.predicted).zip(signature).map(|((m, p), s)| m - p + s).collect();
+    let cosine: Vec<f64> =
+        moved.iter().zip(&set.solution.predicted).zip(signature).map(|((m, p), s)| m - p + s).collect();
     let turn = |row: usize| (signature[row].hypot(cosine[row]), signature[row].atan2(cosine[row]));
     Some(DMatrix::from_fn(signature.len(), 4, |row, j| {
         let ((size, at), times) = (turn(row), f64::from(2 + j as u32 / 2));

@@ -16,7 +16,12 @@ use crate::noise::{Term, beyond_f};
 const LEAST_GROUPS: usize = 5;
 
 /// Why a model that the noise explains is not complete; `None` where nothing is against it.
-pub fn doubt(best: &CandidateModel, folds: Option<&Folds>, before: &GoodnessOfFit, after: &GoodnessOfFit) -> Option<String> {
+pub fn doubt(
+    best: &CandidateModel,
+    folds: Option<&Folds>,
+    before: &GoodnessOfFit,
+    after: &GoodnessOfFit,
+) -> Option<String> {
     zeros_that_follow(best).or_else(|| left_out(best, folds?, before, after))
 }
 
@@ -26,7 +31,9 @@ fn left_out(best: &CandidateModel, folds: &Folds, before: &GoodnessOfFit, after:
     let is_told = !best.members.is_empty() && folds.can_be_told(best.objective.data) && is >= was;
     is_told.then(|| {
         let by = &folds.coordinate;
-        format!("what is left out by `{by}` is predicted no better with these causes: {is:.2} against {was:.2} of the noise")
+        format!(
+            "what is left out by `{by}` is predicted no better with these causes: {is:.2} against {was:.2} of the noise"
+        )
     })
 }
 
@@ -39,13 +46,17 @@ fn zeros_that_follow(best: &CandidateModel) -> Option<String> {
     found.peek()?;
     let shares = noise.shares(&residuals);
     let names = |term: &Term| {
-        let name = |i: &usize| if *i == FILE { "file".into() } else { data.model.process.coordinates()[*i].name.to_string() };
+        let name =
+            |i: &usize| if *i == FILE { "file".into() } else { data.model.process.coordinates()[*i].name.to_string() };
         term.by.iter().map(name).collect::<Vec<String>>().join(" and ")
     };
     found.find_map(|(number, term)| {
         let followed = followed(data, term, &shares[number])?;
         let (column, effect) = (&data.model.process.coordinates()[followed].name, term.effect.name);
-        Some(format!("the zeros of `{effect}` by {} follow `{column}`: what follows a column is no chance", names(term)))
+        Some(format!(
+            "the zeros of `{effect}` by {} follow `{column}`: what follows a column is no chance",
+            names(term)
+        ))
     })
 }
 
@@ -78,7 +89,8 @@ fn line(x: &[f64], zeros: &[f64]) -> f64 {
     let n = x.len() as f64;
     let mean = |v: &[f64]| v.iter().sum::<f64>() / n;
     let (mx, my) = (mean(x), mean(zeros));
-    let product = |a: &[f64], ma: f64, b: &[f64], mb: f64| a.iter().zip(b).map(|(a, b)| (a - ma) * (b - mb)).sum::<f64>();
+    let product =
+        |a: &[f64], ma: f64, b: &[f64], mb: f64| a.iter().zip(b).map(|(a, b)| (a - ma) * (b - mb)).sum::<f64>();
     let (xx, xy, yy) = (product(x, mx, x, mx), product(x, mx, zeros, my), product(zeros, my, zeros, my));
     f_test(xy * xy / xx, yy, 1.0, n - 2.0)
 }

@@ -39,7 +39,8 @@ impl<'a> Hypothesis<'a> {
             let is_plainer = size(*number) < found.best().members.len() || criterion > least + PLAINER;
             is_plainer && *bent <= least + PLAINER
         };
-        let told = bent.iter().filter(is_told).min_by(|a, b| (size(a.0), a.1).partial_cmp(&(size(b.0), b.1)).unwrap_or(Equal));
+        let told =
+            bent.iter().filter(is_told).min_by(|a, b| (size(a.0), a.1).partial_cmp(&(size(b.0), b.1)).unwrap_or(Equal));
         if let Some((number, bent)) = told {
             let model = found.tried[*number].model.clone();
             found.steps.truncate(model.members.len() - 1);

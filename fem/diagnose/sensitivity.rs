@@ -323,7 +323,10 @@ impl Probe<'_, '_> {
             moved[parameter.parameter] += parameter.size;
             let base = self.base.position.iter().copied();
             let there = DVector::from_iterator(base.len() + moved.len(), base.clone().chain(moved));
-            let here = DVector::from_iterator(self.base.position.len() + variant.position.len(), base.chain(variant.position.iter().copied()));
+            let here = DVector::from_iterator(
+                self.base.position.len() + variant.position.len(),
+                base.chain(variant.position.iter().copied()),
+            );
             let (there, here) = (self.trial.predict_rows(&there, &rows)?, self.trial.predict_rows(&here, &rows)?);
             Some(there.into_iter().zip(here).map(|(there, here)| (there - here) / parameter.size).collect::<Vec<f64>>())
         };

@@ -45,7 +45,9 @@ pub fn recurs(evidence: &Evidence, stated: &[Term]) -> bool {
     let curves = paths(evidence);
     curves.iter().any(|paths| {
         let range = range(paths);
-        let hyper = (0..LENGTHS).flat_map(|i| (0..SIZES).map(move |j| (range * 0.5f64.powi(i), LEAST_SIZE * 2f64.powf(0.5 * f64::from(j)))));
+        let hyper = (0..LENGTHS).flat_map(|i| {
+            (0..SIZES).map(move |j| (range * 0.5f64.powi(i), LEAST_SIZE * 2f64.powf(0.5 * f64::from(j))))
+        });
         let least = hyper.map(|(length, size)| {
             let (square, log_determinant) = filtered(paths, &standardised, length, size);
             cost(square, own + log_determinant, 2)
@@ -61,7 +63,9 @@ type Path = Vec<(f64, usize)>;
 /// every observable a path.
 fn paths(evidence: &Evidence) -> Vec<Vec<Path>> {
     let places = evidence.quantities().filter(|i| !evidence.is_time(*i));
-    let by = |place: usize| std::iter::once(Vec::new()).chain(evidence.words().map(|word| vec![word])).map(move |by| (place, by));
+    let by = |place: usize| {
+        std::iter::once(Vec::new()).chain(evidence.words().map(|word| vec![word])).map(move |by| (place, by))
+    };
     let along = |(place, by): (usize, Vec<usize>)| {
         let x = &evidence.measurements.rows.columns[place];
         let levels = evidence.measurements.levels(&by);
@@ -130,7 +134,10 @@ mod tests {
 
     #[test]
     fn places_return_where_a_branch_comes_back_and_not_where_rows_repeat_side_by_side() {
-        let there_and_back: Path = (0..12).map(|i| (f64::from(i), i as usize)).chain((0..12).map(|i| (f64::from(i), 23 - i as usize))).collect();
+        let there_and_back: Path = (0..12)
+            .map(|i| (f64::from(i), i as usize))
+            .chain((0..12).map(|i| (f64::from(i), 23 - i as usize)))
+            .collect();
         let sorted = |mut path: Path| {
             path.sort_by(|a, b| a.0.total_cmp(&b.0));
             vec![path]

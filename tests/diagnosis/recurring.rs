@@ -110,7 +110,11 @@ fn noise_with_a_memory_is_still_noise() {
         diagnosed(JOINT, &rows, |d| {
             println!("{seed}: {:?} {:?}", d.verdict, names(d));
             let said = names(d);
-            assert_eq!((d.verdict, &said[..]), (Verdict::MissingEffect, &["correlated-noise".to_string()][..]), "{seed}");
+            assert_eq!(
+                (d.verdict, &said[..]),
+                (Verdict::MissingEffect, &["correlated-noise".to_string()][..]),
+                "{seed}"
+            );
         });
     }
 }
@@ -181,7 +185,8 @@ fn of_an_axis(seed: u64, alternate: bool, is_play: bool) -> [String; 2] {
         }
     }
     [true, false].map(|timed| {
-        let mut text = format!("position [mm],direction,run,deviation [um],u [um]{}\n", if timed { ",time [s]" } else { "" });
+        let mut text =
+            format!("position [mm],direction,run,deviation [um],u [um]{}\n", if timed { ",time [s]" } else { "" });
         for (number, (x, direction, run, value)) in rows.iter().enumerate() {
             let time = if timed { format!(",{}", 20 * number) } else { String::new() };
             text += &format!("{x},{direction},{run},{value},1{time}\n");
@@ -192,7 +197,9 @@ fn of_an_axis(seed: u64, alternate: bool, is_play: bool) -> [String; 2] {
 
 #[test]
 fn a_clock_takes_nothing_from_directions_and_places() {
-    for (seed, alternate, is_play) in (0..3).flat_map(|seed| [(seed, true, true), (seed, false, true), (seed, true, false), (seed, false, false)]) {
+    for (seed, alternate, is_play) in
+        (0..3).flat_map(|seed| [(seed, true, true), (seed, false, true), (seed, true, false), (seed, false, false)])
+    {
         let wanted = if is_play { "backlash" } else { "periodic-error" };
         for text in of_an_axis(seed, alternate, is_play) {
             diagnosed(FEED_AXIS, &text, |d| assert_eq!(names(d), [wanted], "{seed} {alternate}"));

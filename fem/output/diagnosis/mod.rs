@@ -32,7 +32,9 @@ use super::falling::Falling;
 use super::json::{finite, json as document};
 use super::measurement::{self, curve, files};
 use super::staged::Staged;
-use crate::diagnose::{Along, Bend, Believed, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Verdict};
+use crate::diagnose::{
+    Along, Believed, Bend, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Verdict,
+};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
