@@ -20,7 +20,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{findings, laplace, look_alike, moves, next};
+use super::{doubtful, findings, laplace, look_alike, moves, next};
 use crate::fit::{self, Estimate, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
@@ -117,6 +117,13 @@ pub fn conclude(
             (remaining, suspects) = (written.features, written.suspects);
         }
     }
+    let doubt = match verdict {
+        Verdict::MissingEffect => doubtful::doubt(&best, folds.as_ref(), &goodness(&found.base), &after),
+        _ => None,
+    };
+    if doubt.is_some() {
+        verdict = Verdict::PartlyExplained;
+    }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
     let look_alikes = match is_explained && progress.permits("effects of the measurement that look alike") {
         true => progress
@@ -156,7 +163,7 @@ pub fn conclude(
     };
     Ok(Diagnosis {
         rows: found.base.objective.data.len(),
-        cautions: cautions(&found, (repeats, &fit), verdict, conflicts),
+        cautions: cautions(&found, (repeats, &fit), verdict, conflicts).into_iter().chain(doubt).collect(),
         noise: found.base.objective.noise.level(found.base.objective.data),
         before,
         features,

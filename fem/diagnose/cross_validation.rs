@@ -58,6 +58,12 @@ impl Folds {
         Self { coordinate: data.model.process.coordinates()[coordinate].name.clone(), group, count }
     }
 
+    /// Whether the others can tell of a group what it is like: a direction is, as a rule, told by itself alone.
+    pub fn can_be_told(&self, data: &Data) -> bool {
+        let own = data.model.process.coordinates().iter().find(|own| own.name == self.coordinate);
+        self.count > 2 && own.is_some_and(|own| !matches!(own.holds, Holds::Word(_)))
+    }
+
     /// Root mean square of the held-out residuals, in standard uncertainties of the rows, to first order
     /// about the fit of all rows: r_out = (1 − H)⁻¹·r with the block H of the hat matrix (Cook and Weisberg
     /// 1982), exact where the model is linear.

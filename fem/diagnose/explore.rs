@@ -3,7 +3,6 @@
 
 use std::cell::RefCell;
 
-use super::bent_law;
 use super::candidate_model::{CandidateModel, Weighed};
 use super::failure::unsolvable;
 use super::few_places::few_places;
@@ -143,20 +142,16 @@ impl Exploration<'_> {
         let Some(mut last) = path.pop() else { return Err(unsolvable()) };
         let hardly = few_places(last.found.best()).is_some();
         if !last.explains || hardly {
-            // A law that bends describes too, and a curve has to describe better.
-            let bent = match last.explains {
-                true => 0.0,
-                false => bent_law::bend(&last.found, last.found.best()).map_or(0.0, |bend| bend.evidence),
-            };
             let curves = instrument::curves(last.found.best(), self.repeats);
             let bare = instrument::curves(&last.found.base, self.repeats);
             // A curve by place and direction that is sized without play takes up the play, which is not seen beside
             // it any more.
             let singles = last.found.singles.iter().flatten().filter(|single| goes_by_words(single, &last.found.base));
             let beside = singles.flat_map(|single| instrument::curves(single, self.repeats));
-            let least = last.criterion - bent + INSTEAD;
+            let least = last.criterion + INSTEAD;
             let curves = curves.into_iter().chain(bare).chain(beside).filter(|p| p.criterion < least).collect();
-            let least = if hardly { CLEAR } else { DESCRIBED + bent };
+            // A law that bends describes too, and a curve has to describe better.
+            let least = if hardly { CLEAR } else { DESCRIBED };
             if let Some(beside) = self.further(&last, curves, least)? {
                 path.push(std::mem::replace(&mut last, beside));
             }
@@ -252,8 +247,9 @@ impl Exploration<'_> {
             }
         }
         self.take_back(&mut found);
-        self.visits.borrow_mut().extend(Visit::all(&found));
-        Ok(Hypothesis::new(found, within))
+        let own = Hypothesis::new(found, within);
+        self.visits.borrow_mut().extend(Visit::all(&own.found, &own.bent));
+        Ok(own)
     }
 
     /// Takes back effects that gain no more than chance gives once the noise is sized without them too: a

@@ -41,8 +41,12 @@ fn minus_two_log(trial: &CandidateModel) -> Option<f64> {
     let (here, factor) = linear.most_probable()?;
     let volume = 2.0 * factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum::<f64>();
     let misfit = misfit(trial, trial.solution.chi2);
-    Some(misfit + here.value + volume + trial.objective.noise.log_determinant())
+    Some(misfit + here.value + volume + linear.unseen(trial, &here) + trial.objective.noise.log_determinant())
 }
+
+/// Signature, in standard uncertainties of the rows, below which an effect is not asked for: that it is there by less than
+/// the rows show, nobody learns from them.
+const ASKED_FOR: f64 = 4.0;
 
 /// What data and prior leave of the parameters of a fitted set.
 pub struct Left {
@@ -151,6 +155,8 @@ impl Axis {
 
 /// The linear model of the residuals about a fit, in units of the noise.
 struct Linear {
+    jacobian: DMatrix<f64>,
+    level: f64,
     normal: DMatrix<f64>,
     gradient: DVector<f64>,
     at: DVector<f64>,
@@ -177,11 +183,30 @@ impl Linear {
         let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
         let (_, level) = misfit_and_level(trial, trial.solution.chi2);
         Some(Self {
+            level,
             normal: jacobian.tr_mul(&jacobian) / level,
             gradient: jacobian.tr_mul(&residuals) / level,
             at: trial.solution.position.clone(),
             axes: axes(trial),
+            jacobian,
         })
+    }
+
+    /// What it costs to bring the effects that were added to the size at which they are asked for, where the rows let
+    /// them fade away.
+    fn unseen(&self, trial: &CandidateModel, here: &Point) -> f64 {
+        let mut first = trial.objective.data.model.parameters.len();
+        let of = |effect: &Description| {
+            let own = first..first + effect.parameters.len();
+            first = own.end;
+            let sizes = own.zip(effect.parameters.iter()).filter(|(_, parameter)| parameter.neutral != Neutral::Shape);
+            let signature = sizes.fold(DVector::zeros(self.jacobian.nrows()), |sum: DVector<f64>, (i, _)| {
+                let from_neutral = self.at[i] + here.step[i] - trial.objective.variables[i].neutral();
+                sum + self.jacobian.column(i) * from_neutral
+            });
+            (ASKED_FOR - signature.norm() / self.level.sqrt()).max(0.0).powi(2)
+        };
+        trial.objective.added.iter().map(of).sum()
     }
 
     /// The most probable point, and the factor of the curvature there.

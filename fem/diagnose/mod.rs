@@ -15,6 +15,7 @@ mod contender;
 mod cross_validation;
 mod detection_limit;
 mod diagnosis;
+mod doubtful;
 mod explore;
 mod failure;
 mod few_places;
@@ -43,7 +44,7 @@ mod sensitivity;
 mod settle;
 mod verdict;
 
-pub use bent_law::Bend;
+pub use bent_law::{Along, Bend};
 pub use detection_limit::DetectionLimit;
 pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
 pub use largest_change::LargestChange;
@@ -122,7 +123,7 @@ fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
         found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     }
     let first = Hypothesis::new(found, within);
-    let visits = RefCell::new(Visit::all(&first.found));
+    let visits = RefCell::new(Visit::all(&first.found, &first.bent));
     let exploration = Exploration { start: &solution, absent: &absent, repeats, most, progress, visits: &visits };
     let hypotheses = progress.stretch("under which noise to search", || exploration.weigh(first))?;
     let posterior = Posterior::new(&visits.take());

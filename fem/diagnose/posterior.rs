@@ -36,9 +36,11 @@ pub struct Visit {
 }
 
 impl Visit {
-    /// The sets that a search has visited.
-    pub fn all(found: &SearchResult) -> Vec<Self> {
-        found.tried.iter().map(|set| Self::of(set)).collect()
+    /// The sets that a search has visited, and those that are likelier where one of their laws bends.
+    pub fn all(found: &SearchResult, bent: &[(usize, f64)]) -> Vec<Self> {
+        let bent =
+            bent.iter().map(|(number, criterion)| Self { criterion: *criterion, ..Self::of(&found.tried[*number]) });
+        found.tried.iter().map(Self::of).chain(bent).collect()
     }
 
     fn of(set: &Weighed) -> Self {

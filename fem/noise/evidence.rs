@@ -11,6 +11,8 @@ use crate::measure::{FILE, Measurements, Repeats};
 use crate::process::{Absent, Holds, Process};
 use crate::units::{ANGLE, LENGTH, TIME};
 
+/// Fall of −2 ln L, beyond its price, from which a term is suspected, and worth a search.
+pub const PROMISING: f64 = 6.0;
 /// Most groups whose zeros are sought.
 const LEVELS: usize = 200;
 /// Fewest places that make a curve.
@@ -111,6 +113,15 @@ impl<'a> Evidence<'a> {
         })
     }
 
+    /// Levels of what comes again: approaches, branches and places that were measured more than once, or the words alone.
+    /// What differs from one to the next is no course of time, however they alternate.
+    pub fn returning(&self) -> Vec<usize> {
+        let places = self.quantities().filter(|i| !self.is_time(*i));
+        let all: Vec<usize> = self.words().chain(places).collect();
+        let is_again = self.count(&all) <= LEVELS.min(self.measurements.len() / 2);
+        self.measurements.levels(&if is_again { all } else { self.words().collect() })
+    }
+
     /// Whether a coordinate has places enough for something to change along it.
     pub fn has_places(&self, coordinate: usize) -> bool {
         self.count(&[coordinate]) >= LEAST_PLACES
@@ -118,11 +129,12 @@ impl<'a> Evidence<'a> {
 
     /// Whether the levels of some coordinates are as many as make a curve, and few enough to be measured more than once.
     pub fn is_curve(&self, by: &[usize]) -> bool {
-        (LEAST_PLACES..=LEVELS.min(self.measurements.len() / 3)).contains(&self.count(by))
+        (LEAST_PLACES..=LEVELS.min(self.measurements.len() / 2)).contains(&self.count(by))
     }
 
-    /// Coordinates whose levels may each have a zero of their own: parts, runs and directions, alone and two
-    /// together, conditions of few levels, and all of them together, which make a pass.
+    /// Coordinates whose levels may each have a zero of their own: parts, runs and directions, alone and two together,
+    /// and with conditions of few levels, which make a pass. What is off by the same whenever a condition comes again is
+    /// the machine's: conditions alone group nothing.
     pub fn groupings(&self) -> Vec<Vec<usize>> {
         let (data, coordinates) = (self.measurements, self.process.coordinates());
         let counts = |by: &[usize]| self.count(by);
@@ -145,15 +157,15 @@ impl<'a> Evidence<'a> {
         let conditions: Vec<usize> = given().filter(is_condition).collect();
         let pairs = numbers.iter().enumerate().flat_map(|(k, i)| numbers[k + 1..].iter().map(|j| vec![*i, *j]));
         let pass: Vec<usize> = numbers.iter().chain(&conditions).copied().collect();
+        let is_pass = !conditions.is_empty() && counts(&pass) > counts(&conditions);
         // What is off by the same whenever an approach or a branch comes again is not set anew: it is the machine's.
         let returns = |i: &usize| {
             let stretches = 1 + data.levels(&[*i]).windows(2).filter(|two| two[0] != two[1]).count();
             matches!(coordinates.get(*i).map(|c| c.holds), Some(Holds::Word(_))) && stretches > counts(&[*i])
         };
-        let alone = numbers.iter().filter(|i| !returns(i)).chain(&conditions);
-        let several = alone.map(|i| vec![*i]).chain(pairs);
+        let several = numbers.iter().filter(|i| !returns(i)).map(|i| vec![*i]).chain(pairs);
         let mut all: Vec<Vec<usize>> = given().filter(is_sensor).map(|i| vec![i]).collect();
-        for by in several.chain((!conditions.is_empty()).then_some(pass)) {
+        for by in several.chain(is_pass.then_some(pass)) {
             // What groups the rows as another does is not told twice.
             let levels = data.levels(&by);
             if groups(&by) && all.iter().all(|other| data.levels(other) != levels) {

@@ -10,6 +10,8 @@ pub struct NoiseLevel {
     pub of: Vec<f64>,
     /// Source of the standard uncertainty.
     pub source: NoiseSource,
+    /// Factor by which the stated uncertainties were multiplied for it.
+    pub factor: f64,
 }
 
 impl NoiseLevel {
@@ -32,7 +34,8 @@ impl Noise {
     /// Size of the noise of each observable.
     pub fn level(&self, measurements: &Measurements) -> NoiseLevel {
         let own = measurements.observables.iter().map(|s| self.usual(measurements, s.position));
-        NoiseLevel { of: own.collect(), source: self.source }
+        let scales = self.terms.iter().filter(|term| matches!(term.effect.acts, Acts::Scales));
+        NoiseLevel { of: own.collect(), source: self.source, factor: scales.map(|term| term.size).product() }
     }
 
     /// Root mean square over the rows that are not weighed down.

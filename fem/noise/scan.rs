@@ -19,6 +19,8 @@ const MOST_PERIODS: f64 = 64.0;
 /// Steps of the scan over periods, in parts of a period over the whole range: a wave between two of them loses
 /// less than a tenth of its square.
 const FINENESS: f64 = 4.0;
+/// Part of the largest column below which nothing of a column is left beside others.
+const ROUND_OFF: f64 = 1e-9;
 /// Halvings of the distance to the best period.
 const REFINEMENTS: usize = 12;
 
@@ -78,6 +80,21 @@ impl<'a> Scan<'a> {
         let (first, last) = (LEAST_SIDE, rows.checked_sub(LEAST_SIDE)?);
         let coarse = self.best((first..=last).step_by(stride).map(at).collect())?.rows[0];
         self.best((coarse.saturating_sub(stride).max(first)..=(coarse + stride).min(last)).map(at).collect())
+    }
+
+    /// The same without what differs from one level of the rows to the next.
+    pub fn beside(&self, levels: &[usize]) -> Self {
+        let mut columns = vec![vec![0.0; levels.len()]; levels.iter().max().map_or(0, |most| most + 1)];
+        levels.iter().enumerate().for_each(|(row, level)| columns[*level][row] = 1.0);
+        let white = |column: Vec<f64>| DVector::from_vec(self.noise.whiten(column));
+        let own = columns.into_iter().map(white);
+        let all: Vec<_> = self.basis.column_iter().map(|column| column.into_owned()).chain(own).collect();
+        let factors = DMatrix::from_columns(&all).col_piv_qr();
+        let sizes = factors.r().diagonal().map(f64::abs);
+        let rank = sizes.iter().filter(|size| **size > ROUND_OFF * sizes[0]).count();
+        let basis = factors.q().columns(0, rank).into_owned();
+        let residual = &self.residual - &basis * basis.tr_mul(&self.residual);
+        Self { measurements: self.measurements, noise: self.noise, basis, residual }
     }
 
     /// The wave along the coordinate of a term with the period that gains most; around an angle a whole number of

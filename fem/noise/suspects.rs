@@ -1,9 +1,12 @@
 //! Effects of the measurement that the residuals of a model ask for.
 
+use std::sync::OnceLock;
+
 use rayon::prelude::*;
 
 use super::effects::{contradictions, sought};
-use super::evidence::Evidence;
+use super::evidence::{Evidence, PROMISING};
+use super::recurring::recurs;
 use super::term::{Acts, Term};
 use super::{Noise, Restricted};
 use crate::measure::of_neighbours;
@@ -11,8 +14,6 @@ use crate::measure::of_neighbours;
 /// Ratio of the scatter of neighbouring rows to all scatter below which structure, not noise, is what
 /// exceeds the stated uncertainty.
 const ROUGH: f64 = 0.8;
-/// Fall of −2 ln L, beyond its price, from which a term is suspected, and worth a search.
-pub const PROMISING: f64 = 6.0;
 /// Most rows in which terms are suspected.
 const MOST_ROWS: usize = 20_000;
 
@@ -50,7 +51,13 @@ pub fn suspects(evidence: &Evidence) -> Vec<Term> {
     };
     let sets = contradictions(evidence).into_iter().chain(sought(evidence, false));
     let all: Vec<(f64, Noise)> = sets.collect::<Vec<_>>().into_par_iter().map(judge).collect();
-    let likely = all.into_iter().filter(|(at, noise)| *at < here - PROMISING && is_rough(noise, residuals));
+    let Evidence { process, as_read, .. } = *evidence;
+    let is_chance = |noise: &Noise| {
+        let scan = OnceLock::new();
+        let under = Evidence { process, measurements, as_read, noise, repeats, residuals, mean, scan };
+        is_rough(noise, residuals) && !recurs(&under, &evidence.noise.terms)
+    };
+    let likely = all.into_iter().filter(|(at, noise)| *at < here - PROMISING && is_chance(noise));
     let best = likely.min_by(|a, b| a.0.total_cmp(&b.0));
     let is_new = |term: &Term| !term.is_among(&noise.terms);
     best.map_or_else(Vec::new, |(_, noise)| noise.terms.into_iter().filter(is_new).collect())

@@ -22,7 +22,7 @@ impl Answer for FitAnswer<'_> {
         let noise = super::comparison::noise_text(&fit.noise.level(data), data);
         let at_work = measurement::at_work(name, &fit.noise.terms, &*data.model.process, Some(data));
         let mut blocks = vec![Block::Lines(format!(
-            "{name} fitted to {}: {} observations, noise {noise}\n{at_work}",
+            "{name} fitted to {}: {} observations, {noise}\n{at_work}",
             data.name,
             data.len()
         ))];

@@ -13,6 +13,7 @@ mod events;
 mod instrument;
 mod left_wrong;
 mod machine;
+mod recurring;
 mod scaled;
 mod score;
 mod table;

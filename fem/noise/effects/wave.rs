@@ -24,14 +24,18 @@ pub static WAVE: MeasurementEffect = MeasurementEffect {
     ..MeasurementEffect::USUAL
 };
 
-/// One for each observable along every place, of the period that gains most. Several waves make any curve, and none of
-/// them is there.
+/// One for each observable along every place, of the period that gains most, and along time in what neither approaches nor
+/// places say. Several waves make any curve, and none of them is there.
 pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
     let present = &evidence.noise.terms;
     let is_at_work = |own: Option<usize>| present.iter().any(|t| *t.effect == WAVE && t.observable == own);
     let free = evidence.each(Term::new(&WAVE)).filter(|term| !is_at_work(term.observable));
     let along = free.flat_map(|term| evidence.places().map(move |along| Term { along: Some(along), ..term.clone() }));
-    along.filter_map(|term| evidence.scan().wave(&term)).map(|term| evidence.and(term)).collect()
+    let scan = |term: Term| match term.along.is_some_and(|along| evidence.is_time(along.coordinate)) {
+        true => evidence.scan().beside(&evidence.returning()).wave(&term),
+        false => evidence.scan().wave(&term),
+    };
+    along.filter_map(scan).map(|term| evidence.and(term)).collect()
 }
 
 /// Cosine and sine, which share the square of the amplitude.

@@ -32,7 +32,12 @@ impl NoiseSource {
 
 /// Makes the JSON of the noise, in the unit of the errors of all rows.
 pub(super) fn noise(noise: &NoiseLevel, kind: Kind) -> Json {
-    json!({ "sigma": kind.from_si(noise.together()), "unit": kind.unit, "source": noise.source.word() })
+    let (sigma, source) = (kind.from_si(noise.together()), noise.source.word());
+    let mut told = json!({ "sigma": sigma, "unit": kind.unit, "source": source });
+    if noise.factor != 1.0 {
+        told["times_u"] = json!(noise.factor);
+    }
+    told
 }
 
 /// Makes the JSON of the agreement of each observable.

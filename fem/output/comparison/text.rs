@@ -11,7 +11,7 @@ use crate::process::{Plot, Process};
 /// The models side by side, and where each fails.
 pub fn blocks(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Vec<Block> {
     let level = comparisons.first().map(|first| noise(&first.noise.level(measurements), measurements));
-    let noise = level.map_or(String::new(), |level| format!(", noise {level}"));
+    let noise = level.map_or(String::new(), |level| format!(", {level}"));
     let mut head = format!("{}: {} observations{noise}\n", measurements.name, measurements.len());
     for c in comparisons {
         head += &measurement::at_work(&c.model, &c.noise.terms, process, Some(measurements));
@@ -72,8 +72,13 @@ pub(in crate::output) fn noise(noise: &NoiseLevel, measurements: &Measurements) 
     };
     let own =
         |(seen, sigma): (&MeasuredObservable, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
-    let all: Vec<String> = measurements.observables.iter().zip(&noise.of).map(own).collect();
-    format!("{} ({source})", all.join(" and "))
+    let told = |of: &[f64]| measurements.observables.iter().zip(of).map(own).collect::<Vec<String>>().join(" and ");
+    if noise.factor != 1.0 {
+        let stated: Vec<f64> = noise.of.iter().map(|sigma| sigma / noise.factor).collect();
+        let (stated, left, times) = (told(&stated), told(&noise.of), noise.factor);
+        return format!("u {stated} from the column; what is left is {left}, {times:.1} times as much");
+    }
+    format!("noise {} ({source})", told(&noise.of))
 }
 
 /// Smallest share of a feature that is notable where there are larger ones.

@@ -32,7 +32,9 @@ use super::falling::Falling;
 use super::json::{finite, json as document};
 use super::measurement::{self, curve, files};
 use super::staged::Staged;
-use crate::diagnose::{Believed, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Verdict};
+use crate::diagnose::{
+    Along, Believed, Bend, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Verdict,
+};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
@@ -208,7 +210,7 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         }),
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),
-        "bend": missing.bend.as_ref().map(|b| json!({ "along": b.along, "share": b.share })),
+        "bend": missing.bend.as_ref().map(|b| json!({ "along": along(b), "share": b.share })),
     });
     if let Some(changes) = &missing.effect.changes {
         let changed = missing.effect.parameters.iter().filter(|p| !p.is_step).zip(&missing.before);
@@ -290,5 +292,14 @@ fn remaining(data: &Data, diagnosis: &Diagnosis) -> Json {
             let features: Vec<Json> = diagnosis.remaining.iter().map(super::comparison::feature).collect();
             json!({ "text": unexplained(data, diagnosis), "features": features })
         }
+    }
+}
+
+/// What a law bends along: a coordinate, its `turns`, or null for its own size.
+fn along(bend: &Bend) -> Json {
+    match &bend.along {
+        Along::Coordinate(name) => json!(name),
+        Along::Turns => json!("turns"),
+        Along::Size => Json::Null,
     }
 }

@@ -1,6 +1,6 @@
 //! Words for a missing effect.
 
-use crate::diagnose::{Bend, Cause, Missing};
+use crate::diagnose::{Along, Bend, Cause, Missing};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::output::fit::Short;
@@ -73,8 +73,12 @@ pub fn chance(p: f64) -> String {
 
 /// A bend that the law of a missing effect does not have.
 pub fn bent(bend: &Bend) -> String {
-    let along = bend.along.as_ref().map_or("with its own size".into(), |name| format!("along {name}"));
-    format!("its shape is not wholly this law: it bends {along}, by up to {:.0} % of itself", 100.0 * bend.share)
+    let along = match &bend.along {
+        Along::Coordinate(name) => format!("it bends along {name}"),
+        Along::Size => "it bends with its own size".into(),
+        Along::Turns => "it has harmonics".into(),
+    };
+    format!("its shape is not wholly this law: {along}, by up to {:.0} % of itself", 100.0 * bend.share)
 }
 
 /// Traits of an effect of the measurement in this process and these rows, and last how to tell it from effects of the

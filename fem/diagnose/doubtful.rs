@@ -1,0 +1,120 @@
+//! What is not said of a model though the noise explains what it leaves: that it is complete.
+//!
+//! Zeros that follow a column are no chance, and a cause that does not help to predict what it was not fitted to is none.
+
+use std::collections::BTreeSet;
+
+use super::candidate_model::CandidateModel;
+use super::cross_validation::Folds;
+use super::verdict::GoodnessOfFit;
+use crate::compare::SIGNIFICANCE;
+use crate::measure::FILE;
+use crate::model::Data;
+use crate::noise::{Term, beyond_f};
+
+/// Fewest groups whose zeros are seen to follow a column, or that are left out.
+const LEAST_GROUPS: usize = 5;
+
+/// Why a model that the noise explains is not complete; `None` where nothing is against it.
+pub fn doubt(
+    best: &CandidateModel,
+    folds: Option<&Folds>,
+    before: &GoodnessOfFit,
+    after: &GoodnessOfFit,
+) -> Option<String> {
+    zeros_that_follow(best).or_else(|| left_out(best, folds?, before, after))
+}
+
+/// Says that the causes do not help to predict the groups that are left out.
+fn left_out(best: &CandidateModel, folds: &Folds, before: &GoodnessOfFit, after: &GoodnessOfFit) -> Option<String> {
+    let (was, is) = (before.cross_validation?, after.cross_validation?);
+    let is_told = !best.members.is_empty() && folds.can_be_told(best.objective.data) && is >= was;
+    is_told.then(|| {
+        let by = &folds.coordinate;
+        format!(
+            "what is left out by `{by}` is predicted no better with these causes: {is:.2} against {was:.2} of the noise"
+        )
+    })
+}
+
+/// Says that the zeros of groups that were found follow a column of the file.
+fn zeros_that_follow(best: &CandidateModel) -> Option<String> {
+    let (data, noise) = (best.objective.data, &best.objective.noise);
+    let residuals = best.residuals();
+    let is_found = |term: &Term| term.effect.sets_zero && !term.by.is_empty() && !term.is_among(&data.terms);
+    let mut found = noise.terms.iter().enumerate().filter(|(_, term)| is_found(term)).peekable();
+    found.peek()?;
+    let shares = noise.shares(&residuals);
+    let names = |term: &Term| {
+        let name =
+            |i: &usize| if *i == FILE { "file".into() } else { data.model.process.coordinates()[*i].name.to_string() };
+        term.by.iter().map(name).collect::<Vec<String>>().join(" and ")
+    };
+    found.find_map(|(number, term)| {
+        let followed = followed(data, term, &shares[number])?;
+        let (column, effect) = (&data.model.process.coordinates()[followed].name, term.effect.name);
+        Some(format!(
+            "the zeros of `{effect}` by {} follow `{column}`: what follows a column is no chance",
+            names(term)
+        ))
+    })
+}
+
+/// The column that the zeros of a term follow, by its position.
+fn followed(data: &Data, term: &Term, shares: &[f64]) -> Option<usize> {
+    let levels = data.levels(&term.by);
+    let count = levels.iter().max()? + 1;
+    let of_level = |level: usize| (0..levels.len()).find(|row| levels[*row] == level && term.is_of(data, *row));
+    let firsts: Vec<usize> = (0..count).filter_map(of_level).collect();
+    let is_constant = |column: usize| {
+        let x = &data.rows.columns[column];
+        firsts.len() >= LEAST_GROUPS
+            && (0..levels.len()).all(|row| {
+                let first = firsts.iter().find(|first| levels[**first] == levels[row]);
+                first.is_none_or(|first| x[*first].to_bits() == x[row].to_bits())
+            })
+    };
+    let columns: Vec<usize> = data.given.iter().copied().filter(|column| is_constant(*column)).collect();
+    let zeros: Vec<f64> = firsts.iter().map(|row| shares[*row]).collect();
+    let p_value = |column: &usize| {
+        let x: Vec<f64> = firsts.iter().map(|row| data.rows.columns[*column][*row]).collect();
+        (1.0f64).min(line(&x, &zeros)).min(steps(&x, &zeros)) * 2.0 * columns.len() as f64
+    };
+    let best = columns.iter().copied().min_by(|a, b| p_value(a).total_cmp(&p_value(b)))?;
+    (p_value(&best) < SIGNIFICANCE).then_some(best)
+}
+
+/// p-value of a straight line through the zeros along a column.
+fn line(x: &[f64], zeros: &[f64]) -> f64 {
+    let n = x.len() as f64;
+    let mean = |v: &[f64]| v.iter().sum::<f64>() / n;
+    let (mx, my) = (mean(x), mean(zeros));
+    let product =
+        |a: &[f64], ma: f64, b: &[f64], mb: f64| a.iter().zip(b).map(|(a, b)| (a - ma) * (b - mb)).sum::<f64>();
+    let (xx, xy, yy) = (product(x, mx, x, mx), product(x, mx, zeros, my), product(zeros, my, zeros, my));
+    f_test(xy * xy / xx, yy, 1.0, n - 2.0)
+}
+
+/// p-value of a value of the zeros for each value of a column, which at least two groups have on average.
+fn steps(x: &[f64], zeros: &[f64]) -> f64 {
+    let distinct: BTreeSet<u64> = x.iter().map(|x| x.to_bits()).collect();
+    if 2 * distinct.len() > x.len() {
+        return 1.0;
+    }
+    let n = x.len() as f64;
+    let mean = zeros.iter().sum::<f64>() / n;
+    let of = |bits: &u64| {
+        let own: Vec<f64> = x.iter().zip(zeros).filter(|(x, _)| x.to_bits() == *bits).map(|(_, z)| z - mean).collect();
+        own.iter().sum::<f64>().powi(2) / own.len() as f64
+    };
+    let whole = zeros.iter().map(|z| (z - mean).powi(2)).sum();
+    f_test(distinct.iter().map(of).sum(), whole, distinct.len() as f64 - 1.0, n - distinct.len() as f64)
+}
+
+/// p-value of a share of a sum of squares.
+fn f_test(explained: f64, whole: f64, freedom: f64, rest: f64) -> f64 {
+    if !explained.is_finite() || freedom < 1.0 || rest < 1.0 {
+        return 1.0;
+    }
+    beyond_f(freedom, rest, explained / freedom / ((whole - explained).max(f64::MIN_POSITIVE) / rest)).unwrap_or(1.0)
+}
