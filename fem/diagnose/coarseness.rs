@@ -39,9 +39,6 @@ pub fn coarseness(objective: &Objective, base: &Solution, effects: &[Description
     };
     let all: Vec<(usize, f64)> = effects.par_iter().flat_map_iter(sizes).collect();
     let of_sort = |sort: usize| all.iter().filter(move |own| own.0 == sort).map(|own| own.1).collect::<Vec<f64>>();
-    if std::env::var("FEM_COARSE").is_ok_and(|mode| mode == "off") {
-        return Coarseness::default();
-    }
     Coarseness::of(|sort| believed(median(&mut of_sort(sort))))
 }
 
