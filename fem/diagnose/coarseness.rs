@@ -70,3 +70,26 @@ fn median(values: &mut [f64]) -> f64 {
     let (low, high) = (values.get(values.len().saturating_sub(1) / 2), values.get(values.len() / 2));
     low.zip(high).map_or(0.0, |(low, high)| 0.5 * (low + high))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::LN_10;
+
+    use super::{believed, median};
+
+    /// In decades: what one machine's residual may be off by is hardly believed, a factor of a thousand nearly wholly,
+    /// and too fine as too coarse.
+    #[test]
+    fn a_little_is_the_residuals_and_much_is_the_machines() {
+        for (asked, moved) in [(0.0, 0.0), (0.5, 0.1), (1.0, 0.5), (2.0, 1.6), (3.0, 2.7), (6.0, 216.0 / 37.0)] {
+            for sign in [1.0, -1.0] {
+                assert!((believed(sign * asked * LN_10) - sign * moved * LN_10).abs() < 1e-12, "{asked}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_median_of_nothing_moves_nothing() {
+        assert_eq!([median(&mut []), median(&mut [3.0]), median(&mut [4.0, 1.0, 2.0, 9.0])], [0.0, 3.0, 3.0]);
+    }
+}
