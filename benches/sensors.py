@@ -12,6 +12,7 @@ import csv
 import pathlib
 import random
 import re
+import resource
 import subprocess
 import tempfile
 import time
@@ -73,6 +74,11 @@ def predicted(fem, folder, effects):
     return rows[: SENSORS * TIMES]
 
 
+def cpu():
+    """CPU time of all programs that have been run (s)."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+
+
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("fem", type=pathlib.Path)
@@ -93,13 +99,13 @@ def main():
                     value += 0.8 * (at / 200) ** 2 * (x / 200) ** 3 * (1 if at < 110 else -1) * (not effects)
                     file.write(f"{at:g},{x:g},{value + draw.gauss(0.0, NOISE):.4f}" + (f",{NOISE}\n" if known else "\n"))
             (folder / "model.toml").write_text(model("15 +- 3 W/m^2/K"))
-            start = time.time()
+            start, before = time.time(), cpu()
             told = subprocess.run([fem, "diagnose", "model.toml", "--with", "measured.csv", "--profile"],
                                   cwd=folder, check=True, capture_output=True, text=True)
-            seconds = time.time() - start
+            seconds, busy = time.time() - start, cpu() - before
             evaluations = re.search(r"in all +\d+ +(\d+)", told.stderr)
             verdict = next(line for line in told.stdout.splitlines()[1:] if line)
-            print(f"{case}, {len(rows)} rows: {seconds:.1f} s, {evaluations and evaluations[1]} evaluations; {verdict}")
+            print(f"{case}, {len(rows)} rows: {seconds:.1f} s ({busy:.1f} s of CPU), {evaluations and evaluations[1]} evaluations; {verdict}")
 
 
 if __name__ == "__main__":

@@ -14,8 +14,8 @@ use crate::process::{Description, Parameter};
 
 /// Ratio of what is measured for to the uncertainty of the instrument, as instruments are chosen.
 const INSTRUMENT: f64 = 10.0;
-/// Standard deviation of the logarithm of what one machine leaves beside the usual: a factor of ten.
-const ONE_MACHINE: f64 = std::f64::consts::LN_10;
+/// Logarithm of what one machine leaves beside the usual, up to which it says nothing of its coarseness: a factor of thirty.
+const ONE_MACHINE: f64 = 1.5 * std::f64::consts::LN_10;
 
 /// How coarse a machine is, by the residual of a fitted model without the effects.
 pub fn coarseness(objective: &Objective, base: &Solution, effects: &[Description]) -> Coarseness {
@@ -39,16 +39,13 @@ pub fn coarseness(objective: &Objective, base: &Solution, effects: &[Description
     };
     let all: Vec<(usize, f64)> = effects.par_iter().flat_map_iter(sizes).collect();
     let of_sort = |sort: usize| all.iter().filter(move |own| own.0 == sort).map(|own| own.1).collect::<Vec<f64>>();
-    if std::env::var("FEM_COARSE").is_ok_and(|mode| mode == "off") {
-        return Coarseness::default();
-    }
     Coarseness::of(|sort| believed(median(&mut of_sort(sort))))
 }
 
-/// What of a logarithm is believed to be the machine's own and not that of what happens to be missing in it: shrunk by the
-/// variance of that beside its own square (James and Stein 1961).
+/// What of a logarithm is believed to be the machine's own, and not that of what happens to be missing in it (the shrinkage of
+/// James and Stein 1961, positive part).
 fn believed(beyond: f64) -> f64 {
-    beyond * beyond.powi(2) / (beyond.powi(2) + ONE_MACHINE.powi(2))
+    if beyond.abs() > ONE_MACHINE { beyond - ONE_MACHINE.powi(2) / beyond } else { 0.0 }
 }
 
 /// Scale of the residual in standard uncertainties, of which neither a constant nor a few rows are the most; no less than what
@@ -72,4 +69,27 @@ fn median(values: &mut [f64]) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     let (low, high) = (values.get(values.len().saturating_sub(1) / 2), values.get(values.len() / 2));
     low.zip(high).map_or(0.0, |(low, high)| 0.5 * (low + high))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::LN_10;
+
+    use super::{believed, median};
+
+    /// In decades: what one machine's residual may be off by moves nothing, a factor of a thousand nearly all of it, and
+    /// too fine as too coarse.
+    #[test]
+    fn a_little_is_the_residuals_and_much_is_the_machines() {
+        for (asked, moved) in [(0.0, 0.0), (1.0, 0.0), (1.5, 0.0), (2.0, 0.875), (3.0, 2.25), (6.0, 5.625)] {
+            for sign in [1.0, -1.0] {
+                assert!((believed(sign * asked * LN_10) - sign * moved * LN_10).abs() < 1e-12, "{asked}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_median_of_nothing_moves_nothing() {
+        assert_eq!([median(&mut []), median(&mut [3.0]), median(&mut [4.0, 1.0, 2.0, 9.0])], [0.0, 3.0, 3.0]);
+    }
 }

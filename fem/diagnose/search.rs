@@ -146,11 +146,7 @@ pub fn search<'a>(
         idle: if known.is_empty() { IDLE } else { 1 },
     };
     pool.visit(vec![base.clone()]);
-    let at0 = base.objective.trials.evaluations();
     progress.stretch("sets that an earlier search has found", || pool.resume(known));
-    if std::env::var("FEM_COUNT").is_ok() {
-        eprintln!("search: known {} resumed with {} evals", known.len(), base.objective.trials.evaluations() - at0);
-    }
     pool.leave(&[Vec::new()], Reach::Two);
     progress.stretch("fits of one effect", || pool.singles());
     progress.stretch("fits of sets", || pool.explore(progress));
@@ -280,18 +276,8 @@ impl<'a> Pool<'_, 'a> {
         let all: Vec<Weighed> =
             known.par_iter().filter(|set| !set.model.members.is_empty()).filter_map(under).collect();
         let most = all.iter().map(|set| set.criterion).fold(f64::INFINITY, f64::min) + WINDOW;
-        let knob: usize = std::env::var("FEM_RESUME").ok().and_then(|v| v.parse().ok()).unwrap_or(usize::MAX);
-        let mut order: Vec<f64> = all.iter().map(|set| set.criterion).collect();
-        order.sort_by(f64::total_cmp);
-        let most = most.min(order.get(knob).copied().unwrap_or(f64::INFINITY));
-        let singles = std::env::var("FEM_SINGLES").is_err();
-        if std::env::var("FEM_COUNT").is_ok() {
-            let count = all.iter().filter(|set| set.criterion < most).count();
-            let rest = all.iter().filter(|set| set.model.solution.slopes.is_some()).count();
-            eprintln!("  of {} within window {count}, with slopes {rest}", all.len());
-        }
         let again = |Weighed { mut model, criterion }: Weighed<'a>| {
-            if criterion < most || singles && model.members.len() == 1 {
+            if criterion < most || model.members.len() == 1 {
                 model.solution = resume(&mut model.objective, model.solution, SEARCHING);
             }
             model
@@ -424,13 +410,7 @@ impl<'a> Pool<'_, 'a> {
     /// Visits all sets that may be near the best.
     fn explore(&mut self, progress: &Progress) {
         let (mut fits, mut idle) = (0, 0);
-        let knob = |name: &str, usual: usize| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
-        let most_fits = if self.looks_elsewhere { knob("FEM_FIRST", MOST_FITS) } else { knob("FEM_LATER", MOST_FITS) };
-        let say = std::env::var("FEM_COUNT").is_ok();
-        let evals = || self.base.objective.trials.evaluations();
-        let begun = evals();
-        let (spent, after) = (knob("FEM_SPENT", usize::MAX), knob("FEM_AFTER", 24));
-        while fits < (if evals() > spent { after.min(most_fits) } else { most_fits }) && progress.permits("further sets of effects") {
+        while fits < MOST_FITS && progress.permits("further sets of effects") {
             let best = self.best();
             let far = |left: Option<Reach>, criterion: f64| match left {
                 None => criterion < best + WINDOW,
@@ -469,9 +449,6 @@ impl<'a> Pool<'_, 'a> {
             let before = self.weight(best);
             self.make(&keys(promising));
             idle = if self.weight(best) - before < NEWS * before { idle + 1 } else { 0 };
-            if say {
-                eprintln!("  fits {fits} best {:.2} -> {:.2} weight {before:.3} -> {:.3} idle {idle} looks {} visited {} evals {}", best, self.best(), self.weight(best), self.looks, self.visited.len(), evals() - begun);
-            }
         }
     }
 }

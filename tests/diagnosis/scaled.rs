@@ -83,12 +83,12 @@ fn differing(copying: &Copying, seeds: impl Iterator<Item = u64>) -> [usize; 3] 
     counts
 }
 
-/// Joints: by the rates of the whole (1 and 5 of its twenty) more than two of six would have another verdict, and of
-/// more than four something else be certain, by chance in less than one set of seeds of a hundred.
+/// Joints: one that has another verdict, or two of which something else is certain, may be machines on the edge of what is
+/// told; more are not.
 #[test]
 fn scaled_copies_of_joints_have_the_same_verdict() {
     let [verdicts, certain, all] = differing(&COPIES[1], 0..6);
-    assert!(verdicts <= 2 && certain <= 4, "{verdicts} and {certain} of {all}");
+    assert!(verdicts <= 1 && certain <= 2, "{verdicts} and {certain} of {all}");
 }
 
 #[test]

@@ -9,10 +9,6 @@ use super::super::term::{Acts, MeasurementEffect, Size, Term};
 /// weight is then a hundredth, and no likelihood of single rows could tell it.
 pub const OUTLYING: f64 = 10.0;
 
-/// Distance of an outlying row, in standard deviations of its own, beyond which its noise exceeds that of the others by more:
-/// of one that is off by a thousand times the noise a tenth of that would still be structure.
-const PULLED: f64 = 3.0;
-
 /// Single rows are wrong, and weighed down.
 pub static OUTLIERS: MeasurementEffect = MeasurementEffect {
     name: "outliers",
@@ -43,7 +39,7 @@ pub fn contradictions(evidence: &Evidence) -> Option<Vec<Term>> {
     let z: Vec<f64> = evidence.residuals.iter().zip(noise.sigma.iter()).map(|(r, s)| r / s).collect();
     let rows = contradictory(&evidence.repeats.groups_of_rows(), &z);
     let is_new = rows.iter().any(|row| !noise.is_weighed_down(*row));
-    is_new.then(|| instead(evidence, of(rows)))
+    is_new.then(|| instead(evidence, rows))
 }
 
 /// Rows that lie far outside of what the others scatter; none where they are too many to be single mistakes.
@@ -64,16 +60,12 @@ pub fn sought(evidence: &Evidence) -> Vec<Vec<Term>> {
     let mut rows = [present, new.clone()].concat();
     rows.sort_unstable();
     let are_few = !new.is_empty() && rows.len() as f64 <= FEW * z.len() as f64;
-    let now = noise.terms.iter().filter(|t| *t.effect == OUTLIERS).fold(1.0, |most, t| t.size.max(most));
-    let distance = |row: &usize| z[*row].abs() * if noise.is_weighed_down(*row) { now } else { 1.0 };
-    let farthest = rows.iter().map(distance).fold(0.0, f64::max) / usual;
-    let size = OUTLYING.max(farthest / PULLED);
-    if are_few { vec![instead(evidence, Term { size, ..of(rows) })] } else { Vec::new() }
+    if are_few { vec![instead(evidence, rows)] } else { Vec::new() }
 }
 
-/// The terms at work with this one of outlying rows in the place of any others.
-fn instead(evidence: &Evidence, term: Term) -> Vec<Term> {
-    evidence.noise.terms.iter().filter(|t| *t.effect != OUTLIERS).cloned().chain([term]).collect()
+/// The terms at work with these outlying rows in the place of any others.
+fn instead(evidence: &Evidence, rows: Vec<usize>) -> Vec<Term> {
+    evidence.noise.terms.iter().filter(|t| *t.effect != OUTLIERS).cloned().chain([of(rows)]).collect()
 }
 
 #[cfg(test)]
