@@ -19,7 +19,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{findings, laplace, look_alike, moves, next};
+use super::{findings, laplace, look_alike, moves, next, over_sets};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
@@ -71,7 +71,8 @@ pub fn conclude(
         after = before.clone();
         remaining = features.clone();
     }
-    let fit = fit::report(&best.objective, settled, repeats);
+    let mut fit = fit::report(&best.objective, settled, repeats);
+    over_sets::widen(&mut fit.estimates, &found);
     let progress = &found.base.objective.data.progress;
     let mut confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
         true => progress.stretch("effects that look alike", || confounding::confoundings(&found)),

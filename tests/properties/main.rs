@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod edits;
+mod estimates;
 mod formula;
 mod look_alikes;
 mod roles;
