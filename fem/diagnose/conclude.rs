@@ -19,7 +19,7 @@ use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{findings, laplace, look_alike, moves, next, over_sets};
+use super::{findings, laplace, look_alike, moves, next};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
@@ -71,8 +71,7 @@ pub fn conclude(
         after = before.clone();
         remaining = features.clone();
     }
-    let mut fit = fit::report(&best.objective, settled, repeats);
-    over_sets::widen(&mut fit.estimates, &found);
+    let fit = fit::report(&best.objective, settled, repeats);
     let progress = &found.base.objective.data.progress;
     let mut confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
         true => progress.stretch("effects that look alike", || confounding::confoundings(&found)),
@@ -228,7 +227,8 @@ fn cautions(
 /// What the model says about odds, on which all probabilities depend.
 fn own_odds(odds: &OwnOdds) -> Option<String> {
     let told: Vec<String> = odds.iter().map(|(name, odds)| format!("{odds} to one for {name}")).collect();
-    (!told.is_empty()).then(|| format!("probabilities follow the odds that the model gives itself: {}", told.join(", ")))
+    (!told.is_empty())
+        .then(|| format!("probabilities follow the odds that the model gives itself: {}", told.join(", ")))
 }
 
 /// Lists the effects of the best model, the most needed first, each with its alternatives.

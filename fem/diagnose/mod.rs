@@ -28,7 +28,6 @@ mod moves;
 mod next;
 mod null_distribution;
 mod on_trial;
-mod over_sets;
 mod pairs;
 mod plan;
 mod posterior;
