@@ -1,7 +1,8 @@
 //! Which quantities of a model people estimate, so that a diagnosis may doubt them, and which are facts.
 
-use fem::input::{Grows, Source};
+use fem::input::{Grows, Parameter, Source};
 use fem::model::Model;
+use fem::units::Knowledge;
 
 /// Paths of the quantities of a model that people estimate, in alphabetical order.
 fn estimated(text: &str) -> Vec<String> {
@@ -47,9 +48,8 @@ feed = "0.2 mm/rev"
 spindle_speed = "600 rpm"
 force = { C = 1250.0, x = 0.9, y = 0.75, n = 0.0, HB = 200.0 }
 "#;
-    let rest = "workholding.steady_rests[0]";
-    let expected = ["cut.force.C", "tool.overhang", &format!("{rest}.offset"), &format!("{rest}.stiffness")];
-    assert_eq!(estimated(shaft), expected);
+    let of_rest = ["workholding.steady_rests[0].offset", "workholding.steady_rests[0].stiffness"];
+    assert_eq!(estimated(shaft), [&["cut.force.C", "tool.overhang"][..], &of_rest].concat());
 }
 
 /// A model to start from states nothing as known that people estimate.
@@ -58,9 +58,9 @@ fn starting_models_state_no_estimate_as_a_fact() {
     for process in fem::processes::ALL {
         let source = Source::new("new.toml", process.starting_model());
         let model = Model::parse(source).unwrap_or_else(|error| panic!("{}: {error}", process.name()));
-        let is_fact = |q: &&fem::input::Parameter| q.quantity.knowledge == fem::units::Knowledge::Known;
-        let of_effects = |q: &&fem::input::Parameter| q.path.starts_with("effects.");
-        let facts = model.quantities.iter().filter(is_fact).filter(|q| q.doubt.is_some() || of_effects(q));
+        let is_fact = |q: &&Parameter| q.quantity.knowledge == Knowledge::Known;
+        let is_estimate = |q: &&Parameter| q.doubt.is_some() || q.path.starts_with("effects.");
+        let facts = model.quantities.iter().filter(is_fact).filter(is_estimate);
         let facts: Vec<&str> = facts.map(|q| &*q.path).collect();
         assert!(facts.is_empty(), "{}: {facts:?}", process.name());
         model.require_values().unwrap_or_else(|error| panic!("{}: {error}", process.name()));
