@@ -236,7 +236,8 @@ fn cautions(
 /// What the model says about odds, on which all probabilities depend.
 fn own_odds(odds: &OwnOdds) -> Option<String> {
     let told: Vec<String> = odds.iter().map(|(name, odds)| format!("{odds} to one for {name}")).collect();
-    (!told.is_empty()).then(|| format!("probabilities follow the odds that the model gives itself: {}", told.join(", ")))
+    (!told.is_empty())
+        .then(|| format!("probabilities follow the odds that the model gives itself: {}", told.join(", ")))
 }
 
 /// Lists the effects of the best model, the most needed first, each with its alternatives.

@@ -3,7 +3,7 @@
 use super::residual_projection::ProjectedResidual;
 use super::sensitivity::{CandidateEffect, Variant};
 use crate::input::{Grows, Name};
-use crate::process::Neutral;
+use crate::process::{Neutral, Parameter};
 
 /// Standard uncertainties by which a sensitivity must exceed the threshold for a detection in nine cases of
 /// ten (power 0.9).
@@ -47,16 +47,7 @@ pub fn detection_limit(
     let own_share = if whole > 0.0 { left / whole } else { 0.0 };
     let least = (threshold.sqrt() + NINE_OF_TEN) / left;
     let least = linear.value(least);
-    let shown = match entry.neutral {
-        Neutral::Infinity => entry.kind.from_si(1.0 / least),
-        Neutral::Value(neutral) => neutral + entry.kind.from_si(least),
-        Neutral::Written(written, Grows::Inversely) => written / (1.0 + least),
-        Neutral::Written(written, Grows::Linearly) => written * (1.0 + least),
-        // The search variable is the logarithm of the ratio.
-        Neutral::Written(written, Grows::Otherwise) => written * least.exp(),
-        Neutral::Written(written, Grows::Evenly) => entry.kind.from_si(entry.kind.to_si(written) + least),
-        Neutral::Shape => entry.kind.from_si(least),
-    };
+    let shown = shown(entry, least);
     let reachable = match entry.neutral {
         Neutral::Infinity => shown > entry.range.0,
         Neutral::Written(written, Grows::Inversely) => shown / written > entry.range.0 / written,
@@ -71,4 +62,42 @@ pub fn detection_limit(
         own_share,
         detectable,
     })
+}
+
+/// Value of a parameter, in its canonical unit, at this distance of the search variable from where its effect vanishes.
+fn shown(entry: &Parameter, distance: f64) -> f64 {
+    match entry.neutral {
+        Neutral::Infinity => entry.kind.from_si(1.0 / distance),
+        Neutral::Value(neutral) => neutral + entry.kind.from_si(distance),
+        Neutral::Written(written, Grows::Inversely) => written / (1.0 + distance),
+        Neutral::Written(written, Grows::Linearly) => written * (1.0 + distance),
+        // The search variable is the logarithm of the ratio.
+        Neutral::Written(written, Grows::Otherwise) => written * distance.exp(),
+        Neutral::Written(written, Grows::Evenly) => entry.kind.from_si(entry.kind.to_si(written) + distance),
+        Neutral::Shape => entry.kind.from_si(distance),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown;
+    use crate::fit::SearchVariable;
+    use crate::input::{Bounds, Doubt, Grows};
+    use crate::process::Parameter;
+    use crate::units::{CONVECTION, TEMPERATURE};
+
+    #[test]
+    fn a_limit_of_a_value_stands_where_the_search_variable_has_its_distance() {
+        for grows in [Grows::Linearly, Grows::Inversely, Grows::Otherwise] {
+            let doubt = Doubt::by_factor(0.3, 3.0, grows, "");
+            let entry = Parameter::doubted("film".into(), (CONVECTION, Bounds::Positive), 15.0, doubt);
+            let position = SearchVariable::of_candidate(&entry, None).position(CONVECTION.to_si(shown(&entry, 0.4)));
+            assert!((position - 0.4).abs() < 1e-12, "{grows:?}: {position}");
+        }
+        let doubt = Doubt::by_amount(0.3, 3.0, "");
+        let entry = Parameter::doubted("room".into(), (TEMPERATURE, Bounds::Any), 293.15, doubt);
+        assert!((shown(&entry, 1.5) - 21.5).abs() < 1e-9);
+        let position = SearchVariable::of_candidate(&entry, None).position(TEMPERATURE.to_si(21.5));
+        assert!((position - 1.5).abs() < 1e-9, "{position}");
+    }
 }

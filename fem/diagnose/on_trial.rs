@@ -18,9 +18,8 @@ pub fn values_on_trial(model: &Model) -> Vec<Description> {
     if model.campaign().is_some() {
         return Vec::new();
     }
-    let is_known = |quantity: &&Parameter| {
-        quantity.quantity.knowledge == Knowledge::Known && quantity.quantity.value.is_finite()
-    };
+    let is_known =
+        |quantity: &&Parameter| quantity.quantity.knowledge == Knowledge::Known && quantity.quantity.value.is_finite();
     model.quantities.iter().filter(is_known).filter_map(|quantity| value_on_trial(model, quantity)).collect()
 }
 

@@ -164,8 +164,8 @@ fn bad_input_is_told_with_its_remedy() {
     let good = place.fem(&["new", "cam"]).out;
     place.refuses(("run", "cam.toml"), &good, CASES);
     let without = good
-        .replace("force_per_rate = \"10 N/(mm^2/s)\"", "")
-        .replace("wheel-wear]\nloss = \"5 um\"", "grinding-deflection]\nstiffness = \"5 N/um\"");
+        .replace("force_per_rate = \"10 +- 10 N/(mm^2/s)\"", "")
+        .replace("wheel-wear]\nloss = \"5 +- 5 um\"", "grinding-deflection]\nstiffness = \"5 N/um\"");
     place.write("cam.toml", without);
     let answer = place.fem(&["run", "cam.toml"]);
     assert!(answer.status == 2 && answer.err.contains("needs the force of the cut"), "{}", answer.err);

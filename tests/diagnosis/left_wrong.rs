@@ -74,7 +74,7 @@ pub fn length_beside(
     let slope = |quantity: &Parameter| {
         let value = quantity.quantity.value;
         let there = if value == 0.0 { 1e-9 } else { value * 1.001 };
-        let column = predicted(&right.with_values(&[(&quantity.path, there)]).ok()?)? - &base;
+        let column = predicted(&right.with_values(&[(&*quantity.path, there)]).ok()?)? - &base;
         (column.norm() > 1e-9).then(|| column.normalize())
     };
     let columns: Vec<DVector<f64>> = right.quantities.iter().filter(|q| free(&q.path)).filter_map(slope).collect();

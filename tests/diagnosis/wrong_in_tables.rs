@@ -66,7 +66,8 @@ fn told(process: &Process, seed: u64) -> Option<(Told, String)> {
         let true_value = |path: &str| (path == seen.path).then_some(seen.truth);
         let told = Told { length: seen.length, ..Told::of(&diagnosis, &seen.path, &hidden, true_value) };
         let said = said(&diagnosis);
-        let told_of = format!("{} off by {times:.2}, lambda {:.0}, beside {hidden:?}: told {said}", seen.path, seen.length);
+        let told_of =
+            format!("{} off by {times:.2}, lambda {:.0}, beside {hidden:?}: told {said}", seen.path, seen.length);
         return Some((told, told_of));
     }
     None

@@ -4,6 +4,7 @@
 
 mod changed;
 mod edits;
+mod estimates;
 mod formula;
 mod look_alikes;
 mod roles;
