@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::bent_law;
 use super::candidate_model::{CandidateModel, Weighed};
+use super::change;
 use super::confounding::{self, Confounding};
 use super::cross_validation::Folds;
 use super::detection_limit::{DetectionLimit, detection_limit};
@@ -14,11 +15,13 @@ use super::hypothesis::Hypothesis;
 use super::largest_change::LargestChange;
 use super::lead;
 use super::model_average::Others;
-use super::null_distribution::{Variance, variance};
+use super::null_distribution::{MaxStatistic, Variance, variance};
 use super::posterior::{CERTAIN, Posterior};
 use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
+use super::screening::Screening;
 use super::search::{SIGNIFICANCE, SearchResult};
+use super::sensitivity::CandidateEffect;
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{doubtful, findings, laplace, look_alike, moves, next};
 use crate::fit::{self, Estimate, Fit, StoppingCriterion, minimise};
@@ -279,6 +282,8 @@ fn missing(
         let gained = own.map_or(0.0, |p| p.chi2_without - best.solution.chi2);
         let measured = variance.statistic(gained, best.solution.chi2, best.objective.freedom());
         let effect = found.candidates[last].effect.clone();
+        let of_change = effect.changes.as_ref().and_then(|_| null_of_changes(found, best, variance));
+        let null = of_change.as_ref().unwrap_or(&found.null_distribution);
         let own_paths: Vec<ParameterId> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
             cause: findings::cause(&effect),
@@ -286,7 +291,7 @@ fn missing(
             probability: posterior.of(&effect.name),
             effect,
             goodness: goodness(&rest),
-            p_value: found.null_distribution.p_value(measured),
+            p_value: null.p_value(measured),
             estimates: {
                 let own = fit.estimates.iter().filter(|e| own_paths.contains(&e.parameter.path));
                 own.cloned().map(&widened).collect()
@@ -301,6 +306,19 @@ fn missing(
     }
     list.reverse();
     list
+}
+
+/// How often a search finds as much on noise, where changes are sought too: they have many borders.
+fn null_of_changes(found: &SearchResult, best: &CandidateModel, variance: Variance) -> Option<MaxStatistic> {
+    let projected = ProjectedResidual::new(&mut best.objective.clone(), &best.solution)?;
+    let members = || best.members.iter().map(|m| &found.candidates[*m].effect);
+    let is_sought = |(number, own): &(usize, &CandidateEffect)| match own.effect.changes {
+        Some(_) => change::has_its_effect(&own.effect, best.objective.data.model, members()),
+        None => !best.members.contains(number),
+    };
+    let sought: Vec<&CandidateEffect> =
+        found.candidates.iter().enumerate().filter(is_sought).map(|(_, own)| own).collect();
+    Some(MaxStatistic::simulate(&Screening::new(&projected, &sought), projected.freedom, variance))
 }
 
 /// The values (SI) that what an effect changes has before, in the order of the effect's parameters; none where it is no

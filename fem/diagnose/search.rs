@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::candidate_model::{CandidateModel, Weighed};
-use super::change;
 use super::laplace;
 use super::lead::bare;
 use super::moves::{self, Move, Reach, SEARCHING};
@@ -124,10 +123,9 @@ pub fn search<'a>(
     let null_beside = |set: &CandidateModel| {
         progress.stretch(CHANCE, || {
             let projected = ProjectedResidual::new(&mut set.objective.clone(), &set.solution)?;
-            let members = || set.members.iter().map(|m| &candidates[*m].effect);
-            let is_free = |effect| change::has_its_effect(effect, set.objective.data.model, members());
-            let others = candidates.iter().enumerate().filter(|(i, c)| !set.members.contains(i) && is_free(&c.effect));
-            let others = others.map(|(_, c)| c);
+            // Changes pay for their borders by odds and place, and have a distribution of their own where one is told.
+            let is_other = |i: usize, c: &CandidateEffect| !set.members.contains(&i) && c.effect.changes.is_none();
+            let others = candidates.iter().enumerate().filter(|(i, c)| is_other(*i, c)).map(|(_, c)| c);
             let screening = Screening::new(&projected, &others.collect::<Vec<_>>());
             Some(MaxStatistic::simulate(&screening, projected.freedom, variance))
         })

@@ -36,9 +36,7 @@ pub(crate) use blank::{BlankProfile, BlankWords, Wave};
 pub use change::{CHANGED, change_of, is_size, name_of_change};
 pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
-pub use effect::{
-    Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing,
-};
+pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing};
 pub use failure::Failure;
 pub use figure::{Datum, Figure, extremes, first_extreme, range, spread};
 pub use formula_effect::{FormulaLaw, Meaning};

@@ -19,6 +19,7 @@ pub struct Shared {
 
 /// Form that a shared effect takes in one test.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "tests have some dozens of them, and nobody moves them about")]
 pub enum Acting {
     /// An effect of its process.
     Effect(Description),

@@ -101,7 +101,12 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
 /// A value with its interval: `stiffness 30.4 [29.2, 31.7] N/um`.
 fn estimate(e: &Estimate, missing: &Missing) -> String {
     let k = e.parameter.kind;
-    let short = |si: f64| format!("{:.4}", Short(k.from_si(si)));
+    let step = missing.effect.parameters.iter().find(|p| p.is_step && p.name == name(e));
+    let short = |si: f64| match step {
+        Some(_) => format!("{:.0}", k.from_si(si)),
+        None => format!("{:.4}", Short(k.from_si(si))),
+    };
+    let along = step.and_then(|p| p.along.as_ref()).map_or(String::new(), |along| format!(" {along}"));
     let end = |si: Option<f64>| si.map_or("open".into(), short);
     let interval = match (e.interval.low, e.interval.high) {
         (None, None) if !matches!(missing.cause, Cause::Measurement { .. }) => " [open]".into(),
@@ -109,7 +114,7 @@ fn estimate(e: &Estimate, missing: &Missing) -> String {
         (low, high) => format!(" [{}, {}]", end(low), end(high)),
     };
     let before = value_before(missing, name(e)).unwrap_or_default();
-    whole(format!("{} {before}{}{interval} {}", name(e), short(e.value), k.unit).trim_end())
+    whole(format!("{}{along} {before}{}{interval} {}", name(e), short(e.value), k.unit).trim_end())
 }
 
 /// The lines of outlying rows.
