@@ -3,14 +3,14 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{DVector, DVectorView};
+use nalgebra::DVector;
 use rayon::prelude::*;
 
 use super::sensitivity::{self, CandidateEffect, LinearParameter, Variant};
 use crate::fit::{Objective, Solution};
 use crate::model::Data;
 use crate::noise::time_of;
-use crate::process::{Absent, Description, Rows, Values};
+use crate::process::{Absent, Description, Holds, Rows, Values};
 use crate::units::LENGTH;
 
 /// Sensitivities of all `effects` about a solution of the model without them, without those that are like any curve.
@@ -18,49 +18,84 @@ pub fn candidates(objective: &Objective, base: &Solution, effects: &[Description
     let mut all = sensitivity::candidates(objective, base, effects);
     let untimed = without_times(objective.data);
     all.par_iter_mut().for_each(|candidate| {
-        candidate.variants.retain(turns_enough);
-        let Some((first, rows)) = candidate.variants.first().zip(untimed.as_ref()) else { return };
-        if acts_through_times(&objective.with(&candidate.effect), base, first, rows) {
+        let Some(first) = candidate.variants.first() else { return };
+        let seen = Seen { trial: &objective.with(&candidate.effect), base, variant: first };
+        let is_curve = untimed.as_ref().is_some_and(|rows| seen.acts_through_times(rows))
+            || candidate.is_of_one_shape() && seen.turn().is_some_and(|turn| turn < PI);
+        if is_curve {
             candidate.variants.clear();
         }
     });
     all
 }
 
-/// Whether the rows see half a period of what is a wave.
-fn turns_enough(variant: &Variant) -> bool {
-    /// Part of the largest value of a wave below which its phase at a row is round-off, and of a turn.
-    const ROUND_OFF: f64 = 1e-6;
-    let Some([sine, cosine]) = variant.wave() else { return true };
-    let largest = sine.amax().max(cosine.amax());
-    let is_seen = |(s, c): &(&f64, &f64)| s.hypot(**c) > ROUND_OFF * largest;
-    let mut phases: Vec<f64> =
-        sine.iter().zip(cosine.iter()).filter(is_seen).map(|(s, c)| s.atan2(*c).rem_euclid(TAU)).collect();
-    phases.sort_by(f64::total_cmp);
-    let Some((first, last)) = phases.first().zip(phases.last()) else { return true };
-    let around = first + TAU - last;
-    let widest = phases.windows(2).map(|two| two[1] - two[0]).fold(around, f64::max);
-    widest <= PI + ROUND_OFF
+/// An effect in one of its shapes, as rows see it.
+struct Seen<'a, 'm> {
+    trial: &'a Objective<'m>,
+    base: &'a Solution,
+    variant: &'a Variant,
 }
 
-/// Whether an effect makes something else of the rows when nobody has read a clock.
-fn acts_through_times(trial: &Objective, base: &Solution, variant: &Variant, untimed: &Rows) -> bool {
-    /// Part of what an effect makes that it makes through times, from which it acts through them.
-    const THROUGH: f64 = 0.01;
-    let predict = |own: Vec<f64>| {
-        let all = base.position.iter().copied().chain(own);
-        trial.predict_rows(&DVector::from_vec(all.collect()), untimed)
-    };
-    let Some(here) = predict(variant.position.clone()) else { return false };
-    let is_other = |(parameter, column): (&LinearParameter, DVectorView<f64>)| {
-        let mut moved = parameter.beside(&variant.position);
-        moved[parameter.parameter] += parameter.size;
-        predict(moved).is_some_and(|there| {
-            let untimed = there.iter().zip(&here).map(|(there, here)| (there - here) / parameter.size);
-            (DVector::from_vec(untimed.collect()) - column).norm() > THROUGH * column.norm()
-        })
-    };
-    variant.linear.iter().zip(variant.raw.column_iter()).any(is_other)
+impl Seen<'_, '_> {
+    /// What each linear parameter changes in some rows, SI per unit of its search variable; `None` where the model cannot
+    /// be computed there.
+    fn columns(&self, rows: &Rows) -> Option<Vec<DVector<f64>>> {
+        let predict = |own: Vec<f64>| {
+            let all = self.base.position.iter().copied().chain(own);
+            self.trial.predict_rows(&DVector::from_vec(all.collect()), rows)
+        };
+        let here = predict(self.variant.position.clone())?;
+        let column = |parameter: &LinearParameter| {
+            let mut moved = parameter.beside(&self.variant.position);
+            moved[parameter.parameter] += parameter.size;
+            let there = predict(moved)?;
+            let changes = there.iter().zip(&here).map(|(there, here)| (there - here) / parameter.size);
+            Some(DVector::from_vec(changes.collect()))
+        };
+        self.variant.linear.iter().map(column).collect()
+    }
+
+    /// Whether it makes something else of the rows when nobody has read a clock.
+    fn acts_through_times(&self, untimed: &Rows) -> bool {
+        /// Part of what an effect makes that it makes through times, from which it acts through them.
+        const THROUGH: f64 = 0.01;
+        let Some(columns) = self.columns(untimed) else { return false };
+        let mut own = columns.iter().zip(self.variant.raw.column_iter());
+        own.any(|(untimed, column)| (untimed - column).norm() > THROUGH * column.norm())
+    }
+
+    /// How far a wave turns from one end of the rows to the other, along the coordinate along which it turns most, rad.
+    fn turn(&self) -> Option<f64> {
+        /// Part of the range of a coordinate by which rows are moved to see how fast a wave turns there.
+        const STEP: f64 = 1e-5;
+        let data = self.trial.data;
+        let zero = self.variant.wave()?;
+        let phases = |columns: &[DVector<f64>]| {
+            let both = columns[zero].iter().zip(columns[zero + 1].iter());
+            both.map(|(sine, cosine)| sine.atan2(*cosine)).collect::<Vec<f64>>()
+        };
+        let here = phases(&self.columns(&data.rows)?);
+        let coordinates = data.model.process.coordinates();
+        let is_quantity = |i: &usize| matches!(coordinates[*i].holds, Holds::Quantity(_));
+        let along = |coordinate: usize| {
+            let values = data.rows.columns[coordinate].to_vec();
+            let own = || values.iter().copied().filter(|v| v.is_finite());
+            let range = own().fold(f64::NEG_INFINITY, f64::max) - own().fold(f64::INFINITY, f64::min);
+            if range <= 0.0 || !range.is_finite() {
+                return Some(0.0);
+            }
+            let mut rows = data.rows.clone();
+            rows.columns[coordinate] = values.iter().map(|v| v + STEP * range).collect();
+            let there = phases(&self.columns(&rows)?);
+            let turned = here.iter().zip(there).map(|(here, there)| {
+                let turned = (there - here).rem_euclid(TAU);
+                turned.min(TAU - turned) / STEP
+            });
+            Some(turned.fold(0.0, f64::max))
+        };
+        let turns: Option<Vec<f64>> = data.given.iter().copied().filter(is_quantity).map(along).collect();
+        turns.map(|turns| turns.into_iter().fold(0.0, f64::max))
+    }
 }
 
 /// The rows as if nobody had read a clock, where times of their own, not the model's, rise or fall with a place from the

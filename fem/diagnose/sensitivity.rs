@@ -8,7 +8,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{DMatrix, DVector, DVectorView};
+use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use crate::fit::{MOST_STARTS, Objective, SearchVariable, Solution};
@@ -106,10 +106,9 @@ impl LinearParameter {
 }
 
 impl Variant {
-    /// The columns of the sine and of the cosine, SI, where the effect is a wave of any phase.
-    pub fn wave(&self) -> Option<[DVectorView<'_, f64>; 2]> {
-        let zero = self.linear.iter().position(|parameter| parameter.phase.is_some())?;
-        Some([self.raw.column(zero), self.raw.column(zero + 1)])
+    /// Number of the first of two columns, a sine and a cosine, where the effect is a wave of any phase.
+    pub fn wave(&self) -> Option<usize> {
+        self.linear.iter().position(|parameter| parameter.phase.is_some())
     }
 
     /// χ² that it makes at the largest usual sizes of its linear parameters, by columns of which what others can imitate
