@@ -248,7 +248,10 @@ impl Exploration<'_> {
         }
         self.take_back(&mut found);
         let own = Hypothesis::new(found, within);
-        self.visits.borrow_mut().extend(Visit::all(&own.found, &own.bent));
+        // What is believed only where it explains everything says nothing where it does not.
+        if own.explains || !own.stands_or_falls() {
+            self.visits.borrow_mut().extend(Visit::all(&own.found, &own.bent));
+        }
         Ok(own)
     }
 

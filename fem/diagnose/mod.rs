@@ -26,6 +26,7 @@ mod instrument;
 mod laplace;
 mod largest_change;
 mod lead;
+mod like_a_curve;
 mod look_alike;
 mod model_average;
 mod moves;

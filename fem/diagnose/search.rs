@@ -12,11 +12,12 @@ use rayon::prelude::*;
 use super::candidate_model::{CandidateModel, Weighed};
 use super::laplace;
 use super::lead::bare;
+use super::like_a_curve;
 use super::moves::{self, Move, Reach, SEARCHING};
 use super::null_distribution::{MaxStatistic, Variance};
 use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
-use super::sensitivity::{self, CandidateEffect};
+use super::sensitivity::CandidateEffect;
 use crate::fit::resume;
 use crate::progress::Progress;
 
@@ -360,7 +361,7 @@ impl<'a> Pool<'_, 'a> {
                 true => bare(self.base, &self.candidates, best, number)?,
                 false => best.clone(),
             };
-            sensitivity::candidates(&rest.objective, &rest.solution, effect).pop()
+            like_a_curve::candidates(&rest.objective, &rest.solution, effect).pop()
         };
         let anew: Vec<Option<CandidateEffect>> = (0..self.candidates.len()).into_par_iter().map(beside).collect();
         self.beside = Some(best.key());

@@ -6,17 +6,15 @@
 //! grid; each point of the grid is a [`Variant`] with columns of its own. One in which the law is a step is tried at
 //! every border between measured parts, or at some of them if they are many.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use crate::fit::{MOST_STARTS, Objective, SearchVariable, Solution};
 use crate::input::Bounds;
-use crate::model::Data;
-use crate::noise::time_of;
-use crate::process::{Absent, Description, Neutral, Rows, Values};
-use crate::units::{LENGTH, PERIOD};
+use crate::process::{Description, Neutral};
+use crate::units::PERIOD;
 
 /// Points of the grid along a single nonlinear parameter, a place, and each of several nonlinear parameters.
 const ALONE: usize = 10;
@@ -98,7 +96,7 @@ impl LinearParameter {
     }
 
     /// The position at which its column is computed.
-    fn beside(&self, position: &[f64]) -> Vec<f64> {
+    pub fn beside(&self, position: &[f64]) -> Vec<f64> {
         let mut position = position.to_vec();
         if let Some(Phase { parameter, at, .. }) = self.phase {
             position[parameter] = at;
@@ -108,22 +106,9 @@ impl LinearParameter {
 }
 
 impl Variant {
-    /// Whether the rows see half a period of it, if it is a wave: of less any curve makes as much.
-    fn turns_enough(&self) -> bool {
-        /// Part of the largest value of a wave below which its phase at a row is round-off, and of a turn.
-        const ROUND_OFF: f64 = 1e-6;
-        let is_wave = |i: &usize| self.linear[*i].phase.is_some();
-        let Some(zero) = (0..self.linear.len()).find(is_wave) else { return true };
-        let (sine, cosine) = (self.raw.column(zero), self.raw.column(zero + 1));
-        let largest = sine.amax().max(cosine.amax());
-        let is_seen = |(s, c): &(&f64, &f64)| s.hypot(**c) > ROUND_OFF * largest;
-        let mut phases: Vec<f64> =
-            sine.iter().zip(&cosine).filter(is_seen).map(|(s, c)| s.atan2(*c).rem_euclid(TAU)).collect();
-        phases.sort_by(f64::total_cmp);
-        let Some((first, last)) = phases.first().zip(phases.last()) else { return true };
-        let around = first + TAU - last;
-        let widest = phases.windows(2).map(|two| two[1] - two[0]).fold(around, f64::max);
-        widest <= PI + ROUND_OFF
+    /// Number of the first of two columns, a sine and a cosine, where the effect is a wave of any phase.
+    pub fn wave(&self) -> Option<usize> {
+        self.linear.iter().position(|parameter| parameter.phase.is_some())
     }
 
     /// χ² that it makes at the largest usual sizes of its linear parameters, by columns of which what others can imitate
@@ -210,13 +195,7 @@ fn candidate(objective: &Objective, base: &Solution, effect: &Description) -> Ca
         return CandidateEffect { effect: effect.clone(), variants: Vec::new(), parameters: variables.len() };
     }
     let probe = Probe { trial: &trial, base, variables: &variables };
-    let mut variants = probe.variants(effect);
-    // Of a wave of which hardly anything is seen, and of what time does while it only goes with a place, a curve says as
-    // much.
-    variants.retain(Variant::turns_enough);
-    if variants.first().is_some_and(|variant| probe.acts_with_place(variant)) {
-        variants.clear();
-    }
+    let variants = probe.variants(effect);
     CandidateEffect { effect: effect.clone(), variants, parameters: variables.len() }
 }
 
@@ -372,29 +351,6 @@ impl Probe<'_, '_> {
         })
     }
 
-    /// Whether the effect acts through times that go with a place all along the rows, as if nobody had read a clock.
-    fn acts_with_place(&self, variant: &Variant) -> bool {
-        /// Part of what an effect makes that it makes through times, from which it acts through them.
-        const THROUGH: f64 = 0.01;
-        let Some(rows) = without_times(self.trial.data) else { return false };
-        let own = |parameter: &LinearParameter| {
-            let mut moved = parameter.beside(&variant.position);
-            moved[parameter.parameter] += parameter.size;
-            let base = self.base.position.iter().copied();
-            let there = DVector::from_iterator(base.len() + moved.len(), base.clone().chain(moved));
-            let here = DVector::from_iterator(
-                self.base.position.len() + variant.position.len(),
-                base.chain(variant.position.iter().copied()),
-            );
-            let (there, here) = (self.trial.predict_rows(&there, &rows)?, self.trial.predict_rows(&here, &rows)?);
-            Some(there.into_iter().zip(here).map(|(there, here)| (there - here) / parameter.size).collect::<Vec<f64>>())
-        };
-        let is_other = |(parameter, column): (&LinearParameter, nalgebra::DVectorView<f64>)| {
-            own(parameter).is_some_and(|own| (DVector::from_vec(own) - column).norm() > THROUGH * column.norm())
-        };
-        variant.linear.iter().zip(variant.raw.column_iter()).any(is_other)
-    }
-
     /// Change of the standardised prediction per unit of one linear parameter, from neutral to `step` beside it.
     fn column(&self, position: &[f64], parameter: usize, step: f64) -> Option<DVector<f64>> {
         let change = self.change(position, parameter, step)?;
@@ -411,30 +367,6 @@ impl Probe<'_, '_> {
         let changes = predicted.iter().zip(&self.base.predicted).map(|(p, q)| (p - q) / step);
         Some(DVector::from_iterator(predicted.len(), changes))
     }
-}
-
-/// The rows as if nobody had read a clock, where a time of its own, not the model's, rises or falls with a place from the
-/// first row to the last: the places come but once, and say all that the times do.
-fn without_times(data: &Data) -> Option<Rows> {
-    let coordinates = data.model.process.coordinates();
-    let time = time_of(&*data.model.process).filter(|time| data.given.contains(time))?;
-    if !matches!(coordinates[time].absent, Absent::Value(_)) {
-        return None;
-    }
-    let times = &data.rows.columns[time];
-    let goes_with = |place: usize| {
-        let places = &data.rows.columns[place];
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
-        let steps = || order.windows(2).map(|two| places[two[1]] - places[two[0]]);
-        times.len() > 1 && (steps().all(|step| step > 0.0) || steps().all(|step| step < 0.0))
-    };
-    let is_place = |i: &usize| coordinates[*i].holds.kind() == Some(LENGTH);
-    data.given.iter().copied().filter(is_place).any(goes_with).then(|| {
-        let mut rows = data.rows.clone();
-        rows.columns[time] = Values::shared(f64::NAN, times.len());
-        rows
-    })
 }
 
 /// Amplitude and phase of an effect that is a wave, by their numbers.

@@ -2,9 +2,9 @@
 
 use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
+use super::like_a_curve;
 use super::null_distribution::variance;
 use super::search::{self, Extent, SearchResult};
-use super::sensitivity;
 use super::verdict::is_explained;
 use crate::fit::{self, Objective, Solution, StoppingCriterion, resume};
 use crate::measure::Repeats;
@@ -94,7 +94,7 @@ fn look<'a>(
     // The model is at its minimum already but for the noise, under which its slopes stay what they are.
     solution.chi2 = objective.residuals(&solution.position, &solution.predicted).norm_squared();
     *solution = resume(objective, solution.clone(), StoppingCriterion::FULL);
-    let sought = || sensitivity::candidates(objective, solution, absent);
+    let sought = || like_a_curve::candidates(objective, solution, absent);
     let candidates = extent.progress.stretch("what each effect would change", sought);
     let base = CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };
     let variance = variance(&objective.noise, repeats);

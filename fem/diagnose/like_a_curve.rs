@@ -1,0 +1,121 @@
+//! Candidates of which these rows see no more than a curve, which many laws make: a small part of a turn, and times that
+//! only rise with a place. They are not sought.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::DVector;
+use rayon::prelude::*;
+
+use super::sensitivity::{self, CandidateEffect, LinearParameter, Variant};
+use crate::fit::{Objective, Solution};
+use crate::model::Data;
+use crate::noise::time_of;
+use crate::process::{Absent, Description, Holds, Rows, Values};
+use crate::units::{LENGTH, PERIOD};
+
+/// Sensitivities of all `effects` about a solution of the model without them, without those that are like any curve.
+pub fn candidates(objective: &Objective, base: &Solution, effects: &[Description]) -> Vec<CandidateEffect> {
+    let mut all = sensitivity::candidates(objective, base, effects);
+    let untimed = without_times(objective.data);
+    all.par_iter_mut().for_each(|candidate| {
+        let Some(first) = candidate.variants.first() else { return };
+        let seen = Seen { trial: &objective.with(&candidate.effect), base, variant: first };
+        let is_curve = untimed.as_ref().is_some_and(|rows| seen.acts_through_times(rows))
+            || candidate.is_of_one_shape() && seen.turn().is_some_and(|turn| turn < PI);
+        if is_curve {
+            candidate.variants.clear();
+        }
+    });
+    all
+}
+
+/// An effect in one of its shapes, as rows see it.
+struct Seen<'a, 'm> {
+    trial: &'a Objective<'m>,
+    base: &'a Solution,
+    variant: &'a Variant,
+}
+
+impl Seen<'_, '_> {
+    /// What each linear parameter changes in some rows, SI per unit of its search variable; `None` where the model cannot
+    /// be computed there.
+    fn columns(&self, rows: &Rows) -> Option<Vec<DVector<f64>>> {
+        let predict = |own: Vec<f64>| {
+            let all = self.base.position.iter().copied().chain(own);
+            self.trial.predict_rows(&DVector::from_vec(all.collect()), rows)
+        };
+        let here = predict(self.variant.position.clone())?;
+        let column = |parameter: &LinearParameter| {
+            let mut moved = parameter.beside(&self.variant.position);
+            moved[parameter.parameter] += parameter.size;
+            let there = predict(moved)?;
+            let changes = there.iter().zip(&here).map(|(there, here)| (there - here) / parameter.size);
+            Some(DVector::from_vec(changes.collect()))
+        };
+        self.variant.linear.iter().map(column).collect()
+    }
+
+    /// Whether it makes something else of the rows when nobody has read a clock.
+    fn acts_through_times(&self, untimed: &Rows) -> bool {
+        /// Part of what an effect makes that it makes through times, from which it acts through them.
+        const THROUGH: f64 = 0.01;
+        let Some(columns) = self.columns(untimed) else { return false };
+        let mut own = columns.iter().zip(self.variant.raw.column_iter());
+        own.any(|(untimed, column)| (untimed - column).norm() > THROUGH * column.norm())
+    }
+
+    /// How far a wave turns from one end of the rows to the other, along the coordinate along which it turns most, rad.
+    fn turn(&self) -> Option<f64> {
+        /// Part of the range of a coordinate by which rows are moved to see how fast a wave turns there.
+        const STEP: f64 = 1e-5;
+        let data = self.trial.data;
+        let zero = self.variant.wave()?;
+        let phases = |columns: &[DVector<f64>]| {
+            let both = columns[zero].iter().zip(columns[zero + 1].iter());
+            both.map(|(sine, cosine)| sine.atan2(*cosine)).collect::<Vec<f64>>()
+        };
+        let here = phases(&self.columns(&data.rows)?);
+        let coordinates = data.model.process.coordinates();
+        let is_quantity = |i: &usize| matches!(coordinates[*i].holds, Holds::Quantity(_));
+        let along = |coordinate: usize| {
+            let values = data.rows.columns[coordinate].to_vec();
+            let own = || values.iter().copied().filter(|v| v.is_finite());
+            let range = own().fold(f64::NEG_INFINITY, f64::max) - own().fold(f64::INFINITY, f64::min);
+            if range <= 0.0 || !range.is_finite() {
+                return Some(0.0);
+            }
+            let mut rows = data.rows.clone();
+            rows.columns[coordinate] = values.iter().map(|v| v + STEP * range).collect();
+            let there = phases(&self.columns(&rows)?);
+            let turned = here.iter().zip(there).map(|(here, there)| {
+                let turned = (there - here).rem_euclid(TAU);
+                turned.min(TAU - turned) / STEP
+            });
+            Some(turned.fold(0.0, f64::max))
+        };
+        let turns: Option<Vec<f64>> = data.given.iter().copied().filter(is_quantity).map(along).collect();
+        turns.map(|turns| turns.into_iter().fold(0.0, f64::max))
+    }
+}
+
+/// The rows as if nobody had read a clock, where times of their own, not the model's, rise or fall with a place from the
+/// first row to the last: the places come but once, and say all that the times do.
+fn without_times(data: &Data) -> Option<Rows> {
+    let coordinates = data.model.process.coordinates();
+    let time = time_of(&*data.model.process).filter(|time| data.given.contains(time))?;
+    let Absent::Value(unread) = coordinates[time].absent else { return None };
+    let times = &data.rows.columns[time];
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+    let goes_with = |place: usize| {
+        let places = &data.rows.columns[place];
+        let steps = || order.windows(2).map(|two| places[two[1]] - places[two[0]]);
+        times.len() > 1 && (steps().all(|step| step > 0.0) || steps().all(|step| step < 0.0))
+    };
+    let is_place = |i: &usize| coordinates[*i].holds.kind() == Some(LENGTH);
+    data.given.iter().copied().filter(is_place).any(goes_with).then(|| {
+        let mut rows = data.rows.clone();
+        rows.columns[time] = Values::shared(unread, times.len());
+        rows
+    })
+}
