@@ -197,8 +197,7 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
         rows.columns[PULL].fill(pull);
         let force = FORCE.shown(pull);
         let words = format!(
-            "pull the slide towards - with {force:.0}, by a weight over a pulley, its play not compensated, and measure all \
-             targets again"
+            "pull the slide towards - with {force:.0}, its play not compensated, and measure all targets again"
         );
         experiments.push(experiment(&words, PULL, vec![pull], rows));
     }
