@@ -15,8 +15,9 @@ use crate::process::{CandidateExperiment, Description, System};
 pub const REPEATS: &[usize] = &[1, 2, 4, 8];
 /// Information below which an experiment is not worth the making, nats: one set of ten is expected to be ruled out.
 const LEAST: f64 = 0.1;
-/// Most experiments that are made one after the other as one measurement.
+/// Most experiments that are made one after the other as one measurement, and most rows of these together.
 const STEPS: usize = 4;
+const MOST_ROWS: usize = 600;
 /// Part of the most that any experiment tells which is enough for one that costs less to be preferred.
 const ENOUGH: f64 = 0.9;
 /// Squared distance, in standard uncertainties, from which sets that stay confounded are brought farther apart.
@@ -77,7 +78,8 @@ pub fn next(
         experiments.into_par_iter().filter_map(|experiment| Rated::new(&contenders, experiment)).collect();
     let combined = combined(system, &singles);
     let of = |own| REPEATS.iter().map(move |repeats| (own, *repeats, Rated::tells(own, *repeats)));
-    let all: Vec<(&Rated, usize, f64)> = singles.iter().chain(&combined).flat_map(of).collect();
+    let all: Vec<(&Rated, usize, f64)> =
+        singles.iter().chain(&combined).flat_map(of).filter(|own| own.0.can_be_repeated(own.1)).collect();
     let most = all.iter().map(|own| own.2).fold(0.0, f64::max);
     let cost = |own: &(&Rated, usize, f64)| own.0.experiment.cost(own.1);
     let is_enough = |own: &&(&Rated, usize, f64)| own.2 >= LEAST.max(ENOUGH * most);
@@ -132,6 +134,11 @@ impl<'c, 'r, 'a> Rated<'c, 'r, 'a> {
         let experiment = are_same.then(|| system.in_sequence(&self.experiment, &other.experiment)).flatten()?;
         let prospect = self.prospect.and(&other.prospect);
         Some(Self { experiment, steps: self.steps + other.steps, seen: self.seen.clone(), prospect })
+    }
+
+    /// Whether so many repeats of a sequence are not too much for one measurement.
+    fn can_be_repeated(&self, repeats: usize) -> bool {
+        self.steps == 1 || repeats * self.experiment.rows.len() <= MOST_ROWS
     }
 
     /// What it tells, nats.
