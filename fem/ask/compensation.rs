@@ -17,5 +17,9 @@ pub fn compensate(data: &Data) -> Result<Compensation, Error> {
             .help("compensation is for axes that are tested by going to targets from both sides")
             .into());
     };
+    if let Some(pulled) = (0..data.len()).find(|row| !axis.is_free(&data.rows, *row)) {
+        let problem = Problem::new(format!("line {}: a force pulled the slide", data.line(pulled)));
+        return Err(problem.help("a table is for the axis as it works: leave out the rows with a `pull`").into());
+    }
     Ok(crate::compensate::compensate(data, axis)?)
 }

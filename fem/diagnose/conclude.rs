@@ -128,17 +128,20 @@ pub fn conclude(
         verdict = Verdict::PartlyExplained;
     }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
-    let look_alikes = match is_explained && progress.permits("effects of the measurement that look alike") {
+    let mut look_alikes = match is_explained && progress.permits("effects of the measurement that look alike") {
         true => progress
             .stretch("terms that look alike", || look_alike::look_alikes(&found, &best, best.objective.data.repeats())),
         false => Vec::new(),
     };
+    // What the sets rule out in the place of something certain is none; what is not certain has its group; a step of the
+    // machine is always held against one of the instrument.
+    look_alikes.retain(|own| match posterior.of(&own.cause.name) >= CERTAIN {
+        _ if own.cause.is_step() => true,
+        true => found.may_be_true(&own.model),
+        false => posterior.are_grouped(&own.cause.name, &own.other.name),
+    });
     for own in &look_alikes {
-        // What is not certain has its group; a step of the machine is always held against one of the instrument.
-        let is_rival = |m: &Missing| {
-            m.probability >= CERTAIN || m.effect.is_step() || posterior.are_grouped(&own.cause.name, &own.other.name)
-        };
-        let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name && is_rival(m));
+        let named = missing.iter_mut().find(|m| m.effect.name == own.cause.name);
         if let Some(named) = named.filter(|m| m.indistinguishable_from.iter().all(|o| o.name != own.other.name)) {
             named.indistinguishable_from.push(own.other.clone());
         }

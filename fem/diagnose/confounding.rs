@@ -7,7 +7,6 @@ use rayon::prelude::*;
 use super::candidate_model::CandidateModel;
 use super::change;
 use super::gain::{Gain, gain};
-use super::laplace;
 use super::lead::{bare, fit_with, promising, starts, without};
 use super::posterior::{CERTAIN, Posterior};
 use super::residual_projection::{ProjectedResidual, length_outside};
@@ -53,9 +52,6 @@ pub struct Confounding<'a> {
     pub alternatives: Vec<Alternative<'a>>,
 }
 
-/// Rise of the criterion beyond which an alternative to a certain effect is ruled out.
-const UNLIKELY: f64 = 11.0;
-
 impl Confounding<'_> {
     /// Leaves out alternatives that the sets of effects rule out: to a certain member those whose set is improbable, to
     /// another one those outside of its group.
@@ -63,9 +59,7 @@ impl Confounding<'_> {
         let name = |number: usize| &found.candidates[number].effect.name;
         let own = name(self.candidate);
         if posterior.of(own) >= CERTAIN {
-            let best = found.tried.first().map_or(f64::INFINITY, |set| set.criterion);
-            let is_likely = |a: &Alternative| laplace::criterion(&a.model).is_some_and(|c| c < best + UNLIKELY);
-            return self.alternatives.retain(is_likely);
+            return self.alternatives.retain(|a| found.may_be_true(&a.model));
         }
         let group = posterior.groups.iter().find(|group| group.effects.contains(own));
         self.alternatives.retain(|a| group.is_some_and(|group| group.effects.contains(name(a.candidate))));

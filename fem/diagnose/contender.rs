@@ -8,7 +8,7 @@ use super::candidate_model::{CandidateModel, Weighed};
 use super::confounding::Confounding;
 use super::laplace;
 use super::look_alike::LookAlike;
-use super::posterior::Posterior;
+use super::posterior::{CERTAIN, Posterior, RULED_OUT};
 use super::search::SearchResult;
 use crate::input::Name;
 use crate::noise::Acts;
@@ -89,7 +89,7 @@ pub fn contenders<'r, 'a>(
             all.push(other);
         }
     }
-    // Nobody asks for what is told of no account: sets that differ in nothing else are one.
+    // Asked is what the answer leaves open: sets that differ in nothing else are one.
     let candidates = &found.candidates;
     let members = found.best().members.iter().map(|member| &candidates[*member].effect.name);
     let instead =
@@ -99,7 +99,9 @@ pub fn contenders<'r, 'a>(
     let told: BTreeSet<&Name> = members.chain(instead).chain(across).chain(grouped).collect();
     let whole: f64 = all.iter().map(|own| own.weight).sum();
     for own in &mut all {
-        let is_asked = |effect: &&Description| told.contains(&effect.name) || posterior.is_notable(effect);
+        let is_asked = |effect: &&Description| {
+            told.contains(&effect.name) || (RULED_OUT..CERTAIN).contains(&posterior.of(&effect.name))
+        };
         own.asked = own.effects.iter().filter(is_asked).map(|effect| effect.name.to_string()).collect();
         own.asked.sort_unstable();
         own.weight /= whole;

@@ -11,7 +11,7 @@ use crate::fit::{Objective, Solution};
 use crate::model::Data;
 use crate::noise::time_of;
 use crate::process::{Absent, Description, Holds, Rows, Values};
-use crate::units::{LENGTH, PERIOD};
+use crate::units::LENGTH;
 
 /// Sensitivities of all `effects` about a solution of the model without them, without those that are like any curve.
 pub fn candidates(objective: &Objective, base: &Solution, effects: &[Description]) -> Vec<CandidateEffect> {

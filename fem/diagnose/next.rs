@@ -9,13 +9,16 @@ use super::look_alike::LookAlike;
 use super::posterior::Posterior;
 use super::prospect::Prospect;
 use super::search::SearchResult;
-use crate::process::{CandidateExperiment, Description};
+use crate::process::{CandidateExperiment, Description, System};
 
 /// Numbers of repeats of an experiment that are considered.
 pub const REPEATS: &[usize] = &[1, 2, 4, 8];
 /// Information below which an experiment is not worth the making, nats: one set of ten is expected to be ruled out.
 const LEAST: f64 = 0.1;
-/// Part of the most that any experiment tells which is enough for a shorter one to be preferred.
+/// Most experiments that are made one after the other as one measurement, and most rows of these together.
+const STEPS: usize = 4;
+const MOST_ROWS: usize = 600;
+/// Part of the most that any experiment tells which is enough for one that costs less to be preferred.
 const ENOUGH: f64 = 0.9;
 /// Squared distance, in standard uncertainties, from which sets that stay confounded are brought farther apart.
 const HELPED: f64 = 1.0;
@@ -25,6 +28,8 @@ const HELPED: f64 = 1.0;
 pub struct Next {
     /// Experiment to make.
     pub experiment: CandidateExperiment,
+    /// Number of experiments of the process of which it consists, one after the other.
+    pub steps: usize,
     /// Number of repeats of each of its rows.
     pub repeats: usize,
     /// Pairs of effects that it tells apart, or, where it is not enough, brings farther apart; those that stand for
@@ -46,10 +51,15 @@ impl Next {
     pub fn observations(&self) -> usize {
         self.repeats * self.experiment.rows.len()
     }
+
+    /// Time that it costs, s.
+    pub fn cost(&self) -> f64 {
+        self.experiment.cost(self.repeats)
+    }
 }
 
-/// Chooses the experiment that tells most, or the shortest of those that tell nearly as much. `None` where one set is
-/// certain, or no experiment would help.
+/// Chooses the experiment that tells most, or the cheapest of those that tell nearly as much; several are made one after the
+/// other where that tells more. `None` where one set is certain, or no experiment would help.
 pub fn next(
     found: &SearchResult,
     confoundings: &[Confounding],
@@ -57,27 +67,52 @@ pub fn next(
     posterior: &Posterior,
 ) -> Option<Next> {
     let data = found.base.objective.data;
+    let system = &*data.model.system;
     let contenders = contenders(found, confoundings, look_alikes, posterior);
     let entropy = entropy(&contenders);
     if entropy < LEAST {
         return None;
     }
-    let experiments = data.model.system.candidate_experiments(&data.rows);
-    let rated: Vec<Rated> =
+    let experiments = system.candidate_experiments(&data.rows);
+    let singles: Vec<Rated> =
         experiments.into_par_iter().filter_map(|experiment| Rated::new(&contenders, experiment)).collect();
+    let combined = combined(system, &singles);
     let of = |own| REPEATS.iter().map(move |repeats| (own, *repeats, Rated::tells(own, *repeats)));
-    let all: Vec<(&Rated, usize, f64)> = rated.iter().flat_map(of).collect();
+    let all: Vec<(&Rated, usize, f64)> =
+        singles.iter().chain(&combined).flat_map(of).filter(|own| own.0.can_be_repeated(own.1)).collect();
     let most = all.iter().map(|own| own.2).fold(0.0, f64::max);
-    let rows = |own: &(&Rated, usize, f64)| own.1 * own.0.experiment.rows.len();
+    let cost = |own: &(&Rated, usize, f64)| own.0.experiment.cost(own.1);
     let is_enough = |own: &&(&Rated, usize, f64)| own.2 >= LEAST.max(ENOUGH * most);
-    let chosen = all.iter().filter(is_enough).min_by(|a, b| rows(a).cmp(&rows(b)).then(b.2.total_cmp(&a.2)));
+    let chosen = all.iter().filter(is_enough).min_by(|a, b| cost(a).total_cmp(&cost(b)).then(b.2.total_cmp(&a.2)));
     let (rated, repeats, tells) = chosen?;
     Some(rated.next(*repeats, (entropy.exp(), (entropy - tells).max(0.0).exp())))
 }
 
+/// Experiments one after the other: the one that tells most, and each time that with which it tells most.
+fn combined<'c, 'r, 'a>(system: &dyn System, singles: &[Rated<'c, 'r, 'a>]) -> Vec<Rated<'c, 'r, 'a>> {
+    let best = |all: Vec<(usize, Rated<'c, 'r, 'a>)>| {
+        let told: Vec<f64> = all.par_iter().map(|own| own.1.tells(1)).collect();
+        let all = all.into_iter().zip(told);
+        all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(own, _)| own)
+    };
+    let mut chain: Vec<Rated> = Vec::new();
+    let Some((first, mut last)) = best(singles.iter().cloned().enumerate().collect()) else { return chain };
+    let mut left: Vec<usize> = (0..singles.len()).filter(|i| *i != first).collect();
+    while chain.len() + 1 < STEPS {
+        let more = left.iter().filter_map(|i| Some((*i, last.and(&singles[*i], system)?)));
+        let Some((added, longer)) = best(more.collect()) else { break };
+        left.retain(|i| *i != added);
+        last = longer.clone();
+        chain.push(longer);
+    }
+    chain
+}
+
 /// An experiment with what it is expected to tell.
+#[derive(Clone)]
 struct Rated<'c, 'r, 'a> {
     experiment: CandidateExperiment,
+    steps: usize,
     /// The sets that can be computed at its rows, in the order of the prospect.
     seen: Vec<&'c Contender<'r, 'a>>,
     prospect: Prospect,
@@ -89,7 +124,21 @@ impl<'c, 'r, 'a> Rated<'c, 'r, 'a> {
         let of = |own: &'c Contender<'r, 'a>| Some((own, (own.weight, own.columns(&experiment.rows)?)));
         let (seen, predictions): (Vec<_>, Vec<_>) = contenders.iter().filter_map(of).unzip();
         let prospect = Prospect::new(predictions)?;
-        Some(Self { experiment, seen, prospect })
+        Some(Self { experiment, steps: 1, seen, prospect })
+    }
+
+    /// The same and then another.
+    fn and(&self, other: &Self, system: &dyn System) -> Option<Self> {
+        let is_same = |(one, other): (&&Contender, &&Contender)| std::ptr::addr_eq(*one, *other);
+        let are_same = self.seen.len() == other.seen.len() && self.seen.iter().zip(&other.seen).all(is_same);
+        let experiment = are_same.then(|| system.in_sequence(&self.experiment, &other.experiment)).flatten()?;
+        let prospect = self.prospect.and(&other.prospect);
+        Some(Self { experiment, steps: self.steps + other.steps, seen: self.seen.clone(), prospect })
+    }
+
+    /// Whether so many repeats of a sequence are not too much for one measurement.
+    fn can_be_repeated(&self, repeats: usize) -> bool {
+        self.steps == 1 || repeats * self.experiment.rows.len() <= MOST_ROWS
     }
 
     /// What it tells, nats.
@@ -120,7 +169,8 @@ impl<'c, 'r, 'a> Rated<'c, 'r, 'a> {
         let is_helped = |own: &&(Difference, f64)| if enough { is_told(own) } else { own.1 > HELPED };
         let experiment = self.experiment.clone();
         let (pairs, whether, separation) = (Vec::new(), Vec::new(), f64::INFINITY);
-        let mut next = Next { experiment, repeats, pairs, whether, separation, enough, sets: Some(sets) };
+        let mut next =
+            Next { experiment, steps: self.steps, repeats, pairs, whether, separation, enough, sets: Some(sets) };
         for (difference, distance) in differences.iter().filter(is_helped) {
             if next.tell(difference) {
                 next.separation = next.separation.min(distance.sqrt());

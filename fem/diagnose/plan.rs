@@ -89,6 +89,7 @@ pub fn plan(design: &Data, sigma: &[f64]) -> Result<Plan, Failure> {
             let pairs: Vec<_> = told.iter().map(|(i, j)| (absent[*i].clone(), absent[*j].clone())).collect();
             (!pairs.is_empty()).then(|| Next {
                 experiment: experiment.clone(),
+                steps: 1,
                 repeats: *repeats,
                 pairs,
                 whether: Vec::new(),

@@ -14,6 +14,7 @@ use std::ops::Range;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Predictions of some rows, by the inner products of the columns of their uncertainties and of their means.
+#[derive(Clone)]
 pub struct Prospect {
     weights: Vec<f64>,
     /// Columns of each prediction's L, and last its mean less that of the first.
@@ -39,6 +40,12 @@ impl Prospect {
         let whole: f64 = weights.iter().sum();
         weights.iter_mut().for_each(|weight| *weight /= whole);
         Some(Self { weights, columns, products: all.tr_mul(&all) })
+    }
+
+    /// The same predictions of these rows and of others.
+    pub fn and(&self, other: &Self) -> Self {
+        let products = &self.products + &other.products;
+        Self { weights: self.weights.clone(), columns: self.columns.clone(), products }
     }
 
     /// I + r·MᵀM of some columns, factored, of rows that are repeated r times.
@@ -106,6 +113,19 @@ mod tests {
             assert!((prospect.apart(0, 1, repeats as f64).unwrap().0 - square).abs() < 1e-12);
         }
         assert_eq!(prospect.information(|_, _| true, 4), 0.0);
+    }
+
+    #[test]
+    fn rows_and_more_rows_are_all_rows() {
+        let of = |rows: [f64; 3], spread: [f64; 3], weight| (weight, vec![vector(spread), vector(rows)]);
+        let part = |from: usize, count: usize, (weight, columns): &(f64, Vec<DVector<f64>>)| {
+            (*weight, columns.iter().map(|c| c.rows(from, count).into_owned()).collect::<Vec<_>>())
+        };
+        let all = [of([1.0, -2.0, 0.5], [0.4, 1.1, -0.3], 0.6), of([0.2, 1.5, 2.5], [-0.9, 0.1, 0.7], 0.4)];
+        let of_rows = |from, count| Prospect::new(all.iter().map(|own| part(from, count, own)).collect()).unwrap();
+        let whole = of_rows(0, 3).information(|_, _| false, 2);
+        let both = of_rows(0, 2).and(&of_rows(2, 1)).information(|_, _| false, 2);
+        assert!((whole - both).abs() < 1e-12 && whole > of_rows(0, 2).information(|_, _| false, 2));
     }
 
     #[test]

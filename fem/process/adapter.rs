@@ -110,6 +110,18 @@ impl<D: Definition> System for Ready<D> {
         all
     }
 
+    fn in_sequence(&self, one: &CandidateExperiment, other: &CandidateExperiment) -> Option<CandidateExperiment> {
+        let mut both = D::in_sequence(&self.setup, one, other)?;
+        // A column of a file has a value in every row.
+        let all = D::resolved(&self.setup, &both.rows);
+        for (column, resolved) in both.rows.columns.iter_mut().zip(all.columns) {
+            if column.iter().any(|value| value.is_nan()) && column.iter().any(|value| !value.is_nan()) {
+                *column = resolved;
+            }
+        }
+        Some(both)
+    }
+
     fn unit(&self) -> Option<&str> {
         D::unit(&self.setup)
     }

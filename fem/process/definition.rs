@@ -92,6 +92,15 @@ pub trait Definition: Sync + Sized + 'static {
     /// Further experiments beside these rows.
     fn candidate_experiments(setup: &Self::Setup, rows: &Rows) -> Vec<CandidateExperiment>;
 
+    /// Two of these experiments as one measurement, the second after the first; `None` where they cannot be made together.
+    fn in_sequence(
+        _setup: &Self::Setup,
+        one: &CandidateExperiment,
+        other: &CandidateExperiment,
+    ) -> Option<CandidateExperiment> {
+        Some(one.then(other))
+    }
+
     /// The unit of a machine that is tested, where the model names one.
     fn unit(_setup: &Self::Setup) -> Option<&str> {
         None

@@ -86,6 +86,9 @@ pub trait System: Send + Sync {
     /// Further experiments beside these rows, for causes that they cannot tell apart.
     fn candidate_experiments(&self, rows: &Rows) -> Vec<CandidateExperiment>;
 
+    /// Two of these experiments as one measurement; `None` where they cannot be made together.
+    fn in_sequence(&self, one: &CandidateExperiment, other: &CandidateExperiment) -> Option<CandidateExperiment>;
+
     /// The unit of a machine that is tested, where the model names one.
     fn unit(&self) -> Option<&str>;
 

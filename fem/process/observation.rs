@@ -231,12 +231,59 @@ pub struct CandidateExperiment {
     /// A count in the model file, by its path, that must be raised to this for the rows to lie in the model: the parts
     /// of a batch.
     pub raises: Option<(&'static str, usize)>,
+    /// Time that the machine needs for it, besides the readings, s.
+    pub duration: f64,
 }
 
 impl CandidateExperiment {
+    /// Time of a reading, s: of a diameter with a micrometer, of a place with an indicator.
+    const READING: f64 = 60.0;
+
     /// An experiment with new values of a coordinate.
     pub fn new(words: impl Into<String>, coordinate: &Coordinate, values: impl Into<Vec<f64>>, rows: Rows) -> Self {
-        Self { words: words.into(), coordinate: coordinate.name.clone(), values: values.into(), rows, raises: None }
+        Self {
+            words: words.into(),
+            coordinate: coordinate.name.clone(),
+            values: values.into(),
+            rows,
+            raises: None,
+            duration: 0.0,
+        }
+    }
+
+    /// The same, for which the machine needs this time, s.
+    #[must_use]
+    pub fn taking(self, duration: f64) -> Self {
+        Self { duration, ..self }
+    }
+
+    /// This experiment and then another, as one measurement.
+    #[must_use]
+    pub fn then(&self, other: &Self) -> Self {
+        Self {
+            words: format!("{}, then {}", self.words, other.words),
+            rows: self.rows.and(&other.rows),
+            raises: self.raises.max(other.raises),
+            duration: self.duration + other.duration,
+            ..self.clone()
+        }
+    }
+
+    /// The same, where experiments are numbered along a coordinate: the second has the numbers after those of the first.
+    #[must_use]
+    pub fn then_the_next(&self, other: &Self, numbered: usize) -> Self {
+        let numbers = |own: &Self| own.rows.columns[numbered].to_vec();
+        let last = numbers(self).into_iter().fold(0.0, f64::max);
+        let first = numbers(other).into_iter().fold(f64::INFINITY, f64::min);
+        let mut other = other.clone();
+        other.rows.columns[numbered] =
+            other.rows.columns[numbered].map(|number| number + (last + 1.0 - first).max(0.0));
+        self.then(&other)
+    }
+
+    /// Time that it costs with each of its rows measured so often, s.
+    pub fn cost(&self, repeats: usize) -> f64 {
+        self.duration + (repeats * self.rows.len()) as f64 * Self::READING
     }
 }
 

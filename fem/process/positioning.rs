@@ -8,6 +8,9 @@ pub trait Positioning {
     /// Approach of each row, in their order.
     fn approaches(&self, rows: &Rows) -> Vec<Approach>;
 
+    /// Whether nothing acted on the slide at a row that does not where the axis works.
+    fn is_free(&self, rows: &Rows, row: usize) -> bool;
+
     /// Rows that stand close enough to show what lies between the targets of `rows`, in both directions.
     fn between(&self, rows: &Rows) -> Rows;
 

@@ -86,7 +86,7 @@ fn asked(model: &Model, rows: &Rows, repeats: usize) -> Vec<Asked> {
     (0..rows.len()).flat_map(|row| std::iter::repeat_n(one(row), repeats)).collect()
 }
 
-/// No process offers an experiment that its own model refuses or that the generator cannot make, and what the generator
+/// No process offers an experiment, or two in sequence, that its own model refuses or that the generator cannot make, and what the generator
 /// makes at its rows the program predicts, to half a standard uncertainty of all of them together.
 #[test]
 fn both_know_what_an_advised_measurement_shows() {
@@ -95,7 +95,9 @@ fn both_know_what_an_advised_measurement_shows() {
             let Whole { case, job } = process.whole_machine(seed);
             let model = Model::parse(Source::new("case.toml", case.model)).unwrap();
             let measured = Measurements::parse(Source::new("case.csv", case.data), &*model.process).unwrap();
-            for experiment in model.system.candidate_experiments(&measured.rows) {
+            let singles = model.system.candidate_experiments(&measured.rows);
+            let together = singles.windows(2).filter_map(|two| model.system.in_sequence(&two[0], &two[1]));
+            for experiment in singles.iter().cloned().chain(together) {
                 let place = format!("{}{seed}: {}", process.name, experiment.words);
                 let raised = experiment.raises.map(|(path, count)| {
                     let edit = Edit::Set { path: path.into(), entry: Entry::Whole(count as i64) };
@@ -116,6 +118,27 @@ fn both_know_what_an_advised_measurement_shows() {
                 );
                 assert!(apart < 0.5, "{place}: {apart} with {:?}", case.truth.hidden);
             }
+        }
+    }
+}
+
+/// The lathe does what was expected of it when the rows were chosen, by the model of the batch as it was: to a standard
+/// uncertainty of all rows together.
+#[test]
+fn a_lathe_shows_what_was_expected_of_it() {
+    for seed in 0..4 {
+        let Whole { case, job } = TURNING.whole_machine(seed);
+        let (hidden, sigma) = (&case.truth.hidden, case.truth.sigma);
+        let truth = Model::parse(Source::new("truth.toml", writing::model(&*job, None, hidden))).unwrap();
+        let measured = Measurements::parse(Source::new("case.csv", case.data.clone()), &*truth.process).unwrap();
+        let singles = truth.system.candidate_experiments(&measured.rows);
+        let together = singles.windows(2).filter_map(|two| truth.system.in_sequence(&two[0], &two[1]));
+        for experiment in singles.iter().cloned().chain(together) {
+            let expected = truth.system.with_effects(&truth.effects).observe(&experiment.rows).unwrap();
+            let made = job.asked(&asked(&truth, &experiment.rows, 1)).unwrap();
+            let apart = expected.iter().zip(made.predict(hidden)).map(|(e, made)| ((1e6 * e - made) / sigma).powi(2));
+            let apart = apart.sum::<f64>().sqrt();
+            assert!(apart < 1.0, "{seed}: {}: {apart} with {hidden:?}", experiment.words);
         }
     }
 }

@@ -139,6 +139,10 @@ impl System for Whole {
         all
     }
 
+    fn in_sequence(&self, _one: &CandidateExperiment, _other: &CandidateExperiment) -> Option<CandidateExperiment> {
+        None
+    }
+
     fn unit(&self) -> Option<&str> {
         None
     }

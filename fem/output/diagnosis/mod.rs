@@ -277,6 +277,8 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
         "unit": kind.map(|k| k.unit).unwrap_or_default(),
         "observations": next.observations(),
         "repeats": next.repeats,
+        "steps": next.steps,
+        "minutes": finite(next.cost() / 60.0),
         "separation": finite(next.separation),
         "enough": next.enough,
         "separates": next.pairs.iter().map(|(a, b)| json!([a.name, b.name])).collect::<Vec<_>>(),

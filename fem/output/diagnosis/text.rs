@@ -267,10 +267,18 @@ pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
     blocks
 }
 
-/// The experiment to do next, with the number of its rows.
+/// The experiment to do next, with the number of its rows and the time that it costs.
 pub fn experiment(next: &Next) -> String {
     let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
-    format!("{}{often}: {} rows", next.experiment.words, next.observations())
+    format!("{}{often}: {} rows, {}", next.experiment.words, next.observations(), about(next.cost()))
+}
+
+/// A time (s) that is roughly known.
+fn about(time: f64) -> String {
+    /// From here on in hours, min.
+    const LONG: f64 = 100.0;
+    let minutes = time / 60.0;
+    if minutes < LONG { format!("about {minutes:.0} min") } else { format!("about {:.0} h", minutes / 60.0) }
 }
 
 /// What it tells: how many sets it is expected to leave, and the effects that it tells apart, up to so many.

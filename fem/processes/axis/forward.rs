@@ -2,10 +2,12 @@
 //! side.
 //!
 //! The drive pushes the slide against its friction, forwards on the one flank and backwards on the other, and the slide
-//! stands behind by what gives way (`joint::give_way`), counted from the flank that drives it forwards.
+//! stands behind by what gives way (`joint::give_way`), counted from the flank that drives it forwards. A force that
+//! pulls the slide towards - comes to the friction of the way forwards and takes that of the way back off: where it is
+//! larger the slide stays on the one flank, and play shows no more.
 
 use super::machine::Machine;
-use super::rows::{TIME_OF_ROW, approach};
+use super::rows::{PULL, TIME_OF_ROW, approach};
 use crate::joint::give_way;
 use crate::positioning::{Approach, Direction};
 use crate::process::Rows;
@@ -15,10 +17,15 @@ use crate::process::Rows;
 pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
     let one = |row: usize| {
         let Approach { position, direction, .. } = approach(rows, row);
-        let wound = machine.wind_up(position);
+        let pull = rows.get(PULL, row).unwrap_or(0.0);
         let reversal = match direction {
-            Direction::Forward => give_way(machine.play(position), -wound, -1.0),
-            Direction::Backward => give_way(machine.play(position), wound, 1.0),
+            _ if pull > 0.0 => {
+                let friction = machine.friction(position);
+                let driven = pull + if direction == Direction::Forward { friction } else { -friction };
+                give_way(machine.play(position), -machine.bend(driven, position), -driven)
+            }
+            Direction::Forward => give_way(machine.play(position), -machine.wind_up(position), -1.0),
+            Direction::Backward => give_way(machine.play(position), machine.wind_up(position), 1.0),
         };
         let time = rows.columns[TIME_OF_ROW][row];
         let errors: f64 = machine.errors.iter().map(|error| error(position, time)).sum();

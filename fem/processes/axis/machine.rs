@@ -50,6 +50,22 @@ impl Machine {
         self.gap + self.plays.iter().map(|play| play(position)).sum::<f64>()
     }
 
+    /// Friction (N) of the slide at a position (m).
+    pub fn friction(&self, position: f64) -> f64 {
+        let drag = self.setup.drag.as_ref().map_or(1.0, |drag| drag.at(position));
+        self.winding.as_ref().map_or(0.0, |winding| drag * winding.friction)
+    }
+
+    /// How far the drive gives way under a force (N) at a position (m), m, of the sign of the force: of what is stiff the
+    /// screw alone.
+    pub fn bend(&self, force: f64, position: f64) -> f64 {
+        let bend = match &self.winding {
+            Some(winding) => winding.under(force.abs(), position),
+            None => force.abs() * self.setup.screw().compliance(position),
+        };
+        bend.copysign(force)
+    }
+
     /// How far friction holds the slide back with the nut at `position` (m), m: by what it is there, where the model
     /// says how it goes along the travel.
     pub fn wind_up(&self, position: f64) -> f64 {

@@ -5,7 +5,7 @@ use crate::positioning::{Approach, Direction, Steps, Table, Tolerance};
 use crate::process::{
     Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values,
 };
-use crate::units::{LENGTH, MICRO, TIME};
+use crate::units::{FORCE, LENGTH, MICRO, TIME};
 
 /// Actual less commanded position.
 pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the position", MICRO)];
@@ -18,6 +18,8 @@ pub const DIRECTION: usize = 1;
 pub const RUN: usize = 2;
 /// The time since the test began.
 pub const TIME_OF_ROW: usize = 3;
+/// The force that pulls the slide towards -.
+pub const PULL: usize = 4;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
@@ -27,6 +29,12 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new("direction", "of approach, + or -", Holds::Word(DIRECTIONS), Absent::Refused),
     Coordinate::new("run", "number of the run", Holds::Number(1), Absent::Value(1.0)).repeating(),
     Coordinate::new("time", "since the test began, cold", Holds::Quantity(TIME), Absent::Value(0.0)),
+    Coordinate::new(
+        "pull",
+        "force that pulls the slide towards -, play not compensated meanwhile",
+        Holds::Quantity(FORCE),
+        Absent::Value(0.0),
+    ),
 ];
 /// As files write them.
 const DIRECTIONS: &[&str] = &[Direction::Forward.sign(), Direction::Backward.sign()];
@@ -39,6 +47,8 @@ const BETWEEN: usize = 24;
 const WARM: f64 = 2.0 * 3600.0;
 /// Targets of a candidate experiment, at most.
 const TARGETS: usize = 12;
+/// Forces that pull the slide, N: beyond the friction of light slides and of heavy ones.
+const PULLS: [f64; 2] = [1000.0, 4000.0];
 
 /// The approach of a row.
 pub fn approach(rows: &Rows, row: usize) -> Approach {
@@ -55,6 +65,9 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let slack = 1e-9 * setup.travel;
     let check = |row: usize| {
         let (time, known) = (rows.columns[TIME_OF_ROW][row], setup.known_until());
+        if rows.get(PULL, row).is_some_and(|pull| pull < 0.0) {
+            return Some(Misplaced { row, coordinate: PULL, message: "`pull` is below zero".into() });
+        }
         if time < 0.0 {
             return Some(Misplaced { row, coordinate: TIME_OF_ROW, message: "`time` is below zero".into() });
         }
@@ -77,6 +90,7 @@ pub fn rows(approaches: impl IntoIterator<Item = (f64, Direction, f64, f64)>) ->
         columns[DIRECTION].push(if direction == Direction::Backward { BACKWARD } else { 0.0 });
         columns[RUN].push(run);
         columns[TIME_OF_ROW].push(time);
+        columns[PULL].push(0.0);
     }
     let observable = Values::shared(0, columns[POSITION].len());
     Rows { columns, observable }
@@ -149,13 +163,15 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
             TIME_OF_ROW,
             vec![0.0],
             at_once(&some, 0.0),
-        ),
+        )
+        .taking(WARM),
         experiment(
             "keep the axis moving for two hours and measure all targets again",
             TIME_OF_ROW,
             vec![last + WARM],
             at_once(&some, last + WARM),
-        ),
+        )
+        .taking(WARM),
         experiment(
             &format!("measure at {} other targets, each at another part of the screw's turn", moved.len()),
             POSITION,
@@ -176,6 +192,15 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
         let rows = at_once(&ends, last);
         experiments.push(experiment("measure from end to end of the travel, there and back", POSITION, ends, rows));
     }
+    for pull in PULLS {
+        let mut rows = at_once(&some, last);
+        rows.columns[PULL].fill(pull);
+        let force = FORCE.shown(pull);
+        let words = format!(
+            "pull the slide towards - with {force:.0}, its play not compensated, and measure all targets again"
+        );
+        experiments.push(experiment(&words, PULL, vec![pull], rows));
+    }
     // What a recorded screw does beyond its record is not known.
     experiments.retain(|e| e.rows.columns[TIME_OF_ROW].iter().all(|time| *time <= setup.known_until()));
     experiments
@@ -184,6 +209,10 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
 impl Positioning for Setup {
     fn approaches(&self, rows: &Rows) -> Vec<Approach> {
         (0..rows.len()).map(|row| approach(rows, row)).collect()
+    }
+
+    fn is_free(&self, rows: &Rows, row: usize) -> bool {
+        rows.get(PULL, row).is_none_or(|pull| pull == 0.0)
     }
 
     fn between(&self, of: &Rows) -> Rows {

@@ -9,6 +9,7 @@ mod edge;
 mod effects;
 pub(crate) mod elastic;
 mod events;
+mod experiments;
 pub(crate) mod forward;
 mod heating;
 mod lift_off;
@@ -88,7 +89,15 @@ impl Definition for Turning {
     }
 
     fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
-        rows::candidate_experiments(setup, rows)
+        experiments::candidate_experiments(setup, rows)
+    }
+
+    fn in_sequence(
+        setup: &Setup,
+        one: &CandidateExperiment,
+        other: &CandidateExperiment,
+    ) -> Option<CandidateExperiment> {
+        experiments::in_sequence(setup, one, other)
     }
 
     /// A kilometre.

@@ -1,21 +1,9 @@
 //! Diameters as they are measured: where on which part, and under which conditions the row was cut.
 
-use std::collections::BTreeSet;
-
 use super::cut::Conditions;
 use super::setup::Setup;
-use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
+use crate::process::{Absent, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
 use crate::units::{FEED, FORCE, LENGTH, MICRO, PATH, SPINDLE_SPEED, TIME};
-
-/// Places of a candidate experiment on one part, at most.
-const PLACES: usize = 12;
-/// Parts of a candidate experiment, at most.
-const PARTS: usize = 12;
-/// Long enough for a machine to be cold again, s.
-const REST: f64 = 4.0 * 3600.0;
-
-/// Path to which wear is followed beyond the batch, in paths of the batch.
-const FURTHER: f64 = 1.5;
 
 /// A diameter is the set diameter plus its error.
 pub const OBSERVABLES: &[Observable] =
@@ -27,7 +15,8 @@ pub const DIAMETER: usize = 1;
 pub const X: usize = 0;
 /// The number of the part.
 pub const PART: usize = 1;
-const FORCE_OF_ROW: usize = 2;
+/// The nominal radial force.
+pub const FORCE_OF_ROW: usize = 2;
 const DEPTH: usize = 3;
 const FEED_OF_ROW: usize = 4;
 const SPEED_OF_ROW: usize = 5;
@@ -180,87 +169,4 @@ pub fn conditions(setup: &Setup, rows: &Rows, row: usize, diameter: f64) -> Cond
         nominal_depth: setup.cut.depth,
         set_depth,
     }
-}
-
-/// Further experiments, each of which asks one new question at the places that are measured already: another
-/// force, a cold machine, other parts, another blank, and places from end to end.
-pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {
-    let mut experiments = Vec::new();
-    let places = measured_places(rows);
-    let last = (0..rows.len()).filter_map(|r| rows.get(PART, r)).fold(0.0, f64::max);
-    let number = setup.schedule.parts + 1;
-    let mut add = |words: String, column: usize, values: Vec<f64>, rows: Rows| {
-        let experiment = CandidateExperiment::new(words, &COORDINATES[column], values, rows);
-        let is_further = experiment.rows.columns[PART].iter().any(|part| *part == number as f64);
-        experiments.push(CandidateExperiment { raises: is_further.then_some(("batch.parts", number)), ..experiment });
-    };
-    let another = |changes: &[(usize, f64)]| at(rows, &places, number as f64, changes);
-    for force in new_forces(&levels(setup, rows)) {
-        let words = format!("turn another part with a radial force of {:.0}", FORCE.shown(force));
-        add(words, FORCE_OF_ROW, vec![force], another(&[(FORCE_OF_ROW, force)]));
-    }
-    let time = setup.schedule.start(number) + REST;
-    let words = "let the machine rest for four hours and turn another part".into();
-    add(words, TIME_OF_ROW, vec![time], another(&[(TIME_OF_ROW, time)]));
-    let further = setup.schedule.path(number, setup.schedule.pass.to) * FURTHER;
-    let words = "turn another part after the edge has cut half as far again".into();
-    add(words, PATH_OF_ROW, vec![further], another(&[(PATH_OF_ROW, further)]));
-    let measured: BTreeSet<usize> = (0..rows.len()).map(|r| part(rows, r)).collect();
-    let missed = (1..=setup.schedule.parts).filter(|p| !measured.contains(p)).take(PARTS);
-    let missed: Vec<f64> = missed.map(|p| p as f64).collect();
-    if let Some(rows) = missed.iter().map(|p| at(rows, &places, *p, &[])).reduce(|a, b| a.and(&b)) {
-        add("measure the other parts of the batch too".into(), PART, missed, rows);
-    }
-    let stock = 2.0 * 1.6 * setup.cut.depth;
-    let shown = LENGTH.shown(stock);
-    let words = format!("turn a part from a blank that is {shown:.2} larger than its finished diameter");
-    let mut blanks = another(&[]);
-    blanks.columns[BLANK] = places.iter().map(|x| setup.diameter(*x) + stock).collect();
-    add(words, BLANK, vec![stock], blanks);
-    let length = setup.length();
-    let fine: Vec<f64> = (0..PLACES).map(|i| length * (0.01 + 0.98 * i as f64 / (PLACES - 1) as f64)).collect();
-    let all = at(rows, &fine, last.max(1.0), &[]);
-    add(format!("measure a part at {PLACES} places from end to end"), X, fine, all);
-    experiments
-}
-
-/// The places that are measured, or some of them.
-fn measured_places(rows: &Rows) -> Vec<f64> {
-    let mut all: Vec<f64> = (0..rows.len()).filter_map(|r| rows.get(X, r)).collect();
-    all.sort_unstable_by(f64::total_cmp);
-    all.dedup();
-    let step = all.len().div_ceil(PLACES).max(1);
-    all.into_iter().step_by(step).collect()
-}
-
-/// Rows of one part at places, with some coordinates set.
-fn at(like: &Rows, places: &[f64], part: f64, changes: &[(usize, f64)]) -> Rows {
-    let mut columns = vec![Values::shared(f64::NAN, places.len()); like.columns.len()];
-    columns[X] = places.to_vec().into();
-    columns[PART].fill(part);
-    columns[ANGLE].fill(0.0);
-    for &(column, value) in changes {
-        columns[column].fill(value);
-    }
-    let observable = like.observable.first().copied().unwrap_or(0);
-    Rows { columns, observable: Values::shared(observable, places.len()) }
-}
-
-/// The forces at which parts were turned, rising.
-fn levels(setup: &Setup, rows: &Rows) -> Vec<f64> {
-    let x = |r| rows.get(X, r).unwrap_or(0.0);
-    let force = |r| rows.get(FORCE_OF_ROW, r).unwrap_or_else(|| setup.nominal_force(x(r)));
-    let mut all: Vec<f64> = (0..rows.len()).map(force).collect();
-    all.sort_unstable_by(f64::total_cmp);
-    all.dedup();
-    all
-}
-
-/// Half of the smallest force, one and a half of the largest, and the middle of the widest gap.
-fn new_forces(levels: &[f64]) -> Vec<f64> {
-    let lowest = levels.first().copied().unwrap_or(0.0);
-    let gap = levels.windows(2).max_by(|a, b| (a[1] / a[0]).total_cmp(&(b[1] / b[0])));
-    let middle = gap.filter(|g| g[0] > 0.0).map(|g| (g[0] * g[1]).sqrt());
-    let largest = levels.last().copied().unwrap_or(0.0);
-    [0.5 * lowest, 1.5 * largest].into_iter().chain(middle).filter(|f| *f > 0.0).collect()
 }

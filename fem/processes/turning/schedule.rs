@@ -40,8 +40,10 @@ pub struct Schedule {
     pub pass: Pass,
     /// How many parts.
     pub parts: usize,
-    /// Start of the last pass of each part and of one more, which an experiment may ask for, s since the start of the batch.
+    /// Start of the last pass of each part and of one more, s since the start of the batch.
     starts: Vec<f64>,
+    /// Start to start where nothing pauses, s.
+    pub cycle_time: f64,
     /// (x, ∫₀ˣ D/2 dx) at the ends of the segments.
     swept: Vec<(f64, f64)>,
     /// Events between parts.
@@ -73,18 +75,16 @@ impl Schedule {
             area += 0.5 * segment.section.diameter * segment.length;
             swept.push((x, area));
         }
-        Self { pass, parts, starts, swept, events }
+        Self { pass, parts, starts, cycle_time, swept, events }
     }
 
-    /// Start of the last pass of `part` (from 1), s; parts further beyond the batch than the first start with that one.
+    /// Start of the last pass of `part` (from 1), s; parts beyond the batch, for which an experiment may ask, follow without
+    /// a pause.
     pub fn start(&self, part: usize) -> f64 {
         let last = self.starts.len().saturating_sub(1);
-        self.starts.get(part.saturating_sub(1).min(last)).copied().unwrap_or(0.0)
-    }
-
-    /// Starts of the last pass of all parts in order, s.
-    pub fn starts(&self) -> &[f64] {
-        &self.starts[..self.parts]
+        let number = part.saturating_sub(1);
+        let known = self.starts.get(number.min(last)).copied().unwrap_or(0.0);
+        known + number.saturating_sub(last) as f64 * self.cycle_time
     }
 
     /// When the tool is at `x` on `part`, s since the start of the batch.

@@ -35,6 +35,15 @@ mod tests {
     use super::super::bench::*;
 
     #[test]
+    fn a_slide_that_is_pulled_stays_on_one_flank() {
+        // 500 N stretch 200 mm of the screw.
+        let stretched = 1e6 * 500.0 * 0.2 / (210e9 * std::f64::consts::PI * 0.016 * 0.016);
+        for deviation in pulled("backlash", &[8.0], 300.0, 500.0) {
+            assert!((deviation + stretched).abs() < 1e-9, "{deviation} for -{stretched}");
+        }
+    }
+
+    #[test]
     fn only_the_way_back_lags() {
         assert_eq!(both("backlash", &[8.0], 300.0), [0.0, 8.0]);
     }

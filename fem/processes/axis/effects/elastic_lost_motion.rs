@@ -48,6 +48,16 @@ mod tests {
     use super::super::bench::*;
 
     #[test]
+    fn a_pull_comes_to_friction_forwards_and_is_taken_off_it_backwards() {
+        // Per newton 1/200 um of nut and bearing and 400 mm of the screw; 600 N of friction.
+        let give = 1.0 / 200.0 + 1e6 * 0.4 / (210e9 * std::f64::consts::PI * 0.016 * 0.016);
+        for (pull, [there, back]) in [(1000.0, [-1600.0, -400.0]), (400.0, [-1000.0, 200.0])] {
+            let [forward, backward] = pulled("elastic-lost-motion", &[600.0, 200.0], 500.0, pull);
+            assert!((forward - there * give).abs() < 1e-9 && (backward - back * give).abs() < 1e-9);
+        }
+    }
+
+    #[test]
     fn it_grows_away_from_the_bearing_and_lags_either_way() {
         // 600 N on 200 N/um is 3 um; 400 mm of Ø32 steel add 600·0.4/(210e9·π·0.016²) = 1.42103 um.
         let [forward, backward] = both("elastic-lost-motion", &[600.0, 200.0], 500.0);

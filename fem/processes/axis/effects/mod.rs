@@ -48,6 +48,14 @@ mod bench {
         1e6 * with_effect::<Axis>(MODEL, name, canonical).observe(&rows).unwrap()[0]
     }
 
+    /// The same forwards and backwards, cold, while a force (N) pulls towards -.
+    pub fn pulled(name: &str, canonical: &[f64], position: f64, pull: f64) -> [f64; 2] {
+        let mut rows = rows::rows(Direction::BOTH.map(|d| (1e-3 * position, d, 1.0, 0.0)));
+        rows.columns[rows::PULL].fill(pull);
+        let readings = with_effect::<Axis>(MODEL, name, canonical).observe(&rows).unwrap();
+        [1e6 * readings[0], 1e6 * readings[1]]
+    }
+
     /// The same forwards and backwards, cold.
     pub fn both(name: &str, canonical: &[f64], position: f64) -> [f64; 2] {
         Direction::BOTH.map(|d| deviation(name, canonical, position, d, 0.0))

@@ -1,12 +1,16 @@
 //! The tool grows while it cuts and shrinks while it rests.
 //!
 //! τ·dξ/dt = elongation·\[cutting\] − ξ, ξ(0) = 0, ΔD −= 2ξ [seed 002, thermal deformation of the tool].
-//! Cutting is the time of each pass by the model's schedule; cycles of uneven length scatter the parts.
+//! Cutting is the time of each pass by the model's schedule; cycles of uneven length scatter the parts. A
+//! row with a time of its own is turned then, in a pass that began when the tool had yet to travel to it.
 //! elongation is what ξ tends to in a cut without end, m; τ in s.
 
 use super::super::machine::Effect;
 use crate::process::{Belongs, Odds, Parameter, nothing};
 use crate::units::{MICRO, TIME};
+
+/// Parts beyond the batch, for which an experiment may ask.
+const FURTHER: usize = 32;
 
 /// `tool-thermal-growth`.
 pub static TOOL_THERMAL_GROWTH: Effect<2> = Effect {
@@ -24,17 +28,22 @@ pub static TOOL_THERMAL_GROWTH: Effect<2> = Effect {
     needs: nothing,
     act: |[elongation, time_constant], machine| {
         let schedule = &machine.setup.schedule;
-        let cutting = schedule.pass.duration();
+        let parts = schedule.parts;
+        let (cutting, speed, from) = (schedule.pass.duration(), schedule.pass.speed(), schedule.pass.from);
         // ξ at the start of each part.
-        let mut starts: Vec<(f64, f64)> = Vec::with_capacity(schedule.starts().len());
-        for &start in schedule.starts() {
+        let mut starts: Vec<(f64, f64)> = Vec::with_capacity(parts + FURTHER);
+        for start in (1..=parts + FURTHER).map(|part| schedule.start(part)) {
             let growth = starts.last().map_or(0.0, |&last| growth(last, start, cutting, elongation, time_constant));
             starts.push((start, growth));
         }
         machine.add_shift(move |at| {
-            let part = starts.partition_point(|s| s.0 <= at.time).saturating_sub(1);
-            let xi = starts.get(part).map_or(0.0, |&last| growth(last, at.time, cutting, elongation, time_constant));
-            -2.0 * xi
+            // What has a time of its own is turned then, in a pass that begins so much earlier.
+            let travelled = (at.x - from).abs() / speed;
+            let begun = at.time - travelled;
+            let earlier = starts.partition_point(|s| s.0 <= begun).min(parts.max(at.part.saturating_sub(1)));
+            let earlier = earlier.checked_sub(1).map(|part| starts[part]);
+            let before = earlier.map_or(0.0, |last| growth(last, begun, cutting, elongation, time_constant));
+            -2.0 * growth((0.0, before), travelled, travelled, elongation, time_constant)
         });
     },
 };
@@ -48,7 +57,16 @@ fn growth((start, xi): (f64, f64), time: f64, cutting: f64, elongation: f64, tim
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::machine::Moment;
     use super::super::bench::*;
+
+    #[test]
+    fn a_part_that_is_turned_after_a_rest_begins_cold() {
+        // Five hours after the batch, 3.75 min into a cut.
+        let rested = Moment { part: 3, time: 5.0 * 3600.0, ..moment() };
+        let shift = shift("tool-thermal-growth", &[10.0, 5.0], rested);
+        assert!((shift + 2.0 * 10.0 * (1.0 - (-0.75f64).exp())).abs() < 1e-9, "{shift}");
+    }
 
     #[test]
     fn growth_is_the_hand_integrated_schedule() {

@@ -56,6 +56,8 @@ pub struct Row {
     pub backward: bool,
     /// min since the cold start; 0 where nobody looked at a clock.
     pub time: f64,
+    /// Force that pulls the slide towards the beginning of the travel, N.
+    pub pull: f64,
 }
 
 /// An axis with its test.
@@ -185,6 +187,16 @@ impl crate::job::Job for Job {
             let play = size("backlash", "gap")
                 + size("uneven-backlash", "change") * (part - 0.5)
                 + size("worn-screw", "depth") * bow;
+            if row.pull > 0.0 {
+                // The drive holds the slide against the pull, and against friction or with its help.
+                let friction = size("elastic-lost-motion", "friction")
+                    * self.set_up.dragged(row.x, [self.from, self.from + self.travel]);
+                let holds = if row.backward { row.pull - friction } else { row.pull + friction };
+                let nut = self.set_up.nut.map_or(0.0, |(side, preload)| side.pair_moves(preload, holds.abs()));
+                let has_nut = value(causes, "elastic-lost-motion", "friction").is_some();
+                let yielded = holds.abs() * give(row.x) + if has_nut { nut } else { 0.0 };
+                return if holds < 0.0 { both + yielded + play } else { both - yielded };
+            }
             if row.backward { both + wound + play } else { both - wound }
         };
         self.rows.iter().map(one).collect()

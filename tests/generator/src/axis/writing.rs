@@ -41,10 +41,11 @@ pub fn data(job: &Job, observed: &[f64], sigma: f64) -> String {
         (job.own_clock, "time [min]"),
         (true, "position [mm]"),
         (true, "direction"),
+        (job.rows.iter().any(|row| row.pull > 0.0), "pull [N]"),
         (true, "deviation [um]"),
         (has_u, "u [um]"),
     ];
-    let line = |cells: [String; 6]| {
+    let line = |cells: [String; 7]| {
         let present = cells.into_iter().zip(&columns).filter(|(_, column)| column.0);
         present.map(|(cell, _)| cell).collect::<Vec<_>>().join(",") + "\n"
     };
@@ -53,7 +54,7 @@ pub fn data(job: &Job, observed: &[f64], sigma: f64) -> String {
         let sign = if row.backward { "-" } else { "+" };
         let deviation = shown(*value, 5, sigma);
         let (run, time, x) = (row.run.to_string(), row.time.to_string(), row.x.to_string());
-        text += &line([run, time, x, sign.into(), deviation, sigma.to_string()]);
+        text += &line([run, time, x, sign.into(), row.pull.to_string(), deviation, sigma.to_string()]);
     }
     text
 }
