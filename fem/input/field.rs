@@ -126,7 +126,9 @@ impl<'r, 'a> Field<'r, 'a> {
     fn read(&self) -> Option<f64> {
         let item = self.reader.item(self.key.clone())?;
         match self.parse(item).and_then(|q| self.check(q)) {
-            Ok(quantity) => Some(self.reader.note(&self.key, (self.kind, self.bounds, self.doubt), quantity, item.span())),
+            Ok(quantity) => {
+                Some(self.reader.note(&self.key, (self.kind, self.bounds, self.doubt), quantity, item.span()))
+            }
             Err(problem) => {
                 self.reader.refuse(problem.at(item.span()));
                 Some(f64::NAN)

@@ -34,7 +34,9 @@ impl Reader<'_> {
                 }
             };
             match parsed {
-                Ok(quantity) => Some(self.note(&format!("{key}[{i}]"), (kind, Bounds::Any, None), quantity, value.span())),
+                Ok(quantity) => {
+                    Some(self.note(&format!("{key}[{i}]"), (kind, Bounds::Any, None), quantity, value.span()))
+                }
                 Err(e) => {
                     let help = e.hint.unwrap_or_else(|| format!("write {written}"));
                     self.refuse(Problem::new(format!("`{key}`: {}", e.message)).help(help).at(value.span()));

@@ -25,10 +25,12 @@ impl OwnOdds {
         let about = "odds to one of effects before anything is measured, where you know better than the catalogue";
         let read = |t: &Reader| {
             let of_machine = process.effects().into_iter().map(|effect| effect.name);
-            let readings = effects::all().filter(|effect| effect.acts.is_reading()).map(|effect| Name::new(effect.name));
+            let readings =
+                effects::all().filter(|effect| effect.acts.is_reading()).map(|effect| Name::new(effect.name));
             let names = of_machine.chain(readings).chain([Name::new(VALUES)]);
             let own = |name: Name| {
-                let about = if name == VALUES { "that a value which is written as known is wrong" } else { "of this effect" };
+                let about =
+                    if name == VALUES { "that a value which is written as known is wrong" } else { "of this effect" };
                 let field = t.quantity(name.clone(), NUMBER, about).chosen();
                 let odds = field.bounds(Bounds::Within(LIMITS.0, LIMITS.1)).optional()?;
                 Some((name, odds))

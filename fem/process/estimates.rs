@@ -37,12 +37,8 @@ pub const STIFFNESS: Doubt = Doubt::by_factor(
 );
 
 /// Coefficient of a contact.
-pub const CONTACT: Doubt = Doubt::by_factor(
-    0.3,
-    3.0,
-    Grows::Linearly,
-    "coefficients of contacts are of surfaces that somebody else prepared",
-);
+pub const CONTACT: Doubt =
+    Doubt::by_factor(0.3, 3.0, Grows::Linearly, "coefficients of contacts are of surfaces that somebody else prepared");
 
 /// Free length of a tool holder.
 pub const OVERHANG: Doubt =
@@ -64,12 +60,8 @@ pub const HEATER: Doubt =
     Doubt::by_factor(0.15, 2.0, Grows::Otherwise, "nobody weighs a heater, and what it is filled with is not known");
 
 /// Conductance of a contact.
-pub const CONDUCTANCE: Doubt = Doubt::by_factor(
-    0.2,
-    3.0,
-    Grows::Otherwise,
-    "conductances of contacts depend on pressure, roughness and paste",
-);
+pub const CONDUCTANCE: Doubt =
+    Doubt::by_factor(0.2, 3.0, Grows::Otherwise, "conductances of contacts depend on pressure, roughness and paste");
 
 /// A film coefficient.
 pub const FILM: Doubt =
@@ -80,5 +72,4 @@ pub const TEMPERATURE: Doubt =
     Doubt::by_amount(0.15, 3.0, "rooms are written as 20 degC, and a few kelvin beside it is usual");
 
 /// Frequency at which a drive sticks and slips.
-pub const FREQUENCY: Doubt =
-    Doubt::by_factor(0.1, 1.3, Grows::Otherwise, "it is counted on a trace of a few periods");
+pub const FREQUENCY: Doubt = Doubt::by_factor(0.1, 1.3, Grows::Otherwise, "it is counted on a trace of a few periods");

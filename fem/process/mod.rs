@@ -34,9 +34,7 @@ pub(crate) use bench::with_effect;
 pub(crate) use blank::{BlankProfile, BlankWords, Wave};
 pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
-pub use effect::{
-    Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing,
-};
+pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing};
 pub use failure::Failure;
 pub use figure::{Datum, Figure, extremes, first_extreme, range, spread};
 pub use formula_effect::{FormulaLaw, Meaning};

@@ -187,7 +187,8 @@ impl Warmth {
         const USUAL: f64 = 293.15;
         let run = Along { name: "time", kind: TIME, needed: [0.0, test.lasts()] };
         let about = "of the screw, which grows with it from its fixed bearing; none if left out";
-        let temperature = t.quantity("temperature", TEMPERATURE, about).estimated(estimates::TEMPERATURE).optional_varying(run);
+        let temperature =
+            t.quantity("temperature", TEMPERATURE, about).estimated(estimates::TEMPERATURE).optional_varying(run);
         let reference =
             t.quantity("reference_temperature", TEMPERATURE, "of the screw at which its lead is right").or(USUAL);
         let temperature = temperature?;

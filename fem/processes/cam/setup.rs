@@ -6,8 +6,8 @@ use super::guide::wheel_rate;
 use super::profile::{self, Drawn, Profile, Segment, turn};
 use super::program::Program;
 use crate::input::Reader;
-use crate::process::estimates::CUTTING_FORCE;
 use crate::process::Spot;
+use crate::process::estimates::CUTTING_FORCE;
 use crate::units::{FORCE_PER_RATE, LENGTH, MICRO};
 
 /// Everything a cam model says but its effects. SI units.

@@ -65,7 +65,8 @@ impl Setup {
             let about = "where positions are measured: on the motor, or by a scale on the slide, which sees the screw";
             let feedback = t.choice("feedback", about, Feedback::WORDS).or_first(Feedback::Motor);
             let about = "frequency at which the drives stick and slip; only for stick-slip";
-            let frequency = t.quantity("frequency", FREQUENCY, about).estimated(estimates::FREQUENCY).positive().optional();
+            let frequency =
+                t.quantity("frequency", FREQUENCY, about).estimated(estimates::FREQUENCY).positive().optional();
             (gain, drive::read(t, lead.optional()), feedback, frequency)
         });
         let force = model.optional_table("cut", "the cut, if there is one", |t| {

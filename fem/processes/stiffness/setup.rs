@@ -37,7 +37,8 @@ impl Setup {
     /// Reads every table of a stiffness model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
         let (stiffness, unit) = model.table("joint", "the joint, or the machine as a whole", |t| {
-            let stiffness = t.quantity("stiffness", STIFFNESS, "stiffness of the ideal joint").estimated(estimates::STIFFNESS);
+            let stiffness =
+                t.quantity("stiffness", STIFFNESS, "stiffness of the ideal joint").estimated(estimates::STIFFNESS);
             let stiffness = stiffness.positive().required();
             (stiffness, t.text("unit", "the unit of the machine that is loaded, as its file names it: \"tailstock\""))
         });

@@ -73,7 +73,11 @@ impl Boundary {
 
 impl Condition {
     fn read(t: &Reader, run: Along) -> Self {
-        let flux = t.quantity("flux", HEAT_FLUX, "heat that flows in").estimated(estimates::POWER).optional_varying(run).map(History::from);
+        let flux = t
+            .quantity("flux", HEAT_FLUX, "heat that flows in")
+            .estimated(estimates::POWER)
+            .optional_varying(run)
+            .map(History::from);
         let on = source::read_on(t, &[]);
         let coefficient = t.quantity("convection", CONVECTION, "film coefficient of a loss").estimated(estimates::FILM);
         let coefficient = coefficient.not_negative().optional();

@@ -73,8 +73,9 @@ impl EarlierPass {
         let feed = t.quantity("feed", FEED, "feed per revolution; that of [cut] if left out").positive().or(last.feed);
         let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed; that of [cut] if left out").positive();
         let spindle_speed = speed.or(last.spindle_speed);
-        let given =
-            t.quantity("radial_force", FORCE, "radial force at that depth; by [cut] if left out").estimated(CUTTING_FORCE);
+        let given = t
+            .quantity("radial_force", FORCE, "radial force at that depth; by [cut] if left out")
+            .estimated(CUTTING_FORCE);
         let given = given.not_negative();
         let force = match (given.optional(), &cut.force) {
             (Some(force), _) => (Varying::Constant(force), depth),
