@@ -6,7 +6,7 @@ use super::fem::{Place, model};
 fn rigid(odds: &str) -> Place {
     let place = Place::new();
     place.write("measured.csv", model("story/measured.csv"));
-    place.write("rigid.toml", &format!("{}\n[odds]\n{odds}\n", model("story/rigid.toml")));
+    place.write("rigid.toml", format!("{}\n[odds]\n{odds}\n", model("story/rigid.toml")));
     place
 }
 
