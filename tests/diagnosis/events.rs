@@ -20,7 +20,7 @@ struct Found {
     cases: usize,
     /// It is named, or stands in the class of what is.
     in_class: usize,
-    /// It is named, and placed within one part.
+    /// It, or an event in whose class it stands, is named, and placed within one part.
     placed: usize,
     /// Nothing but its class is named.
     alone: usize,
@@ -51,9 +51,12 @@ fn parameter(missing: &Missing, name: &str) -> f64 {
     own.parameter.kind.from_si(own.value)
 }
 
-/// How far from the truth an event is placed, in parts; `None` where it is not named.
+/// How far from the truth an event is placed, in parts: where it is named, or another event in whose class it stands;
+/// `None` where neither is.
 fn misplaced(diagnosis: &Diagnosis, effect: &str, after: f64) -> Option<f64> {
-    let own = diagnosis.missing.iter().find(|missing| missing.effect.name == effect)?;
+    let named = diagnosis.missing.iter().find(|missing| missing.effect.name == effect);
+    let is_like = |missing: &&Missing| missing.effect.is_step() && score::class(missing).contains(&effect);
+    let own = named.or_else(|| diagnosis.missing.iter().find(is_like))?;
     Some((parameter(own, "after") - after).abs())
 }
 
