@@ -14,7 +14,7 @@ use super::hypothesis::Hypothesis;
 use super::largest_change::LargestChange;
 use super::lead;
 use super::null_distribution::{Variance, variance};
-use super::posterior::{CERTAIN, Posterior};
+use super::posterior::{CERTAIN, Posterior, may_be_true};
 use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
@@ -123,7 +123,7 @@ pub fn conclude(
     };
     // What the sets rule out in the place of something certain is none; what is not certain has its group.
     look_alikes.retain(|own| match posterior.of(&own.cause.name) >= CERTAIN {
-        true => found.may_be_true(&own.model),
+        true => may_be_true(&found, &own.model),
         false => posterior.are_grouped(&own.cause.name, &own.other.name),
     });
     for own in &look_alikes {
