@@ -16,7 +16,7 @@ use super::largest_change::LargestChange;
 use super::lead;
 use super::model_average::Others;
 use super::null_distribution::{MaxStatistic, Variance, variance};
-use super::posterior::{CERTAIN, Posterior};
+use super::posterior::{CERTAIN, Posterior, may_be_true};
 use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
@@ -137,7 +137,7 @@ pub fn conclude(
     // machine is always held against one of the instrument.
     look_alikes.retain(|own| match posterior.of(&own.cause.name) >= CERTAIN {
         _ if own.cause.is_step() => true,
-        true => found.may_be_true(&own.model),
+        true => may_be_true(&found, &own.model),
         false => posterior.are_grouped(&own.cause.name, &own.other.name),
     });
     for own in &look_alikes {

@@ -8,7 +8,7 @@ use super::candidate_model::CandidateModel;
 use super::change;
 use super::gain::{Gain, gain};
 use super::lead::{bare, fit_with, promising, starts, without};
-use super::posterior::{CERTAIN, Posterior};
+use super::posterior::{CERTAIN, Posterior, may_be_true};
 use super::residual_projection::{ProjectedResidual, length_outside};
 use super::search::SearchResult;
 use super::sensitivity::{CandidateEffect, Variant};
@@ -59,7 +59,7 @@ impl Confounding<'_> {
         let name = |number: usize| &found.candidates[number].effect.name;
         let own = name(self.candidate);
         if posterior.of(own) >= CERTAIN {
-            return self.alternatives.retain(|a| found.may_be_true(&a.model));
+            return self.alternatives.retain(|a| may_be_true(found, &a.model));
         }
         let group = posterior.groups.iter().find(|group| group.effects.contains(own));
         self.alternatives.retain(|a| group.is_some_and(|group| group.effects.contains(name(a.candidate))));

@@ -27,6 +27,12 @@ pub fn speaks(now: f64, before: f64) -> bool {
     odds(now) >= NOTABLE * odds(before)
 }
 
+/// Whether a fitted set is not ruled out beside the most probable one of a search.
+pub fn may_be_true(found: &SearchResult, set: &CandidateModel) -> bool {
+    let best = found.tried.first().map_or(f64::INFINITY, |set| set.criterion);
+    laplace::criterion(set).is_some_and(|own| laplace::weight(own, best) >= RULED_OUT)
+}
+
 /// A set of effects with its criterion.
 #[derive(Clone, Debug)]
 pub struct Visit {

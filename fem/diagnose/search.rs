@@ -15,7 +15,6 @@ use super::lead::bare;
 use super::like_a_curve;
 use super::moves::{self, Move, Reach, SEARCHING};
 use super::null_distribution::{MaxStatistic, Variance};
-use super::posterior::RULED_OUT;
 use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
 use super::sensitivity::CandidateEffect;
@@ -96,12 +95,6 @@ impl<'a> SearchResult<'a> {
     /// Set that is told: the plainest of the most probable; the model itself where nothing was found.
     pub fn best(&self) -> &CandidateModel<'a> {
         self.steps.last().unwrap_or(&self.base)
-    }
-
-    /// Whether a fitted set is not ruled out beside the most probable one.
-    pub fn may_be_true(&self, set: &CandidateModel) -> bool {
-        let best = self.tried.first().map_or(f64::INFINITY, |set| set.criterion);
-        laplace::criterion(set).is_some_and(|own| laplace::weight(own, best) >= RULED_OUT)
     }
 
     /// The most probable sets, which together hold nearly all of the probability under this noise.

@@ -34,8 +34,8 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
     experiments.push(next.after_a_rest());
     experiments.push(next.later());
     experiments.extend(next.others_of_the_batch());
-    experiments.extend(STOCKS.map(|depths| next.from_a_blank(2.0 * depths * setup.cut.depth)));
-    experiments.push(next.from_end_to_end());
+    experiments.extend(STOCKS.map(|depths| next.of_a_blank(2.0 * depths * setup.cut.depth)));
+    experiments.push(next.end_to_end());
     experiments
 }
 
@@ -105,7 +105,7 @@ impl Next<'_> {
         Some(CandidateExperiment::new("measure the other parts of the batch too", &COORDINATES[PART], numbers, rows))
     }
 
-    fn from_a_blank(&self, stock: f64) -> CandidateExperiment {
+    fn of_a_blank(&self, stock: f64) -> CandidateExperiment {
         let words =
             format!("turn a part from a blank that is {:.2} larger than its finished diameter", LENGTH.shown(stock));
         let mut rows = self.at(&self.places, self.number, &[]);
@@ -113,7 +113,7 @@ impl Next<'_> {
         self.turned(CandidateExperiment::new(words, &COORDINATES[BLANK], vec![stock], rows), 1)
     }
 
-    fn from_end_to_end(&self) -> CandidateExperiment {
+    fn end_to_end(&self) -> CandidateExperiment {
         let length = self.setup.length();
         let fine: Vec<f64> = (0..PLACES).map(|i| length * (0.01 + 0.98 * i as f64 / (PLACES - 1) as f64)).collect();
         let last = (0..self.like.len()).map(|r| part(self.like, r)).max().unwrap_or(1);
