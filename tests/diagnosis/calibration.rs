@@ -27,8 +27,11 @@ fn place() -> PathBuf {
     root().join("docs/calibration.svg")
 }
 
-/// Lower and upper ends of the ranges of probability, and the rows of the table with their names.
-fn table() -> (Vec<[f64; 2]>, Vec<(String, Vec<Count>)>) {
+/// Rows of the table with their names.
+type Counted = Vec<(String, Vec<Count>)>;
+
+/// Lower and upper ends of the ranges of probability, and the rows.
+fn table() -> (Vec<[f64; 2]>, Counted) {
     let text = read(&root().join("tests/diagnosis/README.md"));
     let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_string()).collect::<Vec<_>>();
     let mut lines = text.lines().skip_while(|line| !line.contains("| 5 to 10 % |"));
