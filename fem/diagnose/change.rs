@@ -3,11 +3,15 @@
 use crate::model::{Data, Model};
 use crate::process::{Description, change_of, is_size, name_of_change};
 
+/// The order in which changes are sought. From one run or set-up to the next the instrument is set anew as well, and its
+/// zeros look like changes of anything: there a change is believed where somebody writes it.
+const SOUGHT: &str = "part";
+
 /// The changes that are sought: of every effect that the model has or lacks and that carries nothing over, where the
 /// rows are numbered in an order.
 pub fn changes(data: &Data, absent: &[Description]) -> Vec<Description> {
     let process = &*data.model.process;
-    let Some(along) = process.in_order() else { return Vec::new() };
+    let Some(along) = process.in_order().filter(|along| *along == SOUGHT) else { return Vec::new() };
     let column = process.coordinates().iter().position(|c| c.name == along);
     let is_one = |column: usize| data.rows.columns[column].iter().all(|number| *number == data.rows.columns[column][0]);
     if data.is_empty() || column.is_none_or(is_one) {

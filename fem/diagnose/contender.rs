@@ -18,6 +18,9 @@ use crate::process::{Description, Rows};
 /// improbable it is.
 const TOLD: f64 = 0.05;
 
+/// Probability from which an effect is asked for that is hardly more likely than before the data: one of five.
+const WORTH_ASKING: f64 = 0.2;
+
 /// A set that may be true.
 pub struct Contender<'r, 'a> {
     model: &'r CandidateModel<'a>,
@@ -99,9 +102,11 @@ pub fn contenders<'r, 'a>(
     let told: BTreeSet<&Name> = members.chain(instead).chain(across).chain(grouped).collect();
     let whole: f64 = all.iter().map(|own| own.weight).sum();
     for own in &mut all {
-        let is_asked = |effect: &&Description| {
-            told.contains(&effect.name) || (RULED_OUT..CERTAIN).contains(&posterior.of(&effect.name))
+        let is_open = |effect: &Description| {
+            let least = if posterior.is_notable(effect) { RULED_OUT } else { WORTH_ASKING };
+            (least..CERTAIN).contains(&posterior.of(&effect.name))
         };
+        let is_asked = |effect: &&Description| told.contains(&effect.name) || is_open(effect);
         own.asked = own.effects.iter().filter(is_asked).map(|effect| effect.name.to_string()).collect();
         own.asked.sort_unstable();
         own.weight /= whole;
