@@ -15,8 +15,9 @@ use crate::process::{CandidateExperiment, Description, System};
 pub const REPEATS: &[usize] = &[1, 2, 4, 8];
 /// Information below which an experiment is not worth the making, nats: one set of ten is expected to be ruled out.
 const LEAST: f64 = 0.1;
-/// Most experiments that are made one after the other as one measurement, and most rows of these together.
+/// Most experiments that are made one after the other as one measurement.
 const STEPS: usize = 4;
+/// Most rows of one measurement of several experiments, or of one that is repeated.
 const MOST_ROWS: usize = 600;
 /// Part of the most that any experiment tells which is enough for one that costs less to be preferred.
 const ENOUGH: f64 = 0.9;
@@ -136,9 +137,9 @@ impl<'c, 'r, 'a> Rated<'c, 'r, 'a> {
         Some(Self { experiment, steps: self.steps + other.steps, seen: self.seen.clone(), prospect })
     }
 
-    /// Whether so many repeats of a sequence are not too much for one measurement.
+    /// Whether so many repeats are not too much for one measurement.
     fn can_be_repeated(&self, repeats: usize) -> bool {
-        self.steps == 1 || repeats * self.experiment.rows.len() <= MOST_ROWS
+        self.steps * repeats == 1 || repeats * self.experiment.rows.len() <= MOST_ROWS
     }
 
     /// What it tells, nats.

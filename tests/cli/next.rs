@@ -16,11 +16,11 @@ fn rows_are_written_filled_in_and_diagnosed() {
     let rows = place.read("next.csv");
     let mut lines = rows.lines();
     assert_eq!(lines.next().unwrap(), format!("# {}", next["text"].as_str().unwrap()));
-    assert_eq!(lines.next().unwrap(), "x [mm],part,radial_force [N],blank [mm],diameter_error [um],u [um]");
+    assert_eq!(lines.next().unwrap(), "x [mm],part,radial_force [N],diameter_error [um],u [um]");
     assert_eq!(Some(lines.count() as u64), next["observations"].as_u64());
     // The three shafts are all that the batch had, and each experiment of the sequence turns one more.
-    assert!(next["steps"] == 3 && next["minutes"].as_f64().unwrap() > 0.0);
-    assert!(place.read("next.toml").contains("parts = 6") && place.read("shafts.toml").contains("parts = 3"));
+    assert!(next["steps"] == 2 && next["minutes"].as_f64().unwrap() > 0.0);
+    assert!(place.read("next.toml").contains("parts = 5") && place.read("shafts.toml").contains("parts = 3"));
     let empty = place.fem(&["diagnose", "next.toml", "--with", "next.csv"]);
     assert!(empty.status == 2 && empty.err.contains("empty cell"), "{}", empty.err);
     place.write("next.csv", rows.replace(",,", ",1.5,"));
