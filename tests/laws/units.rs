@@ -59,7 +59,9 @@ const POUND: f64 = 0.453_592_37 * 9.806_65;
 /// The starting model of a process with all effects that it admits, with usual values.
 fn with_all_effects(process: &dyn Process) -> String {
     let start = process.starting_model();
-    let own = start.split("# What").next().unwrap().split("# Ways").next().unwrap().split("[effects.").next().unwrap();
+    let (head, tables) = start.split_once("process").unwrap();
+    let own = tables.split("# What").next().unwrap().split("# Ways").next().unwrap().split("[effects.").next().unwrap();
+    let own = &format!("{head}process{own}");
     let bare = super::model(own);
     let mut text = own.to_string();
     for effect in process.effects().iter().filter(|effect| bare.system.admits(&effect.name).is_ok()) {
