@@ -8,6 +8,7 @@ use super::verdict::is_explained;
 use crate::fit::{self, StoppingCriterion, minimise};
 use crate::input::Parameter;
 use crate::measure::Repeats;
+use crate::process::Neutral;
 use crate::units::Knowledge;
 
 /// Prior standard uncertainties beyond which a written value is doubted.
@@ -40,7 +41,7 @@ impl PriorConflict {
 }
 
 /// Finds the parameter (by position) without whose prior the model fits down to the noise, and better than
-/// with the effects that the search found, or as well where those are two more.
+/// with the effects that the search found, or as well where those are two more or of a size that is not plausible.
 pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usize, PriorConflict)> {
     let best = found.best();
     let mut released: Vec<(usize, CandidateModel)> = [&found.base, best]
@@ -49,7 +50,8 @@ pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usi
         .filter_map(|(trial, i)| Some((i, release(trial, i)?)))
         .collect();
     // One number that is written wrongly is likelier than two causes that make up for it.
-    let margin = |trial: &CandidateModel| match best.members.len() > trial.members.len() + 1 {
+    let is_strained = is_strained(best);
+    let margin = |trial: &CandidateModel| match best.members.len() + usize::from(is_strained) > trial.members.len() + 1 {
         true => EQUAL_FIT,
         false => -EQUAL_FIT,
     };
@@ -59,6 +61,18 @@ pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usi
     let variable = &trial.objective.variables[i];
     let parameter = trial.objective.parameters[i].clone();
     Some((i, PriorConflict { parameter, asked: variable.value(trial.solution.position[i]) }))
+}
+
+/// Whether an effect of a set has a size that is not plausible.
+fn is_strained(set: &CandidateModel) -> bool {
+    let own = set.objective.data.model.parameters.len()..set.objective.variables.len();
+    let is_outside = |i: usize| {
+        set.objective.catalogue(i).is_some_and(|entry| {
+            let value = entry.kind.from_si(set.objective.variables[i].value(set.solution.position[i]));
+            entry.neutral != Neutral::Shape && !(entry.range.0..=entry.range.1).contains(&value)
+        })
+    };
+    own.into_iter().any(is_outside)
 }
 
 /// Model's own parameters that a fit has moved far from their priors.
