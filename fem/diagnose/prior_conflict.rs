@@ -51,7 +51,8 @@ pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usi
         .collect();
     // One number that is written wrongly is likelier than two causes that make up for it.
     let is_strained = is_strained(best);
-    let margin = |trial: &CandidateModel| match best.members.len() + usize::from(is_strained) > trial.members.len() + 1 {
+    let margin = |trial: &CandidateModel| match best.members.len() + usize::from(is_strained) > trial.members.len() + 1
+    {
         true => EQUAL_FIT,
         false => -EQUAL_FIT,
     };
