@@ -1,5 +1,7 @@
 //! Makes the diagnosis of the result of a search.
 
+use std::cell::LazyCell;
+
 use rayon::prelude::*;
 
 use super::bent_law;
@@ -16,7 +18,7 @@ use super::largest_change::LargestChange;
 use super::lead;
 use super::model_average::Others;
 use super::null_distribution::{MaxStatistic, Variance, variance};
-use super::posterior::{CERTAIN, Posterior, may_be_true};
+use super::posterior::{CERTAIN, Posterior, RULED_OUT, may_be_true};
 use super::prior_conflict::PriorConflict;
 use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
@@ -256,6 +258,8 @@ fn missing(
     (goodness, posterior): (&dyn Fn(&CandidateModel) -> GoodnessOfFit, &Posterior),
 ) -> Vec<Missing> {
     let mut list = Vec::new();
+    // A thousand searches, the same for every change that is told.
+    let of_changes = LazyCell::new(|| null_of_changes(found, best, variance));
     let others = Others::beside(found, best);
     let widened = |mut estimate: Estimate| {
         if let Some(others) = &others {
@@ -267,7 +271,7 @@ fn missing(
     while !rest.members.is_empty() {
         let is_changed = |m: &usize| {
             let name = &found.candidates[*m].effect.name;
-            rest.members.iter().any(|other| found.candidates[*other].effect.changes.as_ref() == Some(name))
+            rest.objective.added.iter().any(|other| other.is_change_of(name))
         };
         // What changes comes before its change.
         let smaller = rest
@@ -285,8 +289,8 @@ fn missing(
         let gained = own.map_or(0.0, |p| p.chi2_without - best.solution.chi2);
         let measured = variance.statistic(gained, best.solution.chi2, best.objective.freedom());
         let effect = found.candidates[last].effect.clone();
-        let of_change = effect.changes.as_ref().and_then(|_| null_of_changes(found, best, variance));
-        let null = of_change.as_ref().unwrap_or(&found.null_distribution);
+        let of_change = effect.changes.as_ref().and_then(|_| of_changes.as_ref());
+        let null = of_change.unwrap_or(&found.null_distribution);
         let own_paths: Vec<ParameterId> = effect.parameters.iter().map(|p| effect.path(p)).collect();
         list.push(Missing {
             cause: findings::cause(&effect),
@@ -314,9 +318,8 @@ fn missing(
 /// How often a search finds as much on noise, where changes are sought too: they have many borders.
 fn null_of_changes(found: &SearchResult, best: &CandidateModel, variance: Variance) -> Option<MaxStatistic> {
     let projected = ProjectedResidual::new(&mut best.objective.clone(), &best.solution)?;
-    let members = || best.members.iter().map(|m| &found.candidates[*m].effect);
     let is_sought = |(number, own): &(usize, &CandidateEffect)| match own.effect.changes {
-        Some(_) => change::has_its_effect(&own.effect, best.objective.data.model, members()),
+        Some(_) => change::has_its_effect(&own.effect, best.objective.data.model, best.objective.added.iter()),
         None => !best.members.contains(number),
     };
     let sought: Vec<&CandidateEffect> =
@@ -362,10 +365,8 @@ fn outlooks(found: &SearchResult, best: &CandidateModel, variance: Variance, pos
     };
     let mut all: Vec<Outlook> = (0..found.candidates.len()).into_par_iter().map(outlook).collect();
     // That nothing changed is no news.
-    let is_told = |name: &str| best.members.iter().any(|m| found.candidates[*m].effect.name == *name);
-    all.retain(|own| {
-        own.effect.changes.is_none() || is_told(&own.effect.name) || own.probability >= super::posterior::RULED_OUT
-    });
+    let is_told = |name: &str| best.objective.added.iter().any(|own| own.name == *name);
+    all.retain(|own| own.effect.changes.is_none() || is_told(&own.effect.name) || own.probability >= RULED_OUT);
     all.sort_by(|a, b| a.delta_bic.total_cmp(&b.delta_bic));
     all
 }

@@ -117,9 +117,9 @@ fn confounding<'a>(found: &SearchResult<'a>, best: &CandidateModel<'a>, member: 
         let trial = fit_with(&bare, candidate, stranger, &starts)?;
         alternative(best, trial, candidate).filter(Alternative::is_equal)
     };
-    let members = || best.members.iter().map(|m| &found.candidates[*m].effect);
-    let may_change =
-        |i: &usize| change::has_its_effect(&found.candidates[*i].effect, best.objective.data.model, members());
+    let may_change = |i: &usize| {
+        change::has_its_effect(&found.candidates[*i].effect, best.objective.data.model, best.objective.added.iter())
+    };
     let others = (0..found.candidates.len()).filter(|i| !best.members.contains(i)).filter(may_change);
     let mut alternatives: Vec<Alternative<'a>> = others.filter_map(stand_in).collect();
     alternatives.sort_by(|a, b| a.delta_chi2.total_cmp(&b.delta_chi2));

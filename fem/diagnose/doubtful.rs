@@ -80,8 +80,8 @@ fn followed(data: &Data, term: &Term, shares: &[f64]) -> Option<usize> {
         let x: Vec<f64> = firsts.iter().map(|row| data.rows.columns[*column][*row]).collect();
         (1.0f64).min(line(&x, &zeros)).min(steps(&x, &zeros)) * 2.0 * columns.len() as f64
     };
-    let best = columns.iter().copied().min_by(|a, b| p_value(a).total_cmp(&p_value(b)))?;
-    (p_value(&best) < SIGNIFICANCE).then_some(best)
+    let (best, p) = columns.iter().map(|column| (*column, p_value(column))).min_by(|a, b| a.1.total_cmp(&b.1))?;
+    (p < SIGNIFICANCE).then_some(best)
 }
 
 /// p-value of a straight line through the zeros along a column.

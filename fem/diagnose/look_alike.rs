@@ -117,8 +117,8 @@ fn effects_instead<'a>(
     let data = best.objective.data;
     let term = &best.objective.noise.terms[number];
     let Some(rest) = without_term(best, number, repeats) else { return Vec::new() };
-    let members = || best.members.iter().map(|m| &found.candidates[*m].effect);
-    let may_change = |i: &usize| change::has_its_effect(&found.candidates[*i].effect, data.model, members());
+    let may_change =
+        |i: &usize| change::has_its_effect(&found.candidates[*i].effect, data.model, best.objective.added.iter());
     let is_absent = |i: &usize| !best.members.contains(i) && may_change(i);
     let absent: Vec<Description> =
         (0..found.candidates.len()).filter(is_absent).map(|i| found.candidates[i].effect.clone()).collect();

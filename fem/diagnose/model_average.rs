@@ -11,8 +11,6 @@ use super::laplace;
 use super::search::SearchResult;
 use crate::fit::{Estimate, Interval, Usual};
 
-/// Half the width of a 95 % interval of the standard normal distribution.
-const HALF: f64 = 1.959_964;
 /// Widths from a centre beyond which nothing is left.
 const FAR: f64 = 9.0;
 /// Logarithm of the largest ratio to its centre at which a size is looked for.
@@ -95,7 +93,7 @@ impl<'r, 'a> Others<'r, 'a> {
         let Interval { low, high } = estimate.interval;
         let ends = [low, high].map(|end| end.map(|value| variable.position(value - turn)));
         let [low, high] = if variable.is_reversed() { [ends[1], ends[0]] } else { ends };
-        let width = |end: Option<f64>| end.map_or(f64::INFINITY, |end| (end - centre).abs() / HALF);
+        let width = |end: Option<f64>| end.map_or(f64::INFINITY, |end| (end - centre).abs() / Interval::HALF);
         let mut components =
             vec![Component { weight: 1.0, centre, below: width(low), above: width(high), is_size: false }];
         components.extend(self.0.iter().filter_map(|other| {
@@ -112,9 +110,7 @@ impl<'r, 'a> Others<'r, 'a> {
         let [low, high] = if variable.is_reversed() { [ends[1], ends[0]] } else { ends };
         let value = |end: Option<f64>| end.map(|s| variable.value(s) + turn);
         estimate.interval = Interval { low: value(low), high: value(high) };
-        if let (Some(low), Some(high)) = (estimate.interval.low, estimate.interval.high) {
-            estimate.std = estimate.std.max(0.5 * (high - low) / HALF);
-        }
+        estimate.std = estimate.interval.std().map_or(estimate.std, |std| estimate.std.max(std));
     }
 }
 

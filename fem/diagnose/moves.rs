@@ -64,7 +64,7 @@ pub fn moves(
     for dropped in std::iter::once(None).chain(parent.members.iter().copied().map(Some)) {
         let stays = |m: &&usize| Some(**m) != dropped;
         let kept = || parent.members.iter().filter(stays).map(|m| &candidates[*m].effect);
-        if dropped.is_some_and(|own| kept().any(|other| other.changes.as_ref() == Some(&candidates[own].effect.name))) {
+        if dropped.is_some_and(|own| kept().any(|other| other.is_change_of(&candidates[own].effect.name))) {
             // What changes is there.
             continue;
         }

@@ -8,7 +8,7 @@ use super::verdict::is_explained;
 use crate::fit::{self, StoppingCriterion, minimise};
 use crate::input::Parameter;
 use crate::measure::Repeats;
-use crate::process::Neutral;
+use crate::process::is_size;
 use crate::units::Knowledge;
 
 /// Prior standard uncertainties beyond which a written value is doubted.
@@ -66,14 +66,9 @@ pub fn conflicting_prior(found: &SearchResult, repeats: &Repeats) -> Option<(usi
 
 /// Whether an effect of a set has a size that is not plausible.
 fn is_strained(set: &CandidateModel) -> bool {
-    let own = set.objective.data.model.parameters.len()..set.objective.variables.len();
-    let is_outside = |i: usize| {
-        set.objective.catalogue(i).is_some_and(|entry| {
-            let value = entry.kind.from_si(set.objective.variables[i].value(set.solution.position[i]));
-            entry.neutral != Neutral::Shape && !(entry.range.0..=entry.range.1).contains(&value)
-        })
-    };
-    own.into_iter().any(is_outside)
+    let mut own = set.objective.data.model.parameters.len()..set.objective.variables.len();
+    let value = |i: usize| set.objective.variables[i].value(set.solution.position[i]);
+    own.any(|i| set.objective.catalogue(i).is_some_and(|entry| is_size(entry) && !entry.is_plausible(value(i))))
 }
 
 /// Model's own parameters that a fit has moved far from their priors.

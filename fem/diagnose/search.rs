@@ -351,9 +351,7 @@ impl<'a> Pool<'_, 'a> {
         }
         let beside = |number: usize| {
             let effect = std::slice::from_ref(&self.candidates[number].effect);
-            let is_changed =
-                |m: &usize| self.candidates[*m].effect.changes.as_ref() == Some(&self.candidates[number].effect.name);
-            if best.members.iter().any(is_changed) {
+            if best.objective.added.iter().any(|own| own.is_change_of(&self.candidates[number].effect.name)) {
                 // Beside its change it is felt in a part of the rows alone.
                 return None;
             }

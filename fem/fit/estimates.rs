@@ -39,9 +39,6 @@ const CONFLICTING: f64 = 4.0;
 /// Part of the prior uncertainty above which the data have hardly sharpened the prior.
 const UNSHARPENED: f64 = 0.95;
 
-/// Half the width of a 95 % interval of the standard normal distribution.
-const HALF: f64 = 1.959_964;
-
 /// Makes the estimates at a minimum, with warnings.
 pub fn estimates(
     objective: &Objective,
@@ -60,7 +57,7 @@ pub fn estimates(
         let (low, high) = variable.within_reach(position);
         let std = if variable.steps.is_some() {
             // There is no curvature, and a place that is certain has no uncertainty.
-            interval.low.zip(interval.high).map_or(f64::INFINITY, |(low, high)| 0.5 * (high - low) / HALF)
+            interval.std().unwrap_or(f64::INFINITY)
         } else if curvature < high - low {
             spread(curvature * variable.rate(position), &interval)
         } else {
@@ -90,14 +87,12 @@ pub fn estimates(
             }
             _ => {}
         }
-        if let Some(entry) = objective.catalogue(i) {
-            let shown = entry.kind.from_si(value);
-            if !at_bound && !(entry.range.0..=entry.range.1).contains(&shown) {
-                warnings.push(format!(
-                    "outside what is plausible, {} to {} {}",
-                    entry.range.0, entry.range.1, entry.kind.unit
-                ));
-            }
+        if let Some(entry) = objective.catalogue(i)
+            && !at_bound
+            && !entry.is_plausible(value)
+        {
+            let (low, high) = entry.range;
+            warnings.push(format!("outside what is plausible, {low} to {high} {}", entry.kind.unit));
         }
         let mut profile: Vec<(f64, f64)> = walked.into_iter().map(|(v, rise)| (v + turn, rise)).collect();
         profile.push((value, 0.0));
@@ -110,8 +105,7 @@ pub fn estimates(
 /// Standard uncertainty from the curvature of χ², or from the width of the interval where the two contradict
 /// each other: the curvature at the bottom of a valley that is no parabola does not tell its width.
 fn spread(curvature: f64, interval: &Interval) -> f64 {
-    let width = interval.low.zip(interval.high).map(|(low, high)| 0.5 * (high - low) / HALF);
-    match width {
+    match interval.std() {
         Some(width) if !(0.5..2.0).contains(&(curvature / width)) => width,
         _ => curvature,
     }

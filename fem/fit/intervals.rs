@@ -39,6 +39,21 @@ pub struct Interval {
     pub high: Option<f64>,
 }
 
+impl Interval {
+    /// Half the width of a 95 % interval of the standard normal distribution.
+    pub const HALF: f64 = 1.959_964;
+
+    /// Whether it holds a value, SI; an open end holds everything beyond.
+    pub fn contains(&self, value: f64) -> bool {
+        self.low.is_none_or(|low| low <= value) && self.high.is_none_or(|high| value <= high)
+    }
+
+    /// Standard deviation of the normal distribution whose interval it is; `None` where an end is open.
+    pub fn std(&self) -> Option<f64> {
+        self.low.zip(self.high).map(|(low, high)| 0.5 * (high - low) / Self::HALF)
+    }
+}
+
 /// Minimum with its profile intervals: along no profile does a deeper minimum lie.
 #[derive(Clone)]
 pub struct ProfiledMinimum {

@@ -85,7 +85,7 @@ impl Model {
     fn changes(&self, effect: &Active, prediction: &[f64], progress: &Progress) -> Result<Vec<f64>, Failure> {
         // The change of an effect goes with it.
         let own = &effect.description.name;
-        let is_other = |e: &&Active| *e != effect && e.description.changes.as_ref() != Some(own);
+        let is_other = |e: &&Active| *e != effect && !e.description.is_change_of(own);
         let others: Vec<Active> = self.effects.iter().filter(is_other).cloned().collect();
         let without = self.system.with_effects(&others).predict(progress)?;
         Ok(prediction.iter().zip(&without).map(|(a, b)| a - b).collect())

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Model, Place, place_among, places, read};
-use crate::input::{Instead, Name, ParameterId, Reader};
+use crate::input::{Instead, ParameterId, Reader};
 use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{Active, Failure, ForwardModel, ON_TRIAL, System};
 
@@ -78,8 +78,7 @@ impl Model {
     #[doc(hidden)]
     pub fn forward_without(&self, values: &[f64], effect: &str) -> Result<Box<dyn ForwardModel>, Failure> {
         self.forward_of(values, |mut effects| {
-            let is_own = |name: &Name| *name == effect;
-            effects.retain(|e| !is_own(&e.description.name) && !e.description.changes.as_ref().is_some_and(is_own));
+            effects.retain(|e| e.description.name != effect && !e.description.is_change_of(effect));
             effects
         })
     }

@@ -192,9 +192,9 @@ impl<D: Definition> Assembled<D> {
             for change in changes.iter().filter(|change| change.border() == Some(border)) {
                 present.iter_mut().for_each(|effect| *effect = effect.changed_by(change));
                 // What was not there at all comes with its change.
-                let is_there = present.iter().any(|e| Some(&e.description.name) == change.description.changes.as_ref());
+                let is_there = present.iter().any(|e| change.description.is_change_of(&e.description.name));
                 let known = D::EFFECTS.iter().map(|e| e.description());
-                let absent = known.filter(|d| !is_there && Some(&d.name) == change.description.changes.as_ref());
+                let absent = known.filter(|d| !is_there && change.description.is_change_of(&d.name));
                 present.extend(absent.map(|d| d.neutral().changed_by(change)));
             }
             all.add_stage(border, &present);

@@ -50,6 +50,13 @@ pub fn name_of_change(effect: &str) -> Name {
     format!("{effect}.{CHANGED}").into()
 }
 
+impl Description {
+    /// Whether it is the change of the effect of this name.
+    pub fn is_change_of(&self, effect: &str) -> bool {
+        self.changes.as_ref().is_some_and(|own| *own == *effect)
+    }
+}
+
 impl Active {
     /// The number after which it changes another effect; `None` where it is no change.
     pub(super) fn border(&self) -> Option<f64> {
@@ -62,7 +69,7 @@ impl Active {
     #[must_use]
     pub(super) fn changed_by(&self, change: &Self) -> Self {
         let mut changed = self.clone();
-        if change.description.changes.as_ref() != Some(&self.description.name) {
+        if !change.description.is_change_of(&self.description.name) {
             return changed;
         }
         for (value, parameter) in changed.values.iter_mut().zip(&*self.description.parameters) {

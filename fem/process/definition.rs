@@ -92,13 +92,15 @@ pub trait Definition: Sync + Sized + 'static {
     /// Further experiments beside these rows.
     fn candidate_experiments(setup: &Self::Setup, rows: &Rows) -> Vec<CandidateExperiment>;
 
-    /// Two of these experiments as one measurement, the second after the first; `None` where they cannot be made together.
+    /// Two of these experiments as one measurement, the second after the first, in the order in which the process numbers
+    /// them; `None` where they cannot be made together.
     fn in_sequence(
         _setup: &Self::Setup,
         one: &CandidateExperiment,
         other: &CandidateExperiment,
     ) -> Option<CandidateExperiment> {
-        Some(one.then(other))
+        let numbered = Self::IN_ORDER.and_then(|name| Self::COORDINATES.iter().position(|own| own.name == name));
+        Some(numbered.map_or_else(|| one.then(other), |numbered| one.then_the_next(other, numbered)))
     }
 
     /// The unit of a machine that is tested, where the model names one.

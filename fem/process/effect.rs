@@ -398,6 +398,11 @@ impl Parameter {
         phase
     }
 
+    /// Whether a value (SI) is within the plausible range.
+    pub fn is_plausible(&self, value: f64) -> bool {
+        (self.range.0..=self.range.1).contains(&self.kind.from_si(value))
+    }
+
     /// Multiple of the period that brings a value (SI) into the half-open period about zero when added; zero where
     /// there is no period.
     pub fn turn(&self, value: f64) -> f64 {

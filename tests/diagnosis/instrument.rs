@@ -46,9 +46,7 @@ fn what_an_instrument_does_is_named() {
             let Some(own) = own.filter(|_| diagnosis.verdict != Verdict::Unexplained) else { continue };
             named += 1;
             let interval = own.estimates[0].interval;
-            held += usize::from(
-                interval.low.is_none_or(|low| low <= value) && interval.high.is_none_or(|high| high >= value),
-            );
+            held += usize::from(interval.contains(value));
         }
         assert!(named + 1 >= all && held + 1 >= named, "{effect}: {named} of {all} named, {held} of these held");
     }

@@ -7,11 +7,11 @@ use fem::measure::Measurements;
 use fem::model::{Data, Model};
 use fem::progress::Progress;
 use generator::random::Random;
-use generator::{AXIS, CAM, CONTOUR, FIXTURE, Hidden, Process, RING, STIFFNESS, THERMAL, TURNING, Whole, writing};
+use generator::{Hidden, Process, RING, Whole, writing};
 use nalgebra::{DMatrix, DVector};
 
-use crate::every;
 use crate::score::class;
+use crate::{PROCESSES, every};
 
 /// How many times too large or too small a value is written.
 const OFF: (f64, f64) = (1.5, 3.0);
@@ -49,7 +49,7 @@ impl Told {
             }
             if missing.effect.name.starts_with(value) && matches!(missing.cause, Cause::Value { .. }) {
                 told.certain |= missing.probability >= CERTAIN;
-                let holds = holds(diagnosis, &missing.effect.name, &truth);
+                let holds = holds(missing, &truth);
                 told.right = Some(told.right.unwrap_or(false) | holds);
             }
         }
@@ -90,11 +90,12 @@ pub fn length_beside(
     Some(left.norm())
 }
 
-/// Whether the interval of a value holds the true one.
-fn holds(diagnosis: &Diagnosis, path: &str, truth: &impl Fn(&str) -> Option<f64>) -> bool {
-    let Some(e) = diagnosis.fit.estimates.iter().find(|e| e.parameter.path == *path) else { return false };
+/// Whether the interval of a value that is told holds the true one.
+fn holds(missing: &Missing, truth: &impl Fn(&str) -> Option<f64>) -> bool {
+    let path = &*missing.effect.name;
+    let Some(e) = missing.estimates.iter().find(|e| e.parameter.path == *path) else { return false };
     let Some(si) = truth(path) else { return false };
-    e.interval.low.is_none_or(|low| low <= si) && e.interval.high.is_none_or(|high| si <= high)
+    e.interval.contains(si)
 }
 
 /// What is said, with each cause and its probability.
@@ -210,18 +211,8 @@ impl std::fmt::Display for Tally {
 pub fn print_table(tell: TellOne) {
     println!("| | machines | visible | told | certain | interval holds the truth | nothing false |");
     println!("|---|---|---|---|---|---|---|");
-    let all = [
-        ("turned shafts", &TURNING),
-        ("bored rings", &RING),
-        ("heated rods", &THERMAL),
-        ("feed axes", &AXIS),
-        ("joints under load", &STIFFNESS),
-        ("contours", &CONTOUR),
-        ("parts in fixtures", &FIXTURE),
-        ("ground cams", &CAM),
-    ];
     let is_left_out = |name: &str| std::env::var("FEM_GROUP").is_ok_and(|word| !name.contains(&word));
-    for (name, process) in all.into_iter().filter(|(name, _)| !is_left_out(name)) {
+    for (name, process) in PROCESSES.into_iter().filter(|(name, _)| !is_left_out(name)) {
         println!("| {name} | {}", Tally::of(process, (2000..2040).step_by(every()), tell));
     }
 }

@@ -32,6 +32,18 @@ use score::{Score, score};
 use table::Table;
 use trouble::Tally;
 
+/// All processes, as the tables of `README.md` call them.
+const PROCESSES: [(&str, &Process); 8] = [
+    ("turned shafts", &TURNING),
+    ("bored rings", &RING),
+    ("heated rods", &THERMAL),
+    ("feed axes", &AXIS),
+    ("joints under load", &STIFFNESS),
+    ("contours", &CONTOUR),
+    ("parts in fixtures", &FIXTURE),
+    ("ground cams", &CAM),
+];
+
 /// Sizes of the hidden effects, in standard uncertainties.
 const SIZES: &[f64] = &[5.0, 8.0, 15.0, 40.0, 100.0];
 

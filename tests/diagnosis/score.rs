@@ -103,9 +103,7 @@ fn coverage(case: &Case, diagnosis: &Diagnosis) -> (usize, usize) {
             let Some(e) = missing.estimates.iter().find(|e| e.parameter.path.ends_with(&format!(".{name}"))) else {
                 continue;
             };
-            let shown = |si: f64| e.parameter.kind.from_si(si);
-            let (low, high) = (e.interval.low.map(shown), e.interval.high.map(shown));
-            let holds = |value: f64| low.is_none_or(|l| l <= value) && high.is_none_or(|h| value <= h);
+            let holds = |value: f64| e.interval.contains(e.parameter.kind.to_si(value));
             // A phase comes round.
             let period = missing.effect.parameters.iter().find(|p| p.name == *name).and_then(|p| p.period);
             covered.0 += usize::from([-1.0, 0.0, 1.0].iter().any(|turns| holds(value + turns * period.unwrap_or(0.0))));

@@ -5,10 +5,10 @@ use fem::fit::fit;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
-use generator::{AXIS, CAM, CONTOUR, Case, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING};
+use generator::{Case, FIXTURE, Process, THERMAL};
 
-use crate::every;
 use crate::score::between;
+use crate::{PROCESSES, every};
 
 /// A machine's fit.
 struct Fitted {
@@ -60,7 +60,7 @@ fn fitted(process: &Process, seed: u64) -> Fitted {
             let path = format!("effects.{}.{name}", hidden.effect);
             let Some(e) = fit.estimates.iter().find(|e| e.parameter.path == *path) else { continue };
             let si = e.parameter.kind.to_si(*value);
-            let holds = e.interval.low.is_none_or(|low| low <= si) && e.interval.high.is_none_or(|high| si <= high);
+            let holds = e.interval.contains(si);
             covered = (covered.0 + usize::from(holds), covered.1 + 1);
         }
     }
@@ -90,17 +90,7 @@ fn tally(process: &Process, seeds: impl Iterator<Item = u64>) -> [usize; 4] {
 #[ignore = "minutes long; prints a table of README.md"]
 fn the_whole_of_unknown_values() {
     println!("| | machines | as deep as the truth | intervals that hold it |\n|---|---|---|---|");
-    let all = [
-        ("turned shafts", &TURNING),
-        ("bored rings", &RING),
-        ("heated rods", &THERMAL),
-        ("feed axes", &AXIS),
-        ("joints under load", &STIFFNESS),
-        ("contours", &CONTOUR),
-        ("parts in fixtures", &FIXTURE),
-        ("ground cams", &CAM),
-    ];
-    for (name, process) in all {
+    for (name, process) in PROCESSES {
         let [machines, deep, held, values] = tally(process, (3000..3040).step_by(every()));
         println!("| {name} | {machines} | {deep} | {held} of {values} |");
     }

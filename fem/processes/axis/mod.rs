@@ -65,14 +65,6 @@ impl Definition for Axis {
         rows::candidate_experiments(setup, rows)
     }
 
-    fn in_sequence(
-        _setup: &Setup,
-        one: &CandidateExperiment,
-        other: &CandidateExperiment,
-    ) -> Option<CandidateExperiment> {
-        Some(one.then_the_next(other, rows::RUN))
-    }
-
     fn positioning(setup: &Setup) -> Option<&dyn Positioning> {
         Some(setup)
     }

@@ -79,14 +79,6 @@ impl Definition for Ring {
         rows::candidate_experiments(setup, rows)
     }
 
-    fn in_sequence(
-        _setup: &Setup,
-        one: &CandidateExperiment,
-        other: &CandidateExperiment,
-    ) -> Option<CandidateExperiment> {
-        Some(one.then_the_next(other, rows::RUN))
-    }
-
     fn limit(setup: &Setup, _observable: usize) -> Limit {
         Limit {
             size: setup.inner_radius,
