@@ -46,7 +46,8 @@ pub fn conclude(
     if is_imitation {
         hypotheses.truncate(1);
     }
-    let Some(Hypothesis { found, repeats, .. }) = hypotheses.pop() else { return Err(unsolvable()) };
+    let Some(Hypothesis { mut found, repeats, .. }) = hypotheses.pop() else { return Err(unsolvable()) };
+    found.tell_what_is_certain(|effect| posterior.of(&effect.name) >= CERTAIN);
     let repeats = &repeats;
     let plain = hypotheses.first();
     let variance = variance(&found.base.objective.noise, repeats);

@@ -196,13 +196,13 @@ impl Linear {
     /// them fade away.
     fn unseen(&self, trial: &CandidateModel, here: &Point) -> f64 {
         let mut first = trial.objective.data.model.parameters.len();
+        let there: Vec<f64> = self.at.iter().zip(here.step.iter()).map(|(at, step)| at + step).collect();
         let of = |effect: &Description| {
             let own = first..first + effect.parameters.len();
             first = own.end;
             let sizes = own.zip(effect.parameters.iter()).filter(|(_, parameter)| parameter.neutral != Neutral::Shape);
             let signature = sizes.fold(DVector::zeros(self.jacobian.nrows()), |sum: DVector<f64>, (i, _)| {
-                let from_neutral = self.at[i] + here.step[i] - trial.objective.variables[i].neutral();
-                sum + self.jacobian.column(i) * from_neutral
+                sum + self.jacobian.column(i) * (there[i] - trial.objective.neutral_at(i, &there))
             });
             (ASKED_FOR - signature.norm() / self.level.sqrt()).max(0.0).powi(2)
         };

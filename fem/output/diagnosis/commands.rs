@@ -12,6 +12,12 @@ pub fn command(data: &Data, d: &Diagnosis) -> Option<String> {
     is_one.then(|| format!("fem diagnose {} {} --add-to better.toml", quoted(&data.model.source.name), with(data)))
 }
 
+/// The command that writes the rows to measure next, where some are advised; of several tests there is none.
+pub fn next_rows(data: &Data, d: &Diagnosis) -> Option<String> {
+    let is_one = data.model.campaign().is_none() && d.next.is_some();
+    is_one.then(|| format!("fem diagnose {} {} --next rows.csv", quoted(&data.model.source.name), with(data)))
+}
+
 /// The commands that add what is missing.
 pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
     if d.missing.is_empty() {

@@ -111,7 +111,7 @@ impl Answer for DiagnosisAnswer<'_> {
             "groups": d.posterior.groups.iter().map(group).collect::<Vec<_>>(),
             "unexplained": remaining(data, d),
             "next_measurement": d.next.as_ref().map(|n| next(n, data.model)).or_else(|| said_to_separate(d)),
-            "separated_by": text::separated_from_measurement(d).iter().map(|[a, b, by]| json!({ "separates": [a, b], "text": by })).collect::<Vec<_>>(),
+            "separated_by": text::told_otherwise(d).iter().map(|[a, b, by]| json!({ "separates": [a, b], "text": by })).collect::<Vec<_>>(),
             "held_out_by": d.cross_validation_by,
             "failed_trials": d.trials.0,
             "evaluations": d.trials.1,
@@ -259,7 +259,7 @@ fn outlook(outlook: &Outlook, diagnosis: &Diagnosis, kind: Kind) -> Json {
 
 /// Where nothing on the menu tells look-alikes apart: what the catalogue says would.
 fn said_to_separate(d: &Diagnosis) -> Option<Json> {
-    let [a, b, by] = separated_pairs(d).into_iter().next()?;
+    let [a, b, by] = text::told_otherwise(d).into_iter().next()?;
     Some(json!({
         "text": by, "coordinate": null, "values": [], "unit": "", "observations": null, "repeats": null,
         "separation": null, "enough": null, "separates": [[a, b]],

@@ -3,9 +3,9 @@
 use super::absent::{Absent, limit_of_effect};
 use super::additions::name;
 use super::campaign;
-use super::commands::command;
+use super::commands::{command, next_rows};
 use super::kinds::{Kinds, Open};
-use super::text::{experiment, head, separated_from_measurement, told_by, unexplained};
+use super::text::{NO_ROWS_TELL, experiment, head, told_by, told_otherwise, unexplained};
 use super::verdict::verdict;
 use super::words::{as_written, bent, label, largest_change, percent, value_before};
 use crate::diagnose::{Cause, Diagnosis, Group, Missing, Next, Outlier};
@@ -41,7 +41,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
         Some(_) if !d.missing.is_empty() => "all of it, and the commands that complete each model: --verbose",
         _ => "all of it: --verbose",
     };
-    blocks.push(Block::Commands(command(data, d).into_iter().chain([rest.into()]).collect()));
+    blocks.push(Block::Commands(command(data, d).into_iter().chain(next_rows(data, d)).chain([rest.into()]).collect()));
     blocks
 }
 
@@ -133,12 +133,12 @@ fn some_of(group: &Group, d: &Diagnosis) -> String {
     let members: Vec<String> =
         group.effects.iter().map(|name| whole(&format!("{name} {}", percent(d.posterior.of(name))))).collect();
     let (least, count, sure) = (group.at_least, members.len(), percent(group.probability));
-    let are = if least == 1 { "is" } else { "are" };
+    let are = if least == 1 { "is there, perhaps several" } else { "are there, perhaps more" };
     let is_added = |name: &&Name| d.missing.iter().any(|m| m.effect.name == **name);
     let added: Vec<&Name> = group.effects.iter().filter(is_added).collect();
     let taken =
         if added.is_empty() { String::new() } else { format!("; a completed model has {}", listed(&added, MANY)) };
-    format!("at least {least} of these {count} {are} there ({sure}): {}{taken}", listed(&members, MANY))
+    format!("at least {least} of these {count} {are} ({sure}): {}{taken}", listed(&members, MANY))
 }
 
 /// What may be there, and apart from it that for which the data hardly speak.
@@ -164,13 +164,13 @@ fn remains(data: &Data, d: &Diagnosis) -> String {
     }
 }
 
-/// The next measurement, or what would tell the machine from the measurement.
+/// The next measurement, or what else would tell what is left alike.
 fn measure_next(d: &Diagnosis) -> Option<String> {
     let told = |next: &Next| std::iter::once(experiment(next)).chain(told_by(next, FEW)).collect::<Vec<_>>().join("; ");
     let separated = || {
-        let pairs = separated_from_measurement(d);
+        let pairs = told_otherwise(d);
         let told: Vec<String> = pairs.iter().map(|[one, other, by]| format!("{one} from {other}: {by}")).collect();
-        (!told.is_empty()).then(|| listed(&told, 1))
+        (!told.is_empty()).then(|| format!("{NO_ROWS_TELL}; {}", listed(&told, FEW)))
     };
     d.next.as_ref().map(told).or_else(separated)
 }

@@ -7,6 +7,7 @@ use super::words::{as_written, bent, chance, label, largest_change, percent, tra
 use super::{absent, campaign};
 use crate::diagnose::{CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, RULED_OUT, Verdict};
 use crate::fit::Estimate;
+use crate::input::Name;
 use crate::model::{Data, Model};
 use crate::output::block::{Block, Cell, Column, Table};
 use crate::output::fit::Short;
@@ -191,10 +192,34 @@ pub fn separated_pairs(d: &Diagnosis) -> Vec<[&str; 3]> {
     pairs.filter_map(|(a, b)| Some([&*a.name, &*b.name, separated(a, b)?])).collect()
 }
 
-/// Those of which one is the measurement's.
-pub fn separated_from_measurement(d: &Diagnosis) -> Vec<[&str; 3]> {
-    let is_one = |[a, b, _]: &[&str; 3]| [a, b].iter().any(|name| measurement::entry_named(name).is_some());
-    separated_pairs(d).into_iter().filter(is_one).collect()
+/// Pairs of what these data cannot tell apart, those of a group as well, with what the catalogue says would separate them.
+fn left_open(d: &Diagnosis) -> Vec<[&str; 3]> {
+    let described = |name: &Name| d.candidates.iter().map(|c| &c.effect).find(|effect| effect.name == *name);
+    let mut pairs = separated_pairs(d);
+    for group in &d.posterior.groups {
+        let members: Vec<&Description> = group.effects.iter().filter_map(described).collect();
+        for (i, one) in members.iter().enumerate() {
+            let others = members[i + 1..].iter();
+            pairs.extend(others.filter_map(|other| Some([&*one.name, &*other.name, separated(one, other)?])));
+        }
+    }
+    let mut seen: Vec<[&str; 2]> = Vec::new();
+    pairs.retain(|[a, b, _]| {
+        let is_new = !seen.contains(&[a, b]) && !seen.contains(&[b, a]);
+        seen.push([a, b]);
+        is_new
+    });
+    pairs
+}
+
+/// Pairs that something else tells than the next rows: where none are advised all that are left open, else those of which
+/// one is the measurement's.
+pub fn told_otherwise(d: &Diagnosis) -> Vec<[&str; 3]> {
+    let is_of_measurement = |[a, b, _]: &[&str; 3]| [a, b].iter().any(|name| measurement::entry_named(name).is_some());
+    match &d.next {
+        Some(_) => separated_pairs(d).into_iter().filter(is_of_measurement).collect(),
+        None => left_open(d),
+    }
 }
 
 /// What separates pairs of effects.
@@ -253,6 +278,9 @@ fn own_effect(data: &Data, d: &Diagnosis) -> Option<Block> {
     )))
 }
 
+/// What is said before what else would tell, where no rows do.
+pub const NO_ROWS_TELL: &str = "no further rows of this kind are expected to tell more";
+
 /// The next measurement, and what separates effects of the machine from those of the measurement.
 pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
     let mut blocks = Vec::new();
@@ -260,7 +288,10 @@ pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
         blocks.push(Block::Sentence(experiment(next)));
         blocks.extend(told_by(next, usize::MAX).into_iter().map(Block::Sentence));
     }
-    let pairs = separated_from_measurement(d);
+    let pairs = told_otherwise(d);
+    if d.next.is_none() && !pairs.is_empty() {
+        blocks.push(Block::Sentence(NO_ROWS_TELL.into()));
+    }
     if !pairs.is_empty() {
         blocks.push(separations(&pairs));
     }
@@ -269,7 +300,8 @@ pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
 
 /// The experiment to do next, with the number of its rows and the time that it costs.
 pub fn experiment(next: &Next) -> String {
-    let often = if next.repeats > 1 { format!(", {} times", next.repeats) } else { String::new() };
+    let all = if next.steps > 1 { "all of it " } else { "" };
+    let often = if next.repeats > 1 { format!(", {all}{} times", next.repeats) } else { String::new() };
     format!("{}{often}: {} rows, {}", next.experiment.words, next.observations(), about(next.cost()))
 }
 

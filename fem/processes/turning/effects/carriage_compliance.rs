@@ -19,7 +19,8 @@ pub static CARRIAGE_COMPLIANCE: Effect<1> = Effect {
     look_alikes: &[
         (
             "headstock-compliance",
-            "nothing in a chuck, where both add P/k everywhere; elsewhere x: the headstock's share fades",
+            "in a chuck, where both add P/k everywhere, a push against the headstock alone (a test of its joint, `fem new \
+             stiffness`); elsewhere x: the headstock's share fades",
         ),
         ("setting-error", "a second force: a setting error does not change with it"),
         ("carriage-contact", "a third force level"),

@@ -22,7 +22,8 @@ pub static HEADSTOCK: Effect<1> = Effect {
     look_alikes: &[
         (
             "carriage-compliance",
-            "nothing in a chuck, where both add P/k everywhere; elsewhere x: the headstock's share fades",
+            "in a chuck, where both add P/k everywhere, a push against the headstock alone (a test of its joint, `fem new \
+             stiffness`); elsewhere x: the headstock's share fades",
         ),
         ("headstock-contact", "a third force level: the contact yields less than in proportion"),
         ("spindle-thermal-drift", "more parts, or a second force: drift grows with time, not with force"),
