@@ -47,7 +47,7 @@ pub fn conclude(
         hypotheses.truncate(1);
     }
     let Some(Hypothesis { mut found, repeats, .. }) = hypotheses.pop() else { return Err(unsolvable()) };
-    found.tell_what_is_certain(|effect| posterior.of(&effect.name) >= CERTAIN);
+    posterior.tell_what_is_certain(&mut found);
     let repeats = &repeats;
     let plain = hypotheses.first();
     let variance = variance(&found.base.objective.noise, repeats);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::candidate_model::{CandidateModel, Weighed};
 use super::laplace;
-use super::search::{MOST_TOLD, SearchResult, TOLD};
+use super::search::{MOST_TOLD, PLAINER, SearchResult, TOLD, best_of_sizes};
 use crate::input::Name;
 use crate::process::Description;
 
@@ -143,6 +143,27 @@ impl Posterior {
     /// Probability of an effect.
     pub fn of(&self, name: &str) -> f64 {
         self.probabilities.get(name).map_or(0.0, |p| p.min(1.0))
+    }
+
+    /// Lets a search tell a set that has all of what is certain, where the one that it tells has not: the plainest of the
+    /// most probable of those that do, if any of them may be true.
+    pub fn tell_what_is_certain(&self, found: &mut SearchResult) {
+        let is_certain = |own: &usize| self.of(&found.candidates[*own].effect.name) >= CERTAIN;
+        let certain: Vec<usize> = (0..found.candidates.len()).filter(is_certain).collect();
+        let has_all = |set: &CandidateModel| certain.iter().all(|own| set.members.contains(own));
+        if has_all(found.best()) {
+            return;
+        }
+        let mut with_all = found.tried.iter().filter(|set| has_all(&set.model)).peekable();
+        let Some(least) = with_all.peek().filter(|set| may_be_true(found, &set.model)).map(|set| set.criterion) else {
+            return;
+        };
+        let near = with_all.take_while(|set| set.criterion <= least + PLAINER);
+        let told = near.min_by_key(|set| set.model.members.len()).map(|set| set.model.clone());
+        if let Some(told) = told.filter(|told| told.objective.jacobian(&told.solution).is_some()) {
+            found.steps = best_of_sizes(&found.tried, told.members.len() - 1);
+            found.steps.push(told);
+        }
     }
 
     /// Whether the data speak for an effect.

@@ -15,12 +15,10 @@ use super::lead::bare;
 use super::like_a_curve;
 use super::moves::{self, Move, Reach, SEARCHING};
 use super::null_distribution::{MaxStatistic, Variance};
-use super::posterior::may_be_true;
 use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
 use super::sensitivity::CandidateEffect;
 use crate::fit::resume;
-use crate::process::Description;
 use crate::progress::Progress;
 
 /// Significance level: an effect is told when chance alone gives as much in a smaller part of searches.
@@ -97,27 +95,6 @@ impl<'a> SearchResult<'a> {
     /// Set that is told: the plainest of the most probable; the model itself where nothing was found.
     pub fn best(&self) -> &CandidateModel<'a> {
         self.steps.last().unwrap_or(&self.base)
-    }
-
-    /// Tells a set that has all of what is certain, where the one that is told has not: the plainest of the most probable of
-    /// those that do, if any of them may be true.
-    pub fn tell_what_is_certain(&mut self, is_certain: impl Fn(&Description) -> bool) {
-        let certain: Vec<usize> =
-            (0..self.candidates.len()).filter(|i| is_certain(&self.candidates[*i].effect)).collect();
-        let has_all = |set: &CandidateModel| certain.iter().all(|own| set.members.contains(own));
-        if has_all(self.best()) {
-            return;
-        }
-        let mut with_all = self.tried.iter().filter(|set| has_all(&set.model)).peekable();
-        let Some(least) = with_all.peek().filter(|set| may_be_true(self, &set.model)).map(|set| set.criterion) else {
-            return;
-        };
-        let near = with_all.take_while(|set| set.criterion <= least + PLAINER);
-        let told = near.min_by_key(|set| set.model.members.len()).map(|set| set.model.clone());
-        if let Some(told) = told.filter(|told| told.objective.jacobian(&told.solution).is_some()) {
-            self.steps = best_of_sizes(&self.tried, told.members.len() - 1);
-            self.steps.push(told);
-        }
     }
 
     /// The most probable sets, which together hold nearly all of the probability under this noise.
@@ -216,7 +193,7 @@ fn plainest<'a>(tried: &[Weighed<'a>]) -> Vec<CandidateModel<'a>> {
 }
 
 /// Best set of each size up to this one.
-fn best_of_sizes<'a>(tried: &[Weighed<'a>], most: usize) -> Vec<CandidateModel<'a>> {
+pub fn best_of_sizes<'a>(tried: &[Weighed<'a>], most: usize) -> Vec<CandidateModel<'a>> {
     let of_size = |size: usize| tried.iter().find(|set| set.model.members.len() == size).map(|set| set.model.clone());
     (1..=most).filter_map(of_size).collect()
 }
