@@ -235,7 +235,7 @@ fn cautions(
     }
     cautions.extend(few_places(found.best()));
     let left = matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained);
-    if left && found.steps.len() == found.most && found.most < found.candidates.len() {
+    if left && found.best().members.len() == found.most && found.most < found.candidates.len() {
         let most = found.most;
         cautions.push(format!("no more than {most} effects were looked for together; --max-effects looks for more"));
     }

@@ -42,9 +42,7 @@ impl<'a> Hypothesis<'a> {
         let told =
             bent.iter().filter(is_told).min_by(|a, b| (size(a.0), a.1).partial_cmp(&(size(b.0), b.1)).unwrap_or(Equal));
         if let Some((number, bent)) = told {
-            let model = found.tried[*number].model.clone();
-            found.steps.truncate(model.members.len() - 1);
-            found.steps.push(model);
+            found.tell(found.tried[*number].model.clone());
             criterion = *bent;
         }
         let explains = explains(found.best(), &repeats);

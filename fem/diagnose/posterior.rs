@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::candidate_model::{CandidateModel, Weighed};
 use super::laplace;
-use super::search::{MOST_TOLD, PLAINER, SearchResult, TOLD, best_of_sizes};
+use super::search::{MOST_TOLD, PLAINER, SearchResult, TOLD};
 use crate::input::Name;
 use crate::process::Description;
 
@@ -161,8 +161,7 @@ impl Posterior {
         let near = with_all.take_while(|set| set.criterion <= least + PLAINER);
         let told = near.min_by_key(|set| set.model.members.len()).map(|set| set.model.clone());
         if let Some(told) = told.filter(|told| told.objective.jacobian(&told.solution).is_some()) {
-            found.steps = best_of_sizes(&found.tried, told.members.len() - 1);
-            found.steps.push(told);
+            found.tell(told);
         }
     }
 

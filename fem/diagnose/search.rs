@@ -97,6 +97,12 @@ impl<'a> SearchResult<'a> {
         self.steps.last().unwrap_or(&self.base)
     }
 
+    /// Tells this set in the place of the one that is told.
+    pub fn tell(&mut self, set: CandidateModel<'a>) {
+        self.steps.truncate(set.members.len() - 1);
+        self.steps.push(set);
+    }
+
     /// The most probable sets, which together hold nearly all of the probability under this noise.
     pub fn credible(&self) -> &[Weighed<'a>] {
         let least = self.tried.first().map_or(0.0, |best| best.criterion);
@@ -189,13 +195,8 @@ fn unseen(set: &CandidateModel, candidates: &[CandidateEffect]) -> Vec<bool> {
 fn plainest<'a>(tried: &[Weighed<'a>]) -> Vec<CandidateModel<'a>> {
     let near = tried.first().map_or(0.0, |best| best.criterion) + PLAINER;
     let size = tried.iter().take_while(|set| set.criterion <= near).map(|set| set.model.members.len()).min();
-    best_of_sizes(tried, size.unwrap_or(0))
-}
-
-/// Best set of each size up to this one.
-pub fn best_of_sizes<'a>(tried: &[Weighed<'a>], most: usize) -> Vec<CandidateModel<'a>> {
     let of_size = |size: usize| tried.iter().find(|set| set.model.members.len() == size).map(|set| set.model.clone());
-    (1..=most).filter_map(of_size).collect()
+    (1..=size.unwrap_or(0)).filter_map(of_size).collect()
 }
 
 /// A set that was fitted, and how far it was left.

@@ -9,13 +9,18 @@ use crate::units::Knowledge;
 /// The command that adds all that is missing at once; of several tests there is none.
 pub fn command(data: &Data, d: &Diagnosis) -> Option<String> {
     let is_one = data.model.campaign().is_none() && !d.missing.is_empty();
-    is_one.then(|| format!("fem diagnose {} {} --add-to better.toml", quoted(&data.model.source.name), with(data)))
+    is_one.then(|| diagnosed(data, "--add-to better.toml"))
 }
 
 /// The command that writes the rows to measure next, where some are advised; of several tests there is none.
 pub fn next_rows(data: &Data, d: &Diagnosis) -> Option<String> {
     let is_one = data.model.campaign().is_none() && d.next.is_some();
-    is_one.then(|| format!("fem diagnose {} {} --next rows.csv", quoted(&data.model.source.name), with(data)))
+    is_one.then(|| diagnosed(data, "--next rows.csv"))
+}
+
+/// The command that diagnoses the model again, and writes something.
+fn diagnosed(data: &Data, written: &str) -> String {
+    format!("fem diagnose {} {} {written}", quoted(&data.model.source.name), with(data))
 }
 
 /// The commands that add what is missing.

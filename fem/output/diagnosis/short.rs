@@ -5,7 +5,7 @@ use super::additions::name;
 use super::campaign;
 use super::commands::{command, next_rows};
 use super::kinds::{Kinds, Open};
-use super::text::{NO_ROWS_TELL, experiment, head, told_by, told_otherwise, unexplained};
+use super::text::{NO_ROWS_ADVISED, experiment, head, told_by, told_otherwise, unexplained};
 use super::verdict::verdict;
 use super::words::{as_written, bent, label, largest_change, percent, value_before};
 use crate::diagnose::{Cause, Diagnosis, Group, Missing, Next, Outlier};
@@ -170,7 +170,7 @@ fn measure_next(d: &Diagnosis) -> Option<String> {
     let separated = || {
         let pairs = told_otherwise(d);
         let told: Vec<String> = pairs.iter().map(|[one, other, by]| format!("{one} from {other}: {by}")).collect();
-        (!told.is_empty()).then(|| format!("{NO_ROWS_TELL}; {}", listed(&told, FEW)))
+        (!told.is_empty()).then(|| format!("{NO_ROWS_ADVISED}; {}", listed(&told, FEW)))
     };
     d.next.as_ref().map(told).or_else(separated)
 }

@@ -278,8 +278,9 @@ fn own_effect(data: &Data, d: &Diagnosis) -> Option<Block> {
     )))
 }
 
-/// What is said before what else would tell, where no rows do.
-pub const NO_ROWS_TELL: &str = "no further rows of this kind are expected to tell more";
+/// What is said before what else would tell, where no rows are advised: none would tell more, or the time was over
+/// before they were looked for.
+pub const NO_ROWS_ADVISED: &str = "no further rows are advised";
 
 /// The next measurement, and what separates effects of the machine from those of the measurement.
 pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
@@ -289,10 +290,8 @@ pub fn next_measurement(d: &Diagnosis) -> Vec<Block> {
         blocks.extend(told_by(next, usize::MAX).into_iter().map(Block::Sentence));
     }
     let pairs = told_otherwise(d);
-    if d.next.is_none() && !pairs.is_empty() {
-        blocks.push(Block::Sentence(NO_ROWS_TELL.into()));
-    }
     if !pairs.is_empty() {
+        blocks.extend(d.next.is_none().then(|| Block::Sentence(NO_ROWS_ADVISED.into())));
         blocks.push(separations(&pairs));
     }
     blocks
