@@ -7,18 +7,16 @@ use super::args;
 use super::error::Error;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::ask::{compare_all, refuse_mixed};
-use crate::input::{InputError, Problem};
+use crate::ask::{compare_all, read_all};
+use crate::input::Problem;
 use crate::model::Model;
 use crate::output::files::Guard;
 use crate::output::{ComparisonAnswer, Folder};
 
 pub fn run(args: &args::Compare) -> Result<(), Error> {
-    let models: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
-    let Some(first) = models.first() else { return Ok(()) };
-    let process = &*first.process;
-    refuse_mixed(&models)?;
-    let measurements = args.data.load(process, args.output.is_some())?;
+    let read = read_all(&args.models, |process| args.data.load(process, args.output.is_some()));
+    let Some((models, measurements)) = read? else { return Ok(()) };
+    let Some(process) = models.first().map(|model| &*model.process) else { return Ok(()) };
     let progress = Arc::default();
     let compared = watched(&progress, || compare_all(&models, measurements, &progress, |_, found| found));
     let (comparisons, measurements) = compared?;

@@ -5,18 +5,18 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::ask::compensate;
+use crate::ask::{compensate, read};
 use crate::compensate::Compensation;
 use crate::input::Problem;
-use crate::model::{Data, Model};
+use crate::model::Data;
 use crate::output::files::Guard;
 use crate::output::{CONTROLS, CompensationAnswer, Control, Folder, LINUXCNC, Supplied, supplied};
 
 pub fn run(args: &args::Compensate) -> Result<(), Error> {
-    let model = Model::load(&args.model)?;
     let is_asked = |control: &&Control| args.controls.iter().any(|name| name == control.name);
     let controls: Vec<&'static Control> = CONTROLS.iter().filter(is_asked).collect();
-    let data = Data::of(&model, args.data.load(&*model.process, false)?)?;
+    let (model, measured) = read(&args.model, |process| args.data.load(process, false))?;
+    let data = Data::of(&model, measured)?;
     let found = watched(&data.progress, || compensate(&data))?;
     let files = match &controls[..] {
         [] => supplied(&CONTROLS[0], &found, &args.axis, false).into_iter().collect(),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::args;
 use super::error::Error;
-use crate::ask::{self, Depth, Made, Page, refuse_mixed};
+use crate::ask::{self, Depth, Made, Page, read_all, refuse_mixed};
 use crate::input::InputError;
 use crate::measure::{Decimal, Measurements, Reading};
 use crate::model::Model;
@@ -40,14 +40,19 @@ impl args::Data {
 impl args::Report {
     /// Makes the page of the files; `live` is the version of one that renews itself.
     pub fn page(&self, depth: Depth, live: Option<u64>, progress: &Arc<Progress>) -> Result<Made, ask::Error> {
-        let models: Vec<Model> = self.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
-        refuse_mixed(&models)?;
-        let measurements = match models.last() {
-            Some(model) if !self.with.is_empty() => {
-                Some(Measurements::load_all(&self.with, &*model.process, &self.reading.said()?, false)?)
+        let (models, measurements) = match self.with.is_empty() {
+            true => {
+                let load = |path: &PathBuf| Model::load(path);
+                (self.models.iter().map(load).collect::<Result<_, InputError>>()?, None)
             }
-            _ => None,
+            false => {
+                let said = self.reading.said()?;
+                let measured = |process: &dyn Process| Ok(Measurements::load_all(&self.with, process, &said, false)?);
+                read_all::<_, ask::Error>(&self.models, measured)?
+                    .map_or((Vec::new(), None), |(models, measured)| (models, Some(measured)))
+            }
         };
+        refuse_mixed(&models)?;
         let files = models.iter().flat_map(Model::paths).chain(self.with.iter().cloned()).collect();
         let most_effects = usize::from(self.max_effects);
         Page { models: &models, measurements, files, most_effects, depth, live }.made(progress)

@@ -12,7 +12,7 @@ use crate::ask::{self, completed};
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::input::{InputError, Problem};
 use crate::measure::Measurements;
-use crate::model::{Data, Model};
+use crate::model::{Data, Draft, Model};
 use crate::output::files::{self, Guard};
 use crate::output::{DiagnosisAnswer, Folder, quoted, rows_to_measure, with};
 use crate::process::Process;
@@ -20,7 +20,6 @@ use crate::progress::{Progress, Stretch};
 
 pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let [path] = &args.models[..] else { return of_tests(args) };
-    let model = Model::load(path)?;
     let reads = args.data.reads(path);
     let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
@@ -30,7 +29,8 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         guard.check(rows)?;
     }
     let progress = args.limit.progress();
-    let data = Data::of(&model, args.data.load(&*model.process, false)?)?.watched(progress.clone());
+    let (model, measured) = ask::read(path, |process| args.data.load(process, false))?;
+    let data = Data::of(&model, measured)?.watched(progress.clone());
     let diagnosis = searched(args, &data, &progress, guard)?;
     if let Some(new) = &args.add_to {
         let better = completed(&data, &diagnosis)?;
@@ -87,12 +87,13 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
         let problem = Problem::new("--next writes rows of one test, and these are several");
         return Err(problem.help("leave it out: what to measure is printed").into());
     }
-    let loaded: Vec<Model> = args.models.iter().map(|path| Model::load(path)).collect::<Result<_, InputError>>()?;
+    let drafts: Vec<Draft> = args.models.iter().map(|path| Draft::load(path)).collect::<Result<_, InputError>>()?;
     let reading = args.data.reading.said()?;
     let each: Vec<(&PathBuf, &dyn Process)> =
-        args.data.with.iter().zip(&loaded).map(|(path, model)| (path, &*model.process)).collect();
+        args.data.with.iter().zip(&drafts).map(|(path, draft)| (path, draft.process())).collect();
     let measured = Measurements::load_each(&each, &reading, false)?;
-    let model = Model::of_tests(loaded)?;
+    let loaded = drafts.into_iter().zip(&measured).map(|(draft, measured)| draft.with(&measured.recorded));
+    let model = Model::of_tests(loaded.collect::<Result<_, InputError>>()?)?;
     let progress = args.limit.progress();
     let data = Data::of_tests(&model, measured)?.watched(progress.clone());
     let reads: Vec<PathBuf> = args.models.iter().chain(&args.data.with).cloned().collect();

@@ -5,19 +5,19 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::ask::{fit, fitted};
-use crate::model::{Data, Model};
+use crate::ask::{fit, fitted, read};
+use crate::model::Data;
 use crate::output::FitAnswer;
 use crate::output::files::{self, Guard};
 
 pub fn run(args: &args::Fit) -> Result<(), Error> {
-    let model = Model::load(&args.model)?;
     let reads = args.data.reads(&args.model);
     let guard = Guard { reads: &reads, force: args.force };
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
-    let data = Data::of(&model, args.data.load(&*model.process, false)?)?.watched(args.limit.progress());
+    let (model, measured) = read(&args.model, |process| args.data.load(process, false))?;
+    let data = Data::of(&model, measured)?.watched(args.limit.progress());
     let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {
         // A fitted value outside its bounds would make a file that cannot be read: better none.

@@ -4,16 +4,26 @@ use super::args;
 use super::error::Error;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::ask::plan;
+use crate::ask::{plan, read};
+use crate::input::InputError;
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::PlanAnswer;
+use crate::process::Process;
 
 pub fn run(args: &args::Plan) -> Result<(), Error> {
-    let model = Model::load(&args.model)?;
-    let design = match args.with.is_empty() {
-        false => Data::of(&model, Measurements::load_all(&args.with, &*model.process, &args.reading.said()?, true)?)?,
-        true => Data::programme(&model)?,
+    let (model, rows) = match args.with.is_empty() {
+        true => (Model::load(&args.model)?, None),
+        false => {
+            let said = args.reading.said()?;
+            let rows = |process: &dyn Process| Measurements::load_all(&args.with, process, &said, true);
+            let (model, rows) = read::<InputError>(&args.model, rows)?;
+            (model, Some(rows))
+        }
+    };
+    let design = match rows {
+        Some(rows) => Data::of(&model, rows)?,
+        None => Data::programme(&model)?,
     };
     let design = design.watched(args.limit.progress());
     let (plan, note) = watched(&design.progress, || plan(&design, &args.noise))?;

@@ -32,6 +32,10 @@ pub enum Trend {
     Irregular,
 }
 
+/// Height of a bow, as a part of what the line rises from end to end, below which it is slight: a parabola that turns
+/// at an end has twice as much.
+const SLIGHT: f64 = 0.125;
+
 impl Trend {
     /// Word in JSON.
     pub fn word(&self) -> &'static str {
@@ -53,7 +57,13 @@ impl Trend {
         let bic = |left: f64, parameters: f64| left / variance + parameters * (points.len() as f64).ln();
         let mut best = (bic(line.1, 2.0), Self::Linear { slope: line.0[1] });
         if points.len() > 3 {
-            let quadratic = (bic(bow.1, 3.0), bowed(points, &bow.0));
+            let all = line.0[1] * (points[points.len() - 1].0 - points[0].0);
+            // A line that bends a little is a line to whoever reads of it.
+            let bowed = match bowed(points, &bow.0) {
+                Self::Quadratic { height, .. } if height.abs() < SLIGHT * all.abs() => best.1,
+                bowed => bowed,
+            };
+            let quadratic = (bic(bow.1, 3.0), bowed);
             let stepped = (bic(step.1, 3.0), Self::Step { height: step.0.0, at: step.0.1 });
             for candidate in [quadratic, stepped] {
                 if candidate.0 < best.0 {

@@ -26,6 +26,7 @@ impl Folds {
         let coordinates = trial.objective.data.model.process.coordinates();
         let rank = |i: &usize| match coordinates[*i].holds {
             _ if coordinates[*i].repeats => 0,
+            _ if coordinates[*i].is_recorded => 4,
             Holds::Number(_) => 1,
             Holds::Word(_) => 2,
             Holds::Quantity(_) => 3,

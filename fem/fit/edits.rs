@@ -39,7 +39,7 @@ fn sized(data: &Data, size: &EstimatedSize) -> Edit {
 }
 
 /// A number with five significant digits.
-fn five_digits(value: f64) -> String {
+pub fn five_digits(value: f64) -> String {
     let place = if value == 0.0 { 0 } else { (4 - value.abs().log10().floor() as i32).clamp(0, 12) };
     format!("{value:.*}", place as usize)
 }

@@ -16,7 +16,7 @@ pub(crate) mod starts;
 mod steps;
 
 pub use coarseness::Coarseness;
-pub use edits::{edits, uncertain};
+pub use edits::{edits, five_digits, uncertain};
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
 pub use least_squares::{StoppingCriterion, minimise, resume};

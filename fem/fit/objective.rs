@@ -358,7 +358,7 @@ fn starts_beside(model: &Model, measurements: &Measurements, parameter: &Paramet
     let coordinates = model.process.coordinates().iter().zip(&rows.columns);
     let mut extents = coordinates
         .filter(|(c, _)| {
-            process::formula_effect::dimension(c.holds) == dimension && matches!(c.holds, Holds::Quantity(_))
+            process::formula_effect::dimension(&c.holds) == dimension && matches!(c.holds, Holds::Quantity(_))
         })
         .map(|(_, values)| {
             let low = values.iter().copied().fold(f64::INFINITY, f64::min);

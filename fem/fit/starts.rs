@@ -55,6 +55,9 @@ const PLACES: i32 = 32;
 const VALLEYS: usize = 3;
 const SURVEYS: usize = 6;
 
+/// Stopping criterion of a place of a survey.
+const ROUGH: StoppingCriterion = StoppingCriterion::rough(3, 1e-3);
+
 /// Looks for deeper minima along unknowns of the set-up, unless the noise is known and explains what is left.
 fn survey(objective: &mut Objective, mut best: Solution) -> Solution {
     for i in (0..objective.variables.len()).filter(|i| objective.variables[*i].is_surveyed).collect::<Vec<_>>() {
@@ -77,12 +80,18 @@ fn is_explained(objective: &Objective, best: &Solution) -> bool {
     objective.noise.source.is_known() && p_value().is_some_and(|p| p >= SIGNIFICANCE)
 }
 
-/// The deepest valleys of χ² along one variable, the others held where they are; not the one of `best`.
+/// The deepest valleys of χ² along one variable, the others held where they are, but of a formula, which costs little,
+/// fitted: a law that stands in the wrong place is none; not the one of `best`.
 fn valleys(objective: &mut Objective, best: &Solution, i: usize) -> Vec<DVector<f64>> {
     let value = objective.variables[i].value(best.position[i]);
+    let is_of_formula = objective.data.model.is_of_formula(&objective.parameters[i].path);
     let mut at = |k: i32| {
         let mut moved = best.position.clone();
         moved[i] = objective.variables[i].position(value * SURVEYED.powf(f64::from(k) / f64::from(PLACES)));
+        if is_of_formula {
+            let found = minimise(objective, &moved, &[i], ROUGH);
+            return found.map_or((f64::INFINITY, moved), |found| (found.chi2, found.position));
+        }
         let chi2 = objective.predict(&moved).map(|p| objective.residuals(&moved, &p).norm_squared());
         (chi2.unwrap_or(f64::INFINITY), moved)
     };

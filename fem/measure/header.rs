@@ -15,7 +15,7 @@ pub enum Column {
     /// The standard uncertainty of the observable with this position, or of the only one where none is
     /// named.
     Uncertainty(Option<usize>, Unit),
-    /// A column that is kept and not used.
+    /// A column that the process does not know.
     Unknown,
 }
 
@@ -51,7 +51,7 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
                 }
                 if column == Column::Unknown {
                     unknown.push(name);
-                    header.notes.push(note(name, vocabulary));
+                    header.notes.extend(note(name, vocabulary));
                 }
                 header.columns.push(column);
             }
@@ -98,12 +98,10 @@ fn unfit(name: &str, kind: &Kind, error: UnitError) -> Problem {
     Problem::new(format!("`{name}`: {}", error.message)).help(format!("write {name} [{}]{or}", kind.unit))
 }
 
-fn note(name: &str, vocabulary: Vocabulary) -> String {
+fn note(name: &str, vocabulary: Vocabulary) -> Option<String> {
     let names = vocabulary.coordinates.iter().map(|c| &*c.name).chain(vocabulary.observables.iter().map(|o| &*o.name));
-    match nearest(name, names) {
-        Some(near) => format!("the column `{name}` is not used; did you mean `{near}`?"),
-        None => format!("the column `{name}` is not used"),
-    }
+    let near = nearest(name, names)?;
+    Some(format!("the column `{name}` is none of the process's; did you mean `{near}`?"))
 }
 
 /// Lists the columns that must be there and are not, by name; one of the `unknown` columns may be it,

@@ -3,7 +3,6 @@
 use super::moment::Moment;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
-use crate::process::Holds;
 use crate::units::Unit;
 
 /// A coordinate that a heading fixes for its whole column, as in `temperature@x=12 mm`.
@@ -137,7 +136,7 @@ fn condition(text: &str, heading: &str, vocabulary: Vocabulary) -> Result<Condit
         let known: Vec<&str> = vocabulary.coordinates.iter().map(|c| &*c.name).collect();
         return wrong(format!("`{name}` is no coordinate"), format!("known are {}", known.join(", ")));
     };
-    let Holds::Quantity(kind) = vocabulary.coordinates[coordinate].holds else {
+    let Some(kind) = vocabulary.coordinates[coordinate].holds.kind() else {
         return Ok(Condition { coordinate, value: value.into(), unit: String::new() });
     };
     // The number may stand before its unit with or without a blank.

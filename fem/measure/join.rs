@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::reading::{Reading, is_meant};
+use super::recorded;
 use super::records::Records;
 use super::{MeasuredObservable, Measurements};
 use crate::input::{InputError, Name, Problem, Source, name_and_unit};
@@ -84,8 +85,11 @@ impl Measurements {
     /// # Errors
     /// A file is named twice, some have uncertainties and some have not, or two hold the same observable under
     /// two names.
-    pub fn joined(files: Vec<Self>) -> Result<Self, Problem> {
+    pub fn joined(mut files: Vec<Self>) -> Result<Self, Problem> {
         check(&files)?;
+        if files.len() > 1 {
+            recorded::keep_shared(&mut files);
+        }
         let mut files = files.into_iter();
         let Some(mut all) = files.next() else {
             return Err(Problem::new("there is no file").help("name one: --with DATA.csv"));

@@ -12,6 +12,7 @@ mod neighbours;
 mod ordinals;
 mod read;
 mod reading;
+mod recorded;
 mod records;
 mod repeats;
 mod sheet;
@@ -35,7 +36,7 @@ use std::borrow::Cow;
 use rayon::prelude::*;
 
 use crate::input::name_and_unit;
-use crate::process::{Process, Rows, Values};
+use crate::process::{Coordinate, Process, Rows, Values};
 use crate::units::Kind;
 
 /// Measurements of a process.
@@ -66,6 +67,9 @@ pub struct Measurements {
     pub observables: Vec<MeasuredObservable>,
     /// Coordinates that have a column in the file, by their position in the process's list.
     pub given: Vec<usize>,
+    /// Columns that the files have beside the coordinates of the process, after these among the columns of the rows.
+    #[doc(hidden)]
+    pub recorded: Vec<Coordinate>,
     /// Cells of the header, in the program's form.
     pub header: Vec<String>,
     /// Cells of the header, as the file writes them.
@@ -75,7 +79,7 @@ pub struct Measurements {
     /// Records, in the program's form; none where they are not to be written again.
     #[doc(hidden)]
     pub records: Records,
-    /// Notes for the user: columns that were not used.
+    /// Notes for the user: how a file was read, and columns that are not used.
     pub notes: Vec<String>,
 }
 
@@ -114,7 +118,8 @@ impl Measurements {
             records_of: (0..rows.len()).collect(),
             lines: (0..rows.len()).collect(),
             observables: MeasuredObservable::of(&rows, process.observables()),
-            given: (0..process.coordinates().len()).collect(),
+            given: (0..process.coordinates().len().min(rows.columns.len())).collect(),
+            recorded: Vec::new(),
             header: Vec::new(),
             headings: Vec::new(),
             said: Vec::new(),
@@ -146,6 +151,7 @@ impl Measurements {
             files: self.files.clone(),
             observables: self.observables.clone(),
             given: self.given.clone(),
+            recorded: self.recorded.clone(),
             header: self.header.clone(),
             headings: self.headings.clone(),
             said: self.said.clone(),

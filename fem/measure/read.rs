@@ -8,6 +8,7 @@ use csv::StringRecord;
 use super::header::{self, Column, Header};
 use super::instrument::text_of_rtx;
 use super::reading::Reading;
+use super::recorded::{self, Recorded};
 use super::records::Records;
 use super::sheet::MOST_PROBLEMS;
 use super::table;
@@ -77,7 +78,8 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     let of_header = |problem: Problem| problem.at(Some(file.place.clone()));
     let header = header::read(&file.header, vocabulary, purpose)
         .map_err(|problems| refuse(problems.into_iter().map(of_header).collect()))?;
-    let mut builder = Builder::new(&header, vocabulary, purpose, file.header, file.records.len());
+    let (beside, unused) = recorded::read(&header, &file.header, &file.records);
+    let mut builder = Builder::new((&header, &beside), vocabulary, purpose, file.header, file.records.len());
     let mut problems = file.problems;
     let told: BTreeSet<usize> = problems.iter().filter_map(|p| p.span.as_ref()).map(|span| span.start).collect();
     let mut reader = file.records.reader();
@@ -107,7 +109,8 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     measurements.records = file.records;
     measurements.files = vec![MeasuredFile { name: source.name.to_string(), first_record: 0 }];
     (measurements.headings, measurements.said) = (file.headings, said.options());
-    measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).collect();
+    measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).chain(unused).collect();
+    measurements.leave_echoes_out();
     if measurements.len() > MANY {
         let rows = measurements.len();
         measurements
@@ -143,6 +146,7 @@ fn unobserved(lines: &[u64]) -> Option<String> {
 
 struct Builder<'a> {
     header: &'a Header,
+    beside: &'a [Recorded],
     vocabulary: Vocabulary<'a>,
     purpose: Purpose,
     measurements: Measurements,
@@ -151,7 +155,13 @@ struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn new(header: &'a Header, vocabulary: Vocabulary<'a>, purpose: Purpose, cells: Vec<String>, rows: usize) -> Self {
+    fn new(
+        (header, beside): (&'a Header, &'a [Recorded]),
+        vocabulary: Vocabulary<'a>,
+        purpose: Purpose,
+        cells: Vec<String>,
+        rows: usize,
+    ) -> Self {
         let has_u = header.columns.iter().any(|c| matches!(c, Column::Uncertainty(..)));
         let given = header.columns.iter().filter_map(|c| match c {
             Column::Coordinate(i, _) => Some(*i),
@@ -161,7 +171,7 @@ impl<'a> Builder<'a> {
             name: String::new(),
             files: Vec::new(),
             rows: Rows {
-                columns: vocabulary.coordinates.iter().map(|_| Values::with_capacity(rows)).collect(),
+                columns: vec![Values::with_capacity(rows); vocabulary.coordinates.len() + beside.len()],
                 observable: Values::with_capacity(rows),
             },
             observed: Vec::with_capacity(rows),
@@ -169,14 +179,15 @@ impl<'a> Builder<'a> {
             records_of: Ordinals::default(),
             lines: Ordinals::default(),
             observables: header.observables.clone(),
-            given: given.collect(),
+            given: given.chain((0..beside.len()).map(|i| vocabulary.coordinates.len() + i)).collect(),
+            recorded: beside.iter().map(|own| own.coordinate.clone()).collect(),
             header: cells,
             headings: Vec::new(),
             said: Vec::new(),
             records: Records::default(),
             notes: header.notes.clone(),
         };
-        Self { header, vocabulary, purpose, measurements, left_out: Vec::new() }
+        Self { header, beside, vocabulary, purpose, measurements, left_out: Vec::new() }
     }
 
     /// Takes a record whole, or reports its problem and takes nothing. A record in which nothing was observed
@@ -195,6 +206,10 @@ impl<'a> Builder<'a> {
             {
                 let elsewhere = coordinate.absent.only_of().is_some_and(|own| own != o.observable);
                 column.push(if elsewhere { f64::NAN } else { *value });
+            }
+            let own = self.vocabulary.coordinates.len();
+            for (column, beside) in table.rows.columns[own..].iter_mut().zip(self.beside) {
+                column.push(beside.values[number]);
             }
             table.rows.observable.push(o.observable);
             table.observed.push(o.value);
@@ -254,7 +269,7 @@ impl<'a> Builder<'a> {
             if idle && cell.is_empty() {
                 continue;
             }
-            coordinates[*i] = match (coordinate.holds, unit) {
+            coordinates[*i] = match (&coordinate.holds, unit) {
                 (Holds::Quantity(_), Some(unit)) => number(cell, name)? * unit.factor + unit.offset,
                 (holds, _) => label(cell, name, holds)?,
             };
@@ -296,15 +311,15 @@ fn left_out(coordinate: &crate::process::Coordinate) -> f64 {
     }
 }
 
-fn label(cell: &str, column: &str, holds: Holds) -> Result<f64, Problem> {
+fn label(cell: &str, column: &str, holds: &Holds) -> Result<f64, Problem> {
     match holds {
-        Holds::Word(words) => words.iter().position(|w| *w == cell).map(|i| i as f64).ok_or_else(|| {
+        Holds::Word(words) => words.position(cell).map(|i| i as f64).ok_or_else(|| {
             Problem::new(format!("`{cell}` in `{column}` is no {column}"))
-                .help(format!("it is one of {}", words.join(", ")))
+                .help(format!("it is one of {}", words.iter().collect::<Vec<_>>().join(", ")))
         }),
         Holds::Number(least) => {
             let value = number(cell, column)?;
-            if value.fract() == 0.0 && value >= f64::from(least) {
+            if value.fract() == 0.0 && value >= f64::from(*least) {
                 Ok(value)
             } else {
                 Err(Problem::new(format!("`{column}` is {cell}")).help(format!("it is a whole number from {least}")))

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
 use super::Measurements;
 use super::neighbours::of_neighbours_alike;
 use super::ordinals::Ordinals;
@@ -25,6 +27,9 @@ pub struct Repeats {
     pub drifting: bool,
     /// Pass of each row: by its run, direction and other labels, and its observable; where rows drift.
     pass: Option<Arc<Vec<usize>>>,
+    /// Recorded conditions in which rows of a group differ, and which show in them: within each group the scatter is that
+    /// about what is in proportion to each.
+    conditions: Vec<Arc<Vec<f64>>>,
 }
 
 /// Scatter of the replicates of one observable (pure error).
@@ -81,6 +86,7 @@ impl Repeats {
             scatter: vec![Scatter::default(); measurements.observables.len()],
             pass: drifting.then(pass),
             drifting,
+            conditions: Vec::new(),
             group: Arc::new(group.into_iter().collect()),
         };
         bare.within(measurements, &[], &|_| false)
@@ -116,12 +122,14 @@ impl Repeats {
             std::iter::once(&of_group).chain(&of_levels).for_each(|part| take_means_out(part, &mut left));
         }
         let shifts: usize = of_levels.into_iter().map(|part| distinct(part).saturating_sub(1)).sum();
+        let taken = take_slopes_out(&rows, &of_group, &self.conditions, &mut left);
         let scatter = |(number, own): (usize, &Scatter)| {
             let of: Vec<usize> = (0..rows.len()).filter(|i| measurements.observable(rows[*i]) == number).collect();
             let count = of.len() + aside[number];
             // Groups are those of all rows: one that has lost its only row to `is_out` has no scatter either.
             let groups = own.groups.max(aside[number] + distinct(of.iter().map(|i| of_group[*i]).collect()));
-            let freedom = count.saturating_sub(groups + shifts);
+            let slopes: usize = of.iter().map(|i| taken[*i]).sum();
+            let freedom = count.saturating_sub(groups + shifts + slopes);
             let left: Vec<f64> = of.iter().map(|i| left[*i]).collect();
             let Some(pass) = &self.pass else {
                 return Scatter { groups, freedom, sum_of_squares: left.iter().map(|d| d * d).sum() };
@@ -135,6 +143,86 @@ impl Repeats {
         let scatter = self.scatter.iter().enumerate().map(scatter).collect();
         Self { scatter, ..self.clone() }
     }
+}
+
+impl Repeats {
+    /// The same groups with the scatter beside recorded conditions that show in them (F test), as long as enough is left.
+    fn beside_conditions(self, measurements: &Measurements, coordinates: &[Coordinate]) -> Self {
+        /// Most conditions, and chance of one that shows nothing.
+        const MOST: usize = 3;
+        const CHANCE: f64 = 1e-3;
+        let is_quantity = |i: &usize| coordinates[*i].is_recorded && coordinates[*i].holds.kind().is_some();
+        let mut left: Vec<Arc<Vec<f64>>> = (0..coordinates.len().min(measurements.rows.columns.len()))
+            .filter(is_quantity)
+            .map(|i| Arc::new(measurements.rows.columns[i].to_vec()))
+            .collect();
+        let mut best = self;
+        while best.conditions.len() < MOST {
+            let with = |own: &Arc<Vec<f64>>| {
+                let conditions = best.conditions.iter().chain([own]).cloned().collect();
+                let bare = Self { conditions, ..best.clone() };
+                bare.within(measurements, &[], &|_| false)
+            };
+            let tried: Vec<(f64, Self)> = left.iter().map(with).map(|own| (best.chance_of(&own), own)).collect();
+            let is_shown =
+                |(_, (chance, own)): &(usize, (f64, Self))| *chance < CHANCE && own.freedom() >= LEAST_FREEDOM;
+            let shown = tried.into_iter().enumerate().filter(is_shown).min_by(|a, b| a.1.0.total_cmp(&b.1.0));
+            let Some((number, (_, own))) = shown else { break };
+            left.remove(number);
+            best = own;
+        }
+        best
+    }
+
+    /// Chance of a scatter as much smaller, of the observable that shows it best.
+    fn chance_of(&self, other: &Self) -> f64 {
+        let chance = |(own, other): (&Scatter, &Scatter)| {
+            let slopes = own.freedom.checked_sub(other.freedom).filter(|slopes| *slopes > 0)? as f64;
+            let variance = other.sum_of_squares / other.freedom as f64;
+            let ratio = (own.sum_of_squares - other.sum_of_squares) / slopes / variance;
+            let chance = FisherSnedecor::new(slopes, other.freedom as f64).ok()?.sf(ratio.max(0.0));
+            Some(if ratio.is_finite() { chance } else { 1.0 })
+        };
+        self.scatter.iter().zip(&other.scatter).filter_map(chance).fold(1.0, f64::min)
+    }
+}
+
+/// Takes out of the values of each group what is in proportion to each condition there; how many slopes that takes, each
+/// counted at the first row of its group.
+fn take_slopes_out(rows: &[usize], of_group: &[usize], conditions: &[Arc<Vec<f64>>], values: &mut [f64]) -> Vec<usize> {
+    /// Part of the square of a condition that is left beside others where it is another.
+    const ROUND_OFF: f64 = 1e-9;
+    let mut taken = vec![0; rows.len()];
+    if conditions.is_empty() {
+        return taken;
+    }
+    let mut members: Vec<Vec<usize>> = vec![Vec::new(); of_group.iter().max().map_or(0, |most| most + 1)];
+    of_group.iter().enumerate().for_each(|(i, group)| members[*group].push(i));
+    for own in members.iter().filter(|own| own.len() > 1) {
+        let mut basis: Vec<Vec<f64>> = Vec::new();
+        for condition in conditions {
+            let mut column: Vec<f64> = own.iter().map(|i| condition[rows[*i]]).collect();
+            let mean = column.iter().sum::<f64>() / column.len() as f64;
+            column.iter_mut().for_each(|value| *value -= mean);
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let whole = dot(&column, &column);
+            for other in &basis {
+                let along = dot(other, &column);
+                column.iter_mut().zip(other).for_each(|(value, other)| *value -= along * other);
+            }
+            let length = dot(&column, &column);
+            // Round-off of a mean is no condition.
+            if !(length > ROUND_OFF * whole && whole > ROUND_OFF * mean * mean * 1e-9) {
+                continue;
+            }
+            column.iter_mut().for_each(|value| *value /= length.sqrt());
+            let along: f64 = own.iter().zip(&column).map(|(i, c)| values[*i] * c).sum();
+            own.iter().zip(&column).for_each(|(i, c)| values[*i] -= along * c);
+            taken[own[0]] += 1;
+            basis.push(column);
+        }
+    }
+    taken
 }
 
 /// In the place of the number of a group of one row.
@@ -168,11 +256,20 @@ pub fn repeats(measurements: &Measurements, coordinates: &[Coordinate]) -> Repea
     let compared = |is_left_out: &dyn Fn(&Coordinate) -> bool| -> Vec<usize> {
         (0..coordinates.len()).filter(|i| !is_left_out(&coordinates[*i])).collect()
     };
-    let exact = Repeats::of(measurements, coordinates, &compared(&|c| c.repeats), false);
+    let alike = Repeats::of(measurements, coordinates, &compared(&|c| c.repeats), false);
+    if alike.freedom() >= LEAST_FREEDOM {
+        return alike;
+    }
+    // Nobody repeats the weather; what it does to the rows is no scatter.
+    let exact = match coordinates.iter().any(|c| c.is_recorded) {
+        true => Repeats::of(measurements, coordinates, &compared(&|c| c.repeats || c.is_recorded), false)
+            .beside_conditions(measurements, coordinates),
+        false => alike,
+    };
     if exact.freedom() >= LEAST_FREEDOM || coordinates.iter().all(|c| !c.repeats) {
         return exact;
     }
-    let at_other_times = compared(&|c| c.repeats || c.holds.kind() == Some(TIME));
+    let at_other_times = compared(&|c| c.repeats || c.is_recorded || c.holds.kind() == Some(TIME));
     let drifting = Repeats::of(measurements, coordinates, &at_other_times, true);
     if drifting.freedom() >= LEAST_FREEDOM { drifting } else { exact }
 }

@@ -170,7 +170,7 @@ fn is_time(heading: &Heading, vocabulary: Vocabulary) -> bool {
 
 /// Writes the words of a column as the program does, and tells which were written otherwise.
 fn settle_words(records: &mut Records, column: usize, heading: &Heading, vocabulary: Vocabulary) -> Vec<String> {
-    let holds = vocabulary.coordinate(&heading.name).filter(|_| heading.is_known).map(|c| c.holds);
+    let holds = vocabulary.coordinate(&heading.name).filter(|_| heading.is_known).map(|c| &c.holds);
     let Some(Holds::Word(all)) = holds else { return Vec::new() };
     let mut told = BTreeMap::new();
     records.rewrite(&[column], |_, cells, column| {

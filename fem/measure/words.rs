@@ -1,5 +1,7 @@
 //! Words of label columns as people and instruments write them.
 
+use crate::process::Words;
+
 /// Words that mean the same, the program's own first.
 const SAME: &[&[&str]] = &[
     &["+", "+1", "1", "forward", "forwards", "fwd", "up", "pos", "positive", "plus", "↑"],
@@ -13,11 +15,11 @@ const SAME: &[&[&str]] = &[
 ];
 
 /// The word of a list that a cell means; capitals do not matter.
-pub fn meant(cell: &str, words: &'static [&'static str]) -> Option<&'static str> {
+pub fn meant<'w>(cell: &str, words: &'w Words) -> Option<&'w str> {
     let cell = cell.to_lowercase();
-    let means = |word: &&&str| {
-        let same = SAME.iter().find(|group| group[0] == **word);
-        **word == cell || same.is_some_and(|group| group.contains(&&*cell))
+    let means = |word: &&str| {
+        let same = SAME.iter().find(|group| group[0] == *word);
+        *word == cell || same.is_some_and(|group| group.contains(&&*cell))
     };
-    words.iter().find(means).copied()
+    words.iter().find(means)
 }

@@ -1,5 +1,6 @@
 //! One more effect in a model.
 
+use super::formula_effect::{FORMULA, WORDS};
 use super::{Edit, Entry, Model, change, effect_of};
 use crate::input::{Name, Problem, did_you_mean};
 use crate::noise::{Acts, MEASUREMENT, MeasurementEffect, Size, effects, observed, size};
@@ -52,6 +53,10 @@ pub fn add_effect(model: &Model, name: &str, settings: &[Setting]) -> Result<Mod
 type Keys = Vec<(String, Entry)>;
 
 fn of_process(model: &Model, name: &str, settings: &[Setting]) -> Result<Keys, Problem> {
+    let is_own = model.process.effects().iter().all(|effect| effect.name != name);
+    if is_own && settings.iter().any(|set| set.key == FORMULA) {
+        return of_formula(model, name, settings);
+    }
     let (effect, names) = match name.strip_suffix(CHANGED).and_then(|own| own.strip_suffix('.')) {
         Some(own) => change_to_add(model, own, settings)?,
         None => {
@@ -75,6 +80,23 @@ fn of_process(model: &Model, name: &str, settings: &[Setting]) -> Result<Keys, P
         })
     })?;
     Ok(filled(&effect, settings))
+}
+
+/// Keys of an effect that is a formula: as they are given, for only the formula says what they are.
+fn of_formula(model: &Model, name: &str, settings: &[Setting]) -> Result<Keys, Problem> {
+    Setting::check_once(settings)?;
+    if model.effects.iter().any(|e| e.description.name == name) {
+        return Err(present(name).help("edit its values in the file, or choose another name"));
+    }
+    let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_') && !name.is_empty();
+    if !is_name {
+        let problem = Problem::new(format!("`{name}` is no name of an effect"));
+        return Err(problem.help("use letters, digits and hyphens"));
+    }
+    // What is computed stands above what it is computed from.
+    let (law, values): (Vec<&Setting>, Vec<&Setting>) = settings.iter().partition(|set| WORDS.contains(&&*set.key));
+    let entry = |set: &&Setting| (set.key.clone(), set.value.clone());
+    Ok(law.iter().chain(&values).map(entry).collect())
 }
 
 /// The change of an effect that the model has, in those of its parameters that are set, or in all that say how much

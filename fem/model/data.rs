@@ -46,7 +46,8 @@ impl<'m> Data<'m> {
     ///
     /// # Errors
     /// Rows lie off the model's body or beyond its programme; each is named with its line.
-    pub fn of(model: &'m Model, measurements: Measurements) -> Result<Self, InputError> {
+    pub fn of(model: &'m Model, mut measurements: Measurements) -> Result<Self, InputError> {
+        measurements.keep_recorded(model.recorded());
         let time = time_of(&*model.process);
         let rows = at_true_times(&measurements.rows, &model.measurement, time);
         let misplaced = model.system.misplaced(&rows);

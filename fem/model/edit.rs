@@ -5,6 +5,7 @@ use std::path::Path;
 use super::Model;
 use super::tables::{Edit, Entry, Tables};
 use crate::input::{Problem, seen_from};
+use crate::process::Coordinate;
 
 impl Model {
     /// The model with these edits. What it kept of files and meshes is used again.
@@ -13,7 +14,7 @@ impl Model {
     /// They do not make a model; several tests together are not edited.
     #[doc(hidden)]
     pub fn edited(&self, edits: &[Edit]) -> Result<Self, Problem> {
-        self.read_again(self.tables.edited(edits)?)
+        self.read_again(self.tables.edited(edits)?, self.recorded())
     }
 
     /// The model before the last of its edits; `None` where it is as it was read.
@@ -22,7 +23,7 @@ impl Model {
     /// A file that it names has changed, and makes no model any more.
     #[doc(hidden)]
     pub fn undone(&self) -> Result<Option<Self>, Problem> {
-        self.tables.undone().map(|tables| self.read_again(tables)).transpose()
+        self.tables.undone().map(|tables| self.read_again(tables, self.recorded())).transpose()
     }
 
     /// The edits that were made since it was read.
@@ -37,12 +38,13 @@ impl Model {
         self.tables.value(path)?.as_str()
     }
 
-    fn read_again(&self, tables: Tables) -> Result<Self, Problem> {
+    /// The model of these tables, of rows with these further columns.
+    pub(super) fn read_again(&self, tables: Tables, recorded: &[Coordinate]) -> Result<Self, Problem> {
         if self.campaign().is_some() {
             let problem = Problem::new(format!("{} are several tests", self.source.name));
             return Err(problem.help("edit the model of one of them"));
         }
-        let read = Self::of_tables(self.source.clone(), tables, self.kept.clone());
+        let read = Self::of_tables(self.source.clone(), tables, self.kept.clone(), recorded);
         // The mistake stands in the edit, not in the file.
         let first = |problems: Vec<Problem>| {
             let none = || Problem::new("the model would not be right");

@@ -5,24 +5,32 @@ use std::f64::consts::TAU;
 use crate::formula::{Formula, FormulaError};
 use crate::input::{Bounds, Name, Reader, did_you_mean};
 use crate::process::{
-    Active, Belongs, CHANGED, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter, Process,
-    formula_effect,
+    Absent, Active, Belongs, CHANGED, Coordinate, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter,
+    Process, formula_effect,
 };
 use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, UnitSymbol, unit_text};
 
+/// What stands in formulas for the prediction without them.
+pub const PREDICTION: &str = "prediction";
 /// Keys that are no parameters.
-const WORDS: [&str; 2] = ["formula", "about"];
+pub const WORDS: [&str; 2] = ["about", FORMULA];
+/// Key of the formula.
+pub const FORMULA: &str = "formula";
 
 /// Reads a formula effect; `None`, with the problems noted, where it cannot be used.
 pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active> {
     let about = table.text("about", "what it is, for people").unwrap_or_else(|| "written in the model file".into());
-    let text = table.text("formula", "what is added to the observed value, over coordinates and parameters")?;
+    let text = table.text(FORMULA, "what is added to the observed value, over coordinates and parameters")?;
     let (mut parameters, mut values) = (Vec::new(), Vec::new());
     let is_change = |key: &str| key == CHANGED && table.has_table(CHANGED);
     for key in table.keys().into_iter().filter(|k| !WORDS.contains(&k.as_str()) && !is_change(k)) {
         let key = Name::from(key);
-        if coordinates(process).any(|(c, _)| *c == key) {
+        if process.coordinates().iter().any(|c| c.name == key) {
             let message = format!("`{key}` is a coordinate of {}", process.name());
+            table.problem(&key, message, "give the parameter another name");
+        }
+        if key == PREDICTION {
+            let message = format!("`{key}` is what the model predicts without formulas");
             table.problem(&key, message, "give the parameter another name");
         }
         let Some(kind) = kind(table.written(&key)) else {
@@ -60,14 +68,14 @@ pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active
             Some(Active { description, values, formula: Some(law.into()) })
         }
         Err(e) => {
-            table.problem_within("formula", e.span, e.message, e.help);
+            table.problem_within(FORMULA, e.span, e.message, e.help);
             None
         }
     }
 }
 
 /// Kind of a written quantity: whatever its unit measures; `None` where that is longer than any symbol.
-fn kind(written: Option<&str>) -> Option<Kind> {
+pub(super) fn kind(written: Option<&str>) -> Option<Kind> {
     let unit = written.map_or("", unit_text).trim();
     match Unit::parse(unit) {
         Ok(_) if !unit.is_empty() => Some(Kind { name: "a quantity", unit: UnitSymbol::written(unit)?, usual: "1" }),
@@ -99,22 +107,26 @@ fn law(
     unused: impl Fn(&str),
 ) -> Result<FormulaLaw, FormulaError> {
     let formula = Formula::parse(text)?;
-    let coordinates: Vec<(&Name, Dimension)> = coordinates(process).collect();
+    let coordinates: Vec<&Coordinate> = process.coordinates().iter().collect();
     let (mut meanings, mut dimensions) = (Vec::new(), Vec::new());
     for name in &formula.names {
         let parameter = parameters.iter().position(|p| *p.name == *name.text);
-        let coordinate = coordinates.iter().position(|c| **c.0 == *name.text);
+        let coordinate = coordinates.iter().position(|c| *c.name == *name.text);
         let (meaning, dimension) = match (parameter, coordinate) {
-            (Some(i), _) => (Meaning::Parameter(i), parameters[i].kind.canonical().dimension),
-            (None, Some(i)) => (Meaning::Coordinate(i), coordinates[i].1),
+            (Some(i), _) => (Meaning::Parameter(i), Some(parameters[i].kind.canonical().dimension)),
+            (None, Some(i)) => {
+                (of_coordinate(i, coordinates[i]), Some(formula_effect::dimension(&coordinates[i].holds)))
+            }
+            (None, None) if name.text == PREDICTION => (Meaning::Prediction, None),
             (None, None) => {
-                let known = || parameters.iter().map(|p| &*p.name).chain(coordinates.iter().map(|c| &**c.0));
+                let known = || parameters.iter().map(|p| &*p.name).chain(coordinates.iter().map(|c| &*c.name));
                 let meant = did_you_mean(&name.text, known(), '`');
                 let message =
                     format!("`{}` is neither a coordinate of {} nor a parameter here", name.text, process.name());
-                let listed = coordinates.iter().map(|c| &**c.0).collect::<Vec<_>>().join(", ");
+                let listed = coordinates.iter().map(|c| &*c.name).collect::<Vec<_>>().join(", ");
                 let help = format!(
-                    "{meant}the coordinates are {listed}; a parameter is a key of this table: {} = \"5 um\"",
+                    "{meant}the coordinates are {listed}; a parameter is a key of this table, {0} = \"5 um\", and a column \
+                     that only files have is one of [recorded], {0} = \"20 degC\"",
                     name.text
                 );
                 return Err(FormulaError { message, help, span: name.span.clone() });
@@ -128,8 +140,20 @@ fn law(
             unused(&parameter.name);
         }
     }
-    let dimension = formula.dimension(&dimensions)?;
     let observables = process.observables();
+    // A row's own prediction is of what the formula gives.
+    let given = |own: Dimension| {
+        let of_names: Vec<Dimension> = dimensions.iter().map(|dimension| dimension.unwrap_or(own)).collect();
+        formula.dimension(&of_names)
+    };
+    let mut own = observables.iter().map(|o| o.kind.canonical().dimension);
+    let dimension = match meanings.contains(&Meaning::Prediction) {
+        true => own
+            .clone()
+            .find(|own| given(*own).is_ok_and(|dimension| dimension == *own))
+            .map_or_else(|| given(own.next().unwrap_or(Dimension::NONE)), Ok)?,
+        false => given(Dimension::NONE)?,
+    };
     let adds_to: Vec<bool> = observables.iter().map(|o| o.kind.canonical().dimension == dimension).collect();
     if !adds_to.contains(&true) {
         let seen: Vec<String> = observables.iter().map(|o| format!("{} in {}", o.name, o.kind.unit)).collect();
@@ -142,7 +166,10 @@ fn law(
     Ok(FormulaLaw::new(formula, meanings, adds_to))
 }
 
-/// The coordinates of a process, which names may stand for in its formulas.
-fn coordinates(process: &dyn Process) -> impl Iterator<Item = (&Name, Dimension)> {
-    process.coordinates().iter().map(|c| (&c.name, formula_effect::dimension(c.holds)))
+/// The meaning of a coordinate in a formula.
+fn of_coordinate(position: usize, own: &Coordinate) -> Meaning {
+    match own.absent {
+        Absent::Value(usual) if own.is_recorded => Meaning::Recorded(position, usual),
+        _ => Meaning::Coordinate(position),
+    }
 }

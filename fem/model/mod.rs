@@ -4,12 +4,14 @@ mod add;
 mod campaign;
 mod change;
 mod data;
+mod draft;
 mod edit;
 mod formula_effect;
 mod machine;
 mod named;
 mod odds;
 mod process;
+mod recorded;
 mod require;
 mod run;
 mod schema;
@@ -20,6 +22,7 @@ mod trial;
 pub use add::{Setting, add_effect};
 pub use campaign::{Acting, Campaign, Shared, Test};
 pub use data::Data;
+pub use draft::Draft;
 pub use machine::Machine;
 pub use odds::{OwnOdds, VALUES};
 pub use process::ModelProcess;
@@ -39,7 +42,7 @@ use crate::input::{
     did_you_mean, nearest,
 };
 use crate::noise::{self, MEASUREMENT, Term};
-use crate::process::{Active, Contradiction, Description, ForwardModel, Process, System};
+use crate::process::{Active, Contradiction, Coordinate, Description, ForwardModel, Process, System};
 use crate::processes;
 use tables::Tables;
 
@@ -128,21 +131,43 @@ impl Model {
     /// # Errors
     /// The text is wrong; the error lists every problem.
     pub fn parse(source: Source) -> Result<Self, InputError> {
-        let tables = Tables::parse(&source)?;
-        Self::of_tables(source.clone(), tables, Kept::default()).map_err(|problems| InputError::new(source, problems))
+        Draft::parse(source)?.with(&[])
+    }
+
+    /// The model of rows that have these further columns.
+    ///
+    /// # Errors
+    /// A column contradicts what the model says of it.
+    pub fn with_recorded(&self, recorded: &[Coordinate]) -> Result<Self, InputError> {
+        if self.campaign().is_some() || self.recorded() == recorded {
+            return Ok(self.clone());
+        }
+        let problem = |problem| InputError::one(self.source.clone(), problem);
+        self.read_again(self.tables.clone(), recorded).map_err(problem)
+    }
+
+    /// The further columns of the rows that it is made for.
+    pub fn recorded(&self) -> &[Coordinate] {
+        match &self.process {
+            ModelProcess::Recorded(own) => own.of_files(),
+            ModelProcess::Catalogue(_) | ModelProcess::Tests(_) => &[],
+        }
     }
 
     /// Reads a model from its tables, with what was kept from readings before.
-    fn of_tables(source: Source, tables: Tables, kept: Kept) -> Result<Self, Vec<Problem>> {
+    fn of_tables(source: Source, tables: Tables, kept: Kept, recorded: &[Coordinate]) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
-        let ((title, machine, system, effects, measurement, odds), found) =
-            Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| read(model, process));
+        let ((process, (title, machine, system, effects, measurement, odds)), found) =
+            Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| {
+                let process = ModelProcess::of(process, recorded, recorded::read(model, process, recorded));
+                (process.clone(), read(model, &*process))
+            });
         let Found { parameters, quantities, files, problems } = found;
         let Some(system) = system.filter(|_| problems.is_empty()) else { return Err(problems) };
         let places = places(&parameters, &effects, &measurement);
         Ok(Self {
             title,
-            process: ModelProcess::Catalogue(process),
+            process,
             system,
             effects,
             measurement,
@@ -174,7 +199,7 @@ impl Model {
     pub fn campaign(&self) -> Option<&Campaign> {
         match &self.process {
             ModelProcess::Tests(campaign) => Some(campaign),
-            ModelProcess::Catalogue(_) => None,
+            ModelProcess::Catalogue(_) | ModelProcess::Recorded(_) => None,
         }
     }
 

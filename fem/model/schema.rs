@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::read;
+use super::{read, recorded};
 use crate::input::Reader;
 use crate::process;
 use crate::processes;
@@ -10,7 +10,10 @@ use crate::processes;
 /// Makes the schema, for editors: one alternative per process, chosen by `process`.
 pub fn schema() -> Json {
     let one = |process: &'static dyn process::Process| {
-        let mut shape = Reader::schema(process.about(), |model| read(model, process));
+        let mut shape = Reader::schema(process.about(), |model| {
+            recorded::read(model, process, &[]);
+            read(model, process)
+        });
         shape["properties"]["process"] = json!({ "const": process.name() });
         if let Some(required) = shape["required"].as_array_mut() {
             required.push(json!("process"));

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Model, Place, place_among, places, read};
+use super::{Model, Place, place_among, places, read, recorded};
 use crate::input::{Instead, ParameterId, Reader};
 use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{Active, Failure, ForwardModel, ON_TRIAL, System};
@@ -133,6 +133,7 @@ impl Model {
     fn read_instead(&self, instead: Instead) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
         let ((_, _, system, effects, terms, _), found) =
             Reader::of_file(self.tables.now(), self.source.folder(), &self.kept, instead, |model| {
+                recorded::read(model, &*self.process, &[]);
                 read(model, &*self.process)
             });
         match (system, found.problems.first()) {

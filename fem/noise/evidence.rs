@@ -79,7 +79,7 @@ impl<'a> Evidence<'a> {
     /// Whether a coordinate tells rows apart by a name or a number, or is [`FILE`].
     pub fn is_label(&self, coordinate: usize) -> bool {
         let own = self.process.coordinates().get(coordinate);
-        own.is_none_or(|c| c.repeats || matches!(c.holds, Holds::Number(_) | Holds::Word(_)))
+        own.is_none_or(|c| c.repeats || (!c.is_recorded && matches!(c.holds, Holds::Number(_) | Holds::Word(_))))
     }
 
     /// Whether a coordinate is a time.
@@ -97,19 +97,25 @@ impl<'a> Evidence<'a> {
         self.given(|holds| matches!(holds, Holds::Word(_)))
     }
 
-    fn given(&self, is: fn(Holds) -> bool) -> impl Iterator<Item = usize> {
+    fn given(&self, is: fn(&Holds) -> bool) -> impl Iterator<Item = usize> {
         let coordinates = self.process.coordinates();
-        self.measurements.given.iter().copied().filter(move |i| is(coordinates[*i].holds))
+        self.measurements
+            .given
+            .iter()
+            .copied()
+            .filter(move |i| !coordinates[*i].is_recorded && is(&coordinates[*i].holds))
     }
 
     /// Coordinates that are places, angles or times, along which things change.
     pub fn places(&self) -> impl Iterator<Item = Along> + use<'a> {
         let (measurements, coordinates) = (self.measurements, self.process.coordinates());
-        measurements.given.iter().filter_map(|i| match coordinates[*i].holds {
-            Holds::Quantity(kind) if [LENGTH, ANGLE, TIME].contains(&kind) => {
-                Some(Along { coordinate: *i, is_angle: kind == ANGLE })
+        measurements.given.iter().filter(|i| !coordinates[**i].is_recorded).filter_map(|i| {
+            match coordinates[*i].holds {
+                Holds::Quantity(kind) if [LENGTH, ANGLE, TIME].contains(&kind) => {
+                    Some(Along { coordinate: *i, is_angle: kind == ANGLE })
+                }
+                _ => None,
             }
-            _ => None,
         })
     }
 
@@ -139,7 +145,8 @@ impl<'a> Evidence<'a> {
         let (data, coordinates) = (self.measurements, self.process.coordinates());
         let counts = |by: &[usize]| self.count(by);
         let groups = |by: &[usize]| (2..=LEVELS.min(data.len() / 2)).contains(&counts(by));
-        let given = || data.given.iter().copied();
+        // What a file records beside is a condition, which is no instrument.
+        let given = || data.given.iter().copied().filter(|i| !coordinates[*i].is_recorded);
         let time = given().find(|i| coordinates[*i].holds.kind() == Some(TIME));
         let is_sensor = |i: &usize| {
             // Few places at many times: a sensor stands at each.
@@ -161,7 +168,7 @@ impl<'a> Evidence<'a> {
         // What is off by the same whenever an approach or a branch comes again is not set anew: it is the machine's.
         let returns = |i: &usize| {
             let stretches = 1 + data.levels(&[*i]).windows(2).filter(|two| two[0] != two[1]).count();
-            matches!(coordinates.get(*i).map(|c| c.holds), Some(Holds::Word(_))) && stretches > counts(&[*i])
+            matches!(coordinates.get(*i).map(|c| &c.holds), Some(Holds::Word(_))) && stretches > counts(&[*i])
         };
         let several = numbers.iter().filter(|i| !returns(i)).map(|i| vec![*i]).chain(pairs);
         let mut all: Vec<Vec<usize>> = given().filter(is_sensor).map(|i| vec![i]).collect();

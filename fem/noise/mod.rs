@@ -242,6 +242,11 @@ impl Noise {
         self.shared.as_ref().map_or(0, |shared| shared.free())
     }
 
+    /// Whether rows share any of it.
+    pub fn is_shared(&self) -> bool {
+        self.shared.is_some()
+    }
+
     /// Degrees of freedom that these directions cost the means of groups of rows: the trace of their projection
     /// there.
     pub fn free_between(&self, group: &[usize]) -> f64 {

@@ -129,7 +129,7 @@ fn along(table: &Reader, process: &dyn Process, effect: &MeasurementEffect) -> O
         table.problem(ALONG.name, format!("`{said}` is no coordinate"), format!("{meant}{}", listed()));
         return None;
     };
-    let Holds::Quantity(kind) = process.coordinates()[coordinate].holds else {
+    let Some(kind) = process.coordinates()[coordinate].holds.kind() else {
         table.problem(ALONG.name, format!("`{said}` is no length, angle or time"), listed());
         return None;
     };

@@ -71,17 +71,17 @@ fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
         Absent::NeededBy(observable) => format!("needed with {}", only(observable)),
         Absent::Model => "the model's if left out".into(),
         Absent::ModelOf(observable) => format!("the model's if left out, with {}", only(observable)),
-        Absent::Value(value) => match coordinate.holds {
+        Absent::Value(value) => match &coordinate.holds {
             Holds::Quantity(kind) => format!("{} if left out", kind.format(value)),
             Holds::Number(_) => format!("{value} if left out"),
-            Holds::Word(words) => format!("{} if left out", words.get(value as usize).copied().unwrap_or_default()),
+            Holds::Word(words) => format!("{} if left out", words.of_value(value).unwrap_or_default()),
         },
     }
 }
 
 /// Content of the column. Words are numbers to formulas, counted from 0.
 fn about(coordinate: &Coordinate) -> String {
-    match coordinate.holds {
+    match &coordinate.holds {
         Holds::Quantity(_) => coordinate.about.into(),
         Holds::Number(least) => format!("{}, from {least} on", coordinate.about),
         Holds::Word(words) => {

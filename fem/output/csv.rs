@@ -18,7 +18,7 @@ pub fn table(table: &Table) -> String {
             let comma = if i == 0 { "" } else { "," };
             let value = column.values[row];
             // A missing value is an empty cell. Writing to a String does not fail.
-            let _ = match column.words.get(value as usize) {
+            let _ = match column.words.of_value(value) {
                 _ if value.is_nan() => write!(text, "{comma}"),
                 Some(word) => write!(text, "{comma}{word}"),
                 // Nothing has no sign.
@@ -34,11 +34,12 @@ pub fn table(table: &Table) -> String {
 mod tests {
     use super::*;
     use crate::process::Column;
+    use crate::process::Words;
 
     #[test]
     fn words_stand_as_words() {
         let columns = vec![
-            Column::words("direction", vec![1.0, 0.0], &["+", "-"]),
+            Column::words("direction", vec![1.0, 0.0], Words::Known(&["+", "-"])),
             Column::numbers("deviation", Some("um"), vec![-0.0, -2.0]),
         ];
         assert_eq!(table(&Table { columns }), "direction,deviation [um]\n-,0\n+,-2\n");

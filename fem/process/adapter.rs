@@ -245,12 +245,13 @@ impl<D: Definition> Assembled<D> {
         let rows = D::resolved(&self.setup, rows);
         for (stage, own) in self.shared_out(&rows) {
             let Some(own) = own else {
-                stage.formulas.iter().for_each(|(law, parameters)| law.add_to(values, &rows, parameters));
+                let predicted = values.to_vec();
+                stage.formulas.iter().for_each(|(law, p)| law.add_to(values, (&rows, &predicted), p));
                 continue;
             };
             let mut some: Vec<f64> = own.iter().map(|row| values[*row]).collect();
-            let its = rows.some(&own);
-            stage.formulas.iter().for_each(|(law, parameters)| law.add_to(&mut some, &its, parameters));
+            let (its, predicted) = (rows.some(&own), some.clone());
+            stage.formulas.iter().for_each(|(law, p)| law.add_to(&mut some, (&its, &predicted), p));
             own.iter().zip(some).for_each(|(row, value)| values[*row] = value);
         }
     }

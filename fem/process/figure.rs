@@ -216,12 +216,12 @@ pub fn extremes(
         let mut at = Vec::new();
         for &column in told {
             let (coordinate, value) = (&coordinates[column], rows.columns[column][row]);
-            let (datum, words) = match coordinate.holds {
-                Holds::Quantity(kind) => (Datum::of(kind, value), format!("{:.1}", kind.shown(value))),
+            let (datum, words) = match &coordinate.holds {
+                Holds::Quantity(kind) => (Datum::of(*kind, value), format!("{:.1}", kind.shown(value))),
                 Holds::Number(_) => (Datum::Count(value as usize), format!("{} {value}", coordinate.name)),
                 Holds::Word(words) => {
-                    let word = words.get(value as usize).copied().unwrap_or_default();
-                    (Datum::from(word), word.to_string())
+                    let word = words.of_value(value).unwrap_or_default();
+                    (Datum::from(word.to_string()), word.to_string())
                 }
             };
             // Degrees need no name.

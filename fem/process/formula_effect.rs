@@ -1,5 +1,5 @@
-//! Formula effects, which users write: a formula over the process's coordinates and the effect's own
-//! parameters, added to what is observed.
+//! Formula effects, which users write: a formula over the process's coordinates, columns that files record beside them,
+//! what the model predicts and the effect's own parameters, added to what is observed.
 
 use super::{Holds, Rows};
 use crate::formula::Formula;
@@ -16,12 +16,16 @@ pub struct FormulaLaw {
 }
 
 /// Meaning of a name in a formula.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meaning {
     /// A coordinate, by its position in the process's list.
     Coordinate(usize),
+    /// A column that files record, by its position; and its value where rows have none, SI.
+    Recorded(usize, f64),
     /// A parameter, by its position in the effect's.
     Parameter(usize),
+    /// What the model predicts of the row without any formula.
+    Prediction,
 }
 
 impl FormulaLaw {
@@ -46,8 +50,9 @@ impl FormulaLaw {
         })
     }
 
-    /// Adds it to the values of rows, SI; `rows` with every coordinate resolved.
-    pub(super) fn add_to(&self, values: &mut [f64], rows: &Rows, parameters: &[f64]) {
+    /// Adds it to the values of rows, SI; `rows` with every coordinate resolved, and `predicted` what they were before any
+    /// formula.
+    pub(super) fn add_to(&self, values: &mut [f64], (rows, predicted): (&Rows, &[f64]), parameters: &[f64]) {
         let mut names = vec![0.0; self.meanings.len()];
         for (row, value) in values.iter_mut().enumerate() {
             if !self.adds_to[rows.observable[row]] {
@@ -56,6 +61,8 @@ impl FormulaLaw {
             for (name, meaning) in names.iter_mut().zip(&self.meanings) {
                 *name = match *meaning {
                     Meaning::Coordinate(column) => rows.columns[column][row],
+                    Meaning::Recorded(column, usual) => rows.get(column, row).unwrap_or(usual),
+                    Meaning::Prediction => predicted[row],
                     Meaning::Parameter(i) => parameters[i],
                 };
             }
@@ -65,7 +72,7 @@ impl FormulaLaw {
 }
 
 /// The dimension of a coordinate's values in a formula; numbers and words are pure.
-pub fn dimension(holds: Holds) -> Dimension {
+pub fn dimension(holds: &Holds) -> Dimension {
     match holds {
         Holds::Quantity(kind) => kind.canonical().dimension,
         Holds::Number(_) | Holds::Word(_) => Dimension::NONE,

@@ -26,6 +26,7 @@ mod segment;
 mod sketch;
 mod values;
 mod winding;
+mod words;
 
 pub use adapter::Assembled;
 pub use belongs::{Belongs, UnitRole};
@@ -53,3 +54,4 @@ pub use segment::Segment;
 pub use sketch::{Part, Sketch};
 pub use values::Values;
 pub use winding::Winding;
+pub use words::Words;

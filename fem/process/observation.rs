@@ -1,6 +1,6 @@
 //! Observables of a process, and the coordinates and conditions under which they are observed.
 
-use super::Values;
+use super::{Values, Words};
 use crate::input::Name;
 use crate::units::{Kind, LENGTH, MICRO, TEMPERATURE, TEMPERATURE_RISE};
 
@@ -48,12 +48,31 @@ pub struct Coordinate {
     pub actual: Option<usize>,
     /// Name in the field, and explanation, of a curve along it that no law has.
     pub curve: Option<(&'static str, &'static str)>,
+    /// Whether it is no coordinate of the process, but a column that a file records beside them: a condition of the day,
+    /// a batch, who measured.
+    pub is_recorded: bool,
 }
 
 impl Coordinate {
     /// A coordinate in which rows that repeat each other agree.
     pub const fn new(name: &'static str, about: &'static str, holds: Holds, absent: Absent) -> Self {
-        Self { name: Name::new(name), about, holds, absent, repeats: false, actual: None, curve: None }
+        Self {
+            name: Name::new(name),
+            about,
+            holds,
+            absent,
+            repeats: false,
+            actual: None,
+            curve: None,
+            is_recorded: false,
+        }
+    }
+
+    /// A column that a file records beside the coordinates of its process; `usual` (SI) is its value where rows have
+    /// none.
+    pub fn recorded(name: Name, holds: Holds, usual: f64) -> Self {
+        let about = "recorded beside what the process knows";
+        Self { name, is_recorded: true, ..Self::new("", about, holds, Absent::Value(usual)) }
     }
 
     /// Rows that differ in it alone repeat each other.
@@ -79,21 +98,26 @@ impl Coordinate {
 }
 
 /// Content of a coordinate's column.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Holds {
     /// A quantity with a unit, kept in SI.
     Quantity(Kind),
     /// A whole number without a unit, from this one on.
     Number(u32),
     /// One of these words, kept as its position among them.
-    Word(&'static [&'static str]),
+    Word(Words),
 }
 
 impl Holds {
+    /// One of the words that a process knows.
+    pub const fn word(words: &'static [&'static str]) -> Self {
+        Self::Word(Words::Known(words))
+    }
+
     /// Kind of the quantity, where it is one.
-    pub const fn kind(self) -> Option<Kind> {
+    pub const fn kind(&self) -> Option<Kind> {
         match self {
-            Self::Quantity(kind) => Some(kind),
+            Self::Quantity(kind) => Some(*kind),
             Self::Number(_) | Self::Word(_) => None,
         }
     }
@@ -153,9 +177,12 @@ impl Rows {
     /// These rows and more.
     #[must_use]
     pub fn and(&self, more: &Self) -> Self {
-        let columns = self.columns.iter().zip(&more.columns).map(|(a, b)| a.iter().chain(b.iter()).copied().collect());
+        // Rows that the process itself proposes have none of what a file records.
+        let column =
+            |own: &Self, i: usize| own.columns.get(i).cloned().unwrap_or_else(|| Values::shared(f64::NAN, own.len()));
+        let both = (0..self.columns.len().max(more.columns.len())).map(|i| (column(self, i), column(more, i)));
         Self {
-            columns: columns.collect(),
+            columns: both.map(|(a, b)| a.iter().chain(b.iter()).copied().collect()).collect(),
             observable: self.observable.iter().chain(more.observable.iter()).copied().collect(),
         }
     }

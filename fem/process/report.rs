@@ -1,6 +1,6 @@
 //! Report of a run as plain data, before anyone has decided how to write it.
 
-use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, Values, View};
+use super::{Coordinate, Drawing, Figure, Frame, Holds, Observable, Rows, Sketch, Values, View, Words};
 use crate::input::Name;
 use crate::units::{Kind, UnitSymbol};
 
@@ -49,7 +49,7 @@ pub struct Column {
     /// In that unit; of words, their positions among them.
     pub values: Vec<f64>,
     /// Words for which the values stand; empty for numbers.
-    pub words: &'static [&'static str],
+    pub words: Words,
 }
 
 impl Table {
@@ -80,14 +80,14 @@ impl Column {
     /// 1000.
     pub fn coordinate(coordinate: &Coordinate, si: &Values) -> Self {
         let si = si.to_vec();
-        match coordinate.holds {
+        match &coordinate.holds {
             Holds::Quantity(kind) => {
-                let mut column = Self::quantities(coordinate.name.clone(), kind, &si);
+                let mut column = Self::quantities(coordinate.name.clone(), *kind, &si);
                 column.values.iter_mut().for_each(|v| *v = clean(*v));
                 column
             }
             Holds::Number(_) => Self::numbers(coordinate.name.clone(), None, si),
-            Holds::Word(words) => Self::words(coordinate.name.clone(), si, words),
+            Holds::Word(words) => Self::words(coordinate.name.clone(), si, words.clone()),
         }
     }
 
@@ -96,11 +96,11 @@ impl Column {
     /// # Panics
     /// The unit is longer than any symbol.
     pub fn numbers(name: impl Into<Name>, unit: Option<&str>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), unit: unit.map(UnitSymbol::new), values, words: &[] }
+        Self { name: name.into(), unit: unit.map(UnitSymbol::new), values, words: Words::NONE }
     }
 
     /// Words, by their positions among all that there are.
-    pub fn words(name: impl Into<Name>, values: Vec<f64>, words: &'static [&'static str]) -> Self {
+    pub fn words(name: impl Into<Name>, values: Vec<f64>, words: Words) -> Self {
         Self { name: name.into(), unit: None, values, words }
     }
 }

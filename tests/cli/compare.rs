@@ -90,7 +90,7 @@ fn residuals_are_the_measured_rows_and_what_is_left() {
     place.write("measured.csv", noted);
     let answer = place.fem(&["compare", "lathe.toml", "--with", "measured.csv", "-o", "there", "--json"]);
     assert_eq!(answer.status, 0, "{}", answer.err);
-    assert!(answer.err.contains("the column `operator` is not used"), "{}", answer.err);
+    assert!(answer.err.contains("the column `operator` is not used: it is me in every row"), "{}", answer.err);
     let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
     assert_eq!((json["schema"].as_str(), json["observations"].as_u64()), (Some("fem-comparison/1"), Some(3)));
     assert_eq!(json["noise"], serde_json::json!({ "sigma": 1.0, "unit": "um", "source": "column u" }));

@@ -26,6 +26,7 @@ mod next;
 mod odds;
 mod pages;
 mod passes;
+mod recorded;
 mod records;
 mod report;
 mod ring;

@@ -76,8 +76,8 @@ fn asked(model: &Model, rows: &Rows, repeats: usize) -> Vec<Asked> {
         };
         for (column, coordinate) in model.process.coordinates().iter().enumerate() {
             let (Some(value), name) = (rows.get(column, row), coordinate.name.to_string()) else { continue };
-            match coordinate.holds {
-                Holds::Word(words) => asked.words.push((name, words[value as usize].to_string())),
+            match &coordinate.holds {
+                Holds::Word(words) => asked.words.push((name, words.of_value(value).unwrap_or_default().to_string())),
                 Holds::Quantity(_) | Holds::Number(_) => asked.numbers.push((name, value)),
             }
         }

@@ -153,19 +153,20 @@ fn check(t: &Reader, model: &Model, rows: &Rows, key: impl Fn(usize) -> &'static
 
 /// Reads a coordinate; one that the programme runs over is not asked for.
 fn read_coordinate(t: &Reader, coordinate: &Coordinate, is_needed: bool) -> f64 {
-    let Coordinate { ref name, about, holds, absent, .. } = *coordinate;
+    let Coordinate { name, about, holds, absent, .. } = coordinate;
+    let (about, absent) = (*about, *absent);
     let given = match holds {
         Holds::Quantity(_) if absent == Absent::Refused && !is_needed => None,
-        Holds::Quantity(kind) if absent == Absent::Refused => Some(t.quantity(name.clone(), kind, about).required()),
-        Holds::Quantity(kind) => t.quantity(name.clone(), kind, about).optional(),
+        Holds::Quantity(kind) if absent == Absent::Refused => Some(t.quantity(name.clone(), *kind, about).required()),
+        Holds::Quantity(kind) => t.quantity(name.clone(), *kind, about).optional(),
         Holds::Number(first) => {
-            t.count(name.clone(), about).between(first as usize, usize::MAX).optional().map(|n| n as f64)
+            t.count(name.clone(), about).between(*first as usize, usize::MAX).optional().map(|n| n as f64)
         }
-        Holds::Word(words) => t.text(name.clone(), about).map(|word| match words.iter().position(|w| *w == word) {
+        Holds::Word(words) => t.text(name.clone(), about).map(|word| match words.position(&word) {
             Some(position) => position as f64,
             None => {
                 let listed: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
-                let meant = did_you_mean(&word, words.iter().copied(), '"');
+                let meant = did_you_mean(&word, words.iter(), '"');
                 t.problem(
                     name,
                     format!("`{name}` is \"{word}\""),

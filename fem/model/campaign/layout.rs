@@ -38,7 +38,7 @@ impl Layout {
 
     /// Number of a coordinate of a test, whose observables begin at `first`: one that is there, or a new one.
     fn column(&mut self, own: &Coordinate, first: usize, process: &str) -> usize {
-        let is_same = |c: &Coordinate| (&c.name, c.holds, c.repeats) == (&own.name, own.holds, own.repeats);
+        let is_same = |c: &Coordinate| (&c.name, &c.holds, c.repeats) == (&own.name, &own.holds, own.repeats);
         if let Some(same) = self.coordinates.iter().position(is_same) {
             return same;
         }

@@ -67,8 +67,8 @@ fn names(coordinates: &[Coordinate], rows: &process::Rows, frames: &[(f64, Vec<u
         frames.iter().all(|f| same(&f.1)) && frames.iter().any(|f| value(*column, &f.1[0]) != first)
     };
     let telling: Vec<usize> = (0..coordinates.len()).filter(tells).collect();
-    let word = |column: usize, value: f64| match coordinates[column].holds {
-        Holds::Word(words) => words.get(value as usize).map_or(String::new(), |w| format!(", {w}")),
+    let word = |column: usize, value: f64| match &coordinates[column].holds {
+        Holds::Word(words) => words.of_value(value).map_or(String::new(), |w| format!(", {w}")),
         Holds::Number(_) => format!(", {} {value}", coordinates[column].name),
         Holds::Quantity(kind) => format!(", {} {}", super::rounded(kind.from_si(value)), kind.unit),
     };

@@ -69,10 +69,10 @@ pub(super) fn place(coordinates: &[Coordinate], measurements: &Measurements, row
     let mut place = serde_json::Map::new();
     for &i in &measurements.given {
         let Some(value) = measurements.rows.get(i, row) else { continue };
-        let shown = match coordinates[i].holds {
+        let shown = match &coordinates[i].holds {
             Holds::Quantity(kind) => json!(format!("{} {}", rounded(kind.from_si(value)), kind.unit)),
             Holds::Number(_) => json!(value as u64),
-            Holds::Word(words) => json!(words.get(value as usize)),
+            Holds::Word(words) => json!(words.of_value(value)),
         };
         place.insert(coordinates[i].name.to_string(), shown);
     }

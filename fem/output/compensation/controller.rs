@@ -4,7 +4,7 @@
 
 use crate::compensate::{Compensation, Course};
 use crate::positioning::{Direction, Steps, Table as Entries};
-use crate::process::{Column, Table};
+use crate::process::{Column, Table, Words};
 
 fn um(values: impl Iterator<Item = f64>) -> Vec<f64> {
     // Rounded to a thousandth of a nanometre: smaller digits are round-off of sums. Nothing has no sign.
@@ -81,7 +81,7 @@ pub fn predicted(compensation: &Compensation) -> Table {
     Table {
         columns: vec![
             Column::numbers("position", Some("mm"), mm(course.approaches.iter().map(|a| a.position))),
-            Column::words("direction", course.approaches.iter().map(backward).collect(), &["+", "-"]),
+            Column::words("direction", course.approaches.iter().map(backward).collect(), Words::Known(&["+", "-"])),
             Column::numbers("deviation", Some("um"), um(before.into_iter())),
             after("with_points", &points.modelled),
             after("with_segments", &segments.modelled),

@@ -264,8 +264,8 @@ pub fn unexplained(data: &Data, d: &Diagnosis) -> String {
 /// or else over any of the file's.
 fn own_effect(data: &Data, d: &Diagnosis) -> Option<Block> {
     let coordinates = data.model.process.coordinates();
-    let kind = |i: usize| match coordinates[i].holds {
-        Holds::Quantity(kind) => Some((&coordinates[i].name, kind)),
+    let kind = |i: usize| match &coordinates[i].holds {
+        Holds::Quantity(kind) => Some((&coordinates[i].name, *kind)),
         Holds::Number(_) | Holds::Word(_) => None,
     };
     let remaining = d.remaining.iter().flat_map(|f| f.along.0.iter().copied());

@@ -231,8 +231,8 @@ impl Variable {
         let size = levels.last()?.abs().max(levels.first()?.abs());
         // Digits that conversion leaves make no level.
         levels.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * size);
-        let words = match coordinate.holds {
-            Holds::Word(words) => words.iter().map(|w| (*w).to_string()).collect(),
+        let words = match &coordinate.holds {
+            Holds::Word(words) => words.iter().map(str::to_string).collect(),
             Holds::Quantity(_) | Holds::Number(_) => Vec::new(),
         };
         let axis =

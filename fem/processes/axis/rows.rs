@@ -26,7 +26,7 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new("position", "the commanded position", Holds::Quantity(LENGTH), Absent::Refused)
         .of_actual(0)
         .with_curve("pitch-profile", "what screw and scale are off by at every target; a pitch table can take it out"),
-    Coordinate::new("direction", "of approach, + or -", Holds::Word(DIRECTIONS), Absent::Refused),
+    Coordinate::new("direction", "of approach, + or -", Holds::word(DIRECTIONS), Absent::Refused),
     Coordinate::new("run", "number of the run", Holds::Number(1), Absent::Value(1.0)).repeating(),
     Coordinate::new("time", "since the test began, cold", Holds::Quantity(TIME), Absent::Value(0.0)),
     Coordinate::new(

@@ -27,7 +27,7 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new(
         "direction",
         "the programme from its beginning, or from its end",
-        Holds::Word(&["forward", "reverse"]),
+        Holds::word(&["forward", "reverse"]),
         Absent::Value(FORWARD),
     ),
 ];

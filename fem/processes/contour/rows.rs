@@ -25,7 +25,7 @@ pub const COORDINATES: &[Coordinate] = &[
         Holds::Quantity(ANGLE),
         Absent::Refused,
     ),
-    Coordinate::new("direction", "counter-clockwise or clockwise", Holds::Word(Direction::NAMES), Absent::Model),
+    Coordinate::new("direction", "counter-clockwise or clockwise", Holds::word(Direction::NAMES), Absent::Model),
     Coordinate::new("feed", "speed along the path", Holds::Quantity(FEED_RATE), Absent::Model),
 ];
 

@@ -34,7 +34,7 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new(
         "state",
         "bored and released, or clamped and not yet bored",
-        Holds::Word(STATES),
+        Holds::word(STATES),
         Absent::Value(0.0),
     ),
     Coordinate::new("jaw_force", "force of each jaw", Holds::Quantity(FORCE), Absent::Model),

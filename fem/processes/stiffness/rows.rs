@@ -19,7 +19,7 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new(
         "branch",
         "whether the force rises, from nothing or from the other side, or falls from the largest",
-        Holds::Word(&["load", "unload"]),
+        Holds::word(&["load", "unload"]),
         Absent::Value(0.0),
     ),
 ];

@@ -1,0 +1,51 @@
+//! A model file of which nothing but the process is known yet: what its formulas may name hangs on the measurements that
+//! it is held against.
+
+use std::path::Path;
+
+use super::tables::Tables;
+use super::{LARGEST, Model, find_process};
+use crate::input::{InputError, Kept, Source};
+use crate::process::{Coordinate, Process};
+
+/// A model file that was parsed.
+pub struct Draft {
+    source: Source,
+    tables: Tables,
+    process: &'static dyn Process,
+}
+
+impl Draft {
+    /// Parses a model file.
+    ///
+    /// # Errors
+    /// It cannot be read, is no TOML, or says no process.
+    pub fn load(path: &Path) -> Result<Self, InputError> {
+        Self::parse(Source::read(path, LARGEST)?)
+    }
+
+    /// Parses the text of a model.
+    ///
+    /// # Errors
+    /// It is no TOML, or says no process.
+    pub fn parse(source: Source) -> Result<Self, InputError> {
+        let tables = Tables::parse(&source)?;
+        let process = find_process(tables.now()).map_err(|problem| InputError::one(source.clone(), problem))?;
+        Ok(Self { source, tables, process })
+    }
+
+    /// The process that it models.
+    pub fn process(&self) -> &'static dyn Process {
+        self.process
+    }
+
+    /// The model of rows that have these further columns.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its place and remedy.
+    pub fn with(self, recorded: &[Coordinate]) -> Result<Model, InputError> {
+        let Self { source, tables, .. } = self;
+        let refused = |problems| InputError::new(source.clone(), problems);
+        Model::of_tables(source.clone(), tables, Kept::default(), recorded).map_err(refused)
+    }
+}
