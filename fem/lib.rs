@@ -102,6 +102,8 @@ pub mod compensate;
 #[doc(hidden)]
 pub mod diagnose;
 #[doc(hidden)]
+pub mod discover;
+
 pub mod element;
 #[doc(hidden)]
 pub mod fit;

@@ -46,6 +46,8 @@ pub enum Command {
     Fit(Fit),
     /// Which effect is missing, and what cannot be told apart
     Diagnose(Diagnose),
+    /// Which law that is in no catalogue explains what a model leaves
+    Discover(Discover),
     /// Before measuring: what could be seen, what would look alike
     Plan(Plan),
     /// An axis: backlash value, pitch tables, what they leave, and what they cannot do
@@ -145,6 +147,27 @@ pub struct Fit {
     #[command(flatten)]
     pub data: Data,
     /// Write the model with the fitted values and their uncertainties
+    #[arg(long, value_name = "NEW.toml")]
+    pub add_to: Option<PathBuf>,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub limit: Limit,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:
+  fem discover shaft.toml --with measured.csv --add-to better.toml")]
+pub struct Discover {
+    /// The model file; it is not changed
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub data: Data,
+    /// Write the model with the best law
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
     /// Replace files that this program did not write

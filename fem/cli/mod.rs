@@ -8,6 +8,7 @@ mod compensate;
 mod data;
 mod demo;
 mod diagnose;
+mod discover;
 mod effects;
 mod error;
 mod fit;
@@ -43,6 +44,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         None => start::start(),
         Some(Command::Run(args)) => run::run(&args),
         Some(Command::Compare(args)) => compare::run(&args),
+        Some(Command::Discover(args)) => discover::run(&args),
         Some(Command::Fit(args)) => fit::run(&args),
         Some(Command::Diagnose(args)) => diagnose::run(&args),
         Some(Command::Compensate(args)) => compensate::run(&args),

@@ -52,6 +52,7 @@ pub use largest_change::LargestChange;
 pub use next::Next;
 pub use plan::{Alike, Plan, plan};
 pub use posterior::{Believed, CERTAIN, Group, Posterior, RULED_OUT, speaks};
+pub use residual_projection::ProjectedResidual;
 pub use search::SIGNIFICANCE;
 pub use verdict::{GoodnessOfFit, Verdict};
 

@@ -39,6 +39,11 @@ impl ProjectedResidual {
         Self { tangent, residual, freedom }
     }
 
+    /// Orthonormal basis of what the free parameters can imitate, in standard uncertainties.
+    pub fn tangent(&self) -> &DMatrix<f64> {
+        &self.tangent
+    }
+
     /// Projects what the free parameters can imitate out of a vector.
     pub fn project(&self, v: DVector<f64>) -> DVector<f64> {
         project(&self.tangent, v)

@@ -1,0 +1,30 @@
+//! `fem discover`.
+
+use super::args;
+use super::error::Error;
+use super::say::say;
+use super::terminal::{notes, page, print};
+use super::watch::watched;
+use crate::ask::read;
+use crate::discover::discover;
+use crate::model::Data;
+use crate::output::LawsAnswer;
+use crate::output::files::{self, Guard};
+
+pub fn run(args: &args::Discover) -> Result<(), Error> {
+    let reads = args.data.reads(&args.model);
+    let guard = Guard { reads: &reads, force: args.force };
+    if let Some(new) = &args.add_to {
+        guard.check(new)?;
+    }
+    let (model, measured) = read(&args.model, |process| args.data.load(process, false))?;
+    let progress = args.limit.progress();
+    let data = Data::of(&model, measured)?.watched(progress.clone());
+    let found = watched(&progress, || discover(&data, &progress))?;
+    if let (Some(new), Some(better)) = (&args.add_to, found.laws.first().and_then(|law| law.model.as_ref())) {
+        files::write(new, better.text_at(new).as_bytes(), guard)?;
+        say!("written {}", new.display());
+    }
+    notes(&data.notes_of_fit());
+    print(&page(&LawsAnswer(&data, &found), args.json))
+}

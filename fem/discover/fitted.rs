@@ -1,0 +1,86 @@
+//! Laws that are written into the model and fitted together with it.
+
+use super::law::{self, Written};
+use super::search::{Bench, Found, PREDICTION, amplitudes};
+use crate::fit::{self, Estimate, Fit};
+use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
+
+/// Name of the effect, and where its parameters stand.
+const NAME: &str = "law";
+const OWN: &str = "effects.law.";
+
+/// A law that was found.
+pub struct Law {
+    /// The formula with its parameters.
+    pub written: Written,
+    /// Names of its variables.
+    pub variables: Vec<String>,
+    /// −2 ln of its weight: χ² and its price.
+    pub criterion: f64,
+    /// The model with it, fitted.
+    pub model: Option<Model>,
+    /// Its parameters.
+    pub estimates: Vec<Estimate>,
+    /// Prediction of the rows with it, SI.
+    pub predicted: Vec<f64>,
+    /// Root mean square of what is left, SI.
+    pub rms: f64,
+    /// χ² over the degrees of freedom with it.
+    pub reduced_chi2: f64,
+    /// Probability of chance of as much.
+    pub p_value: Option<f64>,
+}
+
+/// Writes a law into the model, and fits it to all rows.
+pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
+    let factors = || found.terms.iter().flat_map(|term| &term.factors);
+    let predictions = factors().filter(|own| bench.variables[own.variable].is_prediction).count();
+    let width: f64 = found.terms.iter().map(|term| term.width).sum();
+    let kind = data.model.process.observables()[found.terms.first()?.observable].error_kind();
+    let mut sizes = amplitudes(&bench.seen(&found.terms), bench.residual)?.into_iter();
+    let mut terms = Vec::new();
+    for term in &found.terms {
+        let count = term.factors.iter().map(|factor| factor.shape.functions()).product();
+        terms.push((term, sizes.by_ref().take(count).collect()));
+    }
+    let named = factors().flat_map(|own| [Some(own.variable), own.other]).flatten();
+    let mut variables: Vec<String> = named.map(|own| bench.variables[own].name.to_string()).collect();
+    variables.sort();
+    variables.dedup();
+    let written = law::written(&terms, bench.variables, kind);
+    let settings: Vec<Setting> = std::iter::once(("formula".to_string(), written.formula.clone()))
+        .chain(written.settings.iter().cloned())
+        .map(|(key, value)| Setting { key, value: Entry::Text(value) })
+        .collect();
+    let model = add_effect(data.model, NAME, &settings).ok()?;
+    let own = Data::of(&model, data.clone().into_measurements()).ok()?;
+    let fit = fit::fit(&own).ok()?;
+    let chi2 = bench.misfit(fit.reduced_chi2 * bench.freedom);
+    let price = found.freedom as f64 * (data.len() as f64).ln() + width + PREDICTION * predictions as f64;
+    Some(Law {
+        written,
+        variables,
+        criterion: chi2 + price,
+        model: completed(&own, &fit),
+        estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(OWN)).cloned().collect(),
+        predicted: fit.predicted.clone(),
+        rms: fit.rms,
+        reduced_chi2: fit.reduced_chi2,
+        p_value: fit.p_value,
+    })
+}
+
+/// The model with the values of a fit; those of the law stand even where an end of their interval is open, for it describes.
+fn completed(data: &Data, fit: &Fit) -> Option<Model> {
+    let mut edits = fit::edits(data, fit);
+    for open in fit.estimates.iter().filter(|e| !e.is_closed() && e.parameter.path.starts_with(OWN)) {
+        let kind = open.parameter.kind;
+        let text = format!("{} {}", fit::five_digits(kind.from_si(open.value)), kind.unit);
+        let entry = match kind.unit.is_empty() {
+            true => Entry::Number(kind.from_si(open.value)),
+            false => Entry::Text(text),
+        };
+        edits.push(Edit::Set { path: open.parameter.path.clone(), entry });
+    }
+    data.model.edited(&edits).ok()
+}
