@@ -21,7 +21,7 @@ pub fn run(args: &args::Discover) -> Result<(), Error> {
     let progress = args.limit.progress();
     let data = Data::of(&model, measured)?.watched(progress.clone());
     let found = watched(&progress, || discover(&data, &progress))?;
-    if let (Some(new), Some(better)) = (&args.add_to, found.laws.first().and_then(|law| law.model.as_ref())) {
+    if let (Some(new), Some(better)) = (&args.add_to, found.told().and_then(|law| law.model.as_ref())) {
         files::write(new, better.text_at(new).as_bytes(), guard)?;
         say!("written {}", new.display());
     }

@@ -43,6 +43,7 @@ mod screening;
 mod search;
 mod sensitivity;
 mod settle;
+mod under_noise;
 mod verdict;
 
 pub use bent_law::{Along, Bend};
@@ -54,6 +55,7 @@ pub use plan::{Alike, Plan, plan};
 pub use posterior::{Believed, CERTAIN, Group, Posterior, RULED_OUT, speaks};
 pub use residual_projection::ProjectedResidual;
 pub use search::SIGNIFICANCE;
+pub use under_noise::{UnderNoise, under_noise};
 pub use verdict::{GoodnessOfFit, Verdict};
 
 use std::cell::RefCell;

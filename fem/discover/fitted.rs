@@ -1,7 +1,7 @@
 //! Laws that are written into the model and fitted together with it.
 
 use super::law::{self, Written};
-use super::search::{Bench, Found, PREDICTION, amplitudes};
+use super::search::{Bench, Found, amplitudes};
 use crate::fit::{self, Estimate, Fit};
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 
@@ -17,6 +17,12 @@ pub struct Law {
     pub variables: Vec<String>,
     /// −2 ln of its weight: χ² and its price.
     pub criterion: f64,
+    /// What it was made of.
+    pub found: Found,
+    /// The part of it that is the price.
+    pub price: f64,
+    /// The model with it, its values open.
+    pub open: Model,
     /// The model with it, fitted.
     pub model: Option<Model>,
     /// Its parameters.
@@ -34,8 +40,6 @@ pub struct Law {
 /// Writes a law into the model, and fits it to all rows.
 pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
     let factors = || found.terms.iter().flat_map(|term| &term.factors);
-    let predictions = factors().filter(|own| bench.variables[own.variable].is_prediction).count();
-    let width: f64 = found.terms.iter().map(|term| term.width).sum();
     let kind = data.model.process.observables()[found.terms.first()?.observable].error_kind();
     let mut sizes = amplitudes(&bench.seen(&found.terms), bench.residual)?.into_iter();
     let mut terms = Vec::new();
@@ -56,12 +60,15 @@ pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
     let own = Data::of(&model, data.clone().into_measurements()).ok()?;
     let fit = fit::fit(&own).ok()?;
     let chi2 = bench.misfit(fit.reduced_chi2 * bench.freedom);
-    let price = found.freedom as f64 * (data.len() as f64).ln() + width + PREDICTION * predictions as f64;
+    let price = found.price;
     Some(Law {
         written,
         variables,
         criterion: chi2 + price,
+        found: found.clone(),
+        price,
         model: completed(&own, &fit),
+        open: model.clone(),
         estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(OWN)).cloned().collect(),
         predicted: fit.predicted.clone(),
         rms: fit.rms,

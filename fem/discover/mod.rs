@@ -3,8 +3,8 @@
 
 mod fitted;
 mod form;
-mod groups;
 mod law;
+mod levels;
 mod scales;
 mod search;
 mod shape;
@@ -12,11 +12,12 @@ mod variable;
 
 pub use fitted::Law;
 pub use law::Written;
+pub use levels::TooFew;
 
-use crate::diagnose::{ProjectedResidual, SIGNIFICANCE};
+use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, under_noise};
 use crate::fit::{self, Objective, StoppingCriterion};
 use crate::model::Data;
-use crate::noise::{Noise, beyond_chi2};
+use crate::noise::{Noise, Term, beyond_chi2};
 use crate::process::Failure;
 use crate::progress::Progress;
 use form::Metric;
@@ -35,6 +36,8 @@ const FITTED: usize = 6;
 const NEAR: f64 = 40.0;
 /// Rise of the criterion up to which a law is a rival of the best.
 pub const RIVAL: f64 = 6.0;
+/// Fall of −2 ln L, beyond its price, from which a law is told in the place of effects of the measurement.
+const CLEARLY: f64 = 6.0;
 /// Most rows that are searched.
 const MOST_ROWS: usize = 500;
 
@@ -46,8 +49,17 @@ pub struct Discovery {
     pub is_nothing_left: bool,
     /// The laws, the best first: it, and its rivals.
     pub laws: Vec<Law>,
-    /// Why the best of them is held back, where it is.
-    pub held_back: Option<String>,
+    /// Effects of the measurement that say as much as the best of them, where they do: it is held back then.
+    pub instead: Vec<Term>,
+    /// Settings that are too few for the best of them, where they are: it is held back then.
+    pub too_few: Option<TooFew>,
+}
+
+impl Discovery {
+    /// The best law, where it is not held back.
+    pub fn told(&self) -> Option<&Law> {
+        self.laws.first().filter(|_| self.instead.is_empty() && self.too_few.is_none())
+    }
 }
 
 /// Searches for laws in what a model leaves.
@@ -77,7 +89,7 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
     let (chi2, freedom) = (projected.residual.norm_squared(), projected.freedom);
     let before = chi2 / freedom;
     let is_nothing_left = beyond_chi2(freedom, chi2).is_some_and(|p| p >= SIGNIFICANCE);
-    let mut discovery = Discovery { before, is_nothing_left, laws: Vec::new(), held_back: None };
+    let mut discovery = Discovery { before, is_nothing_left, laws: Vec::new(), instead: Vec::new(), too_few: None };
     if is_nothing_left {
         return Ok(discovery);
     }
@@ -96,12 +108,22 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
     discovery.laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     let least = discovery.laws.first().map_or(0.0, |best| best.criterion);
     discovery.laws.retain(|law| law.criterion < least + RIVAL);
-    let before = whole.residuals(&fit::best(&mut Objective::new(whole)?)?.predicted);
-    let few = discovery.laws.first().and_then(|law| groups::too_few(whole, &before, law));
-    if few.is_some() {
-        (discovery.held_back, discovery.laws) = (few, Vec::new());
+    discovery.too_few = discovery.laws.first().and_then(|best| levels::too_few(&bench, &best.found));
+    if let Some(best) = discovery.told().filter(|_| progress.permits("effects of the measurement instead")) {
+        discovery.instead = progress.stretch("effects of the measurement instead", || instead(data, best, progress))?;
     }
     Ok(discovery)
+}
+
+/// Effects of the measurement that say as much as a law, at its price: what a law of many shapes makes of a few zeros is
+/// no law.
+fn instead(data: &Data, law: &Law, progress: &Progress) -> Result<Vec<Term>, Failure> {
+    let without = under_noise(data, progress)?;
+    let with = Data::of(&law.open, data.clone().into_measurements())
+        .map_err(|e| Failure { message: e.to_string(), help: "discover without it".into() })?;
+    let with = under_noise(&with, progress)?;
+    let is_instead = !without.terms.is_empty() && without.criterion < with.criterion + law.price + CLEARLY;
+    Ok(if is_instead { without.terms } else { Vec::new() })
 }
 
 /// The rows that are searched, where they are too many to search all.

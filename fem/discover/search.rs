@@ -35,8 +35,6 @@ pub struct Term {
     pub observable: usize,
     /// Its factors.
     pub factors: Vec<Factor>,
-    /// Twice the logarithm of the number of terms among which it was sought.
-    pub width: f64,
 }
 
 /// Terms with what they explain together.
@@ -48,8 +46,10 @@ pub struct Found {
     pub gain: f64,
     /// Number of their amplitudes that the rows tell apart, and of their constants.
     pub freedom: usize,
-    /// −2 ln of their likelihood, and their price: ln n for each number, and the width of the search.
+    /// −2 ln of their likelihood, and their price.
     pub criterion: f64,
+    /// The price: ln n for each number, and the width of the search.
+    pub price: f64,
 }
 
 /// The functions of a shape, each at every level.
@@ -89,11 +89,16 @@ impl Bench<'_, '_> {
     /// The least criterion that a law can have with further terms.
     pub fn least_of_further(&self, law: &Found) -> f64 {
         let left = (self.residual.norm_squared() - law.gain).max(0.0);
-        let width = 2.0 * (self.factors.iter().map(Vec::len).sum::<usize>().max(1) as f64).ln();
-        law.criterion - self.misfit(left) + self.misfit(LEAST_LEFT * self.freedom) + width + (self.rows as f64).ln()
+        let least = self.factors.iter().map(|own| own.len().max(1)).min().unwrap_or(1);
+        let width = ((self.variables.len() * least) as f64).ln();
+        law.criterion - self.misfit(left)
+            + self.misfit(LEAST_LEFT * self.freedom)
+            + 2.0 * width
+            + (self.rows as f64).ln()
     }
 
-    fn metric(&self, observable: usize) -> Option<&Metric<'_, '_>> {
+    /// How the columns of an observable are weighed.
+    pub fn metric(&self, observable: usize) -> Option<&Metric<'_, '_>> {
         self.metrics.iter().find(|(own, _)| *own == observable).map(|(_, metric)| metric)
     }
 
@@ -124,10 +129,29 @@ impl Bench<'_, '_> {
         let constants: usize = factors().filter(|own| !own.is_known).map(|own| own.constants.len()).sum();
         let freedom = amplitudes + constants;
         let predictions = factors().filter(|own| self.variables[own.variable].is_prediction).count();
-        let width: f64 = terms.iter().map(|term| term.width).sum();
-        let price = freedom as f64 * (self.rows as f64).ln() + width + PREDICTION * predictions as f64;
+        let price =
+            freedom as f64 * (self.rows as f64).ln() + 2.0 * self.width(&terms) + PREDICTION * predictions as f64;
         let left = (self.residual.norm_squared() - gain).max(0.0);
-        Found { terms, gain, freedom, criterion: self.misfit(left) + price }
+        Found { terms, gain, freedom, criterion: self.misfit(left) + price, price }
+    }
+
+    /// Logarithm of the number of laws of as many shapes of these variables, or of others.
+    pub fn width(&self, terms: &[Term]) -> f64 {
+        let mut seen: Vec<&Factor> = Vec::new();
+        let mut width = 0.0;
+        for factor in terms.iter().flat_map(|term| &term.factors) {
+            // What two terms have in common is chosen once.
+            if !seen.contains(&factor) {
+                width += self.width_of(factor, usize::MAX);
+                seen.push(factor);
+            }
+        }
+        width - (1..=seen.len()).map(|k| (k as f64).ln()).sum::<f64>()
+    }
+
+    /// Logarithm of the number of shapes in the place of one, those of a variable no more than `most`.
+    pub fn width_of(&self, factor: &Factor, most: usize) -> f64 {
+        ((self.variables.len() * self.factors[factor.variable].len().min(most)).max(1) as f64).ln()
     }
 
     /// The best further terms beside those of a law, refined with them, the best law first.
@@ -150,9 +174,8 @@ impl Bench<'_, '_> {
         let amplitudes = basis(self.seen(&law.terms)).len();
         let whole = self.residual.norm_squared() - form.chi2;
         // What terms with these factors explain beside the law.
-        let further = |factors: Vec<Vec<Factor>>, (gain, count): (f64, usize), pool: f64| {
-            let width = 2.0 * pool.max(1.0).ln() / factors.len() as f64;
-            let own = factors.into_iter().map(|factors| Term { observable, factors, width });
+        let further = |factors: Vec<Vec<Factor>>, (gain, count): (f64, usize)| {
+            let own = factors.into_iter().map(|factors| Term { observable, factors });
             self.priced(law.terms.iter().cloned().chain(own).collect(), (whole + gain, amplitudes + count))
         };
         let (at_levels, at_some) = (&self.at_levels, &self.at_some);
@@ -166,19 +189,18 @@ impl Bench<'_, '_> {
         let mut all = Vec::new();
 
         let excesses: Vec<&Factor> = self.excesses.iter().filter(|own| usable.contains(&own.variable)).collect();
-        let pool = (usable.iter().map(|v| self.factors[*v].len()).sum::<usize>() + excesses.len()) as f64;
         let mut singles = Vec::new();
         for v in &usable {
             let sums = form.sums(rows, &ones, levels(*v));
             let one = |i: usize| {
                 let gain = sums.gain_of_product(&at_levels[*v][i]);
-                further(vec![vec![self.factors[*v][i].clone()]], gain, pool)
+                further(vec![vec![self.factors[*v][i].clone()]], gain)
             };
             singles.extend((0..self.factors[*v].len()).into_par_iter().map(one).collect::<Vec<_>>());
         }
         let of_excess = |own: &&Factor| {
             let sums = form.sums(rows, &own.columns(self.variables), (&vec![0; self.rows], 1));
-            further(vec![vec![(*own).clone()]], sums.gain_of_product(&[vec![1.0]]), pool)
+            further(vec![vec![(*own).clone()]], sums.gain_of_product(&[vec![1.0]]))
         };
         let of_excesses: Vec<Found> = excesses.par_iter().map(of_excess).collect();
         let grown_from = self.best_of_kinds(of_excesses.clone(), GROWN / 2, 1);
@@ -190,8 +212,6 @@ impl Bench<'_, '_> {
 
         let pairs: Vec<(usize, usize)> =
             usable.iter().enumerate().flat_map(|(k, a)| usable[k..].iter().map(move |b| (*a, *b))).collect();
-        let count = |(a, b): &(usize, usize)| (self.factors[*a].len() * self.factors[*b].len()) as f64;
-        let pool: f64 = pairs.iter().map(count).sum();
         let (mut products, mut together) = (Vec::new(), Vec::new());
         for (a, b) in pairs {
             let is_longer = self.variables[a].levels.len() > self.variables[b].levels.len();
@@ -232,9 +252,9 @@ impl Bench<'_, '_> {
                 };
                 let two = |j: usize| [self.factors[b][j].clone(), own.clone()];
                 let products = best(products, 3);
-                let products = products.into_iter().map(|(_, gain, j)| further(vec![two(j).to_vec()], gain, pool));
+                let products = products.into_iter().map(|(_, gain, j)| further(vec![two(j).to_vec()], gain));
                 let together = best(together, 2).into_iter();
-                let together = together.map(|(_, gain, j)| further(two(j).map(|one| vec![one]).to_vec(), gain, pool));
+                let together = together.map(|(_, gain, j)| further(two(j).map(|one| vec![one]).to_vec(), gain));
                 (products.collect::<Vec<_>>(), together.collect::<Vec<_>>())
             };
             let own: Vec<_> = (0..self.factors[a].len()).into_par_iter().map(with).collect();
@@ -257,7 +277,6 @@ impl Bench<'_, '_> {
         let sizes: Vec<(usize, usize)> =
             usable.iter().filter(is_own).flat_map(|a| of(*a, &is_common).into_iter().map(move |i| (*a, i))).collect();
         let plain: Vec<(usize, Vec<usize>)> = usable.iter().filter(is_own).map(|b| (*b, of(*b, &is_plain))).collect();
-        let pool = sizes.len() as f64 * plain.iter().map(|(_, own)| (own.len() * own.len() / 2) as f64).sum::<f64>();
         for (a, i) in sizes {
             for (b, shapes) in plain.iter().filter(|(b, shapes)| *b != a && shapes.len() > 1) {
                 let sums = form.sums(rows, &spread(a, i), some(*b));
@@ -271,7 +290,7 @@ impl Bench<'_, '_> {
                         (form.chi2 - gain, count, factors)
                     };
                     let best = shapes[k + 1..].iter().map(two).min_by(|x, y| x.0.total_cmp(&y.0));
-                    best.map(|(left, count, factors)| further(factors.to_vec(), (form.chi2 - left, count), pool))
+                    best.map(|(left, count, factors)| further(factors.to_vec(), (form.chi2 - left, count)))
                 };
                 let own: Vec<Found> = (0..shapes.len()).into_par_iter().filter_map(with).collect();
                 common.extend(self.best_of_kinds(own, REFINED / 4, 1));
@@ -293,15 +312,13 @@ impl Bench<'_, '_> {
                     && term.factors.iter().all(|factor| factor.variable != **v && factor.other != Some(**v))
             };
             let others: Vec<usize> = usable.iter().filter(is_other).copied().collect();
-            let count: usize = others.iter().map(|v| self.factors[*v].len()).sum();
-            let pool = (0.5 * term.width).exp() * count.max(1) as f64;
             for v in others {
                 let sums: Sums = form.sums(rows, &own, some(v));
                 let with = |i: usize| {
                     let factor = &self.factors[v][i];
                     (own.len() * factor.shape.functions() <= MOST_FUNCTIONS).then(|| {
                         let factors = term.factors.iter().cloned().chain([factor.clone()]).collect();
-                        further(vec![factors], sums.gain_of_product(&at_some[v][i]), pool)
+                        further(vec![factors], sums.gain_of_product(&at_some[v][i]))
                     })
                 };
                 grown.extend((0..self.factors[v].len()).into_par_iter().filter_map(with).collect::<Vec<_>>());

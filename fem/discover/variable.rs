@@ -281,6 +281,11 @@ impl Variable {
 }
 
 impl Factor {
+    /// Numbers of the variables of which it is made.
+    pub fn variables(&self) -> impl Iterator<Item = usize> {
+        std::iter::once(self.variable).chain(self.other)
+    }
+
     /// Its functions in every row.
     pub fn columns(&self, variables: &[Variable]) -> Vec<Vec<f64>> {
         let own = &variables[self.variable];

@@ -37,15 +37,16 @@ impl Answer for LawsAnswer<'_> {
             })
             .collect();
         let features: Vec<Json> = found
-            .laws
-            .first()
+            .told()
             .map(|law| json!({ "coordinate": law.variables.join(" and "), "shape": null, "text": law.written.formula }))
             .into_iter()
             .collect();
         json!({
             "schema": "fem-laws/1",
             "model": &*data.model.source.name,
-            "verdict": if found.is_nothing_left { "adequate" } else if found.laws.is_empty() { "unexplained" } else { "partly-explained" },
+            "verdict": if found.is_nothing_left { "adequate" } else if found.told().is_none() { "unexplained" } else { "partly-explained" },
+            "too_few": found.too_few.as_ref().map(|few| json!({ "settings": few.settings, "variables": few.variables, "more": few.more })),
+            "instead": found.instead.iter().map(|term| term.effect.name).collect::<Vec<_>>(),
             "missing": [],
             "features": features,
             "laws": laws,

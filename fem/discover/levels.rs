@@ -1,0 +1,106 @@
+//! Laws of what is set once for many rows: however many rows there are, they are as good as these settings are many.
+
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use super::search::{Bench, Found, basis};
+use super::variable::{Factor, Variable, product};
+
+/// Rows to each setting from which they are settings, about.
+const ROWS_EACH: usize = 3;
+/// Chance, over the whole search, of a law that is held back.
+const CHANCE: f64 = 0.02;
+/// Shapes of a variable that its levels tell apart, each.
+const SHAPES: usize = 4;
+/// Most settings more that are worth telling.
+const MOST_MORE: usize = 200;
+
+/// Settings that are too few for a law: some law of the search fits whatever they are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TooFew {
+    /// How many there are.
+    pub settings: usize,
+    /// The variables that are set.
+    pub variables: Vec<String>,
+    /// How many more would tell, where some would.
+    pub more: Option<usize>,
+}
+
+/// Why a law cannot be told from chance, where the settings of its variables are too few: what it explains between settings
+/// is held against what settings with amplitudes of their own would explain more (F test), for as many laws as were tried.
+pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
+    let rows = bench.rows;
+    let mut variables: Vec<usize> =
+        law.terms.iter().flat_map(|term| &term.factors).flat_map(Factor::variables).collect();
+    variables.sort_by_key(|v| bench.variables[*v].levels.len());
+    variables.dedup();
+    let (mut level, mut settings, mut set) = (vec![0; rows], 1, Vec::new());
+    for v in variables {
+        let (finer, count) = crossed(&level, &bench.variables[v]);
+        if count * ROWS_EACH <= rows {
+            (level, settings) = (finer, count);
+            set.push(v);
+        }
+    }
+    let name = |v: &usize| bench.variables[*v].name.to_string();
+    if set.iter().all(|v| bench.variables[*v].words > 0) {
+        return None;
+    }
+    // The law with the same amplitude in every setting, and each setting with an amplitude of its own of what varies within.
+    let (mut columns, mut alike) = (Vec::new(), Vec::new());
+    for term in &law.terms {
+        let is_within = |own: &&Factor| own.variables().all(|v| !set.contains(&v));
+        let factors: Vec<Vec<Vec<f64>>> =
+            term.factors.iter().filter(is_within).map(|own| own.columns(bench.variables)).collect();
+        let within = if factors.is_empty() { vec![vec![1.0; rows]] } else { product(&factors) };
+        for own in within {
+            let one = |setting: usize| -> Vec<f64> {
+                own.iter().zip(&level).map(|(value, at)| if *at == setting { *value } else { 0.0 }).collect()
+            };
+            let all: Vec<Vec<f64>> = (0..settings).map(one).collect();
+            columns.extend(bench.metric(term.observable)?.seen(&all));
+            alike.extend(bench.metric(term.observable)?.seen(&[own.clone()]));
+        }
+    }
+    let seen = bench.seen(&law.terms);
+    let of_law = basis(seen.clone());
+    let together = basis(seen.into_iter().chain(columns).collect());
+    let further = &together[of_law.len().min(together.len())..];
+    let extra: f64 = further.iter().map(|own| own.dot(bench.residual).powi(2)).sum();
+    let alike = basis(alike);
+    let of_alike: f64 = alike.iter().map(|own| own.dot(bench.residual).powi(2)).sum();
+    let is_set = |own: &&Factor| own.variables().any(|v| set.contains(&v));
+    let of_settings: Vec<&Factor> = law.terms.iter().flat_map(|term| &term.factors).filter(is_set).collect();
+    // Constants take directions as amplitudes do.
+    let constants: usize = of_settings.iter().filter(|own| !own.is_known).map(|own| own.constants.len()).sum();
+    let own = (constants + of_law.len()).saturating_sub(alike.len()).max(1) as f64;
+    let freedom = further.len() as f64 - constants as f64;
+    let width: f64 =
+        of_settings.iter().map(|own| bench.width_of(own, SHAPES * bench.variables[own.variable].levels.len())).sum();
+    let chance = |freedom: f64, extra: f64| -> f64 {
+        if freedom < 1.0 {
+            return 1.0;
+        }
+        let ratio = ((law.gain - of_alike).max(0.0) / own) / (extra / freedom).max(1.0);
+        width.exp() * FisherSnedecor::new(own, freedom).map_or(1.0, |f| f.sf(ratio))
+    };
+    if chance(freedom, extra) < CHANCE {
+        return None;
+    }
+    let level = (extra / freedom.max(1.0)).max(1.0);
+    let more = (1..=MOST_MORE).find(|more| {
+        let freedom = freedom + *more as f64;
+        chance(freedom, level * freedom) < CHANCE
+    });
+    Some(TooFew { settings, variables: set.iter().map(name).collect(), more })
+}
+
+/// Levels of rows, parted by those of a variable, and their number.
+fn crossed(level: &[usize], variable: &Variable) -> (Vec<usize>, usize) {
+    let mut known = std::collections::BTreeMap::new();
+    let finer = level.iter().zip(&variable.level).map(|pair| {
+        let next = known.len();
+        *known.entry(pair).or_insert(next)
+    });
+    let finer: Vec<usize> = finer.collect();
+    (finer, known.len())
+}
