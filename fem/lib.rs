@@ -83,6 +83,7 @@
 //     fit                   what a model does not know exactly, from measurements
 //     compensate            tables for a controller, and what they cannot do
 //     diagnose              which effect is missing
+//     discover              laws that are in no catalogue: found in what a model leaves, written as formulas
 //     budget                errors added up by rules and by drawing
 //     study                 many jobs with one model: points, rows, yield, worst case, sensitivity
 //     validation            what handbooks, closed forms and benchmarks say, and what is computed
@@ -103,7 +104,7 @@ pub mod compensate;
 pub mod diagnose;
 #[doc(hidden)]
 pub mod discover;
-
+#[doc(hidden)]
 pub mod element;
 #[doc(hidden)]
 pub mod fit;

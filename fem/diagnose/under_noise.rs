@@ -38,7 +38,7 @@ pub fn under_noise(data: &Data, progress: &Progress) -> Result<UnderNoise, Failu
     let mut trial = CandidateModel { members: Vec::new(), objective, solution };
     let price = |trial: &CandidateModel| instrument::minus_two_log(trial) + trial.objective.noise.price();
     for _ in 0..MOST_TERMS {
-        if !progress.permits("effects of the measurement in the place of a law") {
+        if !progress.permits("a further effect of the measurement") {
             break;
         }
         let least = instrument::criterion(&trial) - PROMISING;

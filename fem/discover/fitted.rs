@@ -1,16 +1,20 @@
 //! Laws that are written into the model and fitted together with it.
 
+use super::apart::Apart;
 use super::law::{self, Written};
+use super::left_out::LeftOut;
 use super::search::{Bench, Found, amplitudes};
 use crate::fit::{self, Estimate, Fit};
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 
 /// Name of the effect, and where its parameters stand.
-const NAME: &str = "law";
+pub const NAME: &str = "law";
 const OWN: &str = "effects.law.";
 
 /// A law that was found.
 pub struct Law {
+    /// The observable to which it is added, by its position in the process's list.
+    pub observable: usize,
     /// The formula with its parameters.
     pub written: Written,
     /// Names of its variables.
@@ -35,6 +39,19 @@ pub struct Law {
     pub reduced_chi2: f64,
     /// Probability of chance of as much.
     pub p_value: Option<f64>,
+    /// What it says of rows that were left out.
+    pub left_out: Option<LeftOut>,
+    /// The row that tells it from the best, where it is a rival.
+    pub apart: Option<Apart>,
+    /// The settings with which `fem add` writes it, the formula first.
+    pub settings: Vec<Setting>,
+}
+
+impl Law {
+    /// Names and values of its parameters that are not fitted: scales.
+    pub fn known(&self) -> impl Iterator<Item = &(String, String)> {
+        self.written.settings.iter().filter(|(_, value)| !value.starts_with('?'))
+    }
 }
 
 /// Writes a law into the model, and fits it to all rows.
@@ -62,6 +79,7 @@ pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
     let chi2 = bench.misfit(fit.reduced_chi2 * bench.freedom);
     let price = found.price;
     Some(Law {
+        observable: found.terms.first()?.observable,
         written,
         variables,
         criterion: chi2 + price,
@@ -74,6 +92,9 @@ pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
         rms: fit.rms,
         reduced_chi2: fit.reduced_chi2,
         p_value: fit.p_value,
+        left_out: None,
+        apart: None,
+        settings: fitted_settings(&settings, &fit),
     })
 }
 
@@ -90,4 +111,19 @@ fn completed(data: &Data, fit: &Fit) -> Option<Model> {
         edits.push(Edit::Set { path: open.parameter.path.clone(), entry });
     }
     data.model.edited(&edits).ok()
+}
+
+/// The settings of a law with the values of a fit in the place of those from which it began.
+fn fitted_settings(settings: &[Setting], fit: &Fit) -> Vec<Setting> {
+    let fitted = |own: &Setting| {
+        let path = format!("{OWN}{}", own.key);
+        let Some(e) = fit.estimates.iter().find(|e| *e.parameter.path == *path) else { return own.clone() };
+        let kind = e.parameter.kind;
+        let value = match e.is_closed() {
+            true => fit::uncertain(kind.from_si(e.value), fit.birge_ratio() * e.std / kind.canonical().factor),
+            false => fit::five_digits(kind.from_si(e.value)).to_string(),
+        };
+        Setting { key: own.key.clone(), value: Entry::Text(format!("{value} {}", kind.unit).trim_end().into()) }
+    };
+    settings.iter().map(fitted).collect()
 }

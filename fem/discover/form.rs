@@ -64,6 +64,13 @@ impl<'a, 'm> Metric<'a, 'm> {
         Self { objective, projected, rows, weights, shared }
     }
 
+    /// The unit of the error over the usual standard uncertainty of a row.
+    pub fn weight(&self) -> f64 {
+        let mut all: Vec<f64> = self.rows.iter().map(|row| self.weights[*row]).collect();
+        all.sort_unstable_by(f64::total_cmp);
+        all.get(all.len() / 2).copied().unwrap_or(0.0)
+    }
+
     /// Columns in standard uncertainties, beside what the model's own parameters imitate.
     pub fn seen(&self, columns: &[Vec<f64>]) -> Vec<DVector<f64>> {
         let rows = self.objective.data.len();

@@ -149,15 +149,15 @@ fn expression(factor: &Factor, sizes: &[f64], variables: &[Variable], names: &mu
         Shape::Excess => {
             let other = factor.other.map(|other| variables[other].name.to_string()).unwrap_or_default();
             let m = names.add("m", format!("? near {}", digits(c)));
-            (one, format!("max({v} - {m}*{other}, 0*{v})/{}", names.scale(own)))
+            (one, format!("max(0, {v} - {m}*{other})/{}", names.scale(own)))
         }
         Shape::Hinge => {
             let c = place(names, c);
-            (one, format!("max({v} - {c}, 0*{c})/{}", names.scale(own)))
+            (one, format!("max(0, {v} - {c})/{}", names.scale(own)))
         }
         Shape::Fall => {
             let c = place(names, c);
-            (one, format!("max({c} - {v}, 0*{c})/{}", names.scale(own)))
+            (one, format!("max(0, {c} - {v})/{}", names.scale(own)))
         }
         Shape::Step => {
             let c = place(names, c);

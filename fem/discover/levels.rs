@@ -25,22 +25,21 @@ pub struct TooFew {
     pub more: Option<usize>,
 }
 
+/// What is set once for many rows.
+pub struct Settings {
+    /// Setting of each row.
+    pub level: Vec<usize>,
+    /// How many there are.
+    pub count: usize,
+    /// Numbers of the variables that are set.
+    set: Vec<usize>,
+}
+
 /// Why a law cannot be told from chance, where the settings of its variables are too few: what it explains between settings
 /// is held against what settings with amplitudes of their own would explain more (F test), for as many laws as were tried.
 pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
     let rows = bench.rows;
-    let mut variables: Vec<usize> =
-        law.terms.iter().flat_map(|term| &term.factors).flat_map(Factor::variables).collect();
-    variables.sort_by_key(|v| bench.variables[*v].levels.len());
-    variables.dedup();
-    let (mut level, mut settings, mut set) = (vec![0; rows], 1, Vec::new());
-    for v in variables {
-        let (finer, count) = crossed(&level, &bench.variables[v]);
-        if count * ROWS_EACH <= rows {
-            (level, settings) = (finer, count);
-            set.push(v);
-        }
-    }
+    let Settings { level, count: settings, set } = Settings::of(bench, law);
     let name = |v: &usize| bench.variables[*v].name.to_string();
     if set.iter().all(|v| bench.variables[*v].words > 0) {
         return None;
@@ -92,6 +91,26 @@ pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
         chance(freedom, level * freedom) < CHANCE
     });
     Some(TooFew { settings, variables: set.iter().map(name).collect(), more })
+}
+
+impl Settings {
+    /// The settings of the variables of a law, those that vary from row to row left out.
+    pub fn of(bench: &Bench, law: &Found) -> Self {
+        let rows = bench.rows;
+        let mut variables: Vec<usize> =
+            law.terms.iter().flat_map(|term| &term.factors).flat_map(Factor::variables).collect();
+        variables.sort_by_key(|v| bench.variables[*v].levels.len());
+        variables.dedup();
+        let (mut level, mut settings, mut set) = (vec![0; rows], 1, Vec::new());
+        for v in variables {
+            let (finer, count) = crossed(&level, &bench.variables[v]);
+            if count * ROWS_EACH <= rows {
+                (level, settings) = (finer, count);
+                set.push(v);
+            }
+        }
+        Self { level, count: settings, set }
+    }
 }
 
 /// Levels of rows, parted by those of a variable, and their number.

@@ -1,17 +1,21 @@
 //! Laws that are in no catalogue: what a model leaves is held against products and sums of shapes of every coordinate,
 //! every recorded column and the prediction, and the law that is found is written as a formula that a model takes.
 
+mod apart;
 mod fitted;
 mod form;
 mod law;
+mod left_out;
 mod levels;
 mod scales;
 mod search;
 mod shape;
 mod variable;
 
-pub use fitted::Law;
+pub use apart::Apart;
+pub use fitted::{Law, NAME};
 pub use law::Written;
+pub use left_out::LeftOut;
 pub use levels::TooFew;
 
 use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, under_noise};
@@ -20,7 +24,9 @@ use crate::model::Data;
 use crate::noise::{Noise, Term, beyond_chi2};
 use crate::process::Failure;
 use crate::progress::Progress;
+use crate::units::Kind;
 use form::Metric;
+use levels::Settings;
 use rayon::prelude::*;
 use search::{AtLevels, Bench, Found, kind};
 use variable::{Factor, Variable};
@@ -31,13 +37,17 @@ const MOST_TERMS: usize = 4;
 const WORTH: f64 = 10.0;
 /// Laws that are grown further, and laws that are fitted.
 const GROWN: usize = 3;
-const FITTED: usize = 6;
+const FITTED: usize = 8;
+/// Standard uncertainties by which two laws differ somewhere, if they are two.
+const DIFFERENT: f64 = 1.0;
 /// Rise of the criterion up to which a law is fitted: its constants settle beside those of the model.
 const NEAR: f64 = 40.0;
 /// Rise of the criterion up to which a law is a rival of the best.
 pub const RIVAL: f64 = 6.0;
 /// Fall of −2 ln L, beyond its price, from which a law is told in the place of effects of the measurement.
 const CLEARLY: f64 = 6.0;
+/// Name of that step, for the note that it was left undone.
+const INSTEAD: &str = "effects of the measurement in the place of a law";
 /// Most rows that are searched.
 const MOST_ROWS: usize = 500;
 
@@ -53,12 +63,17 @@ pub struct Discovery {
     pub instead: Vec<Term>,
     /// Settings that are too few for the best of them, where they are: it is held back then.
     pub too_few: Option<TooFew>,
+    /// Names of the variables over which laws were sought.
+    pub sought: Vec<String>,
+    /// Ranges of the variables of the best, SI: beyond them nothing is known of it.
+    pub ranges: Vec<(String, Kind, [f64; 2])>,
 }
 
 impl Discovery {
     /// The best law, where it is not held back.
     pub fn told(&self) -> Option<&Law> {
-        self.laws.first().filter(|_| self.instead.is_empty() && self.too_few.is_none())
+        let foresees = |law: &&Law| law.left_out.is_none_or(|own| own.after < own.before);
+        self.laws.first().filter(foresees).filter(|_| self.instead.is_empty() && self.too_few.is_none())
     }
 }
 
@@ -89,11 +104,20 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
     let (chi2, freedom) = (projected.residual.norm_squared(), projected.freedom);
     let before = chi2 / freedom;
     let is_nothing_left = beyond_chi2(freedom, chi2).is_some_and(|p| p >= SIGNIFICANCE);
-    let mut discovery = Discovery { before, is_nothing_left, laws: Vec::new(), instead: Vec::new(), too_few: None };
+    let mut discovery = Discovery {
+        before,
+        is_nothing_left,
+        laws: Vec::new(),
+        instead: Vec::new(),
+        too_few: None,
+        sought: Vec::new(),
+        ranges: Vec::new(),
+    };
     if is_nothing_left {
         return Ok(discovery);
     }
     let variables = Variable::all(data, &solution.predicted);
+    discovery.sought = variables.iter().map(|own| own.name.to_string()).collect();
     let bench = bench(data, &objective, &projected, &variables);
     let laws = progress.stretch("search for laws", || grown(&bench, progress));
     let Some(least) = laws.first().map(|best| best.criterion) else { return Ok(discovery) };
@@ -106,24 +130,62 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
         }
     });
     discovery.laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
-    let least = discovery.laws.first().map_or(0.0, |best| best.criterion);
-    discovery.laws.retain(|law| law.criterion < least + RIVAL);
-    discovery.too_few = discovery.laws.first().and_then(|best| levels::too_few(&bench, &best.found));
-    if let Some(best) = discovery.told().filter(|_| progress.permits("effects of the measurement instead")) {
-        discovery.instead = progress.stretch("effects of the measurement instead", || instead(data, best, progress))?;
+    if progress.permits(INSTEAD) {
+        progress.stretch(INSTEAD, || discovery.weigh_against_noise(data, progress))?;
     }
+    discovery.judge(&bench);
     Ok(discovery)
 }
 
-/// Effects of the measurement that say as much as a law, at its price: what a law of many shapes makes of a few zeros is
-/// no law.
-fn instead(data: &Data, law: &Law, progress: &Progress) -> Result<Vec<Term>, Failure> {
-    let without = under_noise(data, progress)?;
-    let with = Data::of(&law.open, data.clone().into_measurements())
-        .map_err(|e| Failure { message: e.to_string(), help: "discover without it".into() })?;
-    let with = under_noise(&with, progress)?;
-    let is_instead = !without.terms.is_empty() && without.criterion < with.criterion + law.price + CLEARLY;
-    Ok(if is_instead { without.terms } else { Vec::new() })
+impl Discovery {
+    /// Weighs the best law against the effects of the measurement that the rows ask for without it: what a law of many shapes
+    /// makes of a few zeros is no law. Laws on the edge of where the model can be computed are left out.
+    fn weigh_against_noise(&mut self, data: &Data, progress: &Progress) -> Result<(), Failure> {
+        let without = under_noise(data, progress)?;
+        while let Some(law) = self.laws.first().filter(|_| !without.terms.is_empty()) {
+            let with = Data::of(&law.open, data.clone().into_measurements());
+            if let Some(with) = with.ok().and_then(|with| under_noise(&with, progress).ok()) {
+                if without.criterion < with.criterion + law.price + CLEARLY {
+                    self.instead = without.terms;
+                }
+                break;
+            }
+            self.laws.remove(0);
+        }
+        Ok(())
+    }
+
+    /// Keeps the best law and its rivals, and says of them what speaks for and against them.
+    fn judge(&mut self, bench: &Bench) {
+        let Some(best) = self.laws.first() else { return };
+        let (least, misfit, told) = (best.criterion, best.criterion - best.price, best.found.clone());
+        // What fits as well is a rival, at whatever price: further out it may say something else. What has something more
+        // beside the best is none.
+        let is_near = |law: &Law| law.criterion < least + RIVAL || law.criterion - law.price < misfit + RIVAL;
+        let rivals: Vec<Law> =
+            self.laws.drain(1..).filter(|law| is_near(law) && !law.found.is_more_than(&told)).collect();
+        for mut rival in rivals {
+            rival.apart = apart::apart(bench, &told, &rival.found);
+            // Nor what is the same everywhere.
+            if rival.apart.as_ref().is_none_or(|own| own.sigmas > DIFFERENT) {
+                self.laws.push(rival);
+            }
+        }
+        self.ranges = ranges(bench, &told);
+        self.too_few = levels::too_few(bench, &told);
+        if let Some(best) = self.laws.first_mut() {
+            best.left_out = left_out::left_out(bench, &told, &Settings::of(bench, &told));
+        }
+    }
+}
+
+/// Ranges of the variables of a law, words left out.
+fn ranges(bench: &Bench, law: &Found) -> Vec<(String, Kind, [f64; 2])> {
+    let mut all: Vec<usize> = law.terms.iter().flat_map(|term| &term.factors).flat_map(Factor::variables).collect();
+    all.sort_unstable();
+    all.dedup();
+    let own = all.into_iter().map(|v| &bench.variables[v]).filter(|own| own.words == 0);
+    own.map(|own| (own.name.to_string(), own.kind, own.ends().into())).collect()
 }
 
 /// The rows that are searched, where they are too many to search all.
@@ -154,6 +216,7 @@ fn bench<'a, 'm>(
             .map(|own| (own.position, Metric::new(objective, projected, own.position)))
             .collect(),
         residual: &projected.residual,
+        tangent: projected.tangent(),
         freedom: projected.freedom,
         rows: data.len(),
         variables,

@@ -52,6 +52,27 @@ pub struct Found {
     pub price: f64,
 }
 
+impl Found {
+    /// Whether it is another law with further factors or terms.
+    pub fn is_more_than(&self, other: &Self) -> bool {
+        let shapes = |law: &Self| -> Vec<FactorKind> {
+            let family = |own: &Factor| (own.variable, own.other, discriminant(&own.shape.family()));
+            law.terms.iter().flat_map(|term| term.factors.iter().map(family)).collect()
+        };
+        let mut own = shapes(self);
+        let is_more = own.len() > shapes(other).len();
+        is_more
+            && shapes(other).iter().all(|shape| {
+                let place = own.iter().position(|own| own == shape);
+                place.map(|place| own.swap_remove(place)).is_some()
+            })
+    }
+}
+
+fn shape_of(own: &Factor) -> FactorKind {
+    (own.variable, own.other, discriminant(&own.shape))
+}
+
 /// The functions of a shape, each at every level.
 pub type AtLevels = Vec<Vec<f64>>;
 
@@ -61,6 +82,8 @@ pub struct Bench<'a, 'm> {
     pub metrics: Vec<(usize, Metric<'a, 'm>)>,
     /// The residual, in standard uncertainties, beside what the model's own parameters imitate.
     pub residual: &'a DVector<f64>,
+    /// What the model's own parameters imitate: an orthonormal basis.
+    pub tangent: &'a DMatrix<f64>,
     /// Its degrees of freedom.
     pub freedom: f64,
     /// Number of rows.
@@ -374,7 +397,13 @@ impl Bench<'_, '_> {
                 let sums = form.sums(&metric.rows, &own, (&variable.level, variable.levels.len()));
                 let shapes = self.factors[factor.variable].iter().zip(&self.at_levels[factor.variable]);
                 for (other, at_levels) in shapes {
-                    if own.len() * other.shape.functions() > MOST_FUNCTIONS || other.shape == factor.shape {
+                    let is_twice = term.factors.iter().enumerate().any(|(i, own)| {
+                        let is_envelope = own.shape.is_envelope() && other.shape.is_wave()
+                            || own.shape.is_wave() && other.shape.is_envelope();
+                        i != f && own.variable == factor.variable && !is_envelope
+                    });
+                    let is_long = own.len() * other.shape.functions() > MOST_FUNCTIONS;
+                    if is_long || is_twice || other.shape == factor.shape {
                         continue;
                     }
                     let (gain, count) = sums.gain_of_product(at_levels);
@@ -446,9 +475,8 @@ impl Bench<'_, '_> {
 
 /// The shapes of terms, in an order of their own.
 pub fn kind(terms: &[Term]) -> Vec<FactorKind> {
-    let of = |own: &Factor| (own.variable, own.other, discriminant(&own.shape));
     let sorted = |term: &Term| {
-        let mut all: Vec<FactorKind> = term.factors.iter().map(of).collect();
+        let mut all: Vec<FactorKind> = term.factors.iter().map(shape_of).collect();
         all.sort_by_key(|own| (own.0, own.1, format!("{:?}", own.2)));
         all
     };

@@ -120,6 +120,16 @@ impl Shape {
         }
     }
 
+    /// The shape that it is without its constant, or with any exponent.
+    pub fn family(self) -> Self {
+        match self {
+            Self::Relaxation => Self::Decay,
+            Self::Proportional => Self::Line,
+            Self::Power(_) => Self::Exponent,
+            other => other,
+        }
+    }
+
     /// Whether it goes up and down.
     pub fn is_wave(self) -> bool {
         matches!(self, Self::Wave | Self::Arch | Self::Harmonic(_) | Self::Lobe(_))

@@ -58,24 +58,6 @@ impl Answer for FitAnswer<'_> {
     fn json(&self) -> Json {
         let Self(data, fit) = *self;
         let kind = data.kind();
-        let estimate = |e: &Estimate| {
-            let k = e.parameter.kind;
-            let factor = k.canonical().factor;
-            let end = |si: Option<f64>| si.map(|v| k.from_si(v));
-            let prior = match e.parameter.quantity.knowledge {
-                Knowledge::Rough(std) => json!({ "value": k.from_si(e.parameter.quantity.value), "std": std / factor }),
-                Knowledge::Free | Knowledge::Known => Json::Null,
-            };
-            json!({
-                "parameter": &*e.parameter.path,
-                "value": finite(k.from_si(e.value)),
-                "unit": k.unit,
-                "std": finite(e.std / factor),
-                "interval95": [end(e.interval.low), end(e.interval.high)],
-                "prior": prior,
-                "warnings": e.warnings,
-            })
-        };
         let name = |i: usize| &*fit.estimates[i].parameter.path;
         json!({
             "schema": "fem-fit/1",
@@ -104,6 +86,26 @@ impl Answer for FitAnswer<'_> {
     }
 }
 
+/// A parameter with its interval.
+pub(super) fn estimate(e: &Estimate) -> Json {
+    let k = e.parameter.kind;
+    let factor = k.canonical().factor;
+    let end = |si: Option<f64>| si.map(|v| k.from_si(v));
+    let prior = match e.parameter.quantity.knowledge {
+        Knowledge::Rough(std) => json!({ "value": k.from_si(e.parameter.quantity.value), "std": std / factor }),
+        Knowledge::Free | Knowledge::Known => Json::Null,
+    };
+    json!({
+        "parameter": &*e.parameter.path,
+        "value": finite(k.from_si(e.value)),
+        "unit": k.unit,
+        "std": finite(e.std / factor),
+        "interval95": [end(e.interval.low), end(e.interval.high)],
+        "prior": prior,
+        "warnings": e.warnings,
+    })
+}
+
 /// Whether the noise explains the residuals of the fitted model; unknown where the noise is only estimated.
 fn adequate(fit: &Fit) -> Option<bool> {
     fit.p_value.map(|p| p >= SIGNIFICANCE)
@@ -116,7 +118,7 @@ fn cautions<'a>(data: &'a Data, fit: &'a Fit) -> impl Iterator<Item = &'a String
 
 /// The rows of an estimate and its warnings; the size of an effect of the measurement has an interval, and no `+-` in a
 /// file.
-fn rows(e: &Estimate, is_size: bool) -> Vec<Vec<Cell>> {
+pub(super) fn rows(e: &Estimate, is_size: bool) -> Vec<Vec<Cell>> {
     let k = e.parameter.kind;
     let end = |si: Option<f64>| si.map_or("open".into(), |v| format!("{:.5}", Short(k.from_si(v))));
     let (value, std) = (k.from_si(e.value), e.std / k.canonical().factor);

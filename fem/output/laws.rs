@@ -1,55 +1,218 @@
-//! The answer of `fem discover`: the laws that were found.
+//! The answer of `fem discover`: the law that was found, what it says of rows that were left out, laws that fit as well and
+//! the row that would tell them apart, and the command that adds it.
 
 use serde_json::{Value as Json, json};
 
 use super::answer::Answer;
-use super::block::Block;
-use crate::discover::Discovery;
+use super::block::{Block, Column, Table};
+use super::diagnosis::{add, with};
+use super::fit::{Short, estimate, rows};
+use super::measurement::{self, files};
+use crate::diagnose::SIGNIFICANCE;
+use crate::discover::{Apart, Discovery, Law, NAME, TooFew};
 use crate::model::Data;
+use crate::progress::Progress;
+use crate::units::Kind;
+
+/// Most rivals that are shown.
+const MOST_RIVALS: usize = 5;
 
 /// What was found, with the data.
 pub struct LawsAnswer<'a>(pub &'a Data<'a>, pub &'a Discovery);
 
-impl Answer for LawsAnswer<'_> {
-    fn blocks(&self) -> Vec<Block> {
-        let Self(_, found) = *self;
-        let line = |law: &crate::discover::Law| {
-            format!("{}   chi2/dof {:.3}, criterion {:.1}", law.written.formula, law.reduced_chi2, law.criterion)
-        };
-        vec![
-            Block::Sentence(format!("before: chi2/dof {:.3}", found.before)),
-            Block::List(found.laws.iter().map(line).collect()),
-        ]
+impl LawsAnswer<'_> {
+    fn observable(&self, law: &Law) -> String {
+        self.0.model.process.observables()[law.observable].name.to_string()
     }
 
+    /// Why the best law is not told.
+    fn held_back(&self) -> Option<String> {
+        let Self(data, found) = *self;
+        let best = found.laws.first().filter(|_| found.told().is_none())?;
+        if let Some(TooFew { settings, variables, more }) = &found.too_few {
+            let more = match more {
+                Some(more) => format!("{more} more, unlike these, would decide"),
+                None => "many more would be needed".into(),
+            };
+            let of = variables.join(", ");
+            return Some(format!(
+                "{settings} settings of {of} are too few: some law of the search fits whatever they are; {more}"
+            ));
+        }
+        if !found.instead.is_empty() {
+            let of = |term| measurement::words(term, &*data.model.process, Some(data));
+            let terms: Vec<String> = found.instead.iter().map(of).collect();
+            return Some(format!("what the measurement itself may do says as much: {}", terms.join("; ")));
+        }
+        let left_out = best.left_out?;
+        Some(format!(
+            "it does not foresee rows that it was not fitted to: {:.2} standard uncertainties there, {:.2} without it",
+            left_out.after, left_out.before
+        ))
+    }
+}
+
+impl Answer for LawsAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        let Self(data, found) = *self;
+        let name = &data.model.source.name;
+        let mut blocks = vec![Block::Sentence(format!("{name} beside {}: {} rows", data.name, data.len()))];
+        let Some(best) = found.laws.first() else {
+            blocks.push(Block::Sentence(match found.is_nothing_left {
+                true => format!("nothing is left for a law: chi2/dof {:.3}, what noise gives", found.before),
+                false => format!("chi2/dof {:.3} is left, and no law of {} explains it", found.before, sought(found)),
+            }));
+            return blocks;
+        };
+        let held_back = self.held_back();
+        blocks.push(Block::Heading(match held_back {
+            None => "a law explains what the model leaves".into(),
+            Some(_) => "held back: a law that fits, and is not to be believed yet".into(),
+        }));
+        blocks.push(Block::Paragraph(format!("{} + {}", self.observable(best), best.written.formula)));
+        let columns = [Column::wide("constant"), Column::new("value", 24), Column::remark("95 % interval", 0)];
+        blocks.push(Block::Table(Table::new(columns, best.estimates.iter().flat_map(|e| rows(e, false)))));
+        let known: Vec<String> = best.known().map(|(name, value)| format!("{name} = {value}")).collect();
+        if !known.is_empty() {
+            blocks.push(Block::Sentence(format!("chosen, not fitted: {}", known.join(", "))));
+        }
+        blocks.push(Block::Sentence(format!(
+            "chi2/dof falls from {:.3} to {:.3}{}",
+            found.before,
+            best.reduced_chi2,
+            if best.p_value.is_some_and(|p| p < SIGNIFICANCE) { ": more is left than noise gives" } else { "" }
+        )));
+        if let Some(left_out) = best.left_out {
+            blocks.push(Block::Sentence(format!(
+                "rows that it was not fitted to, setting by setting: {:.2} standard uncertainties, {:.2} without it",
+                left_out.after, left_out.before
+            )));
+        }
+        blocks.push(Block::Sentence(format!(
+            "it pays {:.0} of chi2 for its constants and for a search over {}",
+            best.price,
+            sought(found)
+        )));
+        let ranges: Vec<String> = found.ranges.iter().map(range).collect();
+        if !ranges.is_empty() {
+            blocks.push(Block::Sentence(format!("seen for {}; beyond that it is a guess", ranges.join(", "))));
+        }
+        if let Some(why) = &held_back {
+            blocks.push(Block::Caution(why.clone()));
+        }
+        let rivals = &found.laws[1..];
+        if !rivals.is_empty() {
+            blocks.push(Block::Heading("fit as well, and cannot be told from it".into()));
+            let rival = |law: &Law| {
+                let apart = law.apart.as_ref().map_or(String::new(), |own| format!("; {}", told_apart(own, self, law)));
+                format!("{}   chi2/dof {:.3}{apart}", law.written.formula, law.reduced_chi2)
+            };
+            blocks.push(Block::List(rivals.iter().take(MOST_RIVALS).map(rival).collect()));
+            let more = rivals.len().saturating_sub(MOST_RIVALS);
+            blocks.extend((more > 0).then(|| Block::Sentence(format!("and {more} more"))));
+        }
+        if held_back.is_none() {
+            blocks
+                .push(Block::Sentence("a law describes; it becomes a cause when somebody names what makes it".into()));
+            blocks.push(Block::Commands(vec![
+                add(name, NAME, &best.settings).0,
+                format!(
+                    "or with every value re-fitted: fem discover {} {} --add-to better.toml",
+                    super::diagnosis::quoted(name),
+                    with(data)
+                ),
+            ]));
+        }
+        blocks
+    }
+
+    /// `fem discover --json`: `fem-laws/1`.
     fn json(&self) -> Json {
         let Self(data, found) = *self;
-        let laws: Vec<Json> = found
-            .laws
-            .iter()
-            .map(|law| {
-                json!({
-                    "formula": law.written.formula,
-                    "variables": law.variables,
-                    "chi2_per_dof": law.reduced_chi2,
-                    "criterion": law.criterion,
-                })
+        let law = |law: &Law| {
+            json!({
+                "observable": self.observable(law),
+                "formula": law.written.formula,
+                "variables": law.variables,
+                "parameters": law.estimates.iter().map(estimate).collect::<Vec<_>>(),
+                "chosen": law.known().map(|(name, value)| json!({ "parameter": name, "value": value })).collect::<Vec<_>>(),
+                "chi2_per_dof": law.reduced_chi2,
+                "p_value": law.p_value,
+                "price": law.price,
+                "criterion": law.criterion,
+                "left_out": law.left_out.map(|own| json!({ "before": own.before, "after": own.after })),
+                "apart": law.apart.as_ref().map(|own| self.apart(own, law)),
             })
-            .collect();
-        let features: Vec<Json> = found
-            .told()
-            .map(|law| json!({ "coordinate": law.variables.join(" and "), "shape": null, "text": law.written.formula }))
-            .into_iter()
-            .collect();
+        };
+        let told = found.told();
+        let features = told.map(
+            |law| json!({ "coordinate": law.variables.join(" and "), "shape": null, "text": law.written.formula }),
+        );
+        let range = |(name, kind, [low, high]): &(String, Kind, [f64; 2])| json!({ "variable": name, "unit": kind.unit, "from": kind.from_si(*low), "to": kind.from_si(*high) });
         json!({
             "schema": "fem-laws/1",
             "model": &*data.model.source.name,
-            "verdict": if found.is_nothing_left { "adequate" } else if found.told().is_none() { "unexplained" } else { "partly-explained" },
-            "too_few": found.too_few.as_ref().map(|few| json!({ "settings": few.settings, "variables": few.variables, "more": few.more })),
-            "instead": found.instead.iter().map(|term| term.effect.name).collect::<Vec<_>>(),
+            "data": data.name,
+            "files": files(data),
+            "observations": data.len(),
+            "verdict": match (found.is_nothing_left, told) {
+                (true, _) => "adequate",
+                (false, None) => "unexplained",
+                (false, Some(_)) => "partly-explained",
+            },
             "missing": [],
-            "features": features,
-            "laws": laws,
+            "features": features.into_iter().collect::<Vec<_>>(),
+            "chi2_per_dof_before": found.before,
+            "variables_sought": found.sought,
+            "law": told.map(law),
+            "held_back": self.held_back(),
+            "law_held_back": found.laws.first().filter(|_| told.is_none()).map(law),
+            "rivals": found.laws.iter().skip(1).map(law).collect::<Vec<_>>(),
+            "ranges": found.ranges.iter().map(range).collect::<Vec<_>>(),
+            "command": told.map(|law| add(&data.model.source.name, NAME, &law.settings).0),
         })
     }
+
+    fn progress(&self) -> Option<&Progress> {
+        Some(&self.0.progress)
+    }
+}
+
+impl LawsAnswer<'_> {
+    fn apart(&self, own: &Apart, law: &Law) -> Json {
+        let kind = self.0.model.process.observables()[law.observable].error_kind();
+        let at = |(name, kind, value): &(String, Kind, f64)| json!({ "variable": name, "unit": kind.unit, "value": kind.from_si(*value) });
+        json!({
+            "at": own.at.iter().map(at).collect::<Vec<_>>(),
+            "difference": own.difference,
+            "unit": kind.unit,
+            "standard_uncertainties": own.sigmas,
+        })
+    }
+}
+
+/// The variables among which laws were sought.
+fn sought(found: &Discovery) -> String {
+    found.sought.join(", ")
+}
+
+fn range((name, kind, [low, high]): &(String, Kind, [f64; 2])) -> String {
+    let text = format!("{name} {:.4} to {:.4} {}", Short(kind.from_si(*low)), Short(kind.from_si(*high)), kind.unit);
+    text.trim_end().to_string()
+}
+
+/// The row that tells two laws apart, in words.
+fn told_apart(own: &Apart, answer: &LawsAnswer, law: &Law) -> String {
+    let kind = answer.0.model.process.observables()[law.observable].error_kind();
+    let at = |(name, kind, value): &(String, Kind, f64)| {
+        format!("{name} {:.4} {}", Short(kind.from_si(*value)), kind.unit).trim_end().to_string()
+    };
+    let at: Vec<String> = own.at.iter().map(at).collect();
+    format!(
+        "a row at {} tells: {:.3} {} apart ({:.1} standard uncertainties)",
+        at.join(", "),
+        Short(own.difference.abs()),
+        kind.unit,
+        own.sigmas
+    )
 }

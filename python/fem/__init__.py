@@ -8,7 +8,7 @@ from typing import Optional, Union
 
 from fem import _fem
 from fem._errors import ComputationError, DataError, Error, Fault, ModelError, Problem
-from fem._model import Diagnosis, Fit, Model, Parameter, compare, report
+from fem._model import Diagnosis, Fit, Laws, Model, Parameter, compare, report
 from fem._record import Record
 from fem._results import (
     Budget,
@@ -38,6 +38,7 @@ __all__ = [
     "Error",
     "Fault",
     "Fit",
+    "Laws",
     "Model",
     "ModelError",
     "Parameter",

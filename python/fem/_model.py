@@ -228,6 +228,17 @@ class Model:
         _positive(max_effects)
         return Diagnosis(self._core().diagnose(asked(data, columns, decimal), max_effects, time_limit))
 
+    def discover(
+        self,
+        data: Data,
+        *,
+        columns: Columns = (),
+        decimal: Optional[str] = None,
+        time_limit: Optional[float] = None,
+    ) -> Laws:
+        """Seeks a law that is in no catalogue in what the model leaves, over every column of the data."""
+        return Laws(self._core().discover(asked(data, columns, decimal), time_limit))
+
     def plan(
         self,
         design: Optional[Data] = None,
@@ -356,6 +367,30 @@ class Fit(Listing):
         from fem import _plot
 
         return _plot.points(self.rows, "residual", ax)
+
+
+class Laws(Listing):
+    """Laws that are in no catalogue."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        self.model: Optional[Model] = Model._of(answer["model"]) if answer["model"] else None
+        """The model with the law, every value re-fitted; None where no law is told."""
+
+    @property
+    def formula(self) -> Optional[str]:
+        """The law that is told, as a formula."""
+        law = self.document["law"]
+        return law["formula"] if law else None
+
+    def _records(self) -> list[dict[str, Any]]:
+        told = [law for law in (self.document["law"] or self.document["law_held_back"],) if law]
+        keys = ("formula", "chi2_per_dof", "price", "criterion")
+        return [{key: law[key] for key in keys} for law in told + self.document["rivals"]]
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The law and its rivals: what is left of the error, and what each pays for the search."""
+        return super().to_pandas()
 
 
 class Diagnosis(Listing):

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use fem::ask;
 use fem::input::Source;
 use fem::measure::{Decimal, Measurements, Reading};
-use fem::model::{Data, Model};
+use fem::model::Model;
 use fem::process::Process;
 use pyo3::prelude::*;
 
@@ -44,13 +44,13 @@ impl Asked {
         Ok(Measurements::joined(all)?)
     }
 
-    /// Reads them for a model.
+    /// Reads them for a model, whose rows then have the columns that they record beside those of the process.
     ///
     /// # Errors
     /// What is wrong with them, or with the model for them.
-    pub fn of<'m>(&self, model: &'m Model, is_design: bool) -> Result<Data<'m>, ask::Error> {
+    pub fn bound(&self, model: &Model, is_design: bool) -> Result<(Model, Measurements), ask::Error> {
         let measurements = self.read(&*model.process, is_design)?;
-        Data::of(model, measurements).map_err(|e| ask::Error::of_data(e, model))
+        Ok((model.with_recorded(&measurements.recorded)?, measurements))
     }
 
     /// The files among them.

@@ -5,9 +5,11 @@ use std::sync::Arc;
 
 use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, fitted, plan, refuse_mixed, steps};
 use fem::diagnose::diagnose;
+use fem::discover::discover;
 use fem::input::{Parameter, Source};
+use fem::measure::Measurements;
 use fem::model::{self, Data, Entry, Setting, add_effect};
-use fem::output::{ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, PlanAnswer, RunAnswer, text};
+use fem::output::{ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, LawsAnswer, PlanAnswer, RunAnswer, text};
 use fem::progress::Progress;
 use fem::units::Knowledge;
 use pyo3::prelude::*;
@@ -134,12 +136,26 @@ impl Model {
         })
     }
 
+    /// Seeks a law that is in no catalogue.
+    fn discover(&self, py: Python, data: Asked, seconds: Option<f64>) -> PyResult<Answer> {
+        self.of_data(py, within(seconds), data, |data, progress| {
+            let found = discover(data, progress)?;
+            let model = found.told().and_then(|law| law.model.clone()).map(|better| marked(better, "law"));
+            let answer = Answer::of(&LawsAnswer(data, &found), data.model);
+            Ok(Answer { notes: data.notes_of_fit(), model, ..answer })
+        })
+    }
+
     /// What could be seen by measuring, and what would look alike.
     fn plan(&self, py: Python, design: Option<Asked>, noise: Vec<String>, seconds: Option<f64>) -> PyResult<Answer> {
         let model = self.0.clone();
         compute(py, &within(seconds), move |progress| {
             let design = match design {
-                Some(asked) => asked.of(&model, true)?,
+                Some(asked) => Some(asked.bound(&model, true)?),
+                None => None,
+            };
+            let design = match &design {
+                Some((model, rows)) => data_of(model, rows.clone())?,
                 None => Data::programme(&model)?,
             };
             let design = design.watched(progress.clone());
@@ -169,8 +185,16 @@ impl Model {
         work: impl FnOnce(&Data, &Progress) -> Result<Answer, Error> + Send + 'static,
     ) -> PyResult<Answer> {
         let model = self.0.clone();
-        compute(py, &progress, move |progress| work(&asked.of(&model, false)?.watched(progress.clone()), progress))
+        compute(py, &progress, move |progress| {
+            let (model, measurements) = asked.bound(&model, false)?;
+            work(&data_of(&model, measurements)?.watched(progress.clone()), progress)
+        })
     }
+}
+
+/// Measurements with their model.
+fn data_of(model: &model::Model, measurements: Measurements) -> Result<Data<'_>, ask::Error> {
+    Data::of(model, measurements).map_err(|e| ask::Error::of_data(e, model))
 }
 
 /// Holds models of one process against the same measurements.
@@ -181,7 +205,10 @@ pub fn compare(py: Python, models: Vec<PyRef<Model>>, data: Asked) -> PyResult<A
         refuse_mixed(&models)?;
         let Some(first) = models.first() else { return Ok(Answer::default()) };
         let each = |data: &Data, found| (tables_of_comparison(data, &found), found);
-        let (compared, measurements) = compare_all(&models, data.read(&*first.process, false)?, progress, each)?;
+        let measurements = data.read(&*first.process, false)?;
+        let models = with_recorded(&models, &measurements)?;
+        let Some(first) = models.first() else { return Ok(Answer::default()) };
+        let (compared, measurements) = compare_all(&models, measurements, progress, each)?;
         let (tables, comparisons): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
         let answer = ComparisonAnswer {
             process: &*first.process,
@@ -210,6 +237,10 @@ pub fn report(
         let named = models.iter().flat_map(model::Model::paths).chain(data.iter().flat_map(Asked::files));
         let files = named.filter(|path| path.is_file()).collect();
         let measurements = data.as_ref().map(|data| data.read(&*last.process, false)).transpose()?;
+        let models = match &measurements {
+            Some(measurements) => with_recorded(&models, measurements)?,
+            None => models.clone(),
+        };
         let page = Page { models: &models, measurements, files, most_effects, depth: Depth::Diagnosed, live: None };
         let made = page.made(progress)?;
         Ok((made.html, made.notes))
@@ -223,6 +254,11 @@ fn marked(mut model: model::Model, mark: &str) -> Model {
     let name = format!("{}-{mark}{ending}", model.stem().to_string_lossy());
     model.source.name = place.with_file_name(name).to_string_lossy().into();
     Model(Arc::new(model))
+}
+
+/// Models whose rows have the columns that measurements record beside those of the process.
+fn with_recorded(models: &[model::Model], measurements: &Measurements) -> Result<Vec<model::Model>, ask::Error> {
+    models.iter().map(|model| Ok(model.with_recorded(&measurements.recorded)?)).collect()
 }
 
 fn all(models: &[PyRef<Model>]) -> Vec<model::Model> {

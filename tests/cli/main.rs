@@ -11,6 +11,7 @@ mod cam;
 mod compare;
 mod compensate;
 mod contour;
+mod discover;
 mod events;
 mod faults;
 mod fem;

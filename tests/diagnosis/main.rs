@@ -11,6 +11,7 @@ mod advised;
 mod calibration;
 mod events;
 mod instrument;
+mod laws;
 mod left_wrong;
 mod machine;
 mod recurring;

@@ -29,6 +29,7 @@ const LAYERS: &[&str] = &[
     "fit",
     "compensate",
     "diagnose",
+    "discover",
     "budget",
     "study",
     "validation",

@@ -18,6 +18,12 @@ pub fn next_rows(data: &Data, d: &Diagnosis) -> Option<String> {
     is_one.then(|| diagnosed(data, "--next rows.csv"))
 }
 
+/// The command that seeks a law in what is left, where something is; of several tests there is none.
+pub fn discover(data: &Data, d: &Diagnosis) -> Option<String> {
+    let is_one = data.model.campaign().is_none() && d.leaves_structure();
+    is_one.then(|| format!("fem discover {} {}", quoted(&data.model.source.name), with(data)))
+}
+
 /// The command that diagnoses the model again, and writes something.
 fn diagnosed(data: &Data, written: &str) -> String {
     format!("fem diagnose {} {} {written}", quoted(&data.model.source.name), with(data))

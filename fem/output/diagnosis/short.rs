@@ -3,7 +3,7 @@
 use super::absent::{Absent, limit_of_effect};
 use super::additions::name;
 use super::campaign;
-use super::commands::{command, next_rows};
+use super::commands::{command, discover, next_rows};
 use super::kinds::{Kinds, Open};
 use super::text::{NO_ROWS_ADVISED, experiment, head, told_by, told_otherwise, unexplained};
 use super::verdict::verdict;
@@ -41,7 +41,8 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
         Some(_) if !d.missing.is_empty() => "all of it, and the commands that complete each model: --verbose",
         _ => "all of it: --verbose",
     };
-    blocks.push(Block::Commands(command(data, d).into_iter().chain(next_rows(data, d)).chain([rest.into()]).collect()));
+    let commands = [discover(data, d), command(data, d), next_rows(data, d), Some(rest.into())];
+    blocks.push(Block::Commands(commands.into_iter().flatten().collect()));
     blocks
 }
 

@@ -1,7 +1,7 @@
 //! All of a diagnosis for people: the story from the failing model to the noise.
 
 use super::additions::name;
-use super::commands::commands;
+use super::commands::{commands, discover};
 use super::verdict::verdict;
 use super::words::{as_written, bent, chance, label, largest_change, percent, traits, value_before};
 use super::{absent, campaign};
@@ -272,8 +272,9 @@ fn own_effect(data: &Data, d: &Diagnosis) -> Option<Block> {
     let (name, along) = remaining.chain(data.given.iter().copied()).find_map(kind)?;
     let unit = data.observables[0].kind.unit;
     Some(Block::Lines(format!(
-        "  if you know the cause, write it into the model and diagnose again:\n    [effects.my-cause]\n    formula = \
+        "  {}if you know the cause, write it into the model and diagnose again:\n    [effects.my-cause]\n    formula = \
          \"a*sin(2*pi*{name}/p)\"   # over coordinates and these parameters\n    a = \"? {unit}\"\n    p = \"? {}\"\n",
+        discover(data, d).map_or(String::new(), |command| format!("a law over all columns is sought by {command}\n  ")),
         along.unit
     )))
 }

@@ -1,0 +1,99 @@
+//! Where two laws that say the same of the rows say most unlike things: the row that would tell them apart.
+
+use super::search::{Bench, Found, amplitudes};
+use super::variable::{Factor, Variable, product};
+use crate::units::{Kind, NUMBER};
+
+/// Values that are tried of each variable, and how far beyond its range, in parts of it.
+const VALUES: usize = 9;
+const BEYOND: f64 = 0.25;
+/// Most variables of which every combination is tried.
+const MOST: usize = 4;
+
+/// The row that tells two laws apart best.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Apart {
+    /// Variables with their values, SI.
+    pub at: Vec<(String, Kind, f64)>,
+    /// Difference of the laws there, in the unit of the error of the observable.
+    pub difference: f64,
+    /// The same in standard uncertainties of a row.
+    pub sigmas: f64,
+}
+
+/// The row within a quarter of the range of every variable at which two laws are most apart; `None` where they are made of
+/// what cannot be set.
+pub fn apart(bench: &Bench, one: &Found, other: &Found) -> Option<Apart> {
+    let (first, second) = (one.terms.first()?, other.terms.first()?);
+    let factors = one.terms.iter().chain(&other.terms).flat_map(|term| &term.factors);
+    let mut variables: Vec<usize> = factors.flat_map(Factor::variables).collect();
+    variables.sort_unstable();
+    variables.dedup();
+    if first.observable != second.observable
+        || variables.len() > MOST
+        || variables.iter().any(|v| bench.variables[*v].is_prediction)
+    {
+        return None;
+    }
+    let values: Vec<Vec<f64>> = variables.iter().map(|v| tried(&bench.variables[*v])).collect();
+    let count: usize = values.iter().map(Vec::len).product();
+    let at = |number: usize| -> Vec<f64> {
+        let mut rest = number;
+        let one = |own: &Vec<f64>| {
+            let value = own[rest % own.len()];
+            rest /= own.len();
+            value
+        };
+        values.iter().map(one).collect()
+    };
+    // The variables at every point that is tried, as if they were rows.
+    let points: Vec<Variable> = bench
+        .variables
+        .iter()
+        .enumerate()
+        .map(|(v, own)| {
+            let place = variables.iter().position(|own| *own == v);
+            let value = |number| place.map_or(f64::NAN, |i| at(number)[i]);
+            Variable { values: (0..count).map(value).collect(), ..own.clone() }
+        })
+        .collect();
+    let of = |law: &Found| -> Option<Vec<f64>> {
+        let sizes = amplitudes(&bench.seen(&law.terms), bench.residual)?;
+        let columns = law.terms.iter().flat_map(|term| {
+            let factors: Vec<Vec<Vec<f64>>> = term.factors.iter().map(|own| own.columns(&points)).collect();
+            product(&factors)
+        });
+        let mut sum = vec![0.0; count];
+        for (size, column) in sizes.iter().zip(columns) {
+            sum.iter_mut().zip(column).for_each(|(sum, value)| *sum += size * value);
+        }
+        Some(sum)
+    };
+    let (own, rival) = (of(one)?, of(other)?);
+    let difference = |i: usize| own[i] - rival[i];
+    let best = (0..count)
+        .filter(|i| difference(*i).is_finite())
+        .max_by(|a, b| difference(*a).abs().total_cmp(&difference(*b).abs()))?;
+    let named = variables.iter().zip(at(best)).map(|(v, value)| {
+        let own = &bench.variables[*v];
+        (own.name.to_string(), own.kind, value)
+    });
+    let sigmas = difference(best).abs() * bench.metric(first.observable)?.weight();
+    Some(Apart { at: named.collect(), difference: difference(best), sigmas })
+}
+
+/// Values that are tried of a variable.
+fn tried(own: &Variable) -> Vec<f64> {
+    let (low, high) = own.ends();
+    if own.words > 0 || own.levels.len() < 3 {
+        return own.levels.clone();
+    }
+    let beyond = BEYOND * (high - low);
+    let least = if low >= 0.0 { (low - beyond).max(0.0).max(0.5 * low) } else { low - beyond };
+    let all = (0..VALUES).map(|k| least + (high + beyond - least) * k as f64 / (VALUES - 1) as f64);
+    // Parts and runs are counted.
+    let is_counted = own.kind == NUMBER && own.levels.iter().all(|level| level.fract() == 0.0);
+    let mut all: Vec<f64> = all.map(|value| if is_counted { value.round().max(1.0) } else { value }).collect();
+    all.dedup();
+    all
+}
