@@ -4,13 +4,15 @@ use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::print;
+use crate::ask::read;
+use crate::measure::Measurements;
 use crate::model::{Model, add_effect};
 use crate::output::files::{self, Guard};
 use crate::units::Knowledge;
 
 pub fn add(args: &args::Add) -> Result<(), Error> {
-    let model = Model::load(&args.model)?;
-    let reads = [args.model.clone()];
+    let model = model(args)?;
+    let reads: Vec<_> = std::iter::once(&args.model).chain(&args.with).cloned().collect();
     let guard = Guard { reads: &reads, force: args.force };
     guard.check(&args.output)?;
     let written = add_effect(&model, &args.effect, &args.settings)?;
@@ -29,4 +31,15 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
         say!("note: unknown (`?`) in {name}: {}; what compares or fits the model estimates it", sizes.join(", "));
     }
     print(&format!("written {name}: {} with {}\n", args.model.display(), args.effect))
+}
+
+/// The model, whose formulas may name what the measurements record beside the columns of the process.
+fn model(args: &args::Add) -> Result<Model, Error> {
+    if args.with.is_empty() {
+        return Ok(Model::load(&args.model)?);
+    }
+    let said = args.reading.said()?;
+    let (model, _) =
+        read(&args.model, |process| Measurements::load_all(&args.with, process, &said, false).map_err(Error::from))?;
+    Ok(model)
 }

@@ -382,6 +382,11 @@ pub struct Add {
     /// Parameters, each with its unit
     #[arg(value_name = "KEY=VALUE")]
     pub settings: Vec<Setting>,
+    /// Measurements with columns beside those of the process that a formula names; once for each of several files
+    #[arg(long, value_name = "DATA.csv")]
+    pub with: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: Reading,
     /// The file to write
     #[arg(short, long, value_name = "NEW.toml")]
     pub output: PathBuf,

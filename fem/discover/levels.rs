@@ -57,7 +57,7 @@ pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
             };
             let all: Vec<Vec<f64>> = (0..settings).map(one).collect();
             columns.extend(bench.metric(term.observable)?.seen(&all));
-            alike.extend(bench.metric(term.observable)?.seen(&[own.clone()]));
+            alike.extend(bench.metric(term.observable)?.seen(std::slice::from_ref(&own)));
         }
     }
     let seen = bench.seen(&law.terms);

@@ -25,6 +25,14 @@ impl LawsAnswer<'_> {
         self.0.model.process.observables()[law.observable].name.to_string()
     }
 
+    /// The command that adds a law; where it names columns that the process does not know, the measurements tell these.
+    fn command(&self, law: &Law) -> String {
+        let data = self.0;
+        let line = add(&data.model.source.name, NAME, &law.settings).0;
+        let is_recorded = data.recorded.iter().any(|own| law.variables.contains(&own.name.to_string()));
+        if is_recorded { format!("{line} {}", with(data)) } else { line }
+    }
+
     /// Why the best law is not told.
     fn held_back(&self) -> Option<String> {
         let Self(data, found) = *self;
@@ -115,7 +123,7 @@ impl Answer for LawsAnswer<'_> {
             blocks
                 .push(Block::Sentence("a law describes; it becomes a cause when somebody names what makes it".into()));
             blocks.push(Block::Commands(vec![
-                add(name, NAME, &best.settings).0,
+                self.command(best),
                 format!(
                     "or with every value re-fitted: fem discover {} {} --add-to better.toml",
                     super::diagnosis::quoted(name),
@@ -169,7 +177,7 @@ impl Answer for LawsAnswer<'_> {
             "law_held_back": found.laws.first().filter(|_| told.is_none()).map(law),
             "rivals": found.laws.iter().skip(1).map(law).collect::<Vec<_>>(),
             "ranges": found.ranges.iter().map(range).collect::<Vec<_>>(),
-            "command": told.map(|law| add(&data.model.source.name, NAME, &law.settings).0),
+            "command": told.map(|law| self.command(law)),
         })
     }
 

@@ -65,7 +65,7 @@ fn tables_in_python<'py>(tables: Cow<'_, Vec<Tables>>, py: Python<'py>) -> PyRes
                     column.name.to_string(),
                     column.unit.map(String::from),
                     PyArray1::from_vec(py, column.values),
-                    column.words.to_vec(),
+                    column.words.iter().map(String::from).collect::<Vec<_>>(),
                 )
             });
             named.set_item(name, columns.collect::<Vec<_>>())?;

@@ -9,7 +9,9 @@ use fem::discover::discover;
 use fem::input::{Parameter, Source};
 use fem::measure::Measurements;
 use fem::model::{self, Data, Entry, Setting, add_effect};
-use fem::output::{ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, LawsAnswer, PlanAnswer, RunAnswer, text};
+use fem::output::{
+    ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, LawsAnswer, PlanAnswer, RunAnswer, text,
+};
 use fem::progress::Progress;
 use fem::units::Knowledge;
 use pyo3::prelude::*;

@@ -154,7 +154,8 @@ fn what_a_column_lacks_is_said() {
         let row = |k: usize| format!("1,+,{},{},0.5,{}\n", 20 * k, [0.1, -0.2, 0.3][k % 3], extra(k));
         format!("{head}{unit}\n") + &(0..24).map(row).collect::<String>()
     };
-    let cases: [(&dyn Fn(usize) -> String, &str, &str); 6] = [
+    type Written<'c> = (&'c dyn Fn(usize) -> String, &'c str, &'c str);
+    let cases: [Written; 6] = [
         (&|k| if k == 4 { "abc".into() } else { format!("{}", k * k) }, "", "`abc` in line 6 is no number"),
         (&|k| if k == 4 { String::new() } else { format!("{}", k * k) }, "", "1 of its 24 cells are empty"),
         (&|k| format!("{}", k + 1), "", "it numbers the rows"),

@@ -75,7 +75,7 @@ fn said(case: &HiddenLaw, label: &str) -> Said {
         rivals: found.laws.len() > 1,
         seconds,
     };
-    if std::env::var_os("FEM_MISSES").is_some() && (law.is_some() != !case.law.is_empty() || !said.far || !said.fresh) {
+    if std::env::var_os("FEM_MISSES").is_some() && (law.is_some() == case.law.is_empty() || !said.far || !said.fresh) {
         let formula = found.laws.first().map_or("none", |law| law.written.formula.as_str());
         let held = if law.is_some() { "told" } else { "held back" };
         println!("{label}: {} | {held}: {formula} | fresh {fresh:.2} far {far:.2} {seconds:.1} s", case.law);
