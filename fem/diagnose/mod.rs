@@ -49,13 +49,14 @@ mod verdict;
 pub use bent_law::{Along, Bend};
 pub use detection_limit::DetectionLimit;
 pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
+pub use failure::unsolvable;
 pub use largest_change::LargestChange;
 pub use next::Next;
 pub use plan::{Alike, Plan, plan};
 pub use posterior::{Believed, CERTAIN, Group, Posterior, RULED_OUT, speaks};
 pub use residual_projection::ProjectedResidual;
 pub use search::SIGNIFICANCE;
-pub use under_noise::{UnderNoise, under_noise};
+pub use under_noise::{UnderNoise, under_noise, under_stated_noise};
 pub use verdict::{GoodnessOfFit, Verdict};
 
 use std::cell::RefCell;
@@ -66,7 +67,6 @@ use crate::noise::Noise;
 use crate::process::{Description, Failure};
 use crate::progress::Progress;
 use explore::Exploration;
-use failure::unsolvable;
 use hypothesis::Hypothesis;
 use on_trial::values_on_trial;
 use posterior::Visit;
@@ -92,7 +92,12 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
 
 /// The rows that a diagnosis uses, where there are too many of them to use all.
 pub fn thinned<'m>(data: &Data<'m>) -> Option<Data<'m>> {
-    let every = data.len().div_ceil(MOST_ROWS);
+    thinned_to(data, MOST_ROWS)
+}
+
+/// So many rows at most, repeats kept together, where there are more.
+pub fn thinned_to<'m>(data: &Data<'m>, most: usize) -> Option<Data<'m>> {
+    let every = data.len().div_ceil(most);
     (every > 1).then(|| {
         let keep = data.one_in(every, data.repeats());
         data.some(|row| keep[row])

@@ -4,7 +4,7 @@
 use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::instrument::{self, Proposal};
-use crate::fit::{self, Objective, StoppingCriterion};
+use crate::fit::{self, Objective, Solution, StoppingCriterion};
 use crate::model::Data;
 use crate::noise::{Noise, PROMISING, Term};
 use crate::process::Failure;
@@ -21,6 +21,21 @@ pub struct UnderNoise {
     pub terms: Vec<Term>,
 }
 
+/// Fits a model under the noise that it states, its sizes estimated beside what is fitted.
+///
+/// # Errors
+/// The model cannot be computed.
+pub fn under_stated_noise<'m>(data: &'m Data<'m>) -> Result<(Objective<'m>, Solution), Failure> {
+    let mut objective = Objective::new(data)?;
+    let solution = fit::best(&mut objective)?;
+    let residuals = data.residuals(&solution.predicted);
+    let mean = objective.mean(&solution).ok_or_else(unsolvable)?;
+    objective.noise = Noise::stated(&data.terms, data, data.repeats(), &residuals, &mean).0;
+    let full = StoppingCriterion::FULL;
+    let solution = fit::minimise(&mut objective, &solution.position, &[], full).ok_or_else(unsolvable)?;
+    Ok((objective, solution))
+}
+
 /// Fits a model, and adds terms to its noise, the most promising first, as long as the likelihood rises by more than their
 /// price. Those that only describe are left out.
 ///
@@ -28,13 +43,7 @@ pub struct UnderNoise {
 /// The model cannot be computed.
 pub fn under_noise(data: &Data, progress: &Progress) -> Result<UnderNoise, Failure> {
     let repeats = data.repeats();
-    let mut objective = Objective::new(data)?;
-    let solution = fit::best(&mut objective)?;
-    let residuals = data.residuals(&solution.predicted);
-    let mean = objective.mean(&solution).ok_or_else(unsolvable)?;
-    objective.noise = Noise::stated(&data.terms, data, repeats, &residuals, &mean).0;
-    let full = StoppingCriterion::FULL;
-    let solution = fit::minimise(&mut objective, &solution.position, &[], full).ok_or_else(unsolvable)?;
+    let (objective, solution) = under_stated_noise(data)?;
     let mut trial = CandidateModel { members: Vec::new(), objective, solution };
     let price = |trial: &CandidateModel| instrument::minus_two_log(trial) + trial.objective.noise.price();
     for _ in 0..MOST_TERMS {

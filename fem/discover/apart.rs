@@ -1,7 +1,7 @@
 //! Where two laws that say the same of the rows say most unlike things: the row that would tell them apart.
 
 use super::search::{Bench, Found, amplitudes};
-use super::variable::{Factor, Variable, product};
+use super::variable::{Variable, product};
 use crate::units::{Kind, NUMBER};
 
 /// Values that are tried of each variable, and how far beyond its range, in parts of it.
@@ -25,8 +25,7 @@ pub struct Apart {
 /// what cannot be set.
 pub fn apart(bench: &Bench, one: &Found, other: &Found) -> Option<Apart> {
     let (first, second) = (one.terms.first()?, other.terms.first()?);
-    let factors = one.terms.iter().chain(&other.terms).flat_map(|term| &term.factors);
-    let mut variables: Vec<usize> = factors.flat_map(Factor::variables).collect();
+    let mut variables = [one.variables(), other.variables()].concat();
     variables.sort_unstable();
     variables.dedup();
     if first.observable != second.observable

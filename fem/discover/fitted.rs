@@ -23,18 +23,12 @@ pub struct Law {
     pub criterion: f64,
     /// What it was made of.
     pub found: Found,
-    /// The part of it that is the price.
-    pub price: f64,
     /// The model with it, its values open.
     pub open: Model,
     /// The model with it, fitted.
     pub model: Option<Model>,
     /// Its parameters.
     pub estimates: Vec<Estimate>,
-    /// Prediction of the rows with it, SI.
-    pub predicted: Vec<f64>,
-    /// Root mean square of what is left, SI.
-    pub rms: f64,
     /// χ² over the degrees of freedom with it.
     pub reduced_chi2: f64,
     /// Probability of chance of as much.
@@ -56,16 +50,16 @@ impl Law {
 
 /// Writes a law into the model, and fits it to all rows.
 pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
-    let factors = || found.terms.iter().flat_map(|term| &term.factors);
-    let kind = data.model.process.observables()[found.terms.first()?.observable].error_kind();
+    let observable = found.terms.first()?.observable;
+    let kind = data.model.process.observables()[observable].error_kind();
     let mut sizes = amplitudes(&bench.seen(&found.terms), bench.residual)?.into_iter();
     let mut terms = Vec::new();
     for term in &found.terms {
         let count = term.factors.iter().map(|factor| factor.shape.functions()).product();
         terms.push((term, sizes.by_ref().take(count).collect()));
     }
-    let named = factors().flat_map(|own| [Some(own.variable), own.other]).flatten();
-    let mut variables: Vec<String> = named.map(|own| bench.variables[own].name.to_string()).collect();
+    let mut variables: Vec<String> =
+        found.variables().into_iter().map(|own| bench.variables[own].name.to_string()).collect();
     variables.sort();
     variables.dedup();
     let written = law::written(&terms, bench.variables, kind);
@@ -77,19 +71,15 @@ pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
     let own = Data::of(&model, data.clone().into_measurements()).ok()?;
     let fit = fit::fit(&own).ok()?;
     let chi2 = bench.misfit(fit.reduced_chi2 * bench.freedom);
-    let price = found.price;
     Some(Law {
-        observable: found.terms.first()?.observable,
+        observable,
         written,
         variables,
-        criterion: chi2 + price,
+        criterion: chi2 + found.price,
         found: found.clone(),
-        price,
         model: completed(&own, &fit),
         open: model.clone(),
         estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(OWN)).cloned().collect(),
-        predicted: fit.predicted.clone(),
-        rms: fit.rms,
         reduced_chi2: fit.reduced_chi2,
         p_value: fit.p_value,
         left_out: None,
@@ -121,7 +111,7 @@ fn fitted_settings(settings: &[Setting], fit: &Fit) -> Vec<Setting> {
         let kind = e.parameter.kind;
         let value = match e.is_closed() {
             true => fit::uncertain(kind.from_si(e.value), fit.birge_ratio() * e.std / kind.canonical().factor),
-            false => fit::five_digits(kind.from_si(e.value)).to_string(),
+            false => fit::five_digits(kind.from_si(e.value)),
         };
         Setting { key: own.key.clone(), value: Entry::Text(format!("{value} {}", kind.unit).trim_end().into()) }
     };

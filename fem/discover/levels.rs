@@ -37,9 +37,9 @@ pub struct Settings {
 
 /// Why a law cannot be told from chance, where the settings of its variables are too few: what it explains between settings
 /// is held against what settings with amplitudes of their own would explain more (F test), for as many laws as were tried.
-pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
+pub fn too_few(bench: &Bench, law: &Found, settings: &Settings) -> Option<TooFew> {
     let rows = bench.rows;
-    let Settings { level, count: settings, set } = Settings::of(bench, law);
+    let Settings { level, count, set } = settings;
     let name = |v: &usize| bench.variables[*v].name.to_string();
     if set.iter().all(|v| bench.variables[*v].words > 0) {
         return None;
@@ -53,9 +53,9 @@ pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
         let within = if factors.is_empty() { vec![vec![1.0; rows]] } else { product(&factors) };
         for own in within {
             let one = |setting: usize| -> Vec<f64> {
-                own.iter().zip(&level).map(|(value, at)| if *at == setting { *value } else { 0.0 }).collect()
+                own.iter().zip(level).map(|(value, at)| if *at == setting { *value } else { 0.0 }).collect()
             };
-            let all: Vec<Vec<f64>> = (0..settings).map(one).collect();
+            let all: Vec<Vec<f64>> = (0..*count).map(one).collect();
             columns.extend(bench.metric(term.observable)?.seen(&all));
             alike.extend(bench.metric(term.observable)?.seen(std::slice::from_ref(&own)));
         }
@@ -64,9 +64,9 @@ pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
     let of_law = basis(seen.clone());
     let together = basis(seen.into_iter().chain(columns).collect());
     let further = &together[of_law.len().min(together.len())..];
-    let extra: f64 = further.iter().map(|own| own.dot(bench.residual).powi(2)).sum();
+    let extra = bench.explained(further);
     let alike = basis(alike);
-    let of_alike: f64 = alike.iter().map(|own| own.dot(bench.residual).powi(2)).sum();
+    let of_alike = bench.explained(&alike);
     let is_set = |own: &&Factor| own.variables().any(|v| set.contains(&v));
     let of_settings: Vec<&Factor> = law.terms.iter().flat_map(|term| &term.factors).filter(is_set).collect();
     // Constants take directions as amplitudes do.
@@ -90,17 +90,15 @@ pub fn too_few(bench: &Bench, law: &Found) -> Option<TooFew> {
         let freedom = freedom + *more as f64;
         chance(freedom, level * freedom) < CHANCE
     });
-    Some(TooFew { settings, variables: set.iter().map(name).collect(), more })
+    Some(TooFew { settings: *count, variables: set.iter().map(name).collect(), more })
 }
 
 impl Settings {
     /// The settings of the variables of a law, those that vary from row to row left out.
     pub fn of(bench: &Bench, law: &Found) -> Self {
         let rows = bench.rows;
-        let mut variables: Vec<usize> =
-            law.terms.iter().flat_map(|term| &term.factors).flat_map(Factor::variables).collect();
+        let mut variables = law.variables();
         variables.sort_by_key(|v| bench.variables[*v].levels.len());
-        variables.dedup();
         let (mut level, mut settings, mut set) = (vec![0; rows], 1, Vec::new());
         for v in variables {
             let (finer, count) = crossed(&level, &bench.variables[v]);

@@ -18,10 +18,10 @@ pub use law::Written;
 pub use left_out::LeftOut;
 pub use levels::TooFew;
 
-use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, under_noise};
-use crate::fit::{self, Objective, StoppingCriterion};
+use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, thinned_to, under_noise, under_stated_noise, unsolvable};
+use crate::fit::Objective;
 use crate::model::Data;
-use crate::noise::{Noise, Term, beyond_chi2};
+use crate::noise::{Term, beyond_chi2};
 use crate::process::Failure;
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -86,20 +86,9 @@ pub fn discover(data: &Data, progress: &Progress) -> Result<Discovery, Failure> 
 }
 
 fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure> {
-    let some = thinned(whole);
+    let some = thinned_to(whole, MOST_ROWS);
     let data = some.as_ref().unwrap_or(whole);
-    let unsolvable = || Failure {
-        message: "the model cannot be computed beside its best values".into(),
-        help: "run it first: fem run".into(),
-    };
-    let repeats = data.repeats();
-    let mut objective = Objective::new(data)?;
-    let mut solution = fit::best(&mut objective)?;
-    let residuals = data.residuals(&solution.predicted);
-    let mean = objective.mean(&solution).ok_or_else(unsolvable)?;
-    objective.noise = Noise::stated(&data.terms, data, repeats, &residuals, &mean).0;
-    let full = StoppingCriterion::FULL;
-    solution = fit::minimise(&mut objective, &solution.position, &[], full).ok_or_else(unsolvable)?;
+    let (mut objective, solution) = under_stated_noise(data)?;
     let projected = ProjectedResidual::new(&mut objective, &solution).ok_or_else(unsolvable)?;
     let (chi2, freedom) = (projected.residual.norm_squared(), projected.freedom);
     let before = chi2 / freedom;
@@ -130,7 +119,7 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
         }
     });
     discovery.laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
-    if progress.permits(INSTEAD) {
+    if !discovery.laws.is_empty() && progress.permits(INSTEAD) {
         progress.stretch(INSTEAD, || discovery.weigh_against_noise(data, progress))?;
     }
     discovery.judge(&bench);
@@ -145,7 +134,7 @@ impl Discovery {
         while let Some(law) = self.laws.first().filter(|_| !without.terms.is_empty()) {
             let with = Data::of(&law.open, data.clone().into_measurements());
             if let Some(with) = with.ok().and_then(|with| under_noise(&with, progress).ok()) {
-                if without.criterion < with.criterion + law.price + CLEARLY {
+                if without.criterion < with.criterion + law.found.price + CLEARLY {
                     self.instead = without.terms;
                 }
                 break;
@@ -158,10 +147,10 @@ impl Discovery {
     /// Keeps the best law and its rivals, and says of them what speaks for and against them.
     fn judge(&mut self, bench: &Bench) {
         let Some(best) = self.laws.first() else { return };
-        let (least, misfit, told) = (best.criterion, best.criterion - best.price, best.found.clone());
+        let (least, misfit, told) = (best.criterion, best.criterion - best.found.price, best.found.clone());
         // What fits as well is a rival, at whatever price: further out it may say something else. What has something more
         // beside the best is none.
-        let is_near = |law: &Law| law.criterion < least + RIVAL || law.criterion - law.price < misfit + RIVAL;
+        let is_near = |law: &Law| law.criterion < least + RIVAL || law.criterion - law.found.price < misfit + RIVAL;
         let rivals: Vec<Law> =
             self.laws.drain(1..).filter(|law| is_near(law) && !law.found.is_more_than(&told)).collect();
         for mut rival in rivals {
@@ -172,29 +161,18 @@ impl Discovery {
             }
         }
         self.ranges = ranges(bench, &told);
-        self.too_few = levels::too_few(bench, &told);
+        let settings = Settings::of(bench, &told);
+        self.too_few = levels::too_few(bench, &told, &settings);
         if let Some(best) = self.laws.first_mut() {
-            best.left_out = left_out::left_out(bench, &told, &Settings::of(bench, &told));
+            best.left_out = left_out::left_out(bench, &told, &settings);
         }
     }
 }
 
 /// Ranges of the variables of a law, words left out.
 fn ranges(bench: &Bench, law: &Found) -> Vec<(String, Kind, [f64; 2])> {
-    let mut all: Vec<usize> = law.terms.iter().flat_map(|term| &term.factors).flat_map(Factor::variables).collect();
-    all.sort_unstable();
-    all.dedup();
-    let own = all.into_iter().map(|v| &bench.variables[v]).filter(|own| own.words == 0);
+    let own = law.variables().into_iter().map(|v| &bench.variables[v]).filter(|own| own.words == 0);
     own.map(|own| (own.name.to_string(), own.kind, own.ends().into())).collect()
-}
-
-/// The rows that are searched, where they are too many to search all.
-fn thinned<'m>(data: &Data<'m>) -> Option<Data<'m>> {
-    let every = data.len().div_ceil(MOST_ROWS);
-    (every > 1).then(|| {
-        let keep = data.one_in(every, data.repeats());
-        data.some(|row| keep[row])
-    })
 }
 
 fn bench<'a, 'm>(
@@ -229,9 +207,8 @@ fn bench<'a, 'm>(
 
 /// Laws of one term and more, each grown from the best with a term less, the best first.
 fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
-    let none = bench.judged(Vec::new());
     let mut all: Vec<Found> = Vec::new();
-    let mut open = vec![none.clone()];
+    let mut open = vec![bench.judged(Vec::new())];
     while !open.is_empty() {
         let mut next: Vec<Found> = Vec::new();
         for law in open {

@@ -53,6 +53,15 @@ pub struct Found {
 }
 
 impl Found {
+    /// Numbers of its variables, each once, rising.
+    pub fn variables(&self) -> Vec<usize> {
+        let factors = self.terms.iter().flat_map(|term| &term.factors);
+        let mut all: Vec<usize> = factors.flat_map(Factor::variables).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
     /// Whether it is another law with further factors or terms.
     pub fn is_more_than(&self, other: &Self) -> bool {
         let shapes = |law: &Self| -> Vec<FactorKind> {
@@ -134,6 +143,11 @@ impl Bench<'_, '_> {
         terms.iter().flat_map(one).collect()
     }
 
+    /// What orthonormal directions explain of the residual, χ².
+    pub fn explained(&self, basis: &[DVector<f64>]) -> f64 {
+        basis.iter().map(|own| own.dot(self.residual).powi(2)).sum()
+    }
+
     /// Terms with what they explain together.
     pub fn judged(&self, terms: Vec<Term>) -> Found {
         let columns = self.seen(&terms);
@@ -141,7 +155,7 @@ impl Bench<'_, '_> {
             false => (0.0, 1),
             true => {
                 let basis = basis(columns);
-                (basis.iter().map(|own| own.dot(self.residual).powi(2)).sum(), basis.len().max(1))
+                (self.explained(&basis), basis.len().max(1))
             }
         };
         self.priced(terms, (gain, amplitudes))
@@ -183,18 +197,24 @@ impl Bench<'_, '_> {
         let mut all: Vec<Found> = Vec::new();
         for (observable, metric) in &self.metrics {
             let form = metric.beside(&beside);
-            let pools = self.pools(law, *observable, metric, &form, progress);
+            let pools = self.pools((law, beside.len()), *observable, metric, &form, progress);
             all.extend(pools.into_par_iter().map(|own| self.polished(own)).collect::<Vec<_>>());
         }
         all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         self.best_of_kinds(all, usize::MAX, 1)
     }
 
-    /// Candidates of every pool, unrefined.
-    fn pools(&self, law: &Found, observable: usize, metric: &Metric, form: &Form, progress: &Progress) -> Vec<Found> {
+    /// Candidates of every pool beside a law with so many amplitudes, unrefined.
+    fn pools(
+        &self,
+        (law, amplitudes): (&Found, usize),
+        observable: usize,
+        metric: &Metric,
+        form: &Form,
+        progress: &Progress,
+    ) -> Vec<Found> {
         let rows = &metric.rows;
         let usable: Vec<usize> = (0..self.variables.len()).filter(|v| self.variables[*v].is_of(rows)).collect();
-        let amplitudes = basis(self.seen(&law.terms)).len();
         let whole = self.residual.norm_squared() - form.chi2;
         // What terms with these factors explain beside the law.
         let further = |factors: Vec<Vec<Factor>>, (gain, count): (f64, usize)| {

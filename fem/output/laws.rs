@@ -98,7 +98,7 @@ impl Answer for LawsAnswer<'_> {
         }
         blocks.push(Block::Sentence(format!(
             "it pays {:.0} of chi2 for its constants and for a search over {}",
-            best.price,
+            best.found.price,
             sought(found)
         )));
         let ranges: Vec<String> = found.ranges.iter().map(range).collect();
@@ -146,7 +146,7 @@ impl Answer for LawsAnswer<'_> {
                 "chosen": law.known().map(|(name, value)| json!({ "parameter": name, "value": value })).collect::<Vec<_>>(),
                 "chi2_per_dof": law.reduced_chi2,
                 "p_value": law.p_value,
-                "price": law.price,
+                "price": law.found.price,
                 "criterion": law.criterion,
                 "left_out": law.left_out.map(|own| json!({ "before": own.before, "after": own.after })),
                 "apart": law.apart.as_ref().map(|own| self.apart(own, law)),

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use generator::{AXIS, Beside, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING};
+use generator::{BY_NAME, Beside};
 
 /// Amplitude, in standard uncertainties.
 const SIZE: f64 = 8.0;
@@ -10,19 +10,9 @@ const SIZE: f64 = 8.0;
 fn main() -> std::io::Result<()> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let folder = PathBuf::from(args.first().map_or(".", |folder| folder));
-    let all: [(&str, &Process); 8] = [
-        ("turning", &TURNING),
-        ("ring", &RING),
-        ("stiffness", &STIFFNESS),
-        ("axis", &AXIS),
-        ("contour", &CONTOUR),
-        ("fixture", &FIXTURE),
-        ("thermal", &THERMAL),
-        ("cam", &CAM),
-    ];
     let number = |i: usize, other| args.get(i).and_then(|word| word.parse::<u64>().ok()).unwrap_or(other);
     std::fs::create_dir_all(&folder)?;
-    for (name, process) in all.iter().filter(|(name, _)| args.get(1).is_none_or(|wanted| wanted == name)) {
+    for (name, process) in BY_NAME.iter().filter(|(name, _)| args.get(1).is_none_or(|wanted| wanted == name)) {
         for seed in number(2, 1)..=number(3, 1) {
             let case = process.hidden_law(Beside::Law, SIZE, seed);
             let stem = folder.join(format!("{name}-{seed}"));

@@ -3,24 +3,14 @@
 
 use std::path::PathBuf;
 
-use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING};
+use generator::BY_NAME;
 
 fn main() -> std::io::Result<()> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let folder = PathBuf::from(args.first().map_or(".", |folder| folder));
-    let all: [(&str, &Process); 8] = [
-        ("turning", &TURNING),
-        ("ring", &RING),
-        ("stiffness", &STIFFNESS),
-        ("axis", &AXIS),
-        ("contour", &CONTOUR),
-        ("fixture", &FIXTURE),
-        ("thermal", &THERMAL),
-        ("cam", &CAM),
-    ];
     let seed = args.get(2).and_then(|word| word.parse().ok()).unwrap_or(1);
     std::fs::create_dir_all(&folder)?;
-    for (_, process) in all.iter().filter(|(name, _)| args.get(1).is_none_or(|wanted| wanted == name)) {
+    for (_, process) in BY_NAME.iter().filter(|(name, _)| args.get(1).is_none_or(|wanted| wanted == name)) {
         for [one, other] in process.pairs() {
             for scene in 0..process.scenes.len() {
                 let Some(met) = process.meeting(&[one, other], scene, seed) else { continue };

@@ -78,6 +78,18 @@ pub struct Process {
     pub draw_scene: DrawScene,
 }
 
+/// All processes by the names that models give them.
+pub const BY_NAME: [(&str, &Process); 8] = [
+    ("turning", &TURNING),
+    ("ring", &RING),
+    ("stiffness", &STIFFNESS),
+    ("axis", &AXIS),
+    ("contour", &CONTOUR),
+    ("fixture", &FIXTURE),
+    ("thermal", &THERMAL),
+    ("cam", &CAM),
+];
+
 /// What sort of thing is hidden.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
