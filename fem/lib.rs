@@ -168,7 +168,8 @@ pub use ask::{Study, compare_all, compensate, completed, fit, fitted, plan, stud
 pub use budget::{Budget, Estimate as BudgetEstimate};
 pub use compare::{Comparison, compare};
 pub use compensate::{Compensation, Feasibility};
-pub use diagnose::{Diagnosis, GoodnessOfFit, Missing, Plan, Verdict, diagnose};
+pub use diagnose::{Diagnosis, GoodnessOfFit, Missing, Plan, Verdict};
+pub use discover::diagnose;
 pub use fit::{Estimate, Fit, Interval};
 pub use study::StudyPlan;
 

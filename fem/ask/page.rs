@@ -6,7 +6,8 @@ use std::sync::Arc;
 use sha2::{Digest, Sha256};
 
 use super::{Error, compare_all, completed, refuse_mixed};
-use crate::diagnose::{Diagnosis, diagnose, thinned};
+use crate::diagnose::{Diagnosis, thinned};
+use crate::discover::diagnose;
 use crate::measure::Measurements;
 use crate::model::{Data, Model, Run};
 use crate::output::{Evidence, Subject, page};

@@ -9,7 +9,8 @@ use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::ask::{self, completed};
-use crate::diagnose::{Diagnosis, diagnose};
+use crate::diagnose::Diagnosis;
+use crate::discover::diagnose;
 use crate::input::{InputError, Problem};
 use crate::measure::Measurements;
 use crate::model::{Data, Draft, Model};
@@ -36,8 +37,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         let better = completed(&data, &diagnosis)?;
         files::write(new, better.text_at(new).as_bytes(), guard)?;
         say!("written {}", new.display());
-        let own = diagnosis.fit.estimates.iter().take(model.parameters.len());
-        for open in own.filter(|e| !e.is_closed()) {
+        for open in diagnosis.fit.of(&model).filter(|e| !e.is_closed()) {
             say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
         }
     }

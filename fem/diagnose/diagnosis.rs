@@ -9,6 +9,7 @@ use super::verdict::{GoodnessOfFit, Verdict};
 use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
 use crate::input::Name;
+use crate::model::Setting;
 use crate::noise::{MeasurementEffect, NoiseLevel, Term};
 use crate::process::Description;
 use crate::units::Kind;
@@ -56,6 +57,10 @@ pub struct Diagnosis {
     /// Next measurement, where effects are confounded.
     #[doc(hidden)]
     pub next: Option<Next>,
+    /// −2 ln of the likelihood of what is told, its price included: ln n for every value that was added, the odds of the
+    /// effects, and the price of the noise.
+    #[doc(hidden)]
+    pub criterion: f64,
     /// Coordinate by which rows were held out in cross-validation.
     #[doc(hidden)]
     pub cross_validation_by: Option<Name>,
@@ -90,7 +95,6 @@ pub struct Outlier {
 
 /// Origin of a missing effect: the physical system or the measurement.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a diagnosis has a few, and nobody moves them about")]
 pub enum Cause {
     /// The machine's, the fixture's or the part's.
     Physical,
@@ -99,6 +103,8 @@ pub enum Cause {
         /// What is written, SI.
         written: f64,
     },
+    /// A law that is in no catalogue: it describes.
+    Law(FreeLaw),
     /// The measurement's.
     Measurement {
         /// Its entry in the catalogue.
@@ -118,6 +124,21 @@ pub enum Cause {
         /// First line of the file after a step.
         from_line: Option<u64>,
     },
+}
+
+/// A law that is in no catalogue.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeLaw {
+    /// The observable to which it is added.
+    pub observable: Name,
+    /// Its formula.
+    pub formula: String,
+    /// Names of what it varies with.
+    pub variables: Vec<String>,
+    /// The settings with which `fem add` writes it, the formula first.
+    pub settings: Vec<Setting>,
+    /// Formulas of the laws that fit as well.
+    pub rivals: Vec<String>,
 }
 
 impl Cause {
@@ -170,7 +191,11 @@ pub struct Missing {
 impl Missing {
     /// Whether it only describes what no law here has.
     pub fn describes(&self) -> bool {
-        matches!(self.cause, Cause::Measurement { effect, .. } if effect.describes())
+        match &self.cause {
+            Cause::Law(_) => true,
+            Cause::Measurement { effect, .. } => effect.describes(),
+            Cause::Physical | Cause::Value { .. } => false,
+        }
     }
 }
 

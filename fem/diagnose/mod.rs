@@ -48,7 +48,7 @@ mod verdict;
 
 pub use bent_law::{Along, Bend};
 pub use detection_limit::DetectionLimit;
-pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
+pub use diagnosis::{Cause, Diagnosis, FreeLaw, Missing, Outlier, Outlook};
 pub use failure::unsolvable;
 pub use largest_change::LargestChange;
 pub use next::Next;
@@ -80,14 +80,26 @@ pub const MOST_EFFECTS: usize = 6;
 /// time of the search grows with them.
 const MOST_ROWS: usize = 2000;
 
-/// Searches for up to `most` effects that the model lacks.
+/// Searches for up to `most` effects of the catalogue that the model lacks.
 ///
 /// # Errors
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
+    searched(data, Extent { most, deepens: true, known: &[], progress })
+}
+
+/// The same of a model with a law that was fitted to these data before: that of the best set is the deepest minimum.
+///
+/// # Errors
+/// As those of [`diagnose`].
+pub fn diagnose_beside_law(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
+    searched(data, Extent { most, deepens: false, known: &[], progress })
+}
+
+fn searched(data: &Data, extent: Extent) -> Result<Diagnosis, Failure> {
     let some = thinned(data);
     // On a thread of the pool: one from outside would wait for it at every Jacobian.
-    rayon::scope(|_| diagnose_all(some.as_ref().unwrap_or(data), most, progress))
+    rayon::scope(|_| diagnose_all(some.as_ref().unwrap_or(data), extent))
 }
 
 /// The rows that a diagnosis uses, where there are too many of them to use all.
@@ -104,10 +116,10 @@ pub fn thinned_to<'m>(data: &Data<'m>, most: usize) -> Option<Data<'m>> {
     })
 }
 
-fn diagnose_all(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
+fn diagnose_all<'a>(data: &'a Data<'a>, extent: Extent<'_, 'a>) -> Result<Diagnosis, Failure> {
+    let Extent { most, progress, .. } = extent;
     progress.expect(1);
     let repeats = data.repeats();
-    let extent = Extent { most, deepens: true, known: &[], progress };
     let missing = absent(data.model);
     let changes = change::changes(data, &missing);
     let absent = [missing, instrument::absent_readings(data), values_on_trial(data.model), changes].concat();

@@ -4,15 +4,35 @@ use super::apart::Apart;
 use super::law::{self, Written};
 use super::left_out::LeftOut;
 use super::search::{Bench, Found, amplitudes};
-use crate::fit::{self, Estimate, Fit};
+use crate::fit::{self, Estimate, Fit, Objective, SearchVariable, Solution, StoppingCriterion, minimise};
+use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 
-/// Name of the effect, and where its parameters stand.
-pub const NAME: &str = "law";
-const OWN: &str = "effects.law.";
+/// Stopping criterion that is enough to rank laws.
+const SOME_STEPS: StoppingCriterion = StoppingCriterion::rough(12, 1e-4);
+
+/// Name of the effect; further ones are numbered.
+const NAME: &str = "law";
+
+/// A name for a law that no effect of the model has.
+pub fn free_name(model: &Model) -> String {
+    let is_free = |name: &String| model.effects.iter().all(|effect| effect.description.name != *name);
+    std::iter::once(NAME.to_string())
+        .chain((2..).map(|number| format!("{NAME}-{number}")))
+        .find(is_free)
+        .unwrap_or_default()
+}
+
+/// Whether a parameter is one of a law of this name.
+pub fn is_of(name: &str, estimate: &Estimate) -> bool {
+    let key = estimate.parameter.path.strip_prefix("effects.").and_then(|own| own.strip_prefix(name));
+    key.is_some_and(|rest| rest.starts_with('.'))
+}
 
 /// A law that was found.
 pub struct Law {
+    /// Name of the effect.
+    pub name: String,
     /// The observable to which it is added, by its position in the process's list.
     pub observable: usize,
     /// The formula with its parameters.
@@ -48,8 +68,31 @@ impl Law {
     }
 }
 
-/// Writes a law into the model, and fits it to all rows.
-pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
+/// A law that is written into the model, and what it leaves after a few steps from where the search has left it.
+pub struct Draft<'f> {
+    found: &'f Found,
+    observable: usize,
+    written: Written,
+    name: String,
+    model: Model,
+    /// −2 ln of its weight: χ² and its price.
+    pub criterion: f64,
+}
+
+impl Draft<'_> {
+    /// −2 ln of the likelihood.
+    pub fn misfit(&self) -> f64 {
+        self.criterion - self.found.price
+    }
+}
+
+/// Writes a law into the model of a fit, and takes a few steps from there.
+pub fn drafted<'f>(
+    (objective, solution): (&Objective, &Solution),
+    bench: &Bench,
+    found: &'f Found,
+) -> Option<Draft<'f>> {
+    let data = objective.data;
     let observable = found.terms.first()?.observable;
     let kind = data.model.process.observables()[observable].error_kind();
     let mut sizes = amplitudes(&bench.seen(&found.terms), bench.residual)?.into_iter();
@@ -58,40 +101,55 @@ pub fn fitted(data: &Data, bench: &Bench, found: &Found) -> Option<Law> {
         let count = term.factors.iter().map(|factor| factor.shape.functions()).product();
         terms.push((term, sizes.by_ref().take(count).collect()));
     }
+    let written = law::written(&terms, bench.variables, kind);
+    let name = free_name(data.model);
+    let model = add_effect(data.model, &name, &written.open()).ok()?;
+    let criterion = {
+        let own = Data::of(&model, data.clone().into_measurements()).ok()?;
+        let mut with = Objective::new(&own).ok()?;
+        with.noise = objective.noise.clone();
+        let start = |(variable, parameter): (&SearchVariable, &Parameter)| {
+            let known = objective.parameters.iter().position(|other| other.path == parameter.path);
+            known.map_or_else(|| variable.position(variable.starts[0]), |i| solution.position[i])
+        };
+        let start = with.variables.iter().zip(&with.parameters).map(start).collect::<Vec<_>>();
+        bench.misfit(minimise(&mut with, &start.into(), &[], SOME_STEPS)?.chi2) + found.price
+    };
+    Some(Draft { found, observable, written, name, model, criterion })
+}
+
+/// Fits a law to all rows.
+pub fn fitted(data: &Data, bench: &Bench, draft: Draft) -> Option<Law> {
+    let Draft { found, observable, written, name, model, .. } = draft;
+    let own = Data::of(&model, data.clone().into_measurements()).ok()?;
+    let fit = fit::fit(&own).ok()?;
+    let chi2 = bench.misfit(fit.reduced_chi2 * bench.freedom);
     let mut variables: Vec<String> =
         found.variables().into_iter().map(|own| bench.variables[own].name.to_string()).collect();
     variables.sort();
     variables.dedup();
-    let written = law::written(&terms, bench.variables, kind);
-    let settings: Vec<Setting> = std::iter::once(("formula".to_string(), written.formula.clone()))
-        .chain(written.settings.iter().cloned())
-        .map(|(key, value)| Setting { key, value: Entry::Text(value) })
-        .collect();
-    let model = add_effect(data.model, NAME, &settings).ok()?;
-    let own = Data::of(&model, data.clone().into_measurements()).ok()?;
-    let fit = fit::fit(&own).ok()?;
-    let chi2 = bench.misfit(fit.reduced_chi2 * bench.freedom);
     Some(Law {
         observable,
-        written,
         variables,
         criterion: chi2 + found.price,
         found: found.clone(),
-        model: completed(&own, &fit),
-        open: model.clone(),
-        estimates: fit.estimates.iter().filter(|e| e.parameter.path.starts_with(OWN)).cloned().collect(),
+        model: completed(&own, &fit, &name),
+        estimates: fit.estimates.iter().filter(|e| is_of(&name, e)).cloned().collect(),
         reduced_chi2: fit.reduced_chi2,
         p_value: fit.p_value,
         left_out: None,
         apart: None,
-        settings: fitted_settings(&settings, &fit),
+        settings: fitted_settings(&written.open(), &fit, &name),
+        open: model,
+        written,
+        name,
     })
 }
 
 /// The model with the values of a fit; those of the law stand even where an end of their interval is open, for it describes.
-fn completed(data: &Data, fit: &Fit) -> Option<Model> {
+fn completed(data: &Data, fit: &Fit, name: &str) -> Option<Model> {
     let mut edits = fit::edits(data, fit);
-    for open in fit.estimates.iter().filter(|e| !e.is_closed() && e.parameter.path.starts_with(OWN)) {
+    for open in fit.estimates.iter().filter(|e| !e.is_closed() && is_of(name, e)) {
         let kind = open.parameter.kind;
         let text = format!("{} {}", fit::five_digits(kind.from_si(open.value)), kind.unit);
         let entry = match kind.unit.is_empty() {
@@ -104,10 +162,11 @@ fn completed(data: &Data, fit: &Fit) -> Option<Model> {
 }
 
 /// The settings of a law with the values of a fit in the place of those from which it began.
-fn fitted_settings(settings: &[Setting], fit: &Fit) -> Vec<Setting> {
+pub fn fitted_settings(settings: &[Setting], fit: &Fit, name: &str) -> Vec<Setting> {
     let fitted = |own: &Setting| {
-        let path = format!("{OWN}{}", own.key);
-        let Some(e) = fit.estimates.iter().find(|e| *e.parameter.path == *path) else { return own.clone() };
+        let Some(e) = fit.estimates.iter().find(|e| is_of(name, e) && e.parameter.path.key() == own.key) else {
+            return own.clone();
+        };
         let kind = e.parameter.kind;
         let value = match e.is_closed() {
             true => fit::uncertain(kind.from_si(e.value), fit.birge_ratio() * e.std / kind.canonical().factor),

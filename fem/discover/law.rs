@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use super::search::Term;
 use super::shape::Shape;
 use super::variable::{Factor, Variable};
+use crate::model::{Entry, Setting};
 use crate::units::{ANGLE, Kind, TEMPERATURE, TEMPERATURE_RISE};
 
 /// A formula with its parameters, each with its value as it is written.
@@ -14,6 +15,15 @@ pub struct Written {
     pub formula: String,
     /// Names and values of the parameters that are to be fitted and of the scales that are known.
     pub settings: Vec<(String, String)>,
+}
+
+impl Written {
+    /// The settings of an effect with it, its values open.
+    pub fn open(&self) -> Vec<Setting> {
+        let formula = ("formula".to_string(), self.formula.clone());
+        let all = std::iter::once(&formula).chain(&self.settings);
+        all.map(|(key, value)| Setting { key: key.clone(), value: Entry::Text(value.clone()) }).collect()
+    }
 }
 
 /// Names and values of parameters in the making.

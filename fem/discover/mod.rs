@@ -2,6 +2,7 @@
 //! every recorded column and the prediction, and the law that is found is written as a formula that a model takes.
 
 mod apart;
+mod diagnosis;
 mod fitted;
 mod form;
 mod law;
@@ -13,7 +14,8 @@ mod shape;
 mod variable;
 
 pub use apart::Apart;
-pub use fitted::{Law, NAME};
+pub use diagnosis::diagnose;
+pub use fitted::Law;
 pub use law::Written;
 pub use left_out::LeftOut;
 pub use levels::TooFew;
@@ -25,6 +27,7 @@ use crate::noise::{Term, beyond_chi2};
 use crate::process::Failure;
 use crate::progress::Progress;
 use crate::units::Kind;
+use fitted::Draft;
 use form::Metric;
 use levels::Settings;
 use rayon::prelude::*;
@@ -35,15 +38,19 @@ use variable::{Factor, Variable};
 const MOST_TERMS: usize = 4;
 /// Fall of the criterion from which a term is worth its price.
 const WORTH: f64 = 10.0;
-/// Laws that are grown further, and laws that are fitted.
+/// Laws that are grown further, and laws of which is seen what they leave beside the model's own values.
 const GROWN: usize = 3;
-const FITTED: usize = 8;
+const DRAFTED: usize = 12;
+/// Most laws that are fitted, with intervals.
+const FITTED: usize = 5;
 /// Standard uncertainties by which two laws differ somewhere, if they are two.
 const DIFFERENT: f64 = 1.0;
 /// Rise of the criterion up to which a law is fitted: its constants settle beside those of the model.
 const NEAR: f64 = 40.0;
 /// Rise of the criterion up to which a law is a rival of the best.
 pub const RIVAL: f64 = 6.0;
+/// Rise of the criterion, after a few steps of a fit, up to which a law may turn out to be a rival.
+const PERHAPS: f64 = 9.0;
 /// Fall of −2 ln L, beyond its price, from which a law is told in the place of effects of the measurement.
 const CLEARLY: f64 = 6.0;
 /// Name of that step, for the note that it was left undone.
@@ -110,11 +117,16 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
     let bench = bench(data, &objective, &projected, &variables);
     let laws = progress.stretch("search for laws", || grown(&bench, progress));
     let Some(least) = laws.first().map(|best| best.criterion) else { return Ok(discovery) };
-    let near = laws.into_iter().filter(|own| own.criterion < least + NEAR).take(FITTED);
+    let near: Vec<Found> = laws.into_iter().filter(|own| own.criterion < least + NEAR).take(DRAFTED).collect();
     progress.stretch("fits of laws", || {
-        for found in near {
+        let mut drafts: Vec<Draft> =
+            near.par_iter().filter_map(|found| fitted::drafted((&objective, &solution), &bench, found)).collect();
+        drafts.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
+        let Some((least, misfit)) = drafts.first().map(|best| (best.criterion, best.misfit())) else { return };
+        drafts.retain(|own| own.criterion < least + PERHAPS || own.misfit() < misfit + PERHAPS);
+        for draft in drafts.into_iter().take(FITTED) {
             if discovery.laws.is_empty() || progress.permits("rivals of the law") {
-                discovery.laws.extend(fitted::fitted(whole, &bench, &found));
+                discovery.laws.extend(fitted::fitted(whole, &bench, draft));
             }
         }
     });

@@ -70,6 +70,11 @@ pub struct Fit {
 }
 
 impl Fit {
+    /// The estimates of what a model itself leaves open.
+    pub fn of<'f>(&'f self, model: &'f Model) -> impl Iterator<Item = &'f Estimate> {
+        self.estimates.iter().filter(|e| model.parameters.iter().any(|own| own.path == e.parameter.path))
+    }
+
     /// Birge ratio (Birge 1932): √(χ²/ν) where the noise does not explain the residuals, else 1. Standard
     /// uncertainties are enlarged by it when values are handed on: a missing effect has biased them, and as
     /// priors they must not hold on to that.

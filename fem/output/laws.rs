@@ -9,7 +9,7 @@ use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
 use crate::diagnose::SIGNIFICANCE;
-use crate::discover::{Apart, Discovery, Law, NAME, TooFew};
+use crate::discover::{Apart, Discovery, Law, TooFew};
 use crate::model::Data;
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -28,7 +28,7 @@ impl LawsAnswer<'_> {
     /// The command that adds a law; where it names columns that the process does not know, the measurements tell these.
     fn command(&self, law: &Law) -> String {
         let data = self.0;
-        let line = add(&data.model.source.name, NAME, &law.settings).0;
+        let line = add(&data.model.source.name, &law.name, &law.settings).0;
         let is_recorded = data.recorded.iter().any(|own| law.variables.contains(&own.name.to_string()));
         if is_recorded { format!("{line} {}", with(data)) } else { line }
     }

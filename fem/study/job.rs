@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::plan::{Offered, StudyPlan, Task};
 use super::summary::{Cell, Row};
-use crate::diagnose::{MOST_EFFECTS, diagnose};
+use crate::diagnose::MOST_EFFECTS;
+use crate::discover::diagnose;
 use crate::fit::{Fit, fit};
 use crate::input::InputError;
 use crate::measure::{Measurements, Reading};

@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, fitted, plan, refuse_mixed, steps};
-use fem::diagnose::diagnose;
-use fem::discover::discover;
+use fem::discover::{diagnose, discover};
 use fem::input::{Parameter, Source};
 use fem::measure::Measurements;
 use fem::model::{self, Data, Entry, Setting, add_effect};

@@ -38,7 +38,7 @@ pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<Addition> {
     let mut addition = |missing: &Missing| {
         let settings = settings(missing, &diagnosis.fit);
         let name = match &missing.cause {
-            Cause::Physical => missing.effect.name.to_string(),
+            Cause::Physical | Cause::Law(_) => missing.effect.name.to_string(),
             Cause::Measurement { .. } => data.model.free_table(&missing.effect.name, &names),
             Cause::Value { .. } => {
                 let key = missing.effect.name.to_string();
@@ -57,8 +57,12 @@ pub fn additions(data: &Data, diagnosis: &Diagnosis) -> Vec<Addition> {
 
 /// The settings with which a missing effect is added.
 pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
-    let Cause::Measurement { effect, by, along, period, observable, records, from_line, .. } = &missing.cause else {
-        return fitted_settings(missing, fit);
+    let (effect, by, along, period, observable, records, from_line) = match &missing.cause {
+        Cause::Physical | Cause::Value { .. } => return fitted_settings(missing, fit),
+        Cause::Law(law) => return law.settings.clone(),
+        Cause::Measurement { effect, by, along, period, observable, records, from_line, .. } => {
+            (effect, by, along, period, observable, records, from_line)
+        }
     };
     let setting = |key: &str, value: Entry| Setting { key: key.into(), value };
     let text = |key: &str, value: String| setting(key, Entry::Text(value));

@@ -70,8 +70,8 @@ pub fn fits(data: &Data, d: &Diagnosis) -> String {
 /// The tests in which a cause acts, by their numbers, and as what.
 fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usize, Option<&'c Acting>)> {
     match &missing.cause {
-        // Tests put no values on trial.
-        Cause::Physical | Cause::Value { .. } => {
+        // Tests put no values on trial, and no law is sought in them.
+        Cause::Physical | Cause::Value { .. } | Cause::Law(_) => {
             let shared = campaign.effect(&missing.effect.name);
             shared.map_or(Vec::new(), |shared| shared.acts.iter().map(|(test, acting)| (*test, Some(acting))).collect())
         }

@@ -59,8 +59,7 @@ pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
     let bent = "what the model knew roughly was bent by what was missing; all at once, every value re-fitted:";
     lines.extend([bent.to_string(), all]);
     // A model with unknown values can be fitted, but not compared.
-    let mut own = d.fit.estimates.iter().take(model.parameters.len());
-    if own.all(|e| e.is_closed() || e.parameter.quantity.knowledge != Knowledge::Free) {
+    if d.fit.of(model).all(|e| e.is_closed() || e.parameter.quantity.knowledge != Knowledge::Free) {
         lines.push(format!("fem compare better.toml {data}"));
     }
     lines

@@ -179,17 +179,17 @@ fn missing(missing: &Missing, data: &Data) -> Json {
     let kind = data.kind();
     let name = |e: &Estimate| e.parameter.path.key().to_string();
     let measurement = match &missing.cause {
-        Cause::Physical | Cause::Value { .. } => None,
+        Cause::Physical | Cause::Value { .. } | Cause::Law(_) => None,
         Cause::Measurement { effect, by, observable, records, from_line, along, period, .. } => {
             Some((effect, by, observable, records, from_line, along, period))
         }
     };
     let mut told = json!({
         "effect": missing.effect.name,
-        "kind": kind_of(&missing.effect),
+        "kind": if matches!(missing.cause, Cause::Law(_)) { "law" } else { kind_of(&missing.effect) },
         "written": match missing.cause {
             Cause::Value { written } => missing.estimates.first().map(|e| e.parameter.kind.from_si(written)),
-            Cause::Physical | Cause::Measurement { .. } => None,
+            Cause::Physical | Cause::Law(_) | Cause::Measurement { .. } => None,
         },
         "by": measurement.map(|m| m.1),
         "observable": measurement.map(|m| m.2),
@@ -212,6 +212,12 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "bend": missing.bend.as_ref().map(|b| json!({ "along": along(b), "share": b.share })),
     });
+    if let Cause::Law(law) = &missing.cause {
+        told["observable"] = json!(law.observable);
+        told["formula"] = json!(law.formula);
+        told["variables"] = json!(law.variables);
+        told["rivals"] = json!(law.rivals);
+    }
     if let Some(changes) = &missing.effect.changes {
         let changed = missing.effect.parameters.iter().filter(|p| !p.is_step).zip(&missing.before);
         let value = |(p, si): (&Parameter, &f64)| {

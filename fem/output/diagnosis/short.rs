@@ -7,7 +7,7 @@ use super::commands::{command, discover, next_rows};
 use super::kinds::{Kinds, Open};
 use super::text::{NO_ROWS_ADVISED, experiment, head, told_by, told_otherwise, unexplained};
 use super::verdict::verdict;
-use super::words::{as_written, bent, label, largest_change, percent, value_before};
+use super::words::{added, as_written, bent, label, largest_change, percent, rivals, value_before};
 use crate::diagnose::{Cause, Diagnosis, Group, Missing, Next, Outlier};
 use crate::fit::Estimate;
 use crate::input::Name;
@@ -82,6 +82,7 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
     }
     let sizes = missing.estimates.iter().map(|e| estimate(e, missing));
     let values: Vec<String> = match &missing.cause {
+        Cause::Law(law) => [added(law)].into_iter().chain(sizes).collect(),
         Cause::Measurement { from: Some(place), .. } => [format!("from {place} on")].into_iter().chain(sizes).collect(),
         // The factor of outlying rows is set, and says nothing of them.
         Cause::Measurement { records, .. } if !records.is_empty() => vec![lines(records, data, d)],
@@ -94,6 +95,7 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
         text += &format!("; alike here: {}", listed(&others, FEW));
     }
     text += &missing.bend.as_ref().map_or(String::new(), |bend| format!("; {}", bent(bend)));
+    text += &rivals(missing).map_or(String::new(), |rivals| format!("; {rivals}"));
     let about = &missing.effect.about;
     let has_room = d.missing.len() <= MOST_EXPLAINED && text.chars().count() + about.chars().count() < ROOM;
     if has_room { format!("{text}; {about}") } else { text }

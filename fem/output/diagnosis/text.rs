@@ -3,7 +3,7 @@
 use super::additions::name;
 use super::commands::{commands, discover};
 use super::verdict::verdict;
-use super::words::{as_written, bent, chance, label, largest_change, percent, traits, value_before};
+use super::words::{added, as_written, bent, chance, label, largest_change, percent, rivals, traits, value_before};
 use super::{absent, campaign};
 use crate::diagnose::{CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, RULED_OUT, Verdict};
 use crate::fit::Estimate;
@@ -97,6 +97,9 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
         blocks.push(Block::Sentence(format!("in {places}")));
     }
     blocks.extend(as_written(missing).map(Block::Sentence));
+    if let Cause::Law(law) = &missing.cause {
+        blocks.push(Block::Sentence(added(law)));
+    }
     blocks.push(Block::List(estimates(missing)));
     blocks.extend(largest_change(missing, data).map(|[moves, size]| Block::Sentence(format!("it {moves} {size}"))));
     blocks.push(Block::Sentence(chance(missing.p_value)));
@@ -105,6 +108,7 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
         blocks.push(Block::Sentence(format!("it is there with a probability of {percent}, over all sets of effects")));
     }
     blocks.extend(missing.bend.as_ref().map(|bend| Block::Sentence(bent(bend))));
+    blocks.extend(rivals(missing).map(Block::Sentence));
     for alternative in &missing.indistinguishable_from {
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
         blocks.push(Block::Sentence(format!("or {}: these data cannot tell{by}", alternative.label())));

@@ -1,7 +1,8 @@
 //! The verdict in plain words, with the fall of the error.
 
 use super::kinds::{Kinds, is_grouped};
-use crate::diagnose::{Diagnosis, GoodnessOfFit, Group, Verdict};
+use super::words::label;
+use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Group, Missing, Verdict};
 use crate::model::Data;
 use crate::output::listing::listed;
 
@@ -31,6 +32,17 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
             let fall = fall(data, d).map_or(String::new(), |fall| format!(" with {them} {fall}, and"));
             format!("partly explained: {};{fall} structure remains", names(d))
         }
+        Verdict::Unexplained if d.missing.iter().any(|m| matches!(m.cause, Cause::Law(_))) => {
+            let fall = fall(data, d).unwrap_or_else(|| format!("the model is off by {}", errors(data, &d.after)));
+            let left = match d.verdict_after {
+                Verdict::Adequate => "down to the noise",
+                _ => "and structure remains",
+            };
+            format!(
+                "unexplained: no effect known here is the cause, but {} describes it; with {them} {fall}, {left}",
+                names(d)
+            )
+        }
         Verdict::Unexplained => {
             let left = errors(data, &d.before);
             format!("unexplained: the model is off by {left}, and no effect known here is the cause")
@@ -41,7 +53,11 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
 /// Names of what is told: the certain ones, how many of each group, and what may be there.
 fn names(d: &Diagnosis) -> String {
     let kinds = Kinds::of(d);
-    let own = kinds.certain.iter().chain(&kinds.described).map(|m| m.effect.name.to_string());
+    let name = |m: &&Missing| match m.cause {
+        Cause::Law(_) => format!("a {}", label(m)),
+        _ => m.effect.name.to_string(),
+    };
+    let own = kinds.certain.iter().chain(&kinds.described).map(name);
     let is_told = |group: &&Group| d.missing.iter().any(|m| group.effects.contains(&m.effect.name));
     let groups = d.posterior.groups.iter().filter(is_told).map(some_of);
     let perhaps: Vec<&str> = kinds.perhaps.iter().map(|m| &*m.effect.name).collect();

@@ -1,6 +1,6 @@
 //! Words for a missing effect.
 
-use crate::diagnose::{Along, Bend, Cause, Missing};
+use crate::diagnose::{Along, Bend, Cause, FreeLaw, Missing};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::output::fit::Short;
@@ -10,6 +10,7 @@ use crate::output::measurement;
 pub fn label(missing: &Missing) -> String {
     match &missing.cause {
         Cause::Physical | Cause::Value { .. } => missing.effect.name.to_string(),
+        Cause::Law(law) => format!("{} of {}", missing.effect.name, law.variables.join(", ")),
         Cause::Measurement { by, observable, along, period, .. } => {
             let of = observable.as_ref().map_or(String::new(), |name| format!(" of {name}"));
             let along = along.as_ref().map_or(String::new(), |name| format!(" along {name}"));
@@ -26,6 +27,22 @@ pub fn as_written(missing: &Missing) -> Option<String> {
     let Cause::Value { written } = missing.cause else { return None };
     let kind = missing.effect.parameters.first()?.kind;
     Some(format!("written as {:.4} {}", Short(kind.from_si(written)), kind.unit).trim_end().into())
+}
+
+/// What a law adds: `error + a*exp(-feed/f_0)`.
+pub fn added(law: &FreeLaw) -> String {
+    format!("{} + {}", law.observable, law.formula)
+}
+
+/// How many laws fit as well as one, and where they are told.
+pub fn rivals(missing: &Missing) -> Option<String> {
+    let Cause::Law(law) = &missing.cause else { return None };
+    let told = match law.rivals.len() {
+        0 => return None,
+        1 => "another law fits as well".to_string(),
+        count => format!("{count} other laws fit as well"),
+    };
+    Some(format!("{told}: fem discover tells them apart"))
 }
 
 /// Of the change of an effect, the value that its parameter had before, by the parameter's name: `60 -> `.

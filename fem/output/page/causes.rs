@@ -54,7 +54,7 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, dat
         html.push_str(&html::paragraph("caution", &sentence(&diagnosis::bent(bend))));
     }
     let mut figures: Vec<(String, Svg)> = Vec::new();
-    if matches!(missing.cause, Cause::Physical) {
+    if matches!(missing.cause, Cause::Physical | Cause::Law(_)) {
         let own = curves.iter().filter(|c| c.0 == effect.name);
         figures.extend(own.map(|(_, chart)| named(chart)));
     }

@@ -1,0 +1,159 @@
+//! Diagnoses with laws: what the catalogue says is held against laws that are in no catalogue, by one criterion.
+
+use super::fitted::{fitted_settings, is_of};
+use super::{CLEARLY, discover};
+use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Verdict, thinned};
+use crate::fit::five_digits;
+use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
+use crate::process::{Description, Failure};
+use crate::progress::Progress;
+
+/// Name of the step, for the note that it was left undone.
+const LAWS: &str = "laws that are in no catalogue";
+
+/// Searches for up to `most` effects that the model lacks and, where these leave something or say that the measurement is at
+/// fault, for a law that explains more at its price.
+///
+/// # Errors
+/// The data are too few, or the model cannot be computed.
+pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
+    let of_catalogue = diagnose::diagnose(data, most, progress)?;
+    if data.model.campaign().is_some() || !may_hide_a_law(&of_catalogue) || !progress.permits(LAWS) {
+        return Ok(of_catalogue);
+    }
+    let mut best: Option<Told> = None;
+    for model in models(data, &of_catalogue) {
+        let least = best.as_ref().map_or(f64::INFINITY, |own| own.criterion);
+        if let Some(told) = beside(data, &model, most, progress)?.filter(|own| own.criterion < least) {
+            let is_all = told.diagnosis.verdict == Verdict::Adequate;
+            best = Some(told);
+            if is_all {
+                break;
+            }
+        }
+    }
+    Ok(match best.filter(|told| told.criterion < of_catalogue.criterion - CLEARLY) {
+        Some(told) => told.over(of_catalogue, data),
+        None => of_catalogue,
+    })
+}
+
+/// Whether a law may be behind what the catalogue says.
+fn may_hide_a_law(diagnosis: &Diagnosis) -> bool {
+    match diagnosis.verdict {
+        Verdict::Adequate => false,
+        // Where effects of the machine explain everything, a law that does so too costs more as a rule, and takes long to find.
+        Verdict::MissingEffect => !diagnosis.missing.iter().all(|m| is_of_machine(&m.cause)),
+        Verdict::PartlyExplained | Verdict::Unexplained => true,
+    }
+}
+
+fn is_of_machine(cause: &Cause) -> bool {
+    matches!(cause, Cause::Physical | Cause::Value { .. })
+}
+
+/// The models beside which laws are sought: as it is written, and with what the catalogue says of the machine, its values open.
+fn models(data: &Data, diagnosis: &Diagnosis) -> Vec<Model> {
+    let causes: Vec<&Missing> = diagnosis.missing.iter().filter(|m| is_of_machine(&m.cause)).collect();
+    let mut completed = (!causes.is_empty()).then(|| data.model.clone());
+    for missing in causes {
+        completed = completed.and_then(|model| opened(&model, missing));
+    }
+    std::iter::once(data.model.clone()).chain(completed).collect()
+}
+
+/// A model with an effect more, or a value released, where a fit begins at what was found.
+fn opened(model: &Model, missing: &Missing) -> Option<Model> {
+    let near = missing.estimates.iter().map(|e| {
+        let kind = e.parameter.kind;
+        let value = format!("? near {} {}", five_digits(kind.from_si(e.value)), kind.unit);
+        (
+            e.parameter.path.clone(),
+            Setting { key: e.parameter.path.key().into(), value: Entry::Text(value.trim_end().into()) },
+        )
+    });
+    match missing.cause {
+        Cause::Value { .. } => {
+            let edits: Vec<Edit> = near.map(|(path, own)| Edit::Set { path, entry: own.value }).collect();
+            model.edited(&edits).ok()
+        }
+        _ => add_effect(model, &missing.effect.name, &near.map(|own| own.1).collect::<Vec<_>>()).ok(),
+    }
+}
+
+/// A law, and what the catalogue says beside it.
+struct Told {
+    law: FreeLaw,
+    effect: Description,
+    diagnosis: Diagnosis,
+    criterion: f64,
+}
+
+/// The law that is told beside a model, and what the catalogue says of the model as it is written with that law.
+fn beside(data: &Data, model: &Model, most: usize, progress: &Progress) -> Result<Option<Told>, Failure> {
+    let Some(own) = with(data, model) else { return Ok(None) };
+    let Ok(mut found) = discover(&own, progress) else { return Ok(None) };
+    if found.told().is_none() {
+        return Ok(None);
+    }
+    let law = found.laws.remove(0);
+    let open = law.written.open();
+    let Ok(model) = add_effect(data.model, &law.name, &open) else { return Ok(None) };
+    let effect = model.effects.iter().find(|own| own.description.name == *law.name).map(|own| own.description.clone());
+    let (Some(own), Some(effect)) = (with(data, &model), effect) else { return Ok(None) };
+    let diagnosis = diagnose::diagnose_beside_law(&own, most, progress)?;
+    let criterion = diagnosis.criterion + law.found.price;
+    let law = FreeLaw {
+        observable: data.model.process.observables()[law.observable].name.clone(),
+        formula: law.written.formula,
+        variables: law.variables,
+        settings: fitted_settings(&open, &diagnosis.fit, &law.name),
+        rivals: found.laws.into_iter().map(|own| own.written.formula).collect(),
+    };
+    Ok(Some(Told { law, effect, diagnosis, criterion }))
+}
+
+/// The data of another model.
+fn with<'m>(data: &Data, model: &'m Model) -> Option<Data<'m>> {
+    Some(Data::of(model, data.clone().into_measurements()).ok()?.watched(data.progress.clone()))
+}
+
+impl Told {
+    /// The diagnosis with the law in the place of one without.
+    fn over(self, without: Diagnosis, data: &Data) -> Diagnosis {
+        let Self { law, effect, mut diagnosis, criterion } = self;
+        // Of two that are equally likely each has a half.
+        let against = (0.5 * (criterion - without.criterion)).exp();
+        let goodness = std::mem::replace(&mut diagnosis.before, without.before);
+        let change = goodness.predicted.iter().zip(&diagnosis.before.predicted).map(|(with, alone)| with - alone);
+        let own = diagnosis.fit.estimates.iter().filter(|e| is_of(&effect.name, e));
+        let told = Missing {
+            estimates: own.cloned().collect(),
+            cause: Cause::Law(law),
+            effect,
+            before: Vec::new(),
+            probability: 1.0 / (1.0 + against),
+            p_value: against.min(1.0),
+            largest_change: largest_change(&change.collect::<Vec<_>>(), data, &diagnosis),
+            goodness,
+            indistinguishable_from: Vec::new(),
+            bend: None,
+        };
+        // A law describes: what it makes good is not explained.
+        diagnosis.verdict = match diagnosis.verdict {
+            Verdict::Adequate | Verdict::Unexplained => Verdict::Unexplained,
+            Verdict::MissingEffect | Verdict::PartlyExplained => Verdict::PartlyExplained,
+        };
+        diagnosis.features = without.features;
+        diagnosis.missing.insert(0, told);
+        diagnosis.criterion = criterion;
+        diagnosis
+    }
+}
+
+/// The largest change that a law makes in the rows, beside what the model's own values can do.
+fn largest_change(changes: &[f64], data: &Data, diagnosis: &Diagnosis) -> Option<LargestChange> {
+    let some = thinned(data);
+    let used = some.as_ref().unwrap_or(data);
+    (used.len() == changes.len()).then(|| LargestChange::of(changes, &diagnosis.fit.noise.sigma, used)).flatten()
+}
