@@ -25,7 +25,7 @@ use super::screening::Screening;
 use super::search::{SIGNIFICANCE, SearchResult};
 use super::sensitivity::CandidateEffect;
 use super::verdict::{self, GoodnessOfFit, Verdict};
-use super::{doubtful, findings, instrument, laplace, look_alike, moves, next};
+use super::{doubtful, findings, laplace, look_alike, moves, next};
 use crate::fit::{self, Estimate, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
@@ -187,7 +187,7 @@ pub fn conclude(
         candidates,
         posterior,
         next,
-        criterion: instrument::criterion_of_values(&best),
+        criterion: laplace::criterion_of_values(&best),
         cross_validation_by: folds.map(|f| f.coordinate),
         trials,
     })

@@ -30,16 +30,6 @@ pub fn criterion(trial: &CandidateModel) -> f64 {
     laplace::criterion(trial).unwrap_or(f64::INFINITY)
 }
 
-/// −2 ln L of a fitted model with a penalty of ln n on every value that was added to it (Schwarz 1978), the odds of its effects
-/// and the price of its noise: by it sets of effects are held against laws, of whose constants nothing is usual.
-pub fn criterion_of_values(trial: &CandidateModel) -> f64 {
-    let objective = &trial.objective;
-    let added = objective.variables.len() - objective.data.model.parameters.len();
-    let odds: f64 = objective.added.iter().map(|effect| -2.0 * effect.odds.to_one.ln()).sum();
-    let noise = objective.noise.log_determinant() + objective.noise.price();
-    laplace::misfit(trial, trial.solution.chi2) + noise + odds + added as f64 * (objective.data.len() as f64).ln()
-}
-
 /// −2 ln L of a fitted model, less a constant. Repeats that happen to scatter more than what is left do not tell the
 /// level of the noise any better than the other rows: it is the most likely one then, as it is beside terms.
 pub fn minus_two_log(trial: &CandidateModel) -> f64 {

@@ -25,9 +25,22 @@ const ANYWHERE: f64 = 100.0;
 /// −2 ln of the marginal likelihood of a fitted model times the prior odds of what was added to it; `None` where the model
 /// cannot be computed beside its best values.
 pub fn criterion(trial: &CandidateModel) -> Option<f64> {
+    Some(minus_two_log(trial)? + price(trial))
+}
+
+/// The same where nothing is held to be usual: each value that was added costs ln n (Schwarz 1978). By it sets of effects are
+/// held against laws, of whose constants nobody knows what is usual.
+pub fn criterion_of_values(trial: &CandidateModel) -> f64 {
+    let CandidateModel { objective, solution, .. } = trial;
+    let added = objective.variables.len() - objective.data.model.parameters.len();
+    let likelihood = misfit(trial, solution.chi2) + objective.noise.log_determinant();
+    likelihood + price(trial) + added as f64 * (objective.data.len() as f64).ln()
+}
+
+/// −2 ln of the prior odds of what was added to a model, and the price of its noise.
+fn price(trial: &CandidateModel) -> f64 {
     let objective = &trial.objective;
-    let odds: f64 = objective.added.iter().map(|effect| -2.0 * effect.odds.to_one.ln()).sum();
-    Some(minus_two_log(trial)? + odds + objective.noise.price())
+    objective.added.iter().map(|effect| -2.0 * effect.odds.to_one.ln()).sum::<f64>() + objective.noise.price()
 }
 
 /// Weight of a set with a criterion beside one with another: the ratio of their probabilities.

@@ -50,6 +50,7 @@ pub use bent_law::{Along, Bend};
 pub use detection_limit::DetectionLimit;
 pub use diagnosis::{Cause, Diagnosis, FreeLaw, Missing, Outlier, Outlook};
 pub use failure::unsolvable;
+pub use laplace::weight;
 pub use largest_change::LargestChange;
 pub use next::Next;
 pub use plan::{Alike, Plan, plan};

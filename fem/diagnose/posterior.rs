@@ -140,6 +140,16 @@ impl Posterior {
         Self { sets, groups, probabilities }
     }
 
+    /// Leaves a share of the probability to another explanation, beside which other sets are likely.
+    pub fn share(&mut self, share: f64, other: &Self) {
+        self.sets.iter_mut().for_each(|set| set.probability *= 1.0 - share);
+        self.groups.iter_mut().for_each(|group| group.probability *= 1.0 - share);
+        self.probabilities.values_mut().for_each(|own| *own *= 1.0 - share);
+        for (name, own) in &other.probabilities {
+            *self.probabilities.entry(name.clone()).or_default() += share * own;
+        }
+    }
+
     /// Probability of an effect.
     pub fn of(&self, name: &str) -> f64 {
         self.probabilities.get(name).map_or(0.0, |p| p.min(1.0))

@@ -1,9 +1,10 @@
 //! Diagnoses with laws: what the catalogue says is held against laws that are in no catalogue, by one criterion.
 
-use super::fitted::{fitted_settings, is_of};
-use super::{CLEARLY, discover};
-use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Verdict, thinned};
-use crate::fit::five_digits;
+use super::fitted::{Ranked, fitted_settings, is_of};
+use super::law::near;
+use super::{CLEARLY, Discovery, TooFew, ranked};
+use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Verdict, thinned, weight};
+use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 use crate::process::{Description, Failure};
 use crate::progress::Progress;
@@ -17,24 +18,36 @@ const LAWS: &str = "laws that are in no catalogue";
 /// # Errors
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    let of_catalogue = diagnose::diagnose(data, most, progress)?;
+    let mut of_catalogue = diagnose::diagnose(data, most, progress)?;
     if data.model.campaign().is_some() || !may_hide_a_law(&of_catalogue) || !progress.permits(LAWS) {
         return Ok(of_catalogue);
     }
-    let mut best: Option<Told> = None;
+    let (mut best, mut held_back): (Option<Told>, Option<String>) = (None, None);
     for model in models(data, &of_catalogue) {
-        let least = best.as_ref().map_or(f64::INFINITY, |own| own.criterion);
-        if let Some(told) = beside(data, &model, most, progress)?.filter(|own| own.criterion < least) {
-            let is_all = told.diagnosis.verdict == Verdict::Adequate;
-            best = Some(told);
-            if is_all {
-                break;
+        match beside(data, &model, most, progress)? {
+            Sought::Nothing => {}
+            Sought::HeldBack(caution) => held_back = held_back.or(Some(caution)),
+            Sought::Told(told) => {
+                let is_all = told.diagnosis.verdict == Verdict::Adequate;
+                if best.as_ref().is_none_or(|own| told.criterion < own.criterion) {
+                    best = Some(*told);
+                }
+                if is_all {
+                    break;
+                }
             }
         }
     }
-    Ok(match best.filter(|told| told.criterion < of_catalogue.criterion - CLEARLY) {
-        Some(told) => told.over(of_catalogue, data),
-        None => of_catalogue,
+    Ok(match best {
+        Some(told) if told.criterion < of_catalogue.criterion - CLEARLY => told.over(of_catalogue, data),
+        Some(told) if told.criterion < of_catalogue.criterion + CLEARLY => told.against(of_catalogue),
+        _ => {
+            let is_of_measurement = |m: &Missing| !is_of_machine(&m.cause) && !m.describes();
+            if of_catalogue.missing.iter().any(is_of_measurement) {
+                of_catalogue.cautions.extend(held_back);
+            }
+            of_catalogue
+        }
     })
 }
 
@@ -64,20 +77,20 @@ fn models(data: &Data, diagnosis: &Diagnosis) -> Vec<Model> {
 
 /// A model with an effect more, or a value released, where a fit begins at what was found.
 fn opened(model: &Model, missing: &Missing) -> Option<Model> {
-    let near = missing.estimates.iter().map(|e| {
-        let kind = e.parameter.kind;
-        let value = format!("? near {} {}", five_digits(kind.from_si(e.value)), kind.unit);
-        (
-            e.parameter.path.clone(),
-            Setting { key: e.parameter.path.key().into(), value: Entry::Text(value.trim_end().into()) },
-        )
+    let values = missing.estimates.iter().map(|e| {
+        let Parameter { path, kind, .. } = &e.parameter;
+        (path, Entry::Text(near(kind.from_si(e.value), *kind)))
     });
     match missing.cause {
         Cause::Value { .. } => {
-            let edits: Vec<Edit> = near.map(|(path, own)| Edit::Set { path, entry: own.value }).collect();
+            let edits: Vec<Edit> = values.map(|(path, entry)| Edit::Set { path: path.clone(), entry }).collect();
             model.edited(&edits).ok()
         }
-        _ => add_effect(model, &missing.effect.name, &near.map(|own| own.1).collect::<Vec<_>>()).ok(),
+        _ => {
+            let settings: Vec<Setting> =
+                values.map(|(path, value)| Setting { key: path.key().into(), value }).collect();
+            add_effect(model, &missing.effect.name, &settings).ok()
+        }
     }
 }
 
@@ -89,18 +102,27 @@ struct Told {
     criterion: f64,
 }
 
+/// What a search for a law beside a model comes to.
+enum Sought {
+    /// A law.
+    Told(Box<Told>),
+    /// A law that cannot be told from what the measurement may do, in a sentence.
+    HeldBack(String),
+    Nothing,
+}
+
 /// The law that is told beside a model, and what the catalogue says of the model as it is written with that law.
-fn beside(data: &Data, model: &Model, most: usize, progress: &Progress) -> Result<Option<Told>, Failure> {
-    let Some(own) = with(data, model) else { return Ok(None) };
-    let Ok(mut found) = discover(&own, progress) else { return Ok(None) };
+fn beside(data: &Data, model: &Model, most: usize, progress: &Progress) -> Result<Sought, Failure> {
+    let Some(own) = with(data, model) else { return Ok(Sought::Nothing) };
+    let Ok(mut found) = ranked(&own, progress) else { return Ok(Sought::Nothing) };
     if found.told().is_none() {
-        return Ok(None);
+        return Ok(held_back(data, &found).map_or(Sought::Nothing, Sought::HeldBack));
     }
     let law = found.laws.remove(0);
     let open = law.written.open();
-    let Ok(model) = add_effect(data.model, &law.name, &open) else { return Ok(None) };
+    let Ok(model) = add_effect(data.model, &law.name, &open) else { return Ok(Sought::Nothing) };
     let effect = model.effects.iter().find(|own| own.description.name == *law.name).map(|own| own.description.clone());
-    let (Some(own), Some(effect)) = (with(data, &model), effect) else { return Ok(None) };
+    let (Some(own), Some(effect)) = (with(data, &model), effect) else { return Ok(Sought::Nothing) };
     let diagnosis = diagnose::diagnose_beside_law(&own, most, progress)?;
     let criterion = diagnosis.criterion + law.found.price;
     let law = FreeLaw {
@@ -110,7 +132,22 @@ fn beside(data: &Data, model: &Model, most: usize, progress: &Progress) -> Resul
         settings: fitted_settings(&open, &diagnosis.fit, &law.name),
         rivals: found.laws.into_iter().map(|own| own.written.formula).collect(),
     };
-    Ok(Some(Told { law, effect, diagnosis, criterion }))
+    Ok(Sought::Told(Box::new(Told { law, effect, diagnosis, criterion })))
+}
+
+/// Why a law is held back that says as much as effects of the measurement.
+fn held_back(data: &Data, found: &Discovery<Ranked>) -> Option<String> {
+    let law = found.laws.first()?;
+    let why = match &found.too_few {
+        Some(TooFew { settings, variables, more }) => {
+            let more = more.map_or("many more would".into(), |more| format!("{more} more would"));
+            format!("{settings} settings of {} are too few to tell, {more}", variables.join(", "))
+        }
+        None if found.instead.is_empty() => return None,
+        None => "these rows cannot tell".into(),
+    };
+    let observable = &data.model.process.observables()[law.observable].name;
+    Some(format!("what is said of the measurement may be a law, {observable} + {}: {why}", law.written.formula))
 }
 
 /// The data of another model.
@@ -119,11 +156,26 @@ fn with<'m>(data: &Data, model: &'m Model) -> Option<Data<'m>> {
 }
 
 impl Told {
+    /// A diagnosis beside which the law is as likely: nothing that it does without is certain.
+    fn against(self, mut diagnosis: Diagnosis) -> Diagnosis {
+        let share = 1.0 / (1.0 + weight(diagnosis.criterion, self.criterion));
+        diagnosis.posterior.share(share, &self.diagnosis.posterior);
+        for missing in &mut diagnosis.missing {
+            missing.probability = diagnosis.posterior.of(&missing.effect.name);
+        }
+        let FreeLaw { observable, formula, .. } = self.law;
+        diagnosis.cautions.push(format!(
+            "a law that is in no catalogue explains as much, with a probability of {:.0} %: {observable} + {formula}",
+            100.0 * share
+        ));
+        diagnosis
+    }
+
     /// The diagnosis with the law in the place of one without.
     fn over(self, without: Diagnosis, data: &Data) -> Diagnosis {
         let Self { law, effect, mut diagnosis, criterion } = self;
         // Of two that are equally likely each has a half.
-        let against = (0.5 * (criterion - without.criterion)).exp();
+        let against = weight(without.criterion, criterion);
         let goodness = std::mem::replace(&mut diagnosis.before, without.before);
         let change = goodness.predicted.iter().zip(&diagnosis.before.predicted).map(|(with, alone)| with - alone);
         let own = diagnosis.fit.estimates.iter().filter(|e| is_of(&effect.name, e));

@@ -1,11 +1,12 @@
 //! Laws that are written into the model and fitted together with it.
 
+use nalgebra::DVector;
+
 use super::apart::Apart;
 use super::law::{self, Written};
-use super::left_out::LeftOut;
 use super::search::{Bench, Found, amplitudes};
 use crate::fit::{self, Estimate, Fit, Objective, SearchVariable, Solution, StoppingCriterion, minimise};
-use crate::input::Parameter;
+use crate::input::{Parameter, numbered};
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 
 /// Stopping criterion that is enough to rank laws.
@@ -17,10 +18,7 @@ const NAME: &str = "law";
 /// A name for a law that no effect of the model has.
 pub fn free_name(model: &Model) -> String {
     let is_free = |name: &String| model.effects.iter().all(|effect| effect.description.name != *name);
-    std::iter::once(NAME.to_string())
-        .chain((2..).map(|number| format!("{NAME}-{number}")))
-        .find(is_free)
-        .unwrap_or_default()
+    numbered(NAME).find(is_free).unwrap_or_default()
 }
 
 /// Whether a parameter is one of a law of this name.
@@ -29,8 +27,8 @@ pub fn is_of(name: &str, estimate: &Estimate) -> bool {
     key.is_some_and(|rest| rest.starts_with('.'))
 }
 
-/// A law that was found.
-pub struct Law {
+/// A law that is written into the model, and what it leaves there.
+pub struct Ranked {
     /// Name of the effect.
     pub name: String,
     /// The observable to which it is added, by its position in the process's list.
@@ -45,53 +43,26 @@ pub struct Law {
     pub found: Found,
     /// The model with it, its values open.
     pub open: Model,
-    /// The model with it, fitted.
-    pub model: Option<Model>,
-    /// Its parameters.
-    pub estimates: Vec<Estimate>,
-    /// χ² over the degrees of freedom with it.
-    pub reduced_chi2: f64,
-    /// Probability of chance of as much.
-    pub p_value: Option<f64>,
-    /// What it says of rows that were left out.
-    pub left_out: Option<LeftOut>,
     /// The row that tells it from the best, where it is a rival.
     pub apart: Option<Apart>,
-    /// The settings with which `fem add` writes it, the formula first.
-    pub settings: Vec<Setting>,
+    /// Where a search for its values has come to.
+    position: DVector<f64>,
 }
 
-impl Law {
+impl Ranked {
+    /// −2 ln of the likelihood.
+    pub fn misfit(&self) -> f64 {
+        self.criterion - self.found.price
+    }
+
     /// Names and values of its parameters that are not fitted: scales.
     pub fn known(&self) -> impl Iterator<Item = &(String, String)> {
         self.written.settings.iter().filter(|(_, value)| !value.starts_with('?'))
     }
 }
 
-/// A law that is written into the model, and what it leaves after a few steps from where the search has left it.
-pub struct Draft<'f> {
-    found: &'f Found,
-    observable: usize,
-    written: Written,
-    name: String,
-    model: Model,
-    /// −2 ln of its weight: χ² and its price.
-    pub criterion: f64,
-}
-
-impl Draft<'_> {
-    /// −2 ln of the likelihood.
-    pub fn misfit(&self) -> f64 {
-        self.criterion - self.found.price
-    }
-}
-
 /// Writes a law into the model of a fit, and takes a few steps from there.
-pub fn drafted<'f>(
-    (objective, solution): (&Objective, &Solution),
-    bench: &Bench,
-    found: &'f Found,
-) -> Option<Draft<'f>> {
+pub fn drafted((objective, solution): (&Objective, &Solution), bench: &Bench, found: &Found) -> Option<Ranked> {
     let data = objective.data;
     let observable = found.terms.first()?.observable;
     let kind = data.model.process.observables()[observable].error_kind();
@@ -103,46 +74,64 @@ pub fn drafted<'f>(
     }
     let written = law::written(&terms, bench.variables, kind);
     let name = free_name(data.model);
-    let model = add_effect(data.model, &name, &written.open()).ok()?;
-    let criterion = {
-        let own = Data::of(&model, data.clone().into_measurements()).ok()?;
-        let mut with = Objective::new(&own).ok()?;
-        with.noise = objective.noise.clone();
+    let open = add_effect(data.model, &name, &written.open()).ok()?;
+    let position = {
+        let own = Data::of(&open, data.clone().into_measurements()).ok()?;
+        let with = Objective::new(&own).ok()?;
         let start = |(variable, parameter): (&SearchVariable, &Parameter)| {
             let known = objective.parameters.iter().position(|other| other.path == parameter.path);
             known.map_or_else(|| variable.position(variable.starts[0]), |i| solution.position[i])
         };
-        let start = with.variables.iter().zip(&with.parameters).map(start).collect::<Vec<_>>();
-        bench.misfit(minimise(&mut with, &start.into(), &[], SOME_STEPS)?.chi2) + found.price
+        DVector::from_iterator(with.variables.len(), with.variables.iter().zip(&with.parameters).map(start))
     };
-    Some(Draft { found, observable, written, name, model, criterion })
-}
-
-/// Fits a law to all rows.
-pub fn fitted(data: &Data, bench: &Bench, draft: Draft) -> Option<Law> {
-    let Draft { found, observable, written, name, model, .. } = draft;
-    let own = Data::of(&model, data.clone().into_measurements()).ok()?;
-    let fit = fit::fit(&own).ok()?;
-    let chi2 = bench.misfit(fit.reduced_chi2 * bench.freedom);
     let mut variables: Vec<String> =
         found.variables().into_iter().map(|own| bench.variables[own].name.to_string()).collect();
     variables.sort();
     variables.dedup();
+    let (found, apart, criterion) = (found.clone(), None, f64::INFINITY);
+    let draft = Ranked { name, observable, written, variables, criterion, found, open, apart, position };
+    settled(objective, bench, draft, SOME_STEPS)
+}
+
+/// Lets the values of a law settle beside those of the model, under the noise of a fit.
+pub fn settled(objective: &Objective, bench: &Bench, law: Ranked, stop: StoppingCriterion) -> Option<Ranked> {
+    let (position, chi2) = {
+        let own = Data::of(&law.open, objective.data.clone().into_measurements()).ok()?;
+        let mut with = Objective::new(&own).ok()?;
+        with.noise = objective.noise.clone();
+        let Solution { position, chi2, .. } = minimise(&mut with, &law.position, &[], stop)?;
+        (position, chi2)
+    };
+    Some(Ranked { position, criterion: bench.misfit(chi2) + law.found.price, ..law })
+}
+
+/// A law that is fitted.
+pub struct Law {
+    /// The law.
+    pub ranked: Ranked,
+    /// The model with it, fitted.
+    pub model: Option<Model>,
+    /// Its parameters.
+    pub estimates: Vec<Estimate>,
+    /// χ² over the degrees of freedom with it.
+    pub reduced_chi2: f64,
+    /// Probability of chance of as much.
+    pub p_value: Option<f64>,
+    /// The settings with which `fem add` writes it, the formula first.
+    pub settings: Vec<Setting>,
+}
+
+/// Fits a law to all rows.
+pub fn fitted(data: &Data, ranked: Ranked) -> Option<Law> {
+    let own = Data::of(&ranked.open, data.clone().into_measurements()).ok()?;
+    let fit = fit::fit(&own).ok()?;
     Some(Law {
-        observable,
-        variables,
-        criterion: chi2 + found.price,
-        found: found.clone(),
-        model: completed(&own, &fit, &name),
-        estimates: fit.estimates.iter().filter(|e| is_of(&name, e)).cloned().collect(),
+        model: completed(&own, &fit, &ranked.name),
+        estimates: fit.estimates.iter().filter(|e| is_of(&ranked.name, e)).cloned().collect(),
         reduced_chi2: fit.reduced_chi2,
         p_value: fit.p_value,
-        left_out: None,
-        apart: None,
-        settings: fitted_settings(&written.open(), &fit, &name),
-        open: model,
-        written,
-        name,
+        settings: fitted_settings(&ranked.written.open(), &fit, &ranked.name),
+        ranked,
     })
 }
 

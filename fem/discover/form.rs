@@ -35,14 +35,49 @@ pub struct Form {
     pub chi2: f64,
 }
 
+/// Shapes of a variable at its levels, all of their functions in one matrix.
+pub struct Shapes {
+    /// Each function, a row, at every level, a column.
+    values: DMatrix<f64>,
+    /// Products of two functions of one shape, as [`pair`] numbers them.
+    squares: DMatrix<f64>,
+    /// Where the functions of each shape begin, and where its products do.
+    first: Vec<(usize, usize)>,
+}
+
 /// Sums of a form over the rows of each level, of some functions.
 pub struct Sums {
-    levels: usize,
     functions: usize,
-    left: Vec<f64>,
-    less: Vec<f64>,
+    /// Products with the residual and with each direction that is fitted along, one after another, of every function: levels
+    /// are rows.
+    along: DMatrix<f64>,
+    /// Products of two functions, as [`pair`] numbers them.
+    squares: DMatrix<f64>,
+    plain: DMatrix<f64>,
+}
+
+/// What functions and shapes explain by their products.
+pub struct Products {
+    functions: usize,
+    first: Vec<(usize, usize)>,
+    along: DMatrix<f64>,
+    squares: DMatrix<f64>,
+}
+
+/// What functions and shapes explain together.
+pub struct Together<'p> {
+    ones: &'p Products,
+    functions: usize,
+    along: Vec<f64>,
     squares: Vec<f64>,
-    plain: Vec<f64>,
+    both: DMatrix<f64>,
+}
+
+/// What the products of a function with two shapes explain together.
+pub struct Doubles {
+    first: Vec<(usize, usize)>,
+    along: DMatrix<f64>,
+    gram: DMatrix<f64>,
 }
 
 impl<'a, 'm> Metric<'a, 'm> {
@@ -141,129 +176,178 @@ impl Form {
     /// Sums of functions over the rows of each level; `level` of every row.
     pub fn sums(&self, rows: &[usize], functions: &[Vec<f64>], (level, levels): (&[usize], usize)) -> Sums {
         let count = functions.len();
-        let mut left = vec![0.0; count * levels];
-        let mut plain = vec![0.0; count * levels];
-        let mut less = vec![0.0; self.less.len() * count * levels];
-        let mut squares = vec![0.0; count * (count + 1) / 2 * levels];
+        let mut along = DMatrix::zeros(levels, count * (1 + self.less.len()));
+        let mut plain = DMatrix::zeros(levels, count);
+        let mut squares = DMatrix::zeros(levels, count * (count + 1) / 2);
         for (i, own) in functions.iter().enumerate() {
-            for row in rows {
-                left[i * levels + level[*row]] += self.left[*row] * own[*row];
-                plain[i * levels + level[*row]] += self.squares[*row] * own[*row];
-            }
-            for (k, direction) in self.less.iter().enumerate() {
-                let start = (k * count + i) * levels;
-                rows.iter().for_each(|row| less[start + level[*row]] += direction[*row] * own[*row]);
+            let mut plain = plain.column_mut(i);
+            rows.iter().for_each(|row| plain[level[*row]] += self.squares[*row] * own[*row]);
+            for (k, direction) in std::iter::once(&self.left).chain(&self.less).enumerate() {
+                let mut sum = along.column_mut(k * count + i);
+                rows.iter().for_each(|row| sum[level[*row]] += direction[*row] * own[*row]);
             }
             for (j, other) in functions[..=i].iter().enumerate() {
-                let start = pair(i, j) * levels;
-                rows.iter()
-                    .for_each(|row| squares[start + level[*row]] += self.squares[*row] * own[*row] * other[*row]);
+                let mut sum = squares.column_mut(pair(i, j));
+                rows.iter().for_each(|row| sum[level[*row]] += self.squares[*row] * own[*row] * other[*row]);
             }
         }
-        Sums { levels, functions: count, left, less, squares, plain }
+        Sums { functions: count, along, squares, plain }
     }
 }
 
-/// Position of a pair of functions, the second no later than the first.
+/// Position of a pair of functions, in any order.
 fn pair(i: usize, j: usize) -> usize {
+    let (i, j) = (i.max(j), i.min(j));
     i * (i + 1) / 2 + j
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+impl Shapes {
+    /// The functions of each shape, each at every level.
+    pub fn new(shapes: &[Vec<Vec<f64>>]) -> Self {
+        let levels = shapes.first().and_then(|own| own.first()).map_or(0, Vec::len);
+        let (mut functions, mut products, mut first) = (Vec::new(), Vec::new(), Vec::new());
+        for own in shapes {
+            first.push((functions.len(), products.len()));
+            for (i, one) in own.iter().enumerate() {
+                products.extend(
+                    own[..=i].iter().map(|other| -> Vec<f64> { one.iter().zip(other).map(|(a, b)| a * b).collect() }),
+                );
+            }
+            functions.extend(own);
+        }
+        first.push((functions.len(), products.len()));
+        let values = DMatrix::from_fn(functions.len(), levels, |function, level| functions[function][level]);
+        let squares = DMatrix::from_fn(products.len(), levels, |product, level| products[product][level]);
+        Self { values, squares, first }
+    }
+
+    /// The functions of a shape in every row, of which the level is given.
+    pub fn spread(&self, shape: usize, level: &[usize]) -> Vec<Vec<f64>> {
+        let functions = self.first[shape].0..self.first[shape + 1].0;
+        functions.map(|function| level.iter().map(|at| self.values[(function, *at)]).collect()).collect()
+    }
 }
 
 impl Sums {
-    fn of<'s>(&self, values: &'s [f64], position: usize) -> &'s [f64] {
-        &values[position * self.levels..(position + 1) * self.levels]
+    /// What the products of the functions with each of some shapes explain.
+    pub fn products(&self, shapes: &Shapes) -> Products {
+        Products {
+            functions: self.functions,
+            first: shapes.first.clone(),
+            along: &shapes.values * &self.along,
+            squares: &shapes.squares * &self.squares,
+        }
     }
 
-    /// Fall of χ² by the products of the functions with others, given at each level, and their number.
-    pub fn gain_of_product(&self, others: &[Vec<f64>]) -> (f64, usize) {
-        let columns: Vec<(usize, usize)> =
-            (0..self.functions).flat_map(|i| (0..others.len()).map(move |j| (i, j))).collect();
-        let along = |values: &[f64], position: usize, j: usize| dot(self.of(values, position), &others[j]);
-        let left: Vec<f64> = columns.iter().map(|(i, j)| along(&self.left, *i, *j)).collect();
-        let directions = self.less.len() / (self.functions * self.levels).max(1);
-        let less: Vec<Vec<f64>> = (0..directions)
-            .map(|k| columns.iter().map(|(i, j)| along(&self.less, k * self.functions + i, *j)).collect())
-            .collect();
-        let mut products = vec![0.0; self.levels];
-        let square = |(i, j): (usize, usize), (k, l): (usize, usize)| {
-            let both = self.of(&self.squares, pair(i.max(k), i.min(k)));
-            products.iter_mut().zip(others[j].iter().zip(&others[l])).for_each(|(p, (a, b))| *p = a * b);
-            dot(both, &products)
-        };
-        explained(&columns, &left, &less, square)
+    /// What the functions and each of some shapes explain together; `ones` is what the shapes do alone.
+    pub fn together<'p>(&self, shapes: &Shapes, ones: &'p Products) -> Together<'p> {
+        let whole = |own: &DMatrix<f64>| own.column_iter().map(|column| column.sum()).collect();
+        Together {
+            ones,
+            functions: self.functions,
+            along: whole(&self.along),
+            squares: whole(&self.squares),
+            both: &shapes.values * &self.plain,
+        }
     }
 
-    /// Fall of χ² by the functions and others, given at each level, together; `ones` are the sums of the function 1.
-    pub fn gain_of_sum(&self, ones: &Self, others: &[Vec<f64>]) -> (f64, usize) {
-        let columns: Vec<(bool, usize)> =
-            (0..self.functions).map(|i| (true, i)).chain((0..others.len()).map(|j| (false, j))).collect();
-        let whole = |values: &[f64], position: usize| self.of(values, position).iter().sum::<f64>();
-        let left: Vec<f64> = columns
-            .iter()
-            .map(|(is_own, i)| if *is_own { whole(&self.left, *i) } else { dot(&ones.left, &others[*i]) })
-            .collect();
-        let directions = ones.less.len() / self.levels.max(1);
-        let less: Vec<Vec<f64>> = (0..directions)
-            .map(|k| {
-                columns
-                    .iter()
-                    .map(|(is_own, i)| match is_own {
-                        true => whole(&self.less, k * self.functions + i),
-                        false => dot(ones.of(&ones.less, k), &others[*i]),
-                    })
-                    .collect()
-            })
-            .collect();
-        let square = |a: (bool, usize), b: (bool, usize)| match (a, b) {
-            ((true, i), (true, k)) => whole(&self.squares, pair(i.max(k), i.min(k))),
-            ((true, i), (false, j)) | ((false, j), (true, i)) => dot(self.of(&self.plain, i), &others[j]),
-            ((false, j), (false, l)) => {
-                others[j].iter().zip(&others[l]).zip(&ones.squares).map(|((a, b), one)| a * b * one).sum()
-            }
-        };
-        explained(&columns, &left, &less, square)
+    /// What the products of the only function with each two of some shapes explain together.
+    pub fn doubles(&self, shapes: &Shapes) -> Doubles {
+        let mut weighed = shapes.values.clone();
+        for (mut column, square) in weighed.column_iter_mut().zip(self.squares.column(0).iter()) {
+            column *= *square;
+        }
+        Doubles {
+            first: shapes.first.clone(),
+            along: &shapes.values * &self.along,
+            gram: weighed * shapes.values.transpose(),
+        }
     }
 }
 
-/// Fall of χ² by columns of which the products with each other, the residual and the directions that are fitted along are
-/// known, and how many of them are independent (Gram and Schmidt, by way of the Gram matrix).
-fn explained<C: Copy>(
-    columns: &[C],
-    left: &[f64],
-    less: &[Vec<f64>],
-    mut square: impl FnMut(C, C) -> f64,
+impl Products {
+    /// Fall of χ² by the products with a shape, and their number.
+    pub fn gain(&self, shape: usize) -> (f64, usize) {
+        let ((first, of_pairs), (end, _)) = (self.first[shape], self.first[shape + 1]);
+        let count = end - first;
+        let column = |c: usize| (c / count, c % count);
+        let along = |k: usize, c: usize| {
+            let (i, j) = column(c);
+            self.along[(first + j, k * self.functions + i)]
+        };
+        let square = |c: usize, d: usize| {
+            let ((i, j), (k, l)) = (column(c), column(d));
+            self.squares[(of_pairs + pair(j, l), pair(i, k))]
+        };
+        explained(self.functions * count, self.along.ncols() / self.functions - 1, along, square)
+    }
+}
+
+impl Together<'_> {
+    /// Fall of χ² by the functions and a shape together, and the number of both.
+    pub fn gain(&self, shape: usize) -> (f64, usize) {
+        let ((first, of_pairs), (end, _)) = (self.ones.first[shape], self.ones.first[shape + 1]);
+        let own = self.functions;
+        let along = |k: usize, c: usize| match c < own {
+            true => self.along[k * own + c],
+            false => self.ones.along[(first + c - own, k)],
+        };
+        let square = |c: usize, d: usize| match (c < own, d < own) {
+            (true, true) => self.squares[pair(c, d)],
+            (false, true) => self.both[(first + c - own, d)],
+            (true, false) => self.both[(first + d - own, c)],
+            (false, false) => self.ones.squares[(of_pairs + pair(c - own, d - own), 0)],
+        };
+        explained(own + end - first, self.ones.along.ncols() - 1, along, square)
+    }
+}
+
+impl Doubles {
+    /// Fall of χ² by the products with two shapes, and their number.
+    pub fn gain(&self, one: usize, other: usize) -> (f64, usize) {
+        let of = |shape: usize| (self.first[shape].0, self.first[shape + 1].0 - self.first[shape].0);
+        let ((a, count), (b, more)) = (of(one), of(other));
+        let at = |c: usize| if c < count { a + c } else { b + c - count };
+        let along = |k: usize, c: usize| self.along[(at(c), k)];
+        explained(count + more, self.along.ncols() - 1, along, |c, d| self.gram[(at(c), at(d))])
+    }
+}
+
+/// Fall of χ² by columns of which the products with each other and with the residual (0) and the directions that are fitted
+/// along (from 1 on) are known, and how many of them are independent (Gram and Schmidt, by way of the Gram matrix).
+fn explained(
+    count: usize,
+    directions: usize,
+    along: impl Fn(usize, usize) -> f64,
+    square: impl Fn(usize, usize) -> f64,
 ) -> (f64, usize) {
-    let count = columns.len();
-    let mut lower = DMatrix::<f64>::zeros(count, count);
-    let mut solved = vec![0.0; count];
+    /// Room for the functions of two factors, which are six at most.
+    const MOST: usize = 8;
+    let count = count.min(MOST);
+    let mut lower = [[0.0; MOST]; MOST];
+    let mut solved = [0.0; MOST];
     let (mut gain, mut rank) = (0.0, 0);
     for i in 0..count {
-        let whole = square(columns[i], columns[i]);
-        let mut own = whole - less.iter().map(|along| along[i] * along[i]).sum::<f64>();
-        let mut rest = left[i];
+        let whole = square(i, i);
+        let mut own = whole - (1..=directions).map(|k| along(k, i).powi(2)).sum::<f64>();
+        let mut rest = along(0, i);
         for j in 0..i {
-            if lower[(j, j)] == 0.0 {
+            if lower[j][j] == 0.0 {
                 continue;
             }
-            let mut both = square(columns[i], columns[j]) - less.iter().map(|along| along[i] * along[j]).sum::<f64>();
-            for k in 0..j {
-                both -= lower[(i, k)] * lower[(j, k)];
-            }
-            let along = both / lower[(j, j)];
-            lower[(i, j)] = along;
-            own -= along * along;
-            rest -= along * solved[j];
+            let mut both = square(i, j) - (1..=directions).map(|k| along(k, i) * along(k, j)).sum::<f64>();
+            both -= lower[i].iter().zip(&lower[j]).take(j).map(|(one, other)| one * other).sum::<f64>();
+            let part = both / lower[j][j];
+            lower[i][j] = part;
+            own -= part * part;
+            rest -= part * solved[j];
         }
         if !own.is_finite() || !rest.is_finite() {
             return (0.0, 1);
         }
         if own > DEPENDENT * whole.max(f64::MIN_POSITIVE) {
-            lower[(i, i)] = own.sqrt();
-            solved[i] = rest / lower[(i, i)];
+            lower[i][i] = own.sqrt();
+            solved[i] = rest / lower[i][i];
             gain += solved[i] * solved[i];
             rank += 1;
         }

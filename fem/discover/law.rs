@@ -233,7 +233,7 @@ fn short(name: &str) -> String {
 }
 
 /// A number in a unit from which a search begins.
-fn near(value: f64, kind: Kind) -> String {
+pub fn near(value: f64, kind: Kind) -> String {
     format!("? near {} {}", digits(value), kind.unit).trim_end().to_string()
 }
 

@@ -15,37 +15,40 @@ mod variable;
 
 pub use apart::Apart;
 pub use diagnosis::diagnose;
-pub use fitted::Law;
+pub use fitted::{Law, Ranked};
 pub use law::Written;
 pub use left_out::LeftOut;
 pub use levels::TooFew;
 
 use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, thinned_to, under_noise, under_stated_noise, unsolvable};
-use crate::fit::Objective;
+use crate::fit::{Objective, StoppingCriterion};
 use crate::model::Data;
 use crate::noise::{Term, beyond_chi2};
 use crate::process::Failure;
 use crate::progress::Progress;
 use crate::units::Kind;
-use fitted::Draft;
-use form::Metric;
+use form::{Metric, Shapes};
 use levels::Settings;
 use rayon::prelude::*;
-use search::{AtLevels, Bench, Found, kind};
+use search::{Bench, Found, kind};
 use variable::{Factor, Variable};
 
 /// Most terms of one law.
 const MOST_TERMS: usize = 4;
+/// Rows for each number of a law, and the numbers that it may have on however few: with more it follows a curve, and is no law
+/// (Harrell, Regression modeling strategies, 2015, 4.4, asks for 10 to 20).
+const ROWS_EACH: usize = 8;
+const LEAST_NUMBERS: usize = 4;
 /// Fall of the criterion from which a term is worth its price.
 const WORTH: f64 = 10.0;
 /// Laws that are grown further, and laws of which is seen what they leave beside the model's own values.
 const GROWN: usize = 3;
 const DRAFTED: usize = 12;
-/// Most laws that are fitted, with intervals.
-const FITTED: usize = 5;
+/// Most laws that settle beside the values of the model.
+const SETTLED: usize = 5;
 /// Standard uncertainties by which two laws differ somewhere, if they are two.
 const DIFFERENT: f64 = 1.0;
-/// Rise of the criterion up to which a law is fitted: its constants settle beside those of the model.
+/// Rise of the criterion up to which it is seen how the constants of a law settle beside the values of the model.
 const NEAR: f64 = 40.0;
 /// Rise of the criterion up to which a law is a rival of the best.
 pub const RIVAL: f64 = 6.0;
@@ -58,58 +61,75 @@ const INSTEAD: &str = "effects of the measurement in the place of a law";
 /// Most rows that are searched.
 const MOST_ROWS: usize = 500;
 
-/// What was found.
-pub struct Discovery {
+/// What was found; its laws as they were ranked, or fitted.
+pub struct Discovery<L = Law> {
     /// χ² over the degrees of freedom before.
     pub before: f64,
     /// Whether nothing is left that a law could explain.
     pub is_nothing_left: bool,
     /// The laws, the best first: it, and its rivals.
-    pub laws: Vec<Law>,
+    pub laws: Vec<L>,
     /// Effects of the measurement that say as much as the best of them, where they do: it is held back then.
     pub instead: Vec<Term>,
     /// Settings that are too few for the best of them, where they are: it is held back then.
     pub too_few: Option<TooFew>,
+    /// What the best says of rows that were left out.
+    pub left_out: Option<LeftOut>,
     /// Names of the variables over which laws were sought.
     pub sought: Vec<String>,
     /// Ranges of the variables of the best, SI: beyond them nothing is known of it.
     pub ranges: Vec<(String, Kind, [f64; 2])>,
 }
 
-impl Discovery {
+impl<L> Discovery<L> {
     /// The best law, where it is not held back.
-    pub fn told(&self) -> Option<&Law> {
-        let foresees = |law: &&Law| law.left_out.is_none_or(|own| own.after < own.before);
-        self.laws.first().filter(foresees).filter(|_| self.instead.is_empty() && self.too_few.is_none())
+    pub fn told(&self) -> Option<&L> {
+        let foresees = self.left_out.is_none_or(|own| own.after < own.before);
+        self.laws.first().filter(|_| foresees && self.instead.is_empty() && self.too_few.is_none())
     }
 }
 
-/// Searches for laws in what a model leaves.
+/// Searches for laws in what a model leaves, and fits the best and its rivals.
 ///
 /// # Errors
 /// The model cannot be computed.
 pub fn discover(data: &Data, progress: &Progress) -> Result<Discovery, Failure> {
-    rayon::scope(|_| discover_all(data, progress))
+    let Discovery { laws, before, is_nothing_left, instead, too_few, left_out, sought, ranges } =
+        ranked(data, progress)?;
+    let laws = progress.stretch("fits of laws", || {
+        let mut all: Vec<Law> = Vec::new();
+        for law in laws {
+            if all.is_empty() || progress.permits("rivals of the law") {
+                all.extend(fitted::fitted(data, law));
+            }
+        }
+        all
+    });
+    Ok(Discovery { laws, before, is_nothing_left, instead, too_few, left_out, sought, ranges })
 }
 
-fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure> {
+/// Searches for laws in what a model leaves: the best, and its rivals.
+fn ranked(data: &Data, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
+    rayon::scope(|_| rank(data, progress))
+}
+
+fn rank(whole: &Data, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
     let some = thinned_to(whole, MOST_ROWS);
     let data = some.as_ref().unwrap_or(whole);
     let (mut objective, solution) = under_stated_noise(data)?;
     let projected = ProjectedResidual::new(&mut objective, &solution).ok_or_else(unsolvable)?;
     let (chi2, freedom) = (projected.residual.norm_squared(), projected.freedom);
-    let before = chi2 / freedom;
-    let is_nothing_left = beyond_chi2(freedom, chi2).is_some_and(|p| p >= SIGNIFICANCE);
     let mut discovery = Discovery {
-        before,
-        is_nothing_left,
+        before: chi2 / freedom,
+        is_nothing_left: beyond_chi2(freedom, chi2).is_some_and(|p| p >= SIGNIFICANCE),
         laws: Vec::new(),
         instead: Vec::new(),
         too_few: None,
+        left_out: None,
         sought: Vec::new(),
         ranges: Vec::new(),
     };
-    if is_nothing_left {
+    if discovery.is_nothing_left {
         return Ok(discovery);
     }
     let variables = Variable::all(data, &solution.predicted);
@@ -118,19 +138,18 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
     let laws = progress.stretch("search for laws", || grown(&bench, progress));
     let Some(least) = laws.first().map(|best| best.criterion) else { return Ok(discovery) };
     let near: Vec<Found> = laws.into_iter().filter(|own| own.criterion < least + NEAR).take(DRAFTED).collect();
-    progress.stretch("fits of laws", || {
-        let mut drafts: Vec<Draft> =
-            near.par_iter().filter_map(|found| fitted::drafted((&objective, &solution), &bench, found)).collect();
+    discovery.laws = progress.stretch("laws beside the values of the model", || {
+        let draft = |found: &Found| fitted::drafted((&objective, &solution), &bench, found);
+        let mut drafts: Vec<Ranked> = near.par_iter().filter_map(draft).collect();
         drafts.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
-        let Some((least, misfit)) = drafts.first().map(|best| (best.criterion, best.misfit())) else { return };
+        let Some((least, misfit)) = drafts.first().map(|best| (best.criterion, best.misfit())) else { return drafts };
         drafts.retain(|own| own.criterion < least + PERHAPS || own.misfit() < misfit + PERHAPS);
-        for draft in drafts.into_iter().take(FITTED) {
-            if discovery.laws.is_empty() || progress.permits("rivals of the law") {
-                discovery.laws.extend(fitted::fitted(whole, &bench, draft));
-            }
-        }
+        drafts.truncate(SETTLED);
+        let settle = |draft| fitted::settled(&objective, &bench, draft, StoppingCriterion::FULL);
+        let mut laws: Vec<Ranked> = drafts.into_par_iter().filter_map(settle).collect();
+        laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
+        laws
     });
-    discovery.laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     if !discovery.laws.is_empty() && progress.permits(INSTEAD) {
         progress.stretch(INSTEAD, || discovery.weigh_against_noise(data, progress))?;
     }
@@ -138,7 +157,7 @@ fn discover_all(whole: &Data, progress: &Progress) -> Result<Discovery, Failure>
     Ok(discovery)
 }
 
-impl Discovery {
+impl Discovery<Ranked> {
     /// Weighs the best law against the effects of the measurement that the rows ask for without it: what a law of many shapes
     /// makes of a few zeros is no law. Laws on the edge of where the model can be computed are left out.
     fn weigh_against_noise(&mut self, data: &Data, progress: &Progress) -> Result<(), Failure> {
@@ -159,11 +178,11 @@ impl Discovery {
     /// Keeps the best law and its rivals, and says of them what speaks for and against them.
     fn judge(&mut self, bench: &Bench) {
         let Some(best) = self.laws.first() else { return };
-        let (least, misfit, told) = (best.criterion, best.criterion - best.found.price, best.found.clone());
+        let (least, misfit, told) = (best.criterion, best.misfit(), best.found.clone());
         // What fits as well is a rival, at whatever price: further out it may say something else. What has something more
         // beside the best is none.
-        let is_near = |law: &Law| law.criterion < least + RIVAL || law.criterion - law.found.price < misfit + RIVAL;
-        let rivals: Vec<Law> =
+        let is_near = |law: &Ranked| law.criterion < least + RIVAL || law.misfit() < misfit + RIVAL;
+        let rivals: Vec<Ranked> =
             self.laws.drain(1..).filter(|law| is_near(law) && !law.found.is_more_than(&told)).collect();
         for mut rival in rivals {
             rival.apart = apart::apart(bench, &told, &rival.found);
@@ -175,9 +194,7 @@ impl Discovery {
         self.ranges = ranges(bench, &told);
         let settings = Settings::of(bench, &told);
         self.too_few = levels::too_few(bench, &told, &settings);
-        if let Some(best) = self.laws.first_mut() {
-            best.left_out = left_out::left_out(bench, &told, &settings);
-        }
+        self.left_out = left_out::left_out(bench, &told, &settings);
     }
 }
 
@@ -195,8 +212,8 @@ fn bench<'a, 'm>(
 ) -> Bench<'a, 'm> {
     let of = |(i, own): (usize, &Variable)| own.factors(i, &scales::scales(data.model, own.kind));
     let factors: Vec<Vec<Factor>> = variables.iter().enumerate().map(of).collect();
-    let all = |at: &(dyn Fn(&Factor) -> AtLevels + Sync)| -> Vec<Vec<AtLevels>> {
-        factors.iter().map(|own| own.par_iter().map(at).collect()).collect()
+    let all = |at: &dyn Fn(&Factor) -> Vec<Vec<f64>>| -> Vec<Shapes> {
+        factors.iter().map(|own| Shapes::new(&own.iter().map(at).collect::<Vec<_>>())).collect()
     };
     let two = (0..variables.len()).flat_map(|i| (0..variables.len()).map(move |j| (i, j))).filter(|(i, j)| i != j);
     Bench {
@@ -221,6 +238,7 @@ fn bench<'a, 'm>(
 fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
     let mut all: Vec<Found> = Vec::new();
     let mut open = vec![bench.judged(Vec::new())];
+    let most_numbers = (bench.rows / ROWS_EACH).max(LEAST_NUMBERS);
     while !open.is_empty() {
         let mut next: Vec<Found> = Vec::new();
         for law in open {
@@ -228,7 +246,8 @@ fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
                 break;
             }
             let further = bench.further(&law, progress);
-            next.extend(further.into_iter().filter(|own| own.criterion < law.criterion - WORTH));
+            let is_law = |own: &Found| own.freedom <= most_numbers && own.criterion < law.criterion - WORTH;
+            next.extend(further.into_iter().filter(is_law));
         }
         next.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         let mut kinds = Vec::new();

@@ -7,7 +7,7 @@ use std::mem::{Discriminant, discriminant};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::form::{Form, Metric, Sums};
+use super::form::{Form, Metric, Shapes};
 use super::shape::Shape;
 use super::variable::{Factor, Variable, product};
 use crate::progress::Progress;
@@ -17,6 +17,8 @@ const MOST_FUNCTIONS: usize = 6;
 /// Terms of each pool that are refined, and pairs from which triples are grown.
 const REFINED: usize = 20;
 const GROWN: usize = 8;
+/// Refined laws of which shapes are exchanged and terms left out.
+const POLISHED: usize = 24;
 /// Rounds of refinement, each with half the step.
 const ROUNDS: usize = 7;
 /// Rounds in which shapes are exchanged for others of the same variable.
@@ -82,9 +84,6 @@ fn shape_of(own: &Factor) -> FactorKind {
     (own.variable, own.other, discriminant(&own.shape))
 }
 
-/// The functions of a shape, each at every level.
-pub type AtLevels = Vec<Vec<f64>>;
-
 /// Residuals of a model, and the variables over which laws are sought.
 pub struct Bench<'a, 'm> {
     /// Each observable and how its columns are weighed.
@@ -102,8 +101,8 @@ pub struct Bench<'a, 'm> {
     /// Shapes of each variable.
     pub factors: Vec<Vec<Factor>>,
     /// Their functions at every level of the variable, and at a few values in the place of all.
-    pub at_levels: Vec<Vec<AtLevels>>,
-    pub at_some: Vec<Vec<AtLevels>>,
+    pub at_levels: Vec<Shapes>,
+    pub at_some: Vec<Shapes>,
     /// What of each variable is beyond a part of another.
     pub excesses: Vec<Factor>,
 }
@@ -198,7 +197,11 @@ impl Bench<'_, '_> {
         for (observable, metric) in &self.metrics {
             let form = metric.beside(&beside);
             let pools = self.pools((law, beside.len()), *observable, metric, &form, progress);
-            all.extend(pools.into_par_iter().map(|own| self.polished(own)).collect::<Vec<_>>());
+            let mut refined: Vec<Found> = pools.into_par_iter().map(|own| self.refined(own)).collect();
+            refined.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
+            let rest = refined.split_off(POLISHED.min(refined.len()));
+            all.extend(refined.into_par_iter().map(|own| self.polished(own)).collect::<Vec<_>>());
+            all.extend(rest);
         }
         all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         self.best_of_kinds(all, usize::MAX, 1)
@@ -225,25 +228,20 @@ impl Bench<'_, '_> {
         let ones = vec![vec![1.0; self.rows]];
         let levels = |v: usize| (self.variables[v].level.as_slice(), self.variables[v].levels.len());
         let some = |v: usize| (self.variables[v].coarse.1.as_slice(), self.variables[v].coarse.0.len());
-        let spread = |v: usize, i: usize| -> Vec<Vec<f64>> {
-            let level = &self.variables[v].level;
-            at_levels[v][i].iter().map(|own| level.iter().map(|at| own[*at]).collect()).collect()
-        };
+        let spread = |v: usize, i: usize| at_levels[v].spread(i, &self.variables[v].level);
         let mut all = Vec::new();
 
         let excesses: Vec<&Factor> = self.excesses.iter().filter(|own| usable.contains(&own.variable)).collect();
         let mut singles = Vec::new();
         for v in &usable {
-            let sums = form.sums(rows, &ones, levels(*v));
-            let one = |i: usize| {
-                let gain = sums.gain_of_product(&at_levels[*v][i]);
-                further(vec![vec![self.factors[*v][i].clone()]], gain)
-            };
+            let products = form.sums(rows, &ones, levels(*v)).products(&at_levels[*v]);
+            let one = |i: usize| further(vec![vec![self.factors[*v][i].clone()]], products.gain(i));
             singles.extend((0..self.factors[*v].len()).into_par_iter().map(one).collect::<Vec<_>>());
         }
+        let (nowhere, one) = (vec![0; self.rows], Shapes::new(&[vec![vec![1.0]]]));
         let of_excess = |own: &&Factor| {
-            let sums = form.sums(rows, &own.columns(self.variables), (&vec![0; self.rows], 1));
-            further(vec![vec![(*own).clone()]], sums.gain_of_product(&[vec![1.0]]))
+            let sums = form.sums(rows, &own.columns(self.variables), (&nowhere, 1));
+            further(vec![vec![(*own).clone()]], sums.products(&one).gain(0))
         };
         let of_excesses: Vec<Found> = excesses.par_iter().map(of_excess).collect();
         let grown_from = self.best_of_kinds(of_excesses.clone(), GROWN / 2, 1);
@@ -259,10 +257,11 @@ impl Bench<'_, '_> {
         for (a, b) in pairs {
             let is_longer = self.variables[a].levels.len() > self.variables[b].levels.len();
             let (a, b) = if is_longer { (a, b) } else { (b, a) };
-            let of_ones = form.sums(rows, &ones, some(b));
+            let of_ones = form.sums(rows, &ones, some(b)).products(&at_some[b]);
             let with = |i: usize| {
                 let own = &self.factors[a][i];
                 let sums = form.sums(rows, &spread(a, i), some(b));
+                let (of_products, of_both) = (sums.products(&at_some[b]), sums.together(&at_some[b], &of_ones));
                 let (mut products, mut together) = (Vec::new(), Vec::new());
                 for (j, other) in self.factors[b].iter().enumerate() {
                     let is_within = own.shape.functions() * other.shape.functions() <= MOST_FUNCTIONS;
@@ -273,11 +272,11 @@ impl Bench<'_, '_> {
                         self.misfit((form.chi2 - gain).max(0.0)) + (count + constants) as f64 * (self.rows as f64).ln()
                     };
                     if is_product && is_within {
-                        let gain = sums.gain_of_product(&at_some[b][j]);
+                        let gain = of_products.gain(j);
                         products.push((cheap(gain), gain, j));
                     }
                     if a != b || i < j {
-                        let gain = sums.gain_of_sum(&of_ones, &at_some[b][j]);
+                        let gain = of_both.gain(j);
                         together.push((cheap(gain), gain, j));
                     }
                 }
@@ -322,14 +321,13 @@ impl Bench<'_, '_> {
         let plain: Vec<(usize, Vec<usize>)> = usable.iter().filter(is_own).map(|b| (*b, of(*b, &is_plain))).collect();
         for (a, i) in sizes {
             for (b, shapes) in plain.iter().filter(|(b, shapes)| *b != a && shapes.len() > 1) {
-                let sums = form.sums(rows, &spread(a, i), some(*b));
+                let doubles = form.sums(rows, &spread(a, i), some(*b)).doubles(&at_some[*b]);
                 let with = |k: usize| {
                     let one = shapes[k];
                     let two = |other: &usize| {
-                        let both = [at_some[*b][one].as_slice(), at_some[*b][*other].as_slice()].concat();
                         let factors =
                             [one, *other].map(|own| vec![self.factors[a][i].clone(), self.factors[*b][own].clone()]);
-                        let (gain, count) = sums.gain_of_product(&both);
+                        let (gain, count) = doubles.gain(one, *other);
                         (form.chi2 - gain, count, factors)
                     };
                     let best = shapes[k + 1..].iter().map(two).min_by(|x, y| x.0.total_cmp(&y.0));
@@ -356,12 +354,12 @@ impl Bench<'_, '_> {
             };
             let others: Vec<usize> = usable.iter().filter(is_other).copied().collect();
             for v in others {
-                let sums: Sums = form.sums(rows, &own, some(v));
+                let products = form.sums(rows, &own, some(v)).products(&at_some[v]);
                 let with = |i: usize| {
                     let factor = &self.factors[v][i];
                     (own.len() * factor.shape.functions() <= MOST_FUNCTIONS).then(|| {
                         let factors = term.factors.iter().cloned().chain([factor.clone()]).collect();
-                        further(vec![factors], sums.gain_of_product(&at_some[v][i]))
+                        further(vec![factors], products.gain(i))
                     })
                 };
                 grown.extend((0..self.factors[v].len()).into_par_iter().filter_map(with).collect::<Vec<_>>());
@@ -371,9 +369,9 @@ impl Bench<'_, '_> {
         all
     }
 
-    /// Terms with the constants, the shapes and the number of them that say most.
+    /// Refined terms with the shapes and the number of them that say most.
     fn polished(&self, found: Found) -> Found {
-        let mut best = self.refined(found);
+        let mut best = found;
         for _ in 0..EXCHANGES {
             let before = best.criterion;
             if let Some(other) = self.exchanged(&best) {
@@ -415,8 +413,8 @@ impl Bench<'_, '_> {
                 let own = if columns.is_empty() { vec![vec![1.0; self.rows]] } else { product(&columns) };
                 let variable = &self.variables[factor.variable];
                 let sums = form.sums(&metric.rows, &own, (&variable.level, variable.levels.len()));
-                let shapes = self.factors[factor.variable].iter().zip(&self.at_levels[factor.variable]);
-                for (other, at_levels) in shapes {
+                let products = sums.products(&self.at_levels[factor.variable]);
+                for (shape, other) in self.factors[factor.variable].iter().enumerate() {
                     let is_twice = term.factors.iter().enumerate().any(|(i, own)| {
                         let is_envelope = own.shape.is_envelope() && other.shape.is_wave()
                             || own.shape.is_wave() && other.shape.is_envelope();
@@ -426,7 +424,7 @@ impl Bench<'_, '_> {
                     if is_long || is_twice || other.shape == factor.shape {
                         continue;
                     }
-                    let (gain, count) = sums.gain_of_product(at_levels);
+                    let (gain, count) = products.gain(shape);
                     let mut terms = found.terms.clone();
                     terms[t].factors[f] = other.clone();
                     let judged = self.priced(terms, (whole + gain, others.len() + count));
@@ -441,35 +439,50 @@ impl Bench<'_, '_> {
 
     /// A search by steps along each constant, which are halved.
     pub fn refined(&self, found: Found) -> Found {
-        let mut best = self.judged(found.terms);
-        let mut places = Vec::new();
-        for (t, term) in best.terms.iter().enumerate() {
-            for (f, own) in term.factors.iter().enumerate().filter(|(_, own)| !own.is_known) {
-                places.extend((0..own.constants.len()).map(|c| (t, f, c)));
-            }
-        }
+        let mut terms = found.terms;
         let mut step = 0.5;
         for _ in 0..ROUNDS {
             for _ in 0..2 {
-                let before = best.gain;
-                for (t, f, c) in &places {
-                    for sign in [1.0, -1.0] {
-                        let mut terms = best.terms.clone();
-                        let own = &mut terms[*t].factors[*f];
-                        own.constants[*c] = moved(own, *c, sign * step, self.variables[own.variable].ends());
-                        let judged = self.judged(terms);
-                        if judged.gain > best.gain {
-                            best = judged;
-                        }
-                    }
-                }
-                if best.gain <= before * (1.0 + 1e-9) {
+                let moved = (0..terms.len()).filter(|t| self.moves(&mut terms, *t, step)).count();
+                if moved == 0 {
                     break;
                 }
             }
             step *= 0.5;
         }
-        best
+        self.judged(terms)
+    }
+
+    /// Moves each constant of a term by a step either way where that explains more; whether one does.
+    fn moves(&self, terms: &mut [Term], t: usize, step: f64) -> bool {
+        let others: Vec<Term> = terms.iter().enumerate().filter(|(i, _)| *i != t).map(|(_, own)| own.clone()).collect();
+        let others = basis(self.seen(&others));
+        let Term { observable, factors } = &mut terms[t];
+        let Some(metric) = self.metric(*observable) else { return false };
+        let gain = |columns: &[Vec<Vec<f64>>]| {
+            let seen = metric.seen(&product(columns));
+            let is_finite = seen.iter().all(|column| column.norm().is_finite());
+            if is_finite { self.explained(&beside(&others, seen)) } else { 0.0 }
+        };
+        let mut columns: Vec<Vec<Vec<f64>>> = factors.iter().map(|own| own.columns(self.variables)).collect();
+        let before = gain(&columns);
+        let mut best = before;
+        for f in (0..factors.len()).filter(|f| !factors[*f].is_known).collect::<Vec<_>>() {
+            for (constant, sign) in (0..factors[f].constants.len()).flat_map(|c| [(c, 1.0), (c, -1.0)]) {
+                let ends = self.variables[factors[f].variable].ends();
+                let to = moved(&factors[f], constant, sign * step, ends);
+                let from = std::mem::replace(&mut factors[f].constants[constant], to);
+                let columns_from = std::mem::replace(&mut columns[f], factors[f].columns(self.variables));
+                let own = gain(&columns);
+                if own > best {
+                    best = own;
+                } else {
+                    factors[f].constants[constant] = from;
+                    columns[f] = columns_from;
+                }
+            }
+        }
+        best > before * (1.0 + 1e-9)
     }
 
     /// The best of some laws, no more than `each` of the same shapes of the same variables.
@@ -522,10 +535,15 @@ fn moved(own: &Factor, constant: usize, part: f64, (low, high): (f64, f64)) -> f
 
 /// An orthonormal basis of columns, without those that depend on others.
 pub fn basis(columns: Vec<DVector<f64>>) -> Vec<DVector<f64>> {
+    beside(&[], columns)
+}
+
+/// An orthonormal basis of what columns are beside others, which are orthonormal.
+fn beside(others: &[DVector<f64>], columns: Vec<DVector<f64>>) -> Vec<DVector<f64>> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     for mut column in columns {
         let size = column.norm();
-        for other in &basis {
+        for other in others.iter().chain(&basis) {
             let along = other.dot(&column);
             column.axpy(-along, other, 1.0);
         }

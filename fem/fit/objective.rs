@@ -79,9 +79,15 @@ impl<'a> Objective<'a> {
         let mut variables: Vec<SearchVariable> =
             model.parameters.iter().map(|p| SearchVariable::new(p, model.catalogue(&p.path))).collect();
         for (variable, parameter) in variables.iter_mut().zip(&model.parameters) {
-            if parameter.quantity.value.is_nan() && model.is_of_formula(&parameter.path) {
+            if !model.is_of_formula(&parameter.path) {
+                continue;
+            }
+            if parameter.quantity.value.is_nan() {
                 let starts = starts_beside(model, data, parameter);
                 variable.starts = if starts.is_empty() { std::mem::take(&mut variable.starts) } else { starts };
+            } else {
+                // Whoever writes a law, and where its search begins, knows the valley.
+                variable.is_surveyed = false;
             }
         }
         for (variable, parameter) in variables.iter_mut().zip(&model.parameters) {

@@ -31,7 +31,7 @@ pub use listing::{ListedRow, Listing};
 pub use name::Name;
 pub use parameter::{Parameter, ParameterId};
 pub use problem::{InputError, Problem, did_you_mean, nearest};
-pub use reader::{FileKey, Found, Instead, Names, Reader, Shape, is_one_of};
+pub use reader::{FileKey, Found, Instead, Names, Reader, Shape, is_one_of, numbered};
 pub use record::{Along, Record, Varying};
 pub use source::Source;
 pub use tables::read_tables;

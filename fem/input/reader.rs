@@ -7,7 +7,7 @@
 
 mod tables;
 
-pub use tables::{Names, is_one_of};
+pub use tables::{Names, is_one_of, numbered};
 
 use std::any::Any;
 use std::cell::{Cell, RefCell};

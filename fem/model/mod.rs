@@ -39,7 +39,7 @@ use toml_edit::Table;
 
 use crate::input::{
     FileKey, Found, InputError, Instead, Kept, Name, Names, Parameter, ParameterId, Problem, Reader, Source,
-    did_you_mean, nearest,
+    did_you_mean, nearest, numbered,
 };
 use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{Active, Contradiction, Coordinate, Description, ForwardModel, Process, System};
@@ -207,8 +207,7 @@ impl Model {
     /// is taken, by the model or among `others`, the next of `zero-shift-2`, `zero-shift-3`, ….
     pub fn free_table(&self, effect: &str, others: &[String]) -> String {
         let is_taken = |name: &String| self.has_measurement(name) || others.contains(name);
-        let further = (2..).map(|number| format!("{effect}-{number}"));
-        std::iter::once(effect.to_string()).chain(further).find(|name| !is_taken(name)).unwrap_or_default()
+        numbered(effect).find(|name| !is_taken(name)).unwrap_or_default()
     }
 
     /// Whether the model has the table `[measurement.NAME]`.

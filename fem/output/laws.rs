@@ -9,7 +9,7 @@ use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
 use crate::diagnose::SIGNIFICANCE;
-use crate::discover::{Apart, Discovery, Law, TooFew};
+use crate::discover::{Apart, Discovery, Law, LeftOut, TooFew};
 use crate::model::Data;
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -22,21 +22,21 @@ pub struct LawsAnswer<'a>(pub &'a Data<'a>, pub &'a Discovery);
 
 impl LawsAnswer<'_> {
     fn observable(&self, law: &Law) -> String {
-        self.0.model.process.observables()[law.observable].name.to_string()
+        self.0.model.process.observables()[law.ranked.observable].name.to_string()
     }
 
     /// The command that adds a law; where it names columns that the process does not know, the measurements tell these.
     fn command(&self, law: &Law) -> String {
         let data = self.0;
-        let line = add(&data.model.source.name, &law.name, &law.settings).0;
-        let is_recorded = data.recorded.iter().any(|own| law.variables.contains(&own.name.to_string()));
+        let line = add(&data.model.source.name, &law.ranked.name, &law.settings).0;
+        let is_recorded = data.recorded.iter().any(|own| law.ranked.variables.contains(&own.name.to_string()));
         if is_recorded { format!("{line} {}", with(data)) } else { line }
     }
 
     /// Why the best law is not told.
     fn held_back(&self) -> Option<String> {
         let Self(data, found) = *self;
-        let best = found.laws.first().filter(|_| found.told().is_none())?;
+        found.laws.first().filter(|_| found.told().is_none())?;
         if let Some(TooFew { settings, variables, more }) = &found.too_few {
             let more = match more {
                 Some(more) => format!("{more} more, unlike these, would decide"),
@@ -52,7 +52,7 @@ impl LawsAnswer<'_> {
             let terms: Vec<String> = found.instead.iter().map(of).collect();
             return Some(format!("what the measurement itself may do says as much: {}", terms.join("; ")));
         }
-        let left_out = best.left_out?;
+        let left_out = found.left_out?;
         Some(format!(
             "it does not foresee rows that it was not fitted to: {:.2} standard uncertainties there, {:.2} without it",
             left_out.after, left_out.before
@@ -77,10 +77,10 @@ impl Answer for LawsAnswer<'_> {
             None => "a law explains what the model leaves".into(),
             Some(_) => "held back: a law that fits, and is not to be believed yet".into(),
         }));
-        blocks.push(Block::Paragraph(format!("{} + {}", self.observable(best), best.written.formula)));
+        blocks.push(Block::Paragraph(format!("{} + {}", self.observable(best), best.ranked.written.formula)));
         let columns = [Column::wide("constant"), Column::new("value", 24), Column::remark("95 % interval", 0)];
         blocks.push(Block::Table(Table::new(columns, best.estimates.iter().flat_map(|e| rows(e, false)))));
-        let known: Vec<String> = best.known().map(|(name, value)| format!("{name} = {value}")).collect();
+        let known: Vec<String> = best.ranked.known().map(|(name, value)| format!("{name} = {value}")).collect();
         if !known.is_empty() {
             blocks.push(Block::Sentence(format!("chosen, not fitted: {}", known.join(", "))));
         }
@@ -90,7 +90,7 @@ impl Answer for LawsAnswer<'_> {
             best.reduced_chi2,
             if best.p_value.is_some_and(|p| p < SIGNIFICANCE) { ": more is left than noise gives" } else { "" }
         )));
-        if let Some(left_out) = best.left_out {
+        if let Some(left_out) = found.left_out {
             blocks.push(Block::Sentence(format!(
                 "rows that it was not fitted to, setting by setting: {:.2} standard uncertainties, {:.2} without it",
                 left_out.after, left_out.before
@@ -98,7 +98,7 @@ impl Answer for LawsAnswer<'_> {
         }
         blocks.push(Block::Sentence(format!(
             "it pays {:.0} of chi2 for its constants and for a search over {}",
-            best.found.price,
+            best.ranked.found.price,
             sought(found)
         )));
         let ranges: Vec<String> = found.ranges.iter().map(range).collect();
@@ -112,8 +112,9 @@ impl Answer for LawsAnswer<'_> {
         if !rivals.is_empty() {
             blocks.push(Block::Heading("fit as well, and cannot be told from it".into()));
             let rival = |law: &Law| {
-                let apart = law.apart.as_ref().map_or(String::new(), |own| format!("; {}", told_apart(own, self, law)));
-                format!("{}   chi2/dof {:.3}{apart}", law.written.formula, law.reduced_chi2)
+                let apart =
+                    law.ranked.apart.as_ref().map_or(String::new(), |own| format!("; {}", told_apart(own, self, law)));
+                format!("{}   chi2/dof {:.3}{apart}", law.ranked.written.formula, law.reduced_chi2)
             };
             blocks.push(Block::List(rivals.iter().take(MOST_RIVALS).map(rival).collect()));
             let more = rivals.len().saturating_sub(MOST_RIVALS);
@@ -137,24 +138,24 @@ impl Answer for LawsAnswer<'_> {
     /// `fem discover --json`: `fem-laws/1`.
     fn json(&self) -> Json {
         let Self(data, found) = *self;
-        let law = |law: &Law| {
+        let law = |law: &Law, left_out: Option<LeftOut>| {
             json!({
                 "observable": self.observable(law),
-                "formula": law.written.formula,
-                "variables": law.variables,
+                "formula": law.ranked.written.formula,
+                "variables": law.ranked.variables,
                 "parameters": law.estimates.iter().map(estimate).collect::<Vec<_>>(),
-                "chosen": law.known().map(|(name, value)| json!({ "parameter": name, "value": value })).collect::<Vec<_>>(),
+                "chosen": law.ranked.known().map(|(name, value)| json!({ "parameter": name, "value": value })).collect::<Vec<_>>(),
                 "chi2_per_dof": law.reduced_chi2,
                 "p_value": law.p_value,
-                "price": law.found.price,
-                "criterion": law.criterion,
-                "left_out": law.left_out.map(|own| json!({ "before": own.before, "after": own.after })),
-                "apart": law.apart.as_ref().map(|own| self.apart(own, law)),
+                "price": law.ranked.found.price,
+                "criterion": law.ranked.criterion,
+                "left_out": left_out.map(|own| json!({ "before": own.before, "after": own.after })),
+                "apart": law.ranked.apart.as_ref().map(|own| self.apart(own, law)),
             })
         };
         let told = found.told();
         let features = told.map(
-            |law| json!({ "coordinate": law.variables.join(" and "), "shape": null, "text": law.written.formula }),
+            |law| json!({ "coordinate": law.ranked.variables.join(" and "), "shape": null, "text": law.ranked.written.formula }),
         );
         let range = |(name, kind, [low, high]): &(String, Kind, [f64; 2])| json!({ "variable": name, "unit": kind.unit, "from": kind.from_si(*low), "to": kind.from_si(*high) });
         json!({
@@ -172,10 +173,10 @@ impl Answer for LawsAnswer<'_> {
             "features": features.into_iter().collect::<Vec<_>>(),
             "chi2_per_dof_before": found.before,
             "variables_sought": found.sought,
-            "law": told.map(law),
+            "law": told.map(|best| law(best, found.left_out)),
             "held_back": self.held_back(),
-            "law_held_back": found.laws.first().filter(|_| told.is_none()).map(law),
-            "rivals": found.laws.iter().skip(1).map(law).collect::<Vec<_>>(),
+            "law_held_back": found.laws.first().filter(|_| told.is_none()).map(|best| law(best, found.left_out)),
+            "rivals": found.laws.iter().skip(1).map(|rival| law(rival, None)).collect::<Vec<_>>(),
             "ranges": found.ranges.iter().map(range).collect::<Vec<_>>(),
             "command": told.map(|law| self.command(law)),
         })
@@ -188,7 +189,7 @@ impl Answer for LawsAnswer<'_> {
 
 impl LawsAnswer<'_> {
     fn apart(&self, own: &Apart, law: &Law) -> Json {
-        let kind = self.0.model.process.observables()[law.observable].error_kind();
+        let kind = self.0.model.process.observables()[law.ranked.observable].error_kind();
         let at = |(name, kind, value): &(String, Kind, f64)| json!({ "variable": name, "unit": kind.unit, "value": kind.from_si(*value) });
         json!({
             "at": own.at.iter().map(at).collect::<Vec<_>>(),
@@ -211,7 +212,7 @@ fn range((name, kind, [low, high]): &(String, Kind, [f64; 2])) -> String {
 
 /// The row that tells two laws apart, in words.
 fn told_apart(own: &Apart, answer: &LawsAnswer, law: &Law) -> String {
-    let kind = answer.0.model.process.observables()[law.observable].error_kind();
+    let kind = answer.0.model.process.observables()[law.ranked.observable].error_kind();
     let at = |(name, kind, value): &(String, Kind, f64)| {
         format!("{name} {:.4} {}", Short(kind.from_si(*value)), kind.unit).trim_end().to_string()
     };

@@ -105,3 +105,40 @@ fn an_answer_for_people() {
     let answer = place.fem(&["discover", "axis.toml", "--with", "measured.csv"]);
     insta::assert_snapshot!(answer.out);
 }
+
+/// What a diagnosis says is missing, by kind and name.
+fn diagnosed(place: &Place, more: &[&str]) -> (String, Vec<[String; 2]>) {
+    let arguments = [&["diagnose", "axis.toml", "--with", "measured.csv", "--json"], more].concat();
+    let answer = place.fem(&arguments);
+    let told: Json = serde_json::from_str(&answer.out).unwrap_or_else(|error| panic!("{error}: {}", answer.err));
+    let word = |json: &Json| json.as_str().unwrap_or_default().to_string();
+    let missing = told["missing"].as_array().into_iter().flatten();
+    (word(&told["verdict"]), missing.map(|own| [word(&own["kind"]), word(&own["effect"])]).collect())
+}
+
+#[test]
+fn a_diagnosis_tells_a_law_and_blames_no_instrument() {
+    let place = Place::new();
+    place.write("axis.toml", ideal());
+    place.write("measured.csv", measured(12, 7, sag));
+    place.write("unseen.csv", measured(12, 8, sag));
+    let (verdict, missing) = diagnosed(&place, &["--add-to", "better.toml"]);
+    assert_eq!((verdict.as_str(), missing), ("unexplained", vec![["law".to_string(), "law".to_string()]]));
+    let compared = place.fem(&["compare", "better.toml", "--with", "unseen.csv", "--json"]);
+    let compared: Json = serde_json::from_str(&compared.out).unwrap();
+    assert!(compared["models"][0]["chi2_per_dof"].as_f64() < Some(1.4), "{compared:#}");
+    insta::assert_snapshot!(place.fem(&["diagnose", "axis.toml", "--with", "measured.csv"]).out);
+}
+
+#[test]
+fn zeros_of_runs_are_no_law() {
+    let place = Place::new();
+    place.write("axis.toml", ideal());
+    for seed in 3..6 {
+        let zeros = |_: f64, load: f64, room: f64| 2.0 * (1e4 * (load + room)).sin();
+        place.write("measured.csv", measured(8, seed, zeros));
+        let (_, missing) = diagnosed(&place, &[]);
+        assert!(missing.iter().any(|[_, effect]| effect == "zero-shift"), "{missing:?}");
+        assert!(missing.iter().all(|[kind, _]| kind != "law"), "{missing:?}");
+    }
+}

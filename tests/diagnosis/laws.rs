@@ -57,7 +57,7 @@ fn said(case: &HiddenLaw, label: &str) -> Said {
     let law = found.told();
     let model = law.and_then(|law| law.model.as_ref());
     let names = |law: &fem::discover::Law| {
-        let mut names: Vec<String> = law.variables.iter().flat_map(|name| words(name)).collect();
+        let mut names: Vec<String> = law.ranked.variables.iter().flat_map(|name| words(name)).collect();
         names.sort();
         names.dedup();
         names
@@ -76,7 +76,7 @@ fn said(case: &HiddenLaw, label: &str) -> Said {
         seconds,
     };
     if std::env::var_os("FEM_MISSES").is_some() && (law.is_some() == case.law.is_empty() || !said.far || !said.fresh) {
-        let formula = found.laws.first().map_or("none", |law| law.written.formula.as_str());
+        let formula = found.laws.first().map_or("none", |law| law.ranked.written.formula.as_str());
         let held = if law.is_some() { "told" } else { "held back" };
         println!("{label}: {} | {held}: {formula} | fresh {fresh:.2} far {far:.2} {seconds:.1} s", case.law);
         if let Some(directory) = std::env::var_os("FEM_MISSES").filter(|own| !own.is_empty()) {

@@ -12,6 +12,11 @@ pub fn is_one_of(name: &str, known: &str) -> bool {
     name.strip_prefix(known).is_some_and(|rest| rest.is_empty() || is_number(rest))
 }
 
+/// The names of a table and of further ones of its kind: `zero-shift`, `zero-shift-2`, `zero-shift-3`, ….
+pub fn numbered(name: &str) -> impl Iterator<Item = String> + use<'_> {
+    std::iter::once(name.to_string()).chain((2..).map(move |number| format!("{name}-{number}")))
+}
+
 /// The names that tables of the user's choice may have.
 pub struct Names<'n> {
     /// Those that are known, for the schema.

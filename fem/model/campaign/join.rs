@@ -7,7 +7,7 @@ use super::effects::{self, Acting, Shared};
 use super::layout::Layout;
 use super::system::Whole;
 use super::test::{Campaign, Test, origins};
-use crate::input::{Kept, Name, Parameter, Problem, Source};
+use crate::input::{Kept, Name, Parameter, Problem, Source, numbered};
 use crate::model::odds::OwnOdds;
 use crate::model::tables::Tables;
 use crate::model::{Model, ModelProcess, places};
@@ -98,9 +98,7 @@ fn names(models: &[Model]) -> Vec<Name> {
     let mut names: Vec<Name> = Vec::new();
     for model in models {
         let stem = model.stem().to_string_lossy().replace(|c: char| !c.is_alphanumeric() && c != '_', "-");
-        let further = (2..).map(|number| format!("{stem}-{number}"));
-        let mut all = std::iter::once(stem.clone()).chain(further).map(Name::from);
-        names.extend(all.find(|name| !names.contains(name)));
+        names.extend(numbered(&stem).map(Name::from).find(|name| !names.contains(name)));
     }
     names
 }
