@@ -19,12 +19,15 @@ const LAWS: &str = "laws that are in no catalogue";
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     let mut of_catalogue = diagnose::diagnose(data, most, progress)?;
-    if data.model.campaign().is_some() || !may_hide_a_law(&of_catalogue) || !progress.permits(LAWS) {
+    if data.model.campaign().is_some() || of_catalogue.verdict == Verdict::Adequate || !progress.permits(LAWS) {
         return Ok(of_catalogue);
     }
     let (mut best, mut held_back): (Option<Told>, Option<String>) = (None, None);
-    for model in models(data, &of_catalogue) {
-        match beside(data, &model, most, progress)? {
+    let explained = explained(&of_catalogue);
+    // Beside effects that explain everything nothing is left.
+    let models = models(data, &of_catalogue).into_iter().take(if explained.is_some() { 1 } else { usize::MAX });
+    for model in models {
+        match beside(data, &model, (most, explained), progress)? {
             Sought::Nothing => {}
             Sought::HeldBack(caution) => held_back = held_back.or(Some(caution)),
             Sought::Told(told) => {
@@ -38,9 +41,10 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
             }
         }
     }
+    let explains = of_catalogue.missing.iter().any(|m| !m.describes());
     Ok(match best {
         Some(told) if told.criterion < of_catalogue.criterion - CLEARLY => told.over(of_catalogue, data),
-        Some(told) if told.criterion < of_catalogue.criterion + CLEARLY => told.against(of_catalogue),
+        Some(told) if told.criterion < of_catalogue.criterion + CLEARLY && explains => told.against(of_catalogue),
         _ => {
             let is_of_measurement = |m: &Missing| !is_of_machine(&m.cause) && !m.describes();
             if of_catalogue.missing.iter().any(is_of_measurement) {
@@ -51,14 +55,10 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
     })
 }
 
-/// Whether a law may be behind what the catalogue says.
-fn may_hide_a_law(diagnosis: &Diagnosis) -> bool {
-    match diagnosis.verdict {
-        Verdict::Adequate => false,
-        // Where effects of the machine explain everything, a law that does so too costs more as a rule, and takes long to find.
-        Verdict::MissingEffect => !diagnosis.missing.iter().all(|m| is_of_machine(&m.cause)),
-        Verdict::PartlyExplained | Verdict::Unexplained => true,
-    }
+/// The criterion of what the catalogue says, where effects of the machine explain everything.
+fn explained(diagnosis: &Diagnosis) -> Option<f64> {
+    let is_of_machine = || diagnosis.missing.iter().all(|m| is_of_machine(&m.cause));
+    (diagnosis.verdict == Verdict::MissingEffect && is_of_machine()).then_some(diagnosis.criterion)
 }
 
 fn is_of_machine(cause: &Cause) -> bool {
@@ -106,15 +106,20 @@ struct Told {
 enum Sought {
     /// A law.
     Told(Box<Told>),
-    /// A law that cannot be told from what the measurement may do, in a sentence.
+    /// A law of what was set too seldom, in a sentence.
     HeldBack(String),
     Nothing,
 }
 
 /// The law that is told beside a model, and what the catalogue says of the model as it is written with that law.
-fn beside(data: &Data, model: &Model, most: usize, progress: &Progress) -> Result<Sought, Failure> {
+fn beside(
+    data: &Data,
+    model: &Model,
+    (most, explained): (usize, Option<f64>),
+    progress: &Progress,
+) -> Result<Sought, Failure> {
     let Some(own) = with(data, model) else { return Ok(Sought::Nothing) };
-    let Ok(mut found) = ranked(&own, progress) else { return Ok(Sought::Nothing) };
+    let Ok(mut found) = ranked(&own, explained, progress) else { return Ok(Sought::Nothing) };
     if found.told().is_none() {
         return Ok(held_back(data, &found).map_or(Sought::Nothing, Sought::HeldBack));
     }
@@ -135,19 +140,16 @@ fn beside(data: &Data, model: &Model, most: usize, progress: &Progress) -> Resul
     Ok(Sought::Told(Box::new(Told { law, effect, diagnosis, criterion })))
 }
 
-/// Why a law is held back that says as much as effects of the measurement.
+/// Why a law of what was set too seldom is held back.
 fn held_back(data: &Data, found: &Discovery<Ranked>) -> Option<String> {
-    let law = found.laws.first()?;
-    let why = match &found.too_few {
-        Some(TooFew { settings, variables, more }) => {
-            let more = more.map_or("many more would".into(), |more| format!("{more} more would"));
-            format!("{settings} settings of {} are too few to tell, {more}", variables.join(", "))
-        }
-        None if found.instead.is_empty() => return None,
-        None => "these rows cannot tell".into(),
-    };
-    let observable = &data.model.process.observables()[law.observable].name;
-    Some(format!("what is said of the measurement may be a law, {observable} + {}: {why}", law.written.formula))
+    let law = found.laws.first().filter(|law| law.found.terms.len() == 1)?;
+    let TooFew { settings, variables, more } = found.too_few.as_ref()?;
+    let more = more.map_or("many more would".into(), |more| format!("{more} more would"));
+    let (names, observable) = (variables.join(", "), &data.model.process.observables()[law.observable].name);
+    Some(format!(
+        "what is said of the measurement may be a law of {names}, {observable} + {}: {settings} settings are too few to tell, {more}",
+        law.written.formula
+    ))
 }
 
 /// The data of another model.

@@ -95,7 +95,7 @@ impl<L> Discovery<L> {
 /// The model cannot be computed.
 pub fn discover(data: &Data, progress: &Progress) -> Result<Discovery, Failure> {
     let Discovery { laws, before, is_nothing_left, instead, too_few, left_out, sought, ranges } =
-        ranked(data, progress)?;
+        ranked(data, None, progress)?;
     let laws = progress.stretch("fits of laws", || {
         let mut all: Vec<Law> = Vec::new();
         for law in laws {
@@ -108,12 +108,13 @@ pub fn discover(data: &Data, progress: &Progress) -> Result<Discovery, Failure> 
     Ok(Discovery { laws, before, is_nothing_left, instead, too_few, left_out, sought, ranges })
 }
 
-/// Searches for laws in what a model leaves: the best, and its rivals.
-fn ranked(data: &Data, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
-    rayon::scope(|_| rank(data, progress))
+/// Searches for laws in what a model leaves: the best, and its rivals. Where something explains the rows, `explained` is its
+/// criterion, and laws are of interest only that come near it; where the noise is not known nothing can be said of that.
+fn ranked(data: &Data, explained: Option<f64>, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
+    rayon::scope(|_| rank(data, explained, progress))
 }
 
-fn rank(whole: &Data, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
+fn rank(whole: &Data, explained: Option<f64>, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
     let some = thinned_to(whole, MOST_ROWS);
     let data = some.as_ref().unwrap_or(whole);
     let (mut objective, solution) = under_stated_noise(data)?;
@@ -129,15 +130,20 @@ fn rank(whole: &Data, progress: &Progress) -> Result<Discovery<Ranked>, Failure>
         sought: Vec::new(),
         ranges: Vec::new(),
     };
-    if discovery.is_nothing_left {
+    let noise = &objective.noise;
+    if discovery.is_nothing_left || explained.is_some() && !noise.source.is_known() {
         return Ok(discovery);
     }
+    let most = explained.map_or(f64::INFINITY, |own| own - noise.log_determinant() + CLEARLY);
     let variables = Variable::all(data, &solution.predicted);
     discovery.sought = variables.iter().map(|own| own.name.to_string()).collect();
-    let bench = bench(data, &objective, &projected, &variables);
+    let bench = Bench { most, ..bench(data, &objective, &projected, &variables) };
     let laws = progress.stretch("search for laws", || grown(&bench, progress));
     let Some(least) = laws.first().map(|best| best.criterion) else { return Ok(discovery) };
-    let near: Vec<Found> = laws.into_iter().filter(|own| own.criterion < least + NEAR).take(DRAFTED).collect();
+    // Known effects are not doubted for a law of many terms.
+    let is_plain = |own: &Found| explained.is_none() || own.terms.len() == 1;
+    let is_near = |own: &Found| is_plain(own) && own.criterion < (least + NEAR).min(most);
+    let near: Vec<Found> = laws.into_iter().filter(is_near).take(DRAFTED).collect();
     discovery.laws = progress.stretch("laws beside the values of the model", || {
         let draft = |found: &Found| fitted::drafted((&objective, &solution), &bench, found);
         let mut drafts: Vec<Ranked> = near.par_iter().filter_map(draft).collect();
@@ -230,6 +236,7 @@ fn bench<'a, 'm>(
         at_levels: all(&|own| own.at_levels(variables)),
         at_some: all(&|own| own.at_some(variables)),
         factors,
+        most: f64::INFINITY,
         excesses: two.flat_map(|(i, j)| variables[i].excesses(i, (j, &variables[j]))).collect(),
     }
 }
@@ -262,7 +269,7 @@ fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
         // What leaves no more than noise is not grown: a term more explains chance.
         open.retain(|own| bench.residual.norm_squared() - own.gain > bench.freedom);
         let least = all.iter().map(|own| own.criterion).fold(f64::INFINITY, f64::min);
-        open.retain(|own| bench.least_of_further(own) < least + RIVAL);
+        open.retain(|own| bench.most.is_infinite() && bench.least_of_further(own) < least + RIVAL);
     }
     all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     all

@@ -19,6 +19,8 @@ const REFINED: usize = 20;
 const GROWN: usize = 8;
 /// Refined laws of which shapes are exchanged and terms left out.
 const POLISHED: usize = 24;
+/// Fall of the criterion that refinement may bring.
+const UNREFINED: f64 = 40.0;
 /// Rounds of refinement, each with half the step.
 const ROUNDS: usize = 7;
 /// Rounds in which shapes are exchanged for others of the same variable.
@@ -105,6 +107,8 @@ pub struct Bench<'a, 'm> {
     pub at_some: Vec<Shapes>,
     /// What of each variable is beyond a part of another.
     pub excesses: Vec<Factor>,
+    /// Criterion that a law must not exceed, where something else explains the rows.
+    pub most: f64,
 }
 
 /// The shapes of a term, without their constants: terms of one kind are rivals.
@@ -196,7 +200,8 @@ impl Bench<'_, '_> {
         let mut all: Vec<Found> = Vec::new();
         for (observable, metric) in &self.metrics {
             let form = metric.beside(&beside);
-            let pools = self.pools((law, beside.len()), *observable, metric, &form, progress);
+            let mut pools = self.pools((law, beside.len()), *observable, metric, &form, progress);
+            pools.retain(|own| own.criterion < self.most + UNREFINED);
             let mut refined: Vec<Found> = pools.into_par_iter().map(|own| self.refined(own)).collect();
             refined.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
             let rest = refined.split_off(POLISHED.min(refined.len()));
