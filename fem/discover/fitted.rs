@@ -75,34 +75,42 @@ pub fn drafted((objective, solution): (&Objective, &Solution), bench: &Bench, fo
     let written = law::written(&terms, bench.variables, kind);
     let name = free_name(data.model);
     let open = add_effect(data.model, &name, &written.open()).ok()?;
-    let position = {
-        let own = Data::of(&open, data.clone().into_measurements()).ok()?;
-        let with = Objective::new(&own).ok()?;
-        let start = |(variable, parameter): (&SearchVariable, &Parameter)| {
+    let start = |with: &Objective| {
+        let one = |(variable, parameter): (&SearchVariable, &Parameter)| {
             let known = objective.parameters.iter().position(|other| other.path == parameter.path);
             known.map_or_else(|| variable.position(variable.starts[0]), |i| solution.position[i])
         };
-        DVector::from_iterator(with.variables.len(), with.variables.iter().zip(&with.parameters).map(start))
+        DVector::from_iterator(with.variables.len(), with.variables.iter().zip(&with.parameters).map(one))
     };
+    let (position, chi2) = descended(objective, &open, start, SOME_STEPS)?;
     let mut variables: Vec<String> =
         found.variables().into_iter().map(|own| bench.variables[own].name.to_string()).collect();
     variables.sort();
     variables.dedup();
-    let (found, apart, criterion) = (found.clone(), None, f64::INFINITY);
-    let draft = Ranked { name, observable, written, variables, criterion, found, open, apart, position };
-    settled(objective, bench, draft, SOME_STEPS)
+    let (found, criterion) = (found.clone(), bench.misfit(chi2) + found.price);
+    Some(Ranked { name, observable, written, variables, criterion, found, open, apart: None, position })
 }
 
 /// Lets the values of a law settle beside those of the model, under the noise of a fit.
-pub fn settled(objective: &Objective, bench: &Bench, law: Ranked, stop: StoppingCriterion) -> Option<Ranked> {
-    let (position, chi2) = {
-        let own = Data::of(&law.open, objective.data.clone().into_measurements()).ok()?;
-        let mut with = Objective::new(&own).ok()?;
-        with.noise = objective.noise.clone();
-        let Solution { position, chi2, .. } = minimise(&mut with, &law.position, &[], stop)?;
-        (position, chi2)
-    };
+pub fn settled(objective: &Objective, bench: &Bench, law: Ranked) -> Option<Ranked> {
+    let start = |_: &Objective| law.position.clone();
+    let (position, chi2) = descended(objective, &law.open, start, StoppingCriterion::FULL)?;
     Some(Ranked { position, criterion: bench.misfit(chi2) + law.found.price, ..law })
+}
+
+/// Where a search for the values of a model with a law comes to under the noise of a fit, and χ² there.
+fn descended(
+    objective: &Objective,
+    open: &Model,
+    start: impl FnOnce(&Objective) -> DVector<f64>,
+    stop: StoppingCriterion,
+) -> Option<(DVector<f64>, f64)> {
+    let own = Data::of(open, objective.data.clone().into_measurements()).ok()?;
+    let mut with = Objective::new(&own).ok()?;
+    with.noise = objective.noise.clone();
+    let start = start(&with);
+    let Solution { position, chi2, .. } = minimise(&mut with, &start, &[], stop)?;
+    Some((position, chi2))
 }
 
 /// A law that is fitted.

@@ -8,6 +8,8 @@ mod form;
 mod law;
 mod left_out;
 mod levels;
+mod pools;
+mod refine;
 mod scales;
 mod search;
 mod shape;
@@ -21,7 +23,7 @@ pub use left_out::LeftOut;
 pub use levels::TooFew;
 
 use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, thinned_to, under_noise, under_stated_noise, unsolvable};
-use crate::fit::{Objective, StoppingCriterion};
+use crate::fit::Objective;
 use crate::model::Data;
 use crate::noise::{Term, beyond_chi2};
 use crate::process::Failure;
@@ -151,7 +153,7 @@ fn rank(whole: &Data, explained: Option<f64>, progress: &Progress) -> Result<Dis
         let Some((least, misfit)) = drafts.first().map(|best| (best.criterion, best.misfit())) else { return drafts };
         drafts.retain(|own| own.criterion < least + PERHAPS || own.misfit() < misfit + PERHAPS);
         drafts.truncate(SETTLED);
-        let settle = |draft| fitted::settled(&objective, &bench, draft, StoppingCriterion::FULL);
+        let settle = |draft| fitted::settled(&objective, &bench, draft);
         let mut laws: Vec<Ranked> = drafts.into_par_iter().filter_map(settle).collect();
         laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         laws
