@@ -167,6 +167,8 @@ pub struct Discover {
     pub model: PathBuf,
     #[command(flatten)]
     pub data: Data,
+    #[command(flatten)]
+    pub own: OwnLaws,
     /// Write the model with the best law
     #[arg(long, value_name = "NEW.toml")]
     pub add_to: Option<PathBuf>,
@@ -178,6 +180,15 @@ pub struct Discover {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Laws that somebody has in mind.
+#[derive(Debug, clap::Args)]
+pub struct OwnLaws {
+    /// Laws of your own to try among the others: [NAME] with formula = "…" and its parameters, known, `?` or in a range
+    /// as "1 to 3"; a file, or a folder of them
+    #[arg(long, value_name = "LAWS.toml")]
+    pub candidates: Vec<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]
@@ -194,6 +205,8 @@ pub struct Diagnose {
     pub models: Vec<PathBuf>,
     #[command(flatten)]
     pub data: Data,
+    #[command(flatten)]
+    pub own: OwnLaws,
     /// Where to write diagnosis.json; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,

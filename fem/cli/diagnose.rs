@@ -10,7 +10,7 @@ use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::ask::{self, completed};
 use crate::diagnose::Diagnosis;
-use crate::discover::diagnose;
+use crate::discover::{diagnose_with, read_candidates};
 use crate::input::{InputError, Problem};
 use crate::measure::Measurements;
 use crate::model::{Data, Draft, Model};
@@ -83,6 +83,10 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
         let problem = Problem::new("--add-to writes one model, and these are several");
         return Err(problem.help("leave it out: the commands that complete each model are printed").into());
     }
+    if !args.own.candidates.is_empty() {
+        let problem = Problem::new("--candidates are laws of one test, and these are several");
+        return Err(problem.help("leave it out, or diagnose each test by itself").into());
+    }
     if args.next.is_some() {
         let problem = Problem::new("--next writes rows of one test, and these are several");
         return Err(problem.help("leave it out: what to measure is printed").into());
@@ -103,7 +107,9 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
 
 /// Searches, tells what the search took and what it left out, and writes the diagnosis where a folder is named.
 fn searched(args: &args::Diagnose, data: &Data, progress: &Arc<Progress>, guard: Guard) -> Result<Diagnosis, Error> {
-    let diagnosis = watched(progress, || diagnose(data, usize::from(args.max_effects), progress))?;
+    let candidates = read_candidates(&args.own.candidates)?;
+    let most = usize::from(args.max_effects);
+    let diagnosis = watched(progress, || diagnose_with(data, &candidates, most, progress))?;
     if args.profile {
         say!("{}", stretches(&progress.profile()));
     }

@@ -6,7 +6,7 @@ use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::ask::read;
-use crate::discover::discover;
+use crate::discover::{discover, read_candidates};
 use crate::model::Data;
 use crate::output::LawsAnswer;
 use crate::output::files::{self, Guard};
@@ -17,10 +17,11 @@ pub fn run(args: &args::Discover) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
+    let candidates = read_candidates(&args.own.candidates)?;
     let (model, measured) = read(&args.model, |process| args.data.load(process, false))?;
     let progress = args.limit.progress();
     let data = Data::of(&model, measured)?.watched(progress.clone());
-    let found = watched(&progress, || discover(&data, &progress))?;
+    let found = watched(&progress, || discover(&data, &candidates, &progress))?;
     if let (Some(new), Some(better)) = (&args.add_to, found.told().and_then(|law| law.model.as_ref())) {
         files::write(new, better.text_at(new).as_bytes(), guard)?;
         say!("written {}", new.display());

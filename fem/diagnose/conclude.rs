@@ -100,12 +100,9 @@ pub fn conclude(
             (goodness, verdict::features(base))
         }
     };
-    let stated = &found.base.objective.data.terms;
-    if best.objective.noise.terms.iter().any(|t| t.effect.describes() && !t.is_among(stated)) {
-        // A curve or a wave that no law has describes; it explains nothing.
-        let alone = best.members.is_empty() && of_measurement.iter().all(Missing::describes);
-        verdict = if alone { Verdict::Unexplained } else { Verdict::PartlyExplained };
+    if of_measurement.iter().any(Missing::describes) {
         missing.splice(0..0, of_measurement);
+        verdict = Verdict::beside_what_describes(&missing);
     } else if !of_measurement.is_empty() {
         verdict = match verdict {
             Verdict::Adequate => Verdict::MissingEffect,
@@ -310,6 +307,7 @@ fn missing(
                 p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()
             }),
             bend: None,
+            doubt: None,
         });
         rest = next;
     }

@@ -186,16 +186,26 @@ pub struct Missing {
     /// How far and along what its law bends, where that describes much of what is left.
     #[doc(hidden)]
     pub bend: Option<Bend>,
+    /// Why the measurement is not to be blamed for it: it may be a law of what the rows record. It describes then.
+    #[doc(hidden)]
+    pub doubt: Option<String>,
 }
 
 impl Missing {
-    /// Whether it only describes what no law here has.
+    /// Whether it only describes what no law here has, or what may be of another origin.
     pub fn describes(&self) -> bool {
         match &self.cause {
             Cause::Law(_) => true,
-            Cause::Measurement { effect, .. } => effect.describes(),
+            Cause::Measurement { effect, .. } => effect.describes() || self.doubt.is_some(),
             Cause::Physical | Cause::Value { .. } => false,
         }
+    }
+}
+
+impl Verdict {
+    /// The verdict on a model some of which is only described: a curve, a wave or a zero that no law has explains nothing.
+    pub fn beside_what_describes(missing: &[Missing]) -> Self {
+        if missing.iter().all(Missing::describes) { Self::Unexplained } else { Self::PartlyExplained }
     }
 }
 

@@ -1,6 +1,6 @@
-//! What is not said of a model though the noise explains what it leaves: that it is complete.
+//! What is not said though the noise explains what a model leaves: that it is complete, and that the instrument is to blame.
 //!
-//! Zeros that follow a column are no chance, and a cause that does not help to predict what it was not fitted to is none.
+//! A cause that does not help to predict what it was not fitted to is none, and zeros that follow a column are no chance.
 
 use std::collections::BTreeSet;
 
@@ -8,25 +8,21 @@ use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
 use super::verdict::GoodnessOfFit;
 use crate::compare::SIGNIFICANCE;
-use crate::measure::FILE;
+use crate::input::Name;
 use crate::model::Data;
 use crate::noise::{Term, beyond_f};
 
 /// Fewest groups whose zeros are seen to follow a column, or that are left out.
 const LEAST_GROUPS: usize = 5;
 
-/// Why a model that the noise explains is not complete; `None` where nothing is against it.
+/// Why causes beside which the noise explains everything are doubtful; `None` where nothing is against them.
 pub fn doubt(
     best: &CandidateModel,
     folds: Option<&Folds>,
     before: &GoodnessOfFit,
     after: &GoodnessOfFit,
 ) -> Option<String> {
-    zeros_that_follow(best).or_else(|| left_out(best, folds?, before, after))
-}
-
-/// Says that the causes do not help to predict the groups that are left out.
-fn left_out(best: &CandidateModel, folds: &Folds, before: &GoodnessOfFit, after: &GoodnessOfFit) -> Option<String> {
+    let folds = folds?;
     let (was, is) = (before.cross_validation?, after.cross_validation?);
     let is_told = !best.members.is_empty() && folds.can_be_told(best.objective.data) && is >= was;
     is_told.then(|| {
@@ -37,27 +33,20 @@ fn left_out(best: &CandidateModel, folds: &Folds, before: &GoodnessOfFit, after:
     })
 }
 
-/// Says that the zeros of groups that were found follow a column of the file.
-fn zeros_that_follow(best: &CandidateModel) -> Option<String> {
+/// The terms of a model, by number, that were found and whose zeros follow a column of the file, with that column.
+pub fn terms_that_follow<'m>(best: &CandidateModel<'m>) -> Vec<(usize, &'m Name)> {
     let (data, noise) = (best.objective.data, &best.objective.noise);
-    let residuals = best.residuals();
     let is_found = |term: &Term| term.effect.sets_zero && !term.by.is_empty() && !term.is_among(&data.terms);
-    let mut found = noise.terms.iter().enumerate().filter(|(_, term)| is_found(term)).peekable();
-    found.peek()?;
-    let shares = noise.shares(&residuals);
-    let names = |term: &Term| {
-        let name =
-            |i: &usize| if *i == FILE { "file".into() } else { data.model.process.coordinates()[*i].name.to_string() };
-        term.by.iter().map(name).collect::<Vec<String>>().join(" and ")
+    if !noise.terms.iter().any(is_found) {
+        return Vec::new();
+    }
+    let shares = noise.shares(&best.residuals());
+    let found = noise.terms.iter().enumerate().filter(|(_, term)| is_found(term));
+    let follows = |(number, term): (usize, &Term)| {
+        let column = followed(data, term, &shares[number])?;
+        Some((number, &data.model.process.coordinates()[column].name))
     };
-    found.find_map(|(number, term)| {
-        let followed = followed(data, term, &shares[number])?;
-        let (column, effect) = (&data.model.process.coordinates()[followed].name, term.effect.name);
-        Some(format!(
-            "the zeros of `{effect}` by {} follow `{column}`: what follows a column is no chance",
-            names(term)
-        ))
-    })
+    found.filter_map(follows).collect()
 }
 
 /// The column that the zeros of a term follow, by its position.

@@ -2,11 +2,13 @@
 
 use super::candidate_model::CandidateModel;
 use super::diagnosis::{Cause, Missing, Outlier};
+use super::doubtful;
 use super::instrument;
 use super::largest_change::LargestChange;
 use super::posterior::Posterior;
 use super::verdict::GoodnessOfFit;
 use crate::fit::{StoppingCriterion, minimise, size_estimate};
+use crate::input::Name;
 use crate::measure::{Repeats, grouping_name};
 use crate::model::Data;
 use crate::noise::{Acts, FROM, MEASUREMENT, Restricted, Term, beyond_chi2, effects};
@@ -45,6 +47,7 @@ pub fn missing_effects(
     let shares = noise.shares(&residuals);
     let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
     let whole = restricted.minus_two_log(noise);
+    let follows = doubtful::terms_that_follow(best);
     let tell = |(number, term): (usize, &Term)| {
         let others = noise.terms_but(number);
         let (own, _) = instrument::plain(best, repeats, &others);
@@ -76,10 +79,16 @@ pub fn missing_effects(
             largest_change: LargestChange::of(&shares[number], &noise.sigma, data),
             indistinguishable_from: Vec::new(),
             bend: None,
+            doubt: follows.iter().find(|(other, _)| *other == number).map(|(_, column)| follows_text(column)),
         }
     };
     let is_new = |(_, term): &(usize, &Term)| !term.is_among(&data.terms);
     noise.terms.iter().enumerate().filter(is_new).map(tell).collect()
+}
+
+/// Why zeros that follow a column are not those of an instrument.
+fn follows_text(column: &Name) -> String {
+    format!("it follows `{column}`, and what follows a column is no chance")
 }
 
 /// Cause behind an effect that was found among the candidates.

@@ -2,6 +2,7 @@
 //! noise that neighbours share may be at work too.
 
 use super::candidate_model::CandidateModel;
+use super::doubtful;
 use super::failure::unsolvable;
 use super::instrument::{self, Proposal};
 use crate::fit::{self, Objective, Solution, StoppingCriterion};
@@ -17,7 +18,7 @@ const MOST_TERMS: usize = 3;
 pub struct UnderNoise {
     /// −2 ln L and the price of the terms, less a constant of the rows.
     pub criterion: f64,
-    /// The terms that were found, beside those that the model states.
+    /// The terms that were found, beside those that the model states and those that follow a column.
     pub terms: Vec<Term>,
 }
 
@@ -61,7 +62,11 @@ pub fn under_noise(data: &Data, progress: &Progress) -> Result<UnderNoise, Failu
             _ => break,
         }
     }
-    let is_new = |term: &&Term| !term.is_among(&data.terms);
-    let terms = trial.objective.noise.terms.iter().filter(is_new).cloned().collect();
+    let follows = doubtful::terms_that_follow(&trial);
+    let speaks = |(number, term): &(usize, &Term)| {
+        !term.is_among(&data.terms) && follows.iter().all(|(other, _)| other != number)
+    };
+    let found = trial.objective.noise.terms.iter().enumerate().filter(speaks);
+    let terms = found.map(|(_, term)| term.clone()).collect();
     Ok(UnderNoise { criterion: price(&trial), terms })
 }

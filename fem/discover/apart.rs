@@ -25,12 +25,17 @@ pub struct Apart {
 /// what cannot be set.
 pub fn apart(bench: &Bench, one: &Found, other: &Found) -> Option<Apart> {
     let (first, second) = (one.terms.first()?, other.terms.first()?);
-    let mut variables = [one.variables(), other.variables()].concat();
+    let is_formula = |law: &Found| {
+        let mut factors = law.terms.iter().flat_map(|term| &term.factors);
+        factors.any(|own| !bench.variables[own.variable].made_of.is_empty())
+    };
+    let mut variables = [bench.variables_of(one), bench.variables_of(other)].concat();
     variables.sort_unstable();
     variables.dedup();
     if first.observable != second.observable
         || variables.len() > MOST
         || variables.iter().any(|v| bench.variables[*v].is_prediction)
+        || [one, other].into_iter().any(is_formula)
     {
         return None;
     }

@@ -2,13 +2,15 @@
 
 use super::fitted::{Ranked, fitted_settings, is_of};
 use super::law::near;
-use super::{CLEARLY, Discovery, TooFew, ranked};
+use super::{CLEARLY, Candidate, Discovery, Explained, TooFew, ranked};
 use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Verdict, thinned, weight};
 use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 use crate::process::{Description, Failure};
 use crate::progress::Progress;
 
+/// Effects that are as many as a law of two terms has constants.
+const SEVERAL: usize = 3;
 /// Name of the step, for the note that it was left undone.
 const LAWS: &str = "laws that are in no catalogue";
 
@@ -18,18 +20,31 @@ const LAWS: &str = "laws that are in no catalogue";
 /// # Errors
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
+    diagnose_with(data, &[], most, progress)
+}
+
+/// The same, with laws that somebody has in mind among those that are tried.
+///
+/// # Errors
+/// As those of [`diagnose`].
+pub fn diagnose_with(
+    data: &Data,
+    candidates: &[Candidate],
+    most: usize,
+    progress: &Progress,
+) -> Result<Diagnosis, Failure> {
     let mut of_catalogue = diagnose::diagnose(data, most, progress)?;
     if data.model.campaign().is_some() || of_catalogue.verdict == Verdict::Adequate || !progress.permits(LAWS) {
         return Ok(of_catalogue);
     }
-    let (mut best, mut held_back): (Option<Told>, Option<String>) = (None, None);
+    let (mut best, mut held_back): (Option<Told>, Option<HeldBack>) = (None, None);
     let explained = explained(&of_catalogue);
     // Beside effects that explain everything nothing is left.
     let models = models(data, &of_catalogue).into_iter().take(if explained.is_some() { 1 } else { usize::MAX });
     for model in models {
-        match beside(data, &model, (most, explained), progress)? {
+        match beside(data, &model, candidates, (most, explained), progress)? {
             Sought::Nothing => {}
-            Sought::HeldBack(caution) => held_back = held_back.or(Some(caution)),
+            Sought::HeldBack(own) => held_back = held_back.or(Some(own)),
             Sought::Told(told) => {
                 let is_all = told.diagnosis.verdict == Verdict::Adequate;
                 if best.as_ref().is_none_or(|own| told.criterion < own.criterion) {
@@ -42,23 +57,27 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
         }
     }
     let explains = of_catalogue.missing.iter().any(|m| !m.describes());
+    // Zeros that follow a column say less than a law of it.
+    let follows = of_catalogue.missing.iter().any(|m| m.doubt.is_some());
+    let margin = if follows { -CLEARLY } else { CLEARLY };
     Ok(match best {
-        Some(told) if told.criterion < of_catalogue.criterion - CLEARLY => told.over(of_catalogue, data),
+        Some(told) if told.criterion < of_catalogue.criterion - margin => told.over(of_catalogue, data),
         Some(told) if told.criterion < of_catalogue.criterion + CLEARLY && explains => told.against(of_catalogue),
         _ => {
-            let is_of_measurement = |m: &Missing| !is_of_machine(&m.cause) && !m.describes();
-            if of_catalogue.missing.iter().any(is_of_measurement) {
-                of_catalogue.cautions.extend(held_back);
+            if let Some(own) = held_back {
+                own.against(&mut of_catalogue);
             }
             of_catalogue
         }
     })
 }
 
-/// The criterion of what the catalogue says, where effects of the machine explain everything.
-fn explained(diagnosis: &Diagnosis) -> Option<f64> {
+/// What the catalogue says, where effects of the machine explain everything.
+fn explained(diagnosis: &Diagnosis) -> Option<Explained> {
     let is_of_machine = || diagnosis.missing.iter().all(|m| is_of_machine(&m.cause));
-    (diagnosis.verdict == Verdict::MissingEffect && is_of_machine()).then_some(diagnosis.criterion)
+    let terms = if diagnosis.missing.len() < SEVERAL { 1 } else { 2 };
+    let is_all = diagnosis.verdict == Verdict::MissingEffect && is_of_machine();
+    is_all.then_some(Explained { criterion: diagnosis.criterion, terms })
 }
 
 fn is_of_machine(cause: &Cause) -> bool {
@@ -106,20 +125,45 @@ struct Told {
 enum Sought {
     /// A law.
     Told(Box<Told>),
-    /// A law of what was set too seldom, in a sentence.
-    HeldBack(String),
+    /// A law of what was set too seldom.
+    HeldBack(HeldBack),
     Nothing,
+}
+
+/// A law of what was set too seldom to tell it from zeros of the settings.
+struct HeldBack {
+    /// The law, in words.
+    text: String,
+    /// Whether it would say as much as such zeros.
+    is_likely: bool,
+}
+
+impl HeldBack {
+    /// Says of zeros that may be such a law that nobody knows whether the instrument makes them.
+    fn against(self, diagnosis: &mut Diagnosis) {
+        let sets_zero = |m: &Missing| matches!(m.cause, Cause::Measurement { effect, .. } if effect.sets_zero);
+        let Self { text, is_likely } = self;
+        let Some(zero) = diagnosis.missing.iter_mut().find(|m| sets_zero(m) && !m.describes()) else { return };
+        if is_likely {
+            zero.doubt = Some(format!("it may be {text}"));
+            diagnosis.verdict = Verdict::beside_what_describes(&diagnosis.missing);
+            diagnosis.verdict_after = diagnosis.verdict;
+        } else {
+            diagnosis.cautions.push(format!("what is said of the measurement may be {text}"));
+        }
+    }
 }
 
 /// The law that is told beside a model, and what the catalogue says of the model as it is written with that law.
 fn beside(
     data: &Data,
     model: &Model,
-    (most, explained): (usize, Option<f64>),
+    candidates: &[Candidate],
+    (most, explained): (usize, Option<Explained>),
     progress: &Progress,
 ) -> Result<Sought, Failure> {
     let Some(own) = with(data, model) else { return Ok(Sought::Nothing) };
-    let Ok(mut found) = ranked(&own, explained, progress) else { return Ok(Sought::Nothing) };
+    let Ok(mut found) = ranked(&own, candidates, explained, progress) else { return Ok(Sought::Nothing) };
     if found.told().is_none() {
         return Ok(held_back(data, &found).map_or(Sought::Nothing, Sought::HeldBack));
     }
@@ -140,16 +184,19 @@ fn beside(
     Ok(Sought::Told(Box::new(Told { law, effect, diagnosis, criterion })))
 }
 
-/// Why a law of what was set too seldom is held back.
-fn held_back(data: &Data, found: &Discovery<Ranked>) -> Option<String> {
+/// A law that is held back because what it is made of was set too seldom.
+fn held_back(data: &Data, found: &Discovery<Ranked>) -> Option<HeldBack> {
     let law = found.laws.first().filter(|law| law.found.terms.len() == 1)?;
     let TooFew { settings, variables, more } = found.too_few.as_ref()?;
     let more = more.map_or("many more would".into(), |more| format!("{more} more would"));
     let (names, observable) = (variables.join(", "), &data.model.process.observables()[law.observable].name);
-    Some(format!(
-        "what is said of the measurement may be a law of {names}, {observable} + {}: {settings} settings are too few to tell, {more}",
-        law.written.formula
-    ))
+    Some(HeldBack {
+        text: format!(
+            "a law of {names}, {observable} + {}: {settings} settings are too few to tell, {more}",
+            law.written.formula
+        ),
+        is_likely: found.ahead > -CLEARLY,
+    })
 }
 
 /// The data of another model.
@@ -192,6 +239,7 @@ impl Told {
             goodness,
             indistinguishable_from: Vec::new(),
             bend: None,
+            doubt: None,
         };
         // A law describes: what it makes good is not explained.
         diagnosis.verdict = match diagnosis.verdict {

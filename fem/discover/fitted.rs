@@ -22,9 +22,14 @@ pub fn free_name(model: &Model) -> String {
 }
 
 /// Whether a parameter is one of a law of this name.
-pub fn is_of(name: &str, estimate: &Estimate) -> bool {
-    let key = estimate.parameter.path.strip_prefix("effects.").and_then(|own| own.strip_prefix(name));
+pub fn is_parameter_of(name: &str, parameter: &Parameter) -> bool {
+    let key = parameter.path.strip_prefix("effects.").and_then(|own| own.strip_prefix(name));
     key.is_some_and(|rest| rest.starts_with('.'))
+}
+
+/// Whether an estimate is one of a law of this name.
+pub fn is_of(name: &str, estimate: &Estimate) -> bool {
+    is_parameter_of(name, &estimate.parameter)
 }
 
 /// A law that is written into the model, and what it leaves there.
@@ -37,6 +42,8 @@ pub struct Ranked {
     pub written: Written,
     /// Names of its variables.
     pub variables: Vec<String>,
+    /// Whether somebody has it in mind.
+    pub is_candidate: bool,
     /// −2 ln of its weight: χ² and its price.
     pub criterion: f64,
     /// What it was made of.
@@ -46,7 +53,7 @@ pub struct Ranked {
     /// The row that tells it from the best, where it is a rival.
     pub apart: Option<Apart>,
     /// Where a search for its values has come to.
-    position: DVector<f64>,
+    pub position: DVector<f64>,
 }
 
 impl Ranked {
@@ -75,6 +82,28 @@ pub fn drafted((objective, solution): (&Objective, &Solution), bench: &Bench, fo
     let written = law::written(&terms, bench.variables, kind);
     let name = free_name(data.model);
     let open = add_effect(data.model, &name, &written.open()).ok()?;
+    let (position, chi2) = begun((objective, solution), &open)?;
+    let mut variables: Vec<String> =
+        bench.variables_of(found).into_iter().map(|own| bench.variables[own].name.to_string()).collect();
+    variables.sort();
+    variables.dedup();
+    let (found, criterion) = (found.clone(), bench.misfit(chi2) + found.price);
+    Some(Ranked {
+        name,
+        observable,
+        written,
+        variables,
+        is_candidate: false,
+        criterion,
+        found,
+        open,
+        apart: None,
+        position,
+    })
+}
+
+/// A few steps from where a model with a law begins, beside the values of the model without it.
+pub fn begun((objective, solution): (&Objective, &Solution), open: &Model) -> Option<(DVector<f64>, f64)> {
     let start = |with: &Objective| {
         let one = |(variable, parameter): (&SearchVariable, &Parameter)| {
             let known = objective.parameters.iter().position(|other| other.path == parameter.path);
@@ -82,13 +111,7 @@ pub fn drafted((objective, solution): (&Objective, &Solution), bench: &Bench, fo
         };
         DVector::from_iterator(with.variables.len(), with.variables.iter().zip(&with.parameters).map(one))
     };
-    let (position, chi2) = descended(objective, &open, start, SOME_STEPS)?;
-    let mut variables: Vec<String> =
-        found.variables().into_iter().map(|own| bench.variables[own].name.to_string()).collect();
-    variables.sort();
-    variables.dedup();
-    let (found, criterion) = (found.clone(), bench.misfit(chi2) + found.price);
-    Some(Ranked { name, observable, written, variables, criterion, found, open, apart: None, position })
+    descended(objective, open, start, SOME_STEPS)
 }
 
 /// Lets the values of a law settle beside those of the model, under the noise of a fit.
@@ -99,7 +122,7 @@ pub fn settled(objective: &Objective, bench: &Bench, law: Ranked) -> Option<Rank
 }
 
 /// Where a search for the values of a model with a law comes to under the noise of a fit, and χ² there.
-fn descended(
+pub fn descended(
     objective: &Objective,
     open: &Model,
     start: impl FnOnce(&Objective) -> DVector<f64>,

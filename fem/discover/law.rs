@@ -13,6 +13,8 @@ use crate::units::{ANGLE, Kind, TEMPERATURE, TEMPERATURE_RISE};
 pub struct Written {
     /// The formula.
     pub formula: String,
+    /// What it is, for people, where somebody says so.
+    pub about: Option<String>,
     /// Names and values of the parameters that are to be fitted and of the scales that are known.
     pub settings: Vec<(String, String)>,
 }
@@ -20,9 +22,10 @@ pub struct Written {
 impl Written {
     /// The settings of an effect with it, its values open.
     pub fn open(&self) -> Vec<Setting> {
-        let formula = ("formula".to_string(), self.formula.clone());
-        let all = std::iter::once(&formula).chain(&self.settings);
-        all.map(|(key, value)| Setting { key: key.clone(), value: Entry::Text(value.clone()) }).collect()
+        let setting = |key: &str, value: &String| Setting { key: key.into(), value: Entry::Text(value.clone()) };
+        let about = self.about.iter().map(|about| setting("about", about));
+        let values = self.settings.iter().map(|(key, value)| setting(key, value));
+        std::iter::once(setting("formula", &self.formula)).chain(about).chain(values).collect()
     }
 }
 
@@ -63,7 +66,7 @@ pub fn written(terms: &[(&Term, Vec<f64>)], variables: &[Variable], kind: Kind) 
         let rest: Vec<String> = product.into_iter().map(|own| own.1).filter(|text| !text.is_empty()).collect();
         parts.push(std::iter::once(a).chain(rest).collect::<Vec<_>>().join("*"));
     }
-    Written { formula: parts.join(" + "), settings: names.settings }
+    Written { formula: parts.join(" + "), about: None, settings: names.settings }
 }
 
 /// The amplitudes of the functions of each factor, as those of a product: the leading vector of each unfolding.

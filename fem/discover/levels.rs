@@ -47,7 +47,7 @@ pub fn too_few(bench: &Bench, law: &Found, settings: &Settings) -> Option<TooFew
     // The law with the same amplitude in every setting, and each setting with an amplitude of its own of what varies within.
     let (mut columns, mut alike) = (Vec::new(), Vec::new());
     for term in &law.terms {
-        let is_within = |own: &&Factor| own.variables().all(|v| !set.contains(&v));
+        let is_within = |own: &&Factor| own.made_of(bench.variables).iter().all(|v| !set.contains(v));
         let factors: Vec<Vec<Vec<f64>>> =
             term.factors.iter().filter(is_within).map(|own| own.columns(bench.variables)).collect();
         let within = if factors.is_empty() { vec![vec![1.0; rows]] } else { product(&factors) };
@@ -67,7 +67,7 @@ pub fn too_few(bench: &Bench, law: &Found, settings: &Settings) -> Option<TooFew
     let extra = bench.explained(further);
     let alike = basis(alike);
     let of_alike = bench.explained(&alike);
-    let is_set = |own: &&Factor| own.variables().any(|v| set.contains(&v));
+    let is_set = |own: &&Factor| own.made_of(bench.variables).iter().any(|v| set.contains(v));
     let of_settings: Vec<&Factor> = law.terms.iter().flat_map(|term| &term.factors).filter(is_set).collect();
     // Constants take directions as amplitudes do.
     let constants: usize = of_settings.iter().filter(|own| !own.is_known).map(|own| own.constants.len()).sum();
@@ -97,7 +97,7 @@ impl Settings {
     /// The settings of the variables of a law, those that vary from row to row left out.
     pub fn of(bench: &Bench, law: &Found) -> Self {
         let rows = bench.rows;
-        let mut variables = law.variables();
+        let mut variables = bench.variables_of(law);
         variables.sort_by_key(|v| bench.variables[*v].levels.len());
         let (mut level, mut settings, mut set) = (vec![0; rows], 1, Vec::new());
         for v in variables {

@@ -2,6 +2,7 @@
 //! every recorded column and the prediction, and the law that is found is written as a formula that a model takes.
 
 mod apart;
+mod candidates;
 mod diagnosis;
 mod fitted;
 mod form;
@@ -16,7 +17,8 @@ mod shape;
 mod variable;
 
 pub use apart::Apart;
-pub use diagnosis::diagnose;
+pub use candidates::{Candidate, Tried, read_candidates};
+pub use diagnosis::{diagnose, diagnose_with};
 pub use fitted::{Law, Ranked};
 pub use law::Written;
 pub use left_out::LeftOut;
@@ -71,8 +73,12 @@ pub struct Discovery<L = Law> {
     pub is_nothing_left: bool,
     /// The laws, the best first: it, and its rivals.
     pub laws: Vec<L>,
+    /// What the laws came to that somebody has in mind.
+    pub tried: Vec<Tried>,
     /// Effects of the measurement that say as much as the best of them, where they do: it is held back then.
     pub instead: Vec<Term>,
+    /// By how much the criterion of the best is below that of the effects of the measurement, where there are some.
+    pub ahead: f64,
     /// Settings that are too few for the best of them, where they are: it is held back then.
     pub too_few: Option<TooFew>,
     /// What the best says of rows that were left out.
@@ -91,13 +97,14 @@ impl<L> Discovery<L> {
     }
 }
 
-/// Searches for laws in what a model leaves, and fits the best and its rivals.
+/// Searches for laws in what a model leaves, and fits the best and its rivals; laws that somebody has in mind are among those
+/// that are tried.
 ///
 /// # Errors
 /// The model cannot be computed.
-pub fn discover(data: &Data, progress: &Progress) -> Result<Discovery, Failure> {
-    let Discovery { laws, before, is_nothing_left, instead, too_few, left_out, sought, ranges } =
-        ranked(data, None, progress)?;
+pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> Result<Discovery, Failure> {
+    let found = ranked(data, candidates, None, progress)?;
+    let Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, sought, ranges } = found;
     let laws = progress.stretch("fits of laws", || {
         let mut all: Vec<Law> = Vec::new();
         for law in laws {
@@ -107,16 +114,35 @@ pub fn discover(data: &Data, progress: &Progress) -> Result<Discovery, Failure> 
         }
         all
     });
-    Ok(Discovery { laws, before, is_nothing_left, instead, too_few, left_out, sought, ranges })
+    Ok(Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, sought, ranges })
 }
 
-/// Searches for laws in what a model leaves: the best, and its rivals. Where something explains the rows, `explained` is its
-/// criterion, and laws are of interest only that come near it; where the noise is not known nothing can be said of that.
-fn ranked(data: &Data, explained: Option<f64>, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
-    rayon::scope(|_| rank(data, explained, progress))
+/// Known effects that explain the rows.
+#[derive(Clone, Copy)]
+struct Explained {
+    /// Their criterion.
+    criterion: f64,
+    /// Most terms of a law for which they are doubted.
+    terms: usize,
 }
 
-fn rank(whole: &Data, explained: Option<f64>, progress: &Progress) -> Result<Discovery<Ranked>, Failure> {
+/// Searches for laws in what a model leaves: the best, and its rivals. Where known effects explain the rows, laws are of
+/// interest only that come near them; where the noise is not known nothing can be said of that.
+fn ranked(
+    data: &Data,
+    candidates: &[Candidate],
+    explained: Option<Explained>,
+    progress: &Progress,
+) -> Result<Discovery<Ranked>, Failure> {
+    rayon::scope(|_| rank(data, candidates, explained, progress))
+}
+
+fn rank(
+    whole: &Data,
+    candidates: &[Candidate],
+    explained: Option<Explained>,
+    progress: &Progress,
+) -> Result<Discovery<Ranked>, Failure> {
     let some = thinned_to(whole, MOST_ROWS);
     let data = some.as_ref().unwrap_or(whole);
     let (mut objective, solution) = under_stated_noise(data)?;
@@ -126,7 +152,9 @@ fn rank(whole: &Data, explained: Option<f64>, progress: &Progress) -> Result<Dis
         before: chi2 / freedom,
         is_nothing_left: beyond_chi2(freedom, chi2).is_some_and(|p| p >= SIGNIFICANCE),
         laws: Vec::new(),
+        tried: Vec::new(),
         instead: Vec::new(),
+        ahead: f64::INFINITY,
         too_few: None,
         left_out: None,
         sought: Vec::new(),
@@ -136,14 +164,13 @@ fn rank(whole: &Data, explained: Option<f64>, progress: &Progress) -> Result<Dis
     if discovery.is_nothing_left || explained.is_some() && !noise.source.is_known() {
         return Ok(discovery);
     }
-    let most = explained.map_or(f64::INFINITY, |own| own - noise.log_determinant() + CLEARLY);
+    let most = explained.map_or(f64::INFINITY, |own| own.criterion - noise.log_determinant() + CLEARLY);
     let variables = Variable::all(data, &solution.predicted);
     discovery.sought = variables.iter().map(|own| own.name.to_string()).collect();
-    let bench = Bench { most, ..bench(data, &objective, &projected, &variables) };
+    let mut bench = Bench { most, ..bench(data, &objective, &projected, &variables) };
     let laws = progress.stretch("search for laws", || grown(&bench, progress));
-    let Some(least) = laws.first().map(|best| best.criterion) else { return Ok(discovery) };
-    // Known effects are not doubted for a law of many terms.
-    let is_plain = |own: &Found| explained.is_none() || own.terms.len() == 1;
+    let least = laws.first().map_or(f64::INFINITY, |best| best.criterion);
+    let is_plain = |own: &Found| explained.is_none_or(|known| own.terms.len() <= known.terms);
     let is_near = |own: &Found| is_plain(own) && own.criterion < (least + NEAR).min(most);
     let near: Vec<Found> = laws.into_iter().filter(is_near).take(DRAFTED).collect();
     discovery.laws = progress.stretch("laws beside the values of the model", || {
@@ -158,6 +185,25 @@ fn rank(whole: &Data, explained: Option<f64>, progress: &Progress) -> Result<Dis
         laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         laws
     });
+    // A law that somebody has in mind is a variable of its own, once its constants are found.
+    let mut with_own = variables.clone();
+    for candidate in candidates {
+        let of = (candidate, candidates.len());
+        let result = match candidates::ranked((&objective, &solution), &bench, of, with_own.len()) {
+            Ok((law, variable)) => {
+                let left = bench.residual.norm_squared() - law.found.gain;
+                let numbers = law.found.freedom;
+                with_own.push(variable);
+                bench.factors.push(law.found.terms[0].factors.clone());
+                discovery.laws.extend((law.criterion < most).then_some(law));
+                Ok(left / (bench.freedom - numbers as f64).max(1.0))
+            }
+            Err(why) => Err(why),
+        };
+        discovery.tried.push(Tried { name: candidate.name.clone(), result });
+    }
+    let bench = Bench { variables: &with_own, ..bench };
+    discovery.laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     if !discovery.laws.is_empty() && progress.permits(INSTEAD) {
         progress.stretch(INSTEAD, || discovery.weigh_against_noise(data, progress))?;
     }
@@ -173,7 +219,8 @@ impl Discovery<Ranked> {
         while let Some(law) = self.laws.first().filter(|_| !without.terms.is_empty()) {
             let with = Data::of(&law.open, data.clone().into_measurements());
             if let Some(with) = with.ok().and_then(|with| under_noise(&with, progress).ok()) {
-                if without.criterion < with.criterion + law.found.price + CLEARLY {
+                self.ahead = without.criterion - (with.criterion + law.found.price);
+                if self.ahead < CLEARLY {
                     self.instead = without.terms;
                 }
                 break;
@@ -195,7 +242,11 @@ impl Discovery<Ranked> {
         for mut rival in rivals {
             rival.apart = apart::apart(bench, &told, &rival.found);
             // Nor what is the same everywhere.
-            if rival.apart.as_ref().is_none_or(|own| own.sigmas > DIFFERENT) {
+            let is_other = match &rival.apart {
+                Some(own) => own.sigmas > DIFFERENT,
+                None => !bench.is_within(&told, &rival.found, DIFFERENT),
+            };
+            if is_other {
                 self.laws.push(rival);
             }
         }
@@ -208,7 +259,7 @@ impl Discovery<Ranked> {
 
 /// Ranges of the variables of a law, words left out.
 fn ranges(bench: &Bench, law: &Found) -> Vec<(String, Kind, [f64; 2])> {
-    let own = law.variables().into_iter().map(|v| &bench.variables[v]).filter(|own| own.words == 0);
+    let own = bench.variables_of(law).into_iter().map(|v| &bench.variables[v]).filter(|own| own.words == 0);
     own.map(|own| (own.name.to_string(), own.kind, own.ends().into())).collect()
 }
 

@@ -49,15 +49,6 @@ pub struct Found {
 }
 
 impl Found {
-    /// Numbers of its variables, each once, rising.
-    pub fn variables(&self) -> Vec<usize> {
-        let factors = self.terms.iter().flat_map(|term| &term.factors);
-        let mut all: Vec<usize> = factors.flat_map(Factor::variables).collect();
-        all.sort_unstable();
-        all.dedup();
-        all
-    }
-
     /// Whether it is another law with further factors or terms.
     pub fn is_more_than(&self, other: &Self) -> bool {
         let shapes = |law: &Self| -> Vec<FactorKind> {
@@ -143,6 +134,31 @@ impl Bench<'_, '_> {
         basis.iter().map(|own| own.dot(self.residual).powi(2)).sum()
     }
 
+    /// Numbers of the variables of which a law is made, each once, rising.
+    pub fn variables_of(&self, law: &Found) -> Vec<usize> {
+        let factors = law.terms.iter().flat_map(|term| &term.factors);
+        let mut all: Vec<usize> = factors.flat_map(|factor| factor.made_of(self.variables)).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// The price of so many numbers and of a choice among so many laws, by its logarithm.
+    pub fn price(&self, freedom: usize, width: f64) -> f64 {
+        freedom as f64 * (self.rows as f64).ln() + 2.0 * width
+    }
+
+    /// Whether another law says the same of the rows to within so many standard uncertainties of all together.
+    pub fn is_within(&self, law: &Found, other: &Found, least: f64) -> bool {
+        let columns = self.seen(&law.terms);
+        let Some(sizes) = amplitudes(&columns, self.residual) else { return false };
+        let said =
+            columns.iter().zip(sizes).fold(DVector::zeros(self.residual.len()), |sum, (own, size)| sum + own * size);
+        let others = basis(self.seen(&other.terms));
+        let rest = others.iter().fold(said.clone(), |rest, own| rest - own * own.dot(&said));
+        rest.norm() < least
+    }
+
     /// Terms with what they explain together.
     pub fn judged(&self, terms: Vec<Term>) -> Found {
         let gain = self.gain(&[], self.seen(&terms));
@@ -164,8 +180,7 @@ impl Bench<'_, '_> {
         let constants: usize = factors().filter(|own| !own.is_known).map(|own| own.constants.len()).sum();
         let freedom = amplitudes + constants;
         let predictions = factors().filter(|own| self.variables[own.variable].is_prediction).count();
-        let price =
-            freedom as f64 * (self.rows as f64).ln() + 2.0 * self.width(&terms) + PREDICTION * predictions as f64;
+        let price = self.price(freedom, self.width(&terms)) + PREDICTION * predictions as f64;
         let left = (self.residual.norm_squared() - gain).max(0.0);
         Found { terms, gain, freedom, criterion: self.misfit(left) + price, price }
     }

@@ -30,6 +30,8 @@ pub struct Variable {
     pub words: usize,
     /// Whether formulas know it as what the model predicts, which follows from the others.
     pub is_prediction: bool,
+    /// Numbers of those of which it is a formula; none of one that the rows have.
+    pub made_of: Vec<usize>,
     /// Its values, SI; rows of another observable have none.
     pub values: Vec<f64>,
     /// Its distinct values, rising.
@@ -93,7 +95,8 @@ impl Variable {
         all
     }
 
-    fn new(name: Name, kind: Kind, words: usize, values: Vec<f64>) -> Option<Self> {
+    /// A variable of these values; `None` where they are all the same.
+    pub fn new(name: Name, kind: Kind, words: usize, values: Vec<f64>) -> Option<Self> {
         let mut levels: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
         if levels.is_empty() {
             return None;
@@ -112,7 +115,19 @@ impl Variable {
         let together = levels.len().div_ceil(MOST_LEVELS);
         let centre = |some: &[f64]| some.iter().sum::<f64>() / some.len() as f64;
         let coarse = (levels.chunks(together).map(centre).collect(), level.iter().map(|own| own / together).collect());
-        is_varied.then_some(Self { name, kind, words, is_prediction: false, values, levels, level, coarse, scale })
+        let own = || Self {
+            name,
+            kind,
+            words,
+            is_prediction: false,
+            made_of: Vec::new(),
+            values,
+            levels,
+            level,
+            coarse,
+            scale,
+        };
+        is_varied.then(own)
     }
 
     /// Whether every one of these rows has it.
@@ -282,8 +297,11 @@ impl Variable {
 
 impl Factor {
     /// Numbers of the variables of which it is made.
-    pub fn variables(&self) -> impl Iterator<Item = usize> {
-        std::iter::once(self.variable).chain(self.other)
+    pub fn made_of(&self, variables: &[Variable]) -> Vec<usize> {
+        match variables[self.variable].made_of.as_slice() {
+            [] => std::iter::once(self.variable).chain(self.other).collect(),
+            own => own.to_vec(),
+        }
     }
 
     /// Its functions in every row.

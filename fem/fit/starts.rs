@@ -9,6 +9,7 @@ use super::objective::{Objective, Solution};
 use crate::compare::SIGNIFICANCE;
 use crate::noise::beyond_chi2;
 use crate::process::Failure;
+use crate::units::{Knowledge, Quantity};
 
 /// Most combinations of starts.
 const MOST: usize = 240;
@@ -26,6 +27,7 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
         if !tried.is_empty() && !objective.data.progress.permits("further places from which the fit could begin") {
             break;
         }
+        let start = beside_what_is_told(objective, start);
         if let Some(solution) = minimise(objective, &start, &[], SHORT) {
             tried.push(solution);
         }
@@ -45,6 +47,20 @@ pub fn best(objective: &mut Objective) -> Result<Solution, Failure> {
     })?;
     let best = between(objective, best);
     Ok(survey(objective, best))
+}
+
+/// A start from which everything else has come to meet those unknowns of which it is told where they are near: as long as an
+/// offset is far off, a law would run from where it is known to be only to make good for it.
+fn beside_what_is_told(objective: &mut Objective, start: DVector<f64>) -> DVector<f64> {
+    let is_told = |i: &usize| {
+        let Quantity { value, knowledge } = objective.parameters[*i].quantity;
+        knowledge == Knowledge::Free && !value.is_nan()
+    };
+    let told: Vec<usize> = (0..objective.parameters.len()).filter(is_told).collect();
+    if told.is_empty() || told.len() == objective.variables.len() {
+        return start;
+    }
+    minimise(objective, &start, &told, SHORT).map_or(start, |met| met.position)
 }
 
 /// Ratio either way within which an unknown of the set-up is surveyed, and places on either side: near enough

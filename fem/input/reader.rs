@@ -187,9 +187,10 @@ impl<'a> Reader<'a> {
     }
 
     /// A key with a text or a bare number, as text.
-    pub fn text_or_number(&self, key: &'static str, about: &'static str) -> Option<String> {
-        self.describe(key, || json!({ "type": ["string", "number"], "description": about }), false);
-        let item = self.item(key)?;
+    pub fn text_or_number(&self, key: impl Into<Name>, about: &'static str) -> Option<String> {
+        let key = key.into();
+        self.describe(&key, || json!({ "type": ["string", "number"], "description": about }), false);
+        let item = self.item(key.clone())?;
         let number = || item.as_integer().map(|n| n.to_string()).or_else(|| item.as_float().map(|n| n.to_string()));
         let text = item.as_str().map(str::to_string).or_else(number);
         if text.is_none() {

@@ -9,7 +9,7 @@ use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
 use crate::diagnose::SIGNIFICANCE;
-use crate::discover::{Apart, Discovery, Law, LeftOut, TooFew};
+use crate::discover::{Apart, Discovery, Law, LeftOut, TooFew, Tried};
 use crate::model::Data;
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -70,10 +70,14 @@ impl Answer for LawsAnswer<'_> {
                 true => format!("nothing is left for a law: chi2/dof {:.3}, what noise gives", found.before),
                 false => format!("chi2/dof {:.3} is left, and no law of {} explains it", found.before, sought(found)),
             }));
+            blocks.extend(tried(found));
             return blocks;
         };
         let held_back = self.held_back();
         blocks.push(Block::Heading(match held_back {
+            None if best.ranked.is_candidate => {
+                format!("{}, a law of your own, explains what the model leaves", best.ranked.name)
+            }
             None => "a law explains what the model leaves".into(),
             Some(_) => "held back: a law that fits, and is not to be believed yet".into(),
         }));
@@ -96,11 +100,12 @@ impl Answer for LawsAnswer<'_> {
                 left_out.after, left_out.before
             )));
         }
-        blocks.push(Block::Sentence(format!(
-            "it pays {:.0} of chi2 for its constants and for a search over {}",
-            best.ranked.found.price,
-            sought(found)
-        )));
+        let among = match best.ranked.is_candidate {
+            true => format!("for being one of {} laws of your own", found.tried.len()),
+            false => format!("for a search over {}", sought(found)),
+        };
+        let price = best.ranked.found.price;
+        blocks.push(Block::Sentence(format!("it pays {price:.0} of chi2 for its constants and {among}")));
         let ranges: Vec<String> = found.ranges.iter().map(range).collect();
         if !ranges.is_empty() {
             blocks.push(Block::Sentence(format!("seen for {}; beyond that it is a guess", ranges.join(", "))));
@@ -120,9 +125,10 @@ impl Answer for LawsAnswer<'_> {
             let more = rivals.len().saturating_sub(MOST_RIVALS);
             blocks.extend((more > 0).then(|| Block::Sentence(format!("and {more} more"))));
         }
+        blocks.extend(tried(found));
         if held_back.is_none() {
-            blocks
-                .push(Block::Sentence("a law describes; it becomes a cause when somebody names what makes it".into()));
+            let describes = "a law describes; it becomes a cause when somebody names what makes it";
+            blocks.push(Block::Paragraph(describes.into()));
             blocks.push(Block::Commands(vec![
                 self.command(best),
                 format!(
@@ -143,6 +149,7 @@ impl Answer for LawsAnswer<'_> {
                 "observable": self.observable(law),
                 "formula": law.ranked.written.formula,
                 "variables": law.ranked.variables,
+                "candidate": law.ranked.is_candidate.then_some(&law.ranked.name),
                 "parameters": law.estimates.iter().map(estimate).collect::<Vec<_>>(),
                 "chosen": law.ranked.known().map(|(name, value)| json!({ "parameter": name, "value": value })).collect::<Vec<_>>(),
                 "chi2_per_dof": law.reduced_chi2,
@@ -177,6 +184,11 @@ impl Answer for LawsAnswer<'_> {
             "held_back": self.held_back(),
             "law_held_back": found.laws.first().filter(|_| told.is_none()).map(|best| law(best, found.left_out)),
             "rivals": found.laws.iter().skip(1).map(|rival| law(rival, None)).collect::<Vec<_>>(),
+            "tried": found.tried.iter().map(|own| json!({
+                "name": own.name,
+                "chi2_per_dof": own.result.as_ref().ok(),
+                "left_out_because": own.result.as_ref().err(),
+            })).collect::<Vec<_>>(),
             "ranges": found.ranges.iter().map(range).collect::<Vec<_>>(),
             "command": told.map(|law| self.command(law)),
         })
@@ -197,6 +209,18 @@ impl LawsAnswer<'_> {
             "unit": kind.unit,
             "standard_uncertainties": own.sigmas,
         })
+    }
+}
+
+/// What the laws came to that somebody has in mind.
+fn tried(found: &Discovery) -> Vec<Block> {
+    let line = |own: &Tried| match &own.result {
+        Ok(reduced_chi2) => format!("{}   chi2/dof {reduced_chi2:.3}", own.name),
+        Err(why) => format!("{}   left out: {why}", own.name),
+    };
+    match found.tried.is_empty() {
+        true => Vec::new(),
+        false => vec![Block::Heading("laws of your own".into()), Block::List(found.tried.iter().map(line).collect())],
     }
 }
 

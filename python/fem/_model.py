@@ -234,10 +234,15 @@ class Model:
         *,
         columns: Columns = (),
         decimal: Optional[str] = None,
+        candidates: Sequence[_Path] = (),
         time_limit: Optional[float] = None,
     ) -> Laws:
-        """Seeks a law that is in no catalogue in what the model leaves, over every column of the data."""
-        return Laws(self._core().discover(asked(data, columns, decimal), time_limit))
+        """Seeks a law that is in no catalogue in what the model leaves, over every column of the data.
+
+        Files of ``candidates``, or folders of them, hold laws of your own, which are tried among the others.
+        """
+        own = [Path(path) for path in candidates]
+        return Laws(self._core().discover(asked(data, columns, decimal), own, time_limit))
 
     def plan(
         self,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use fem::ask::{self, Depth, Page, compare_all, compensate, completed, fit, fitted, plan, refuse_mixed, steps};
-use fem::discover::{diagnose, discover};
+use fem::discover::{diagnose, discover, read_candidates};
 use fem::input::{Parameter, Source};
 use fem::measure::Measurements;
 use fem::model::{self, Data, Entry, Setting, add_effect};
@@ -138,9 +138,10 @@ impl Model {
     }
 
     /// Seeks a law that is in no catalogue.
-    fn discover(&self, py: Python, data: Asked, seconds: Option<f64>) -> PyResult<Answer> {
-        self.of_data(py, within(seconds), data, |data, progress| {
-            let found = discover(data, progress)?;
+    fn discover(&self, py: Python, data: Asked, candidates: Vec<PathBuf>, seconds: Option<f64>) -> PyResult<Answer> {
+        self.of_data(py, within(seconds), data, move |data, progress| {
+            let candidates = read_candidates(&candidates)?;
+            let found = discover(data, &candidates, progress)?;
             let model = found.told().and_then(|law| law.model.clone()).map(|better| marked(better, "law"));
             let answer = Answer::of(&LawsAnswer(data, &found), data.model);
             Ok(Answer { notes: data.notes_of_fit(), model, ..answer })

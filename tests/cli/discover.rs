@@ -142,3 +142,98 @@ fn zeros_of_runs_are_no_law() {
         assert!(missing.iter().all(|[kind, _]| kind != "law"), "{missing:?}");
     }
 }
+
+/// A file of laws that somebody has in mind.
+const LAWS: &str = r#"
+[sag]
+about = "the table sags under its load"
+formula = "a*load^n*sin(pi*position/span)"
+a = "? um"
+n = "1 to 3"
+span = "500 to 700 mm"
+
+[shrinkage]
+formula = "a*humidity"
+a = "? um"
+
+[of-the-room]
+formula = "a*(room - t0)"
+a = "? um/K"
+t0 = "20 degC"
+"#;
+
+#[test]
+fn a_law_of_ones_own_is_told_under_its_name() {
+    let place = Place::new();
+    place.write("axis.toml", ideal());
+    place.write("measured.csv", measured(12, 7, sag));
+    place.write("laws.toml", LAWS.replace("load^n", "(load/l0)^n").replace("n = \"1", "l0 = \"50 kg\"\nn = \"1"));
+    let found = discovered(&place, &["--candidates", "laws.toml", "--add-to", "better.toml"]);
+    assert_eq!(found["law"]["candidate"], "sag", "{found:#}");
+    let n = found["law"]["parameters"].as_array().into_iter().flatten();
+    let exponent =
+        |own: &Json| own["parameter"] == "effects.sag.n" && (own["value"].as_f64().unwrap() - 2.0).abs() < 0.1;
+    assert!(n.into_iter().any(exponent), "{found:#}");
+    let tried = found["tried"].as_array().unwrap();
+    let why = tried[1]["left_out_because"].as_str().unwrap_or_default();
+    assert!(why.contains("`humidity` is neither a coordinate"), "{found:#}");
+    assert!(tried[2]["chi2_per_dof"].as_f64() > Some(10.0), "{found:#}");
+    let (_, missing) = diagnosed(&place, &["--candidates", "laws.toml"]);
+    assert_eq!(missing, vec![["law".to_string(), "sag".to_string()]]);
+}
+
+#[test]
+fn a_law_of_ones_own_beyond_its_range_is_none() {
+    let place = Place::new();
+    place.write("axis.toml", ideal());
+    place.write("measured.csv", measured(12, 7, sag));
+    let law = "formula = \"a*(load/l0)^n*sin(pi*position/span)\"\na = \"? um\"\nl0 = \"50 kg\"\nspan = \"600 mm\"\n";
+    place.write("laws.toml", format!("[sag]\n{law}n = \"0.2 to 1.5\"\n"));
+    let found = discovered(&place, &["--candidates", "laws.toml"]);
+    let why = found["tried"][0]["left_out_because"].as_str().unwrap_or_default();
+    assert!(why.contains("beyond 0.2 to 1.5"), "{found:#}");
+    assert_eq!(found["law"]["candidate"], Json::Null);
+}
+
+#[test]
+fn a_file_of_laws_that_is_wrong_is_told_with_its_places() {
+    let place = Place::new();
+    place.write("axis.toml", ideal());
+    place.write("measured.csv", measured(4, 7, sag));
+    for (laws, wanted) in [
+        ("[a]\nformula = \"b*load\"\nb = \"3 to 1 um/kg\"\n", "the range \"3 to 1 um/kg\" has no extent"),
+        ("[a]\nb = \"? um\"\n", "a candidate is a formula"),
+        ("[a]\nformula = 3\n", "expected a text"),
+        ("a = 3\n", "`a` is no table"),
+        ("[a\n", "unclosed table"),
+    ] {
+        place.write("laws.toml", laws);
+        let answer = place.fem(&["discover", "axis.toml", "--with", "measured.csv", "--candidates", "laws.toml"]);
+        assert!(
+            answer.status != 0 && answer.err.contains(wanted) && answer.err.contains("laws.toml"),
+            "{}",
+            answer.err
+        );
+    }
+}
+
+#[test]
+fn zeros_that_follow_a_column_are_described() {
+    let place = Place::new();
+    place.write("axis.toml", ideal());
+    // Three pallets that are changed between runs, in no order; what each is off by no law of three levels tells.
+    let mut text = "run,direction,position [mm],pallet,deviation [um],u [um]\n".to_string();
+    let mut scatter = Scatter(5);
+    for run in 1..=12 {
+        let pallet = [2, 1, 3, 3, 1, 2, 1, 3, 2, 2, 3, 1][run - 1];
+        for k in 0..11 {
+            let deviation = [4.0, -3.0, 1.0][pallet - 1] + 0.5 * scatter.normal();
+            text += &format!("{run},+,{},{pallet},{deviation:.4},0.5\n", 60 * k);
+        }
+    }
+    place.write("measured.csv", text);
+    let answer = place.fem(&["diagnose", "axis.toml", "--with", "measured.csv", "--json"]);
+    let told: Json = serde_json::from_str(&answer.out).unwrap();
+    let blamed = told["missing"].as_array().into_iter().flatten().filter(|own| own["kind"] == "measurement").count();
+    assert!(blamed == 0 && told["verdict"] != "missing-effect", "{told:#}");
+}

@@ -52,7 +52,7 @@ fn said(case: &HiddenLaw, label: &str) -> Said {
     let (model, data) = read(&case.model, &case.data);
     let data = Data::of(&model, data).expect("every row lies in the model");
     let start = Instant::now();
-    let found = discover(&data, &Progress::default()).expect("the model can be computed");
+    let found = discover(&data, &[], &Progress::default()).expect("the model can be computed");
     let seconds = start.elapsed().as_secs_f64();
     let law = found.told();
     let model = law.and_then(|law| law.model.as_ref());

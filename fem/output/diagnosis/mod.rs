@@ -186,7 +186,12 @@ fn missing(missing: &Missing, data: &Data) -> Json {
     };
     let mut told = json!({
         "effect": missing.effect.name,
-        "kind": if matches!(missing.cause, Cause::Law(_)) { "law" } else { kind_of(&missing.effect) },
+        "kind": match &missing.cause {
+            Cause::Law(_) => "law",
+            _ if missing.doubt.is_some() => "description",
+            _ => kind_of(&missing.effect),
+        },
+        "doubt": missing.doubt,
         "written": match missing.cause {
             Cause::Value { written } => missing.estimates.first().map(|e| e.parameter.kind.from_si(written)),
             Cause::Physical | Cause::Law(_) | Cause::Measurement { .. } => None,

@@ -96,6 +96,9 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
     }
     text += &missing.bend.as_ref().map_or(String::new(), |bend| format!("; {}", bent(bend)));
     text += &rivals(missing).map_or(String::new(), |rivals| format!("; {rivals}"));
+    if let Some(doubt) = &missing.doubt {
+        return format!("{text}; {doubt}");
+    }
     let about = &missing.effect.about;
     let has_room = d.missing.len() <= MOST_EXPLAINED && text.chars().count() + about.chars().count() < ROOM;
     if has_room { format!("{text}; {about}") } else { text }

@@ -109,6 +109,7 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
     }
     blocks.extend(missing.bend.as_ref().map(|bend| Block::Sentence(bent(bend))));
     blocks.extend(rivals(missing).map(Block::Sentence));
+    blocks.extend(missing.doubt.iter().map(|doubt| Block::Caution(doubt.clone())));
     for alternative in &missing.indistinguishable_from {
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));
         blocks.push(Block::Sentence(format!("or {}: these data cannot tell{by}", alternative.label())));

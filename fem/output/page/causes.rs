@@ -50,6 +50,9 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, dat
         html.push_str(&html::paragraph("note", &sentence(&format!("it {moves} {size}"))));
     }
     html.push_str(&html::paragraph("note", &sentence(&diagnosis::chance(missing.p_value))));
+    if let Some(doubt) = &missing.doubt {
+        html.push_str(&html::paragraph("caution", &sentence(doubt)));
+    }
     if let Some(bend) = &missing.bend {
         html.push_str(&html::paragraph("caution", &sentence(&diagnosis::bent(bend))));
     }
