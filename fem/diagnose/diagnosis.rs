@@ -2,6 +2,7 @@
 
 use super::bent_law::Bend;
 use super::detection_limit::DetectionLimit;
+use super::free_law::FreeLaw;
 use super::largest_change::LargestChange;
 use super::next::Next;
 use super::posterior::Posterior;
@@ -9,7 +10,6 @@ use super::verdict::{GoodnessOfFit, Verdict};
 use crate::compare::Feature;
 use crate::fit::{Estimate, Fit};
 use crate::input::Name;
-use crate::model::Setting;
 use crate::noise::{MeasurementEffect, NoiseLevel, Term};
 use crate::process::Description;
 use crate::units::Kind;
@@ -124,21 +124,6 @@ pub enum Cause {
         /// First line of the file after a step.
         from_line: Option<u64>,
     },
-}
-
-/// A law that is in no catalogue.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FreeLaw {
-    /// The observable to which it is added.
-    pub observable: Name,
-    /// Its formula.
-    pub formula: String,
-    /// Names of what it varies with.
-    pub variables: Vec<String>,
-    /// The settings with which `fem add` writes it, the formula first.
-    pub settings: Vec<Setting>,
-    /// Formulas of the laws that fit as well.
-    pub rivals: Vec<String>,
 }
 
 impl Cause {

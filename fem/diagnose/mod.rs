@@ -20,6 +20,7 @@ mod explore;
 mod failure;
 mod few_places;
 mod findings;
+mod free_law;
 mod gain;
 mod hypothesis;
 mod instrument;
@@ -48,8 +49,9 @@ mod verdict;
 
 pub use bent_law::{Along, Bend};
 pub use detection_limit::DetectionLimit;
-pub use diagnosis::{Cause, Diagnosis, FreeLaw, Missing, Outlier, Outlook};
+pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
 pub use failure::unsolvable;
+pub use free_law::{Apart, FreeLaw, Rival};
 pub use laplace::weight;
 pub use largest_change::LargestChange;
 pub use next::Next;

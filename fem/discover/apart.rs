@@ -2,24 +2,14 @@
 
 use super::search::{Bench, Found, amplitudes};
 use super::variable::{Variable, product};
-use crate::units::{Kind, NUMBER};
+use crate::diagnose::Apart;
+use crate::units::NUMBER;
 
 /// Values that are tried of each variable, and how far beyond its range, in parts of it.
 const VALUES: usize = 9;
 const BEYOND: f64 = 0.25;
 /// Most variables of which every combination is tried.
 const MOST: usize = 4;
-
-/// The row that tells two laws apart best.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Apart {
-    /// Variables with their values, SI.
-    pub at: Vec<(String, Kind, f64)>,
-    /// Difference of the laws there, in the unit of the error of the observable.
-    pub difference: f64,
-    /// The same in standard uncertainties of a row.
-    pub sigmas: f64,
-}
 
 /// The row within a quarter of the range of every variable at which two laws are most apart; `None` where they are made of
 /// what cannot be set.

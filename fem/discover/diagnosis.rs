@@ -3,7 +3,7 @@
 use super::fitted::{Ranked, fitted_settings, is_of};
 use super::law::near;
 use super::{CLEARLY, Candidate, Discovery, Explained, TooFew, ranked};
-use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Verdict, thinned, weight};
+use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Rival, Verdict, thinned, weight};
 use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 use crate::process::{Description, Failure};
@@ -62,7 +62,10 @@ pub fn diagnose_with(
     let margin = if follows { -CLEARLY } else { CLEARLY };
     Ok(match best {
         Some(told) if told.criterion < of_catalogue.criterion - margin => told.over(of_catalogue, data),
-        Some(told) if told.criterion < of_catalogue.criterion + CLEARLY && explains => told.against(of_catalogue),
+        Some(told) if told.criterion < of_catalogue.criterion + CLEARLY && explains => {
+            told.against(&mut of_catalogue, 1.0);
+            of_catalogue
+        }
         _ => {
             if let Some(own) = held_back {
                 own.against(&mut of_catalogue);
@@ -136,13 +139,20 @@ struct HeldBack {
     text: String,
     /// Whether it would say as much as such zeros.
     is_likely: bool,
+    /// What is told with it, where it would.
+    told: Option<Box<Told>>,
 }
 
 impl HeldBack {
-    /// Says of zeros that may be such a law that nobody knows whether the instrument makes them.
+    /// Says of zeros that may be such a law that nobody knows whether the instrument makes them; and takes half of the
+    /// probability, where it explains as much as effects of the machine: these are not certain then.
     fn against(self, diagnosis: &mut Diagnosis) {
         let sets_zero = |m: &Missing| matches!(m.cause, Cause::Measurement { effect, .. } if effect.sets_zero);
-        let Self { text, is_likely } = self;
+        let Self { text, is_likely, told } = self;
+        let is_of_machine = diagnosis.missing.iter().any(|m| is_of_machine(&m.cause));
+        if let Some(told) = told.filter(|told| is_of_machine && told.criterion < diagnosis.criterion + CLEARLY) {
+            told.against(diagnosis, 0.5);
+        }
         let Some(zero) = diagnosis.missing.iter_mut().find(|m| sets_zero(m) && !m.describes()) else { return };
         if is_likely {
             zero.doubt = Some(format!("it may be {text}"));
@@ -163,15 +173,25 @@ fn beside(
     progress: &Progress,
 ) -> Result<Sought, Failure> {
     let Some(own) = with(data, model) else { return Ok(Sought::Nothing) };
-    let Ok(mut found) = ranked(&own, candidates, explained, progress) else { return Ok(Sought::Nothing) };
+    let Ok(found) = ranked(&own, candidates, explained, progress) else { return Ok(Sought::Nothing) };
     if found.told().is_none() {
-        return Ok(held_back(data, &found).map_or(Sought::Nothing, Sought::HeldBack));
+        let Some(held_back) = held_back(data, &found) else { return Ok(Sought::Nothing) };
+        let told = if held_back.is_likely { told(data, found, most, progress)? } else { None };
+        return Ok(Sought::HeldBack(HeldBack { told: told.map(Box::new), ..held_back }));
     }
+    Ok(told(data, found, most, progress)?.map_or(Sought::Nothing, |told| Sought::Told(Box::new(told))))
+}
+
+/// The best law, and what the catalogue says of the model as it is written with it.
+fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progress) -> Result<Option<Told>, Failure> {
     let law = found.laws.remove(0);
     let open = law.written.open();
-    let Ok(model) = add_effect(data.model, &law.name, &open) else { return Ok(Sought::Nothing) };
+    let Ok(model) = add_effect(data.model, &law.name, &open) else { return Ok(None) };
     let effect = model.effects.iter().find(|own| own.description.name == *law.name).map(|own| own.description.clone());
-    let (Some(own), Some(effect)) = (with(data, &model), effect) else { return Ok(Sought::Nothing) };
+    let (Some(own), Some(mut effect)) = (with(data, &model), effect) else { return Ok(None) };
+    if !law.is_candidate {
+        (effect.about, effect.source) = ("a law that is in no catalogue".into(), "found in these rows");
+    }
     let diagnosis = diagnose::diagnose_beside_law(&own, most, progress)?;
     let criterion = diagnosis.criterion + law.found.price;
     let law = FreeLaw {
@@ -179,9 +199,10 @@ fn beside(
         formula: law.written.formula,
         variables: law.variables,
         settings: fitted_settings(&open, &diagnosis.fit, &law.name),
-        rivals: found.laws.into_iter().map(|own| own.written.formula).collect(),
+        like: found.like,
+        rivals: found.laws.into_iter().map(|own| Rival { formula: own.written.formula, apart: own.apart }).collect(),
     };
-    Ok(Sought::Told(Box::new(Told { law, effect, diagnosis, criterion })))
+    Ok(Some(Told { law, effect, diagnosis, criterion }))
 }
 
 /// A law that is held back because what it is made of was set too seldom.
@@ -196,6 +217,7 @@ fn held_back(data: &Data, found: &Discovery<Ranked>) -> Option<HeldBack> {
             law.written.formula
         ),
         is_likely: found.ahead > -CLEARLY,
+        told: None,
     })
 }
 
@@ -205,9 +227,9 @@ fn with<'m>(data: &Data, model: &'m Model) -> Option<Data<'m>> {
 }
 
 impl Told {
-    /// A diagnosis beside which the law is as likely: nothing that it does without is certain.
-    fn against(self, mut diagnosis: Diagnosis) -> Diagnosis {
-        let share = 1.0 / (1.0 + weight(diagnosis.criterion, self.criterion));
+    /// Takes its share of the probability of a diagnosis beside which it is as likely: nothing that it does without is certain.
+    fn against(self, diagnosis: &mut Diagnosis, most: f64) {
+        let share = (1.0 / (1.0 + weight(diagnosis.criterion, self.criterion))).min(most);
         diagnosis.posterior.share(share, &self.diagnosis.posterior);
         for missing in &mut diagnosis.missing {
             missing.probability = diagnosis.posterior.of(&missing.effect.name);
@@ -217,7 +239,6 @@ impl Told {
             "a law that is in no catalogue explains as much, with a probability of {:.0} %: {observable} + {formula}",
             100.0 * share
         ));
-        diagnosis
     }
 
     /// The diagnosis with the law in the place of one without.

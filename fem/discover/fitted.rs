@@ -2,9 +2,9 @@
 
 use nalgebra::DVector;
 
-use super::apart::Apart;
 use super::law::{self, Written};
 use super::search::{Bench, Found, amplitudes};
+use crate::diagnose::Apart;
 use crate::fit::{self, Estimate, Fit, Objective, SearchVariable, Solution, StoppingCriterion, minimise};
 use crate::input::{Parameter, numbered};
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};

@@ -9,6 +9,7 @@ mod form;
 mod law;
 mod left_out;
 mod levels;
+mod likeness;
 mod pools;
 mod refine;
 mod scales;
@@ -16,7 +17,6 @@ mod search;
 mod shape;
 mod variable;
 
-pub use apart::Apart;
 pub use candidates::{Candidate, Tried, read_candidates};
 pub use diagnosis::{diagnose, diagnose_with};
 pub use fitted::{Law, Ranked};
@@ -83,6 +83,8 @@ pub struct Discovery<L = Law> {
     pub too_few: Option<TooFew>,
     /// What the best says of rows that were left out.
     pub left_out: Option<LeftOut>,
+    /// The effect of the catalogue, of whatever process, that has the form of the best.
+    pub like: Option<&'static str>,
     /// Names of the variables over which laws were sought.
     pub sought: Vec<String>,
     /// Ranges of the variables of the best, SI: beyond them nothing is known of it.
@@ -104,7 +106,8 @@ impl<L> Discovery<L> {
 /// The model cannot be computed.
 pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> Result<Discovery, Failure> {
     let found = ranked(data, candidates, None, progress)?;
-    let Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, sought, ranges } = found;
+    let Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, like, sought, ranges } =
+        found;
     let laws = progress.stretch("fits of laws", || {
         let mut all: Vec<Law> = Vec::new();
         for law in laws {
@@ -114,7 +117,7 @@ pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> R
         }
         all
     });
-    Ok(Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, sought, ranges })
+    Ok(Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, like, sought, ranges })
 }
 
 /// Known effects that explain the rows.
@@ -157,6 +160,7 @@ fn rank(
         ahead: f64::INFINITY,
         too_few: None,
         left_out: None,
+        like: None,
         sought: Vec::new(),
         ranges: Vec::new(),
     };
@@ -251,6 +255,7 @@ impl Discovery<Ranked> {
             }
         }
         self.ranges = ranges(bench, &told);
+        self.like = likeness::like(bench, &told);
         let settings = Settings::of(bench, &told);
         self.too_few = levels::too_few(bench, &told, &settings);
         self.left_out = left_out::left_out(bench, &told, &settings);

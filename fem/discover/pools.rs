@@ -14,6 +14,8 @@ use crate::progress::Progress;
 /// Terms of each pool that are refined, and pairs from which triples are grown.
 const REFINED: usize = 20;
 const GROWN: usize = 8;
+/// Partners that a shape keeps of each variable: in products, and in sums.
+const PARTNERS: (usize, usize) = (3, 2);
 
 impl Bench<'_, '_> {
     /// Candidates of every pool beside a law with so many amplitudes, unrefined.
@@ -25,156 +27,207 @@ impl Bench<'_, '_> {
         form: &Form,
         progress: &Progress,
     ) -> Vec<Found> {
-        let rows = &metric.rows;
-        let usable: Vec<usize> = (0..self.variables.len()).filter(|v| self.variables[*v].is_of(rows)).collect();
-        let whole = self.residual.norm_squared() - form.chi2;
-        // What terms with these factors explain beside the law.
-        let further = |factors: Vec<Vec<Factor>>, (gain, count): (f64, usize)| {
-            let own = factors.into_iter().map(|factors| Term { observable, factors });
-            self.priced(law.terms.iter().cloned().chain(own).collect(), (whole + gain, amplitudes + count))
-        };
-        let (at_levels, at_some) = (&self.at_levels, &self.at_some);
-        let ones = vec![vec![1.0; self.rows]];
-        let levels = |v: usize| (self.variables[v].level.as_slice(), self.variables[v].levels.len());
-        let some = |v: usize| (self.variables[v].coarse.1.as_slice(), self.variables[v].coarse.0.len());
-        let spread = |v: usize, i: usize| at_levels[v].spread(i, &self.variables[v].level);
-        let mut all = Vec::new();
-
-        let excesses: Vec<&Factor> = self.excesses.iter().filter(|own| usable.contains(&own.variable)).collect();
-        let mut singles = Vec::new();
-        for v in &usable {
-            let products = form.sums(rows, &ones, levels(*v)).products(&at_levels[*v]);
-            let one = |i: usize| further(vec![vec![self.factors[*v][i].clone()]], products.gain(i));
-            singles.extend((0..self.factors[*v].len()).into_par_iter().map(one).collect::<Vec<_>>());
-        }
-        let (nowhere, one) = (vec![0; self.rows], Shapes::new(&[vec![vec![1.0]]]));
-        let of_excess = |own: &&Factor| {
-            let sums = form.sums(rows, &own.columns(self.variables), (&nowhere, 1));
-            further(vec![vec![(*own).clone()]], sums.products(&one).gain(0))
-        };
-        let of_excesses: Vec<Found> = excesses.par_iter().map(of_excess).collect();
-        let grown_from = self.best_of_kinds(of_excesses.clone(), GROWN / 2, 1);
-        singles.extend(of_excesses);
-        all.extend(self.best_of_kinds(singles, REFINED, 2));
+        let usable = (0..self.variables.len()).filter(|v| self.variables[*v].is_of(&metric.rows)).collect();
+        let pools = Pools { bench: self, law, amplitudes, observable, rows: &metric.rows, form, usable };
+        let (mut all, excesses) = pools.singles();
         if !progress.permits("products of two variables") {
             return all;
         }
-
-        let pairs: Vec<(usize, usize)> =
-            usable.iter().enumerate().flat_map(|(k, a)| usable[k..].iter().map(move |b| (*a, *b))).collect();
-        let (mut products, mut together) = (Vec::new(), Vec::new());
-        for (a, b) in pairs {
-            let is_longer = self.variables[a].levels.len() > self.variables[b].levels.len();
-            let (a, b) = if is_longer { (a, b) } else { (b, a) };
-            let of_ones = form.sums(rows, &ones, some(b)).products(&at_some[b]);
-            let with = |i: usize| {
-                let own = &self.factors[a][i];
-                let sums = form.sums(rows, &spread(a, i), some(b));
-                let (of_products, of_both) = (sums.products(&at_some[b]), sums.together(&at_some[b], &of_ones));
-                let (mut products, mut together) = (Vec::new(), Vec::new());
-                for (j, other) in self.factors[b].iter().enumerate() {
-                    let is_within = own.shape.functions() * other.shape.functions() <= MOST_FUNCTIONS;
-                    // A variable may stand in a product with itself as the envelope of its wave.
-                    let is_product = a != b || other.shape.is_envelope() && own.shape.is_wave();
-                    let constants = if other.is_known { 0 } else { other.constants.len() };
-                    let cheap = |(gain, count): (f64, usize)| {
-                        self.misfit((form.chi2 - gain).max(0.0)) + (count + constants) as f64 * (self.rows as f64).ln()
-                    };
-                    if is_product && is_within {
-                        let gain = of_products.gain(j);
-                        products.push((cheap(gain), gain, j));
-                    }
-                    if a != b || i < j {
-                        let gain = of_both.gain(j);
-                        together.push((cheap(gain), gain, j));
-                    }
-                }
-                // Whole laws are made of the few best alone, each of another shape.
-                let best = |mut all: Vec<(f64, (f64, usize), usize)>, most: usize| {
-                    all.sort_by(|x, y| x.0.total_cmp(&y.0));
-                    let mut kinds = Vec::new();
-                    all.retain(|(_, _, j)| {
-                        let own = discriminant(&self.factors[b][*j].shape);
-                        let is_new = kinds.len() < most && !kinds.contains(&own);
-                        kinds.extend(is_new.then_some(own));
-                        is_new
-                    });
-                    all
-                };
-                let two = |j: usize| [self.factors[b][j].clone(), own.clone()];
-                let products = best(products, 3);
-                let products = products.into_iter().map(|(_, gain, j)| further(vec![two(j).to_vec()], gain));
-                let together = best(together, 2).into_iter();
-                let together = together.map(|(_, gain, j)| further(two(j).map(|one| vec![one]).to_vec(), gain));
-                (products.collect::<Vec<_>>(), together.collect::<Vec<_>>())
-            };
-            let own: Vec<_> = (0..self.factors[a].len()).into_par_iter().map(with).collect();
-            let (one, other): (Vec<_>, Vec<_>) = own.into_iter().unzip();
-            products.extend(self.best_of_kinds(one.into_iter().flatten().collect(), REFINED, 2));
-            together.extend(self.best_of_kinds(other.into_iter().flatten().collect(), REFINED / 2, 1));
-        }
-        all.extend(self.best_of_kinds(together, REFINED / 2, 2));
-        let products = self.best_of_kinds(products, REFINED, 2);
+        let (products, sums) = pools.pairs();
+        all.extend(sums);
         all.extend(products.iter().cloned());
+        all.extend(pools.common());
+        if progress.permits("products of three variables") {
+            all.extend(pools.triples(products, &excesses));
+        }
+        all
+    }
+}
 
-        // Two shapes of one variable that a further one switches or sizes together.
-        let mut common = Vec::new();
-        let is_common = |own: &Factor| matches!(own.shape, Shape::Sign | Shape::Word | Shape::Proportional);
-        let is_plain = |own: &Factor| !own.shape.is_wave() && own.shape != Shape::Ringing;
-        let of = |v: usize, is_wanted: &dyn Fn(&Factor) -> bool| -> Vec<usize> {
-            (0..self.factors[v].len()).filter(|i| is_wanted(&self.factors[v][*i])).collect()
+/// What terms with some factors explain, and their number.
+type Gain = (f64, usize);
+
+/// The search for one more term, or two, of an observable.
+struct Pools<'p, 'a, 'm> {
+    bench: &'p Bench<'a, 'm>,
+    /// The law that is grown, and the number of its amplitudes.
+    law: &'p Found,
+    amplitudes: usize,
+    observable: usize,
+    /// Rows of the observable.
+    rows: &'p [usize],
+    form: &'p Form,
+    /// Variables that all of these rows have.
+    usable: Vec<usize>,
+}
+
+impl Pools<'_, '_, '_> {
+    /// The law with terms of these factors.
+    fn further(&self, factors: Vec<Vec<Factor>>, (gain, count): Gain) -> Found {
+        let whole = self.bench.residual.norm_squared() - self.form.chi2;
+        let own = factors.into_iter().map(|factors| Term { observable: self.observable, factors });
+        let terms = self.law.terms.iter().cloned().chain(own).collect();
+        self.bench.priced(terms, (whole + gain, self.amplitudes + count))
+    }
+
+    fn ones(&self) -> Vec<Vec<f64>> {
+        vec![vec![1.0; self.bench.rows]]
+    }
+
+    /// A few values of a variable in the place of all: which of them each row is near, and their number.
+    fn some(&self, v: usize) -> (&[usize], usize) {
+        let (values, level) = &self.bench.variables[v].coarse;
+        (level, values.len())
+    }
+
+    /// The functions of a shape of a variable in every row.
+    fn spread(&self, v: usize, shape: usize) -> Vec<Vec<f64>> {
+        self.bench.at_levels[v].spread(shape, &self.bench.variables[v].level)
+    }
+
+    /// Shapes of one variable, and the best of what one variable is beyond a part of another.
+    fn singles(&self) -> (Vec<Found>, Vec<Found>) {
+        let bench = self.bench;
+        let mut singles = Vec::new();
+        for v in &self.usable {
+            let own = &bench.variables[*v];
+            let products = self.form.sums(self.rows, &self.ones(), (&own.level, own.levels.len()));
+            let products = products.products(&bench.at_levels[*v]);
+            let one = |i: usize| self.further(vec![vec![bench.factors[*v][i].clone()]], products.gain(i));
+            singles.extend((0..bench.factors[*v].len()).into_par_iter().map(one).collect::<Vec<_>>());
+        }
+        let (nowhere, one) = (vec![0; bench.rows], Shapes::new(&[vec![vec![1.0]]]));
+        let of_excess = |own: &&Factor| {
+            let sums = self.form.sums(self.rows, &own.columns(bench.variables), (&nowhere, 1));
+            self.further(vec![vec![(*own).clone()]], sums.products(&one).gain(0))
         };
-        let is_own = |v: &&usize| !self.variables[**v].is_prediction;
-        let sizes: Vec<(usize, usize)> =
-            usable.iter().filter(is_own).flat_map(|a| of(*a, &is_common).into_iter().map(move |i| (*a, i))).collect();
-        let plain: Vec<(usize, Vec<usize>)> = usable.iter().filter(is_own).map(|b| (*b, of(*b, &is_plain))).collect();
-        for (a, i) in sizes {
+        let usable: Vec<&Factor> = bench.excesses.iter().filter(|own| self.usable.contains(&own.variable)).collect();
+        let excesses: Vec<Found> = usable.par_iter().map(of_excess).collect();
+        singles.extend(excesses.iter().cloned());
+        (bench.best_of_kinds(singles, REFINED, 2), bench.best_of_kinds(excesses, GROWN / 2, 1))
+    }
+
+    /// Products, and sums, of shapes of two variables.
+    fn pairs(&self) -> (Vec<Found>, Vec<Found>) {
+        let (mut products, mut sums) = (Vec::new(), Vec::new());
+        for (k, a) in self.usable.iter().enumerate() {
+            for b in &self.usable[k..] {
+                let (one, other) = self.pair(*a, *b);
+                products.extend(self.bench.best_of_kinds(one, REFINED, 2));
+                sums.extend(self.bench.best_of_kinds(other, REFINED / 2, 1));
+            }
+        }
+        (self.bench.best_of_kinds(products, REFINED, 2), self.bench.best_of_kinds(sums, REFINED / 2, 2))
+    }
+
+    /// Products and sums of every shape of one variable with the best of another.
+    fn pair(&self, a: usize, b: usize) -> (Vec<Found>, Vec<Found>) {
+        let bench = self.bench;
+        let is_longer = bench.variables[a].levels.len() > bench.variables[b].levels.len();
+        let (a, b) = if is_longer { (a, b) } else { (b, a) };
+        let of_ones = self.form.sums(self.rows, &self.ones(), self.some(b)).products(&bench.at_some[b]);
+        let with = |i: usize| {
+            let own = &bench.factors[a][i];
+            let sums = self.form.sums(self.rows, &self.spread(a, i), self.some(b));
+            let (products, together) = (sums.products(&bench.at_some[b]), sums.together(&bench.at_some[b], &of_ones));
+            // A variable may stand in a product with itself as the envelope of its wave.
+            let is_product = |j: usize| {
+                let other = &bench.factors[b][j];
+                own.shape.functions() * other.shape.functions() <= MOST_FUNCTIONS
+                    && (a != b || other.shape.is_envelope() && own.shape.is_wave())
+            };
+            let is_sum = |j: usize| a != b || i < j;
+            let two = |j: usize| [bench.factors[b][j].clone(), own.clone()];
+            let products = self.partners(b, PARTNERS.0, is_product, |j| products.gain(j));
+            let products = products.into_iter().map(|(j, gain)| self.further(vec![two(j).to_vec()], gain));
+            let sums = self.partners(b, PARTNERS.1, is_sum, |j| together.gain(j)).into_iter();
+            let sums = sums.map(|(j, gain)| self.further(two(j).map(|one| vec![one]).to_vec(), gain));
+            (products.collect::<Vec<_>>(), sums.collect::<Vec<_>>())
+        };
+        let own: Vec<_> = (0..bench.factors[a].len()).into_par_iter().map(with).collect();
+        let (products, sums): (Vec<_>, Vec<_>) = own.into_iter().unzip();
+        (products.concat(), sums.concat())
+    }
+
+    /// The few shapes of a variable, each unlike the others, that explain most in company: whole laws are made of these alone.
+    fn partners(
+        &self,
+        v: usize,
+        most: usize,
+        is_wanted: impl Fn(usize) -> bool,
+        gain: impl Fn(usize) -> Gain,
+    ) -> Vec<(usize, Gain)> {
+        let factors = &self.bench.factors[v];
+        let cheap = |j: usize, (gain, count): Gain| {
+            let constants = if factors[j].is_known { 0 } else { factors[j].constants.len() };
+            let numbers = (count + constants) as f64;
+            self.bench.misfit((self.form.chi2 - gain).max(0.0)) + numbers * (self.bench.rows as f64).ln()
+        };
+        let all = (0..factors.len()).filter(|j| is_wanted(*j)).map(|j| (j, gain(j)));
+        let mut all: Vec<(f64, usize, Gain)> = all.map(|(j, gain)| (cheap(j, gain), j, gain)).collect();
+        all.sort_by(|x, y| x.0.total_cmp(&y.0));
+        let (mut kinds, mut best) = (Vec::new(), Vec::new());
+        for (_, j, gain) in all {
+            let kind = discriminant(&factors[j].shape);
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
+                best.push((j, gain));
+            }
+            if best.len() == most {
+                break;
+            }
+        }
+        best
+    }
+
+    /// Two shapes of one variable that a further one switches or sizes together.
+    fn common(&self) -> Vec<Found> {
+        let bench = self.bench;
+        let of = |v: usize, is_wanted: fn(Shape) -> bool| -> Vec<usize> {
+            (0..bench.factors[v].len()).filter(|i| is_wanted(bench.factors[v][*i].shape)).collect()
+        };
+        let is_size = |own: Shape| matches!(own, Shape::Sign | Shape::Word | Shape::Proportional);
+        let is_plain = |own: Shape| !own.is_wave() && own != Shape::Ringing;
+        let own: Vec<usize> = self.usable.iter().copied().filter(|v| !bench.variables[*v].is_prediction).collect();
+        let plain: Vec<(usize, Vec<usize>)> = own.iter().map(|b| (*b, of(*b, is_plain))).collect();
+        let mut common = Vec::new();
+        for (a, i) in own.iter().flat_map(|a| of(*a, is_size).into_iter().map(move |i| (*a, i))) {
             for (b, shapes) in plain.iter().filter(|(b, shapes)| *b != a && shapes.len() > 1) {
-                let doubles = form.sums(rows, &spread(a, i), some(*b)).doubles(&at_some[*b]);
+                let doubles = self.form.sums(self.rows, &self.spread(a, i), self.some(*b)).doubles(&bench.at_some[*b]);
                 let with = |k: usize| {
-                    let one = shapes[k];
-                    let two = |other: &usize| {
-                        let factors =
-                            [one, *other].map(|own| vec![self.factors[a][i].clone(), self.factors[*b][own].clone()]);
-                        let (gain, count) = doubles.gain(one, *other);
-                        (form.chi2 - gain, count, factors)
-                    };
-                    let best = shapes[k + 1..].iter().map(two).min_by(|x, y| x.0.total_cmp(&y.0));
-                    best.map(|(left, count, factors)| further(factors.to_vec(), (form.chi2 - left, count)))
+                    let others = shapes[k + 1..].iter().map(|other| (*other, doubles.gain(shapes[k], *other)));
+                    let (other, gain) = others.max_by(|x, y| x.1.0.total_cmp(&y.1.0).then(y.0.cmp(&x.0)))?;
+                    let factors = |own: usize| vec![bench.factors[a][i].clone(), bench.factors[*b][own].clone()];
+                    Some(self.further([shapes[k], other].map(factors).to_vec(), gain))
                 };
                 let own: Vec<Found> = (0..shapes.len()).into_par_iter().filter_map(with).collect();
-                common.extend(self.best_of_kinds(own, REFINED / 4, 1));
+                common.extend(bench.best_of_kinds(own, REFINED / 4, 1));
             }
         }
-        all.extend(self.best_of_kinds(common, REFINED / 2, 1));
-        if !progress.permits("products of three variables") {
-            return all;
-        }
+        bench.best_of_kinds(common, REFINED / 2, 1)
+    }
 
-        let refined: Vec<Found> = products.into_par_iter().map(|own| self.refined(own)).collect();
-        let refined = self.best_of_kinds(refined, GROWN, 2);
+    /// Products with a further variable, of the best of two, refined, and of excesses.
+    fn triples(&self, products: Vec<Found>, excesses: &[Found]) -> Vec<Found> {
+        let bench = self.bench;
+        let refined: Vec<Found> = products.into_par_iter().map(|own| bench.refined(own)).collect();
+        let refined = bench.best_of_kinds(refined, GROWN, 2);
         let mut grown = Vec::new();
-        for pair in refined.iter().chain(&grown_from) {
-            let Some(term) = pair.terms.last() else { continue };
-            let own = product(&term.factors.iter().map(|f| f.columns(self.variables)).collect::<Vec<_>>());
-            let is_other = |v: &&usize| {
-                !self.variables[**v].is_prediction
-                    && term.factors.iter().all(|factor| factor.variable != **v && factor.other != Some(**v))
-            };
-            let others: Vec<usize> = usable.iter().filter(is_other).copied().collect();
-            for v in others {
-                let products = form.sums(rows, &own, some(v)).products(&at_some[v]);
+        for term in refined.iter().chain(excesses).filter_map(|own| own.terms.last()) {
+            let own = product(&term.factors.iter().map(|f| f.columns(bench.variables)).collect::<Vec<_>>());
+            let is_in = |v: usize| term.factors.iter().any(|own| own.variable == v || own.other == Some(v));
+            for v in self.usable.iter().copied().filter(|v| !bench.variables[*v].is_prediction && !is_in(*v)) {
+                let products = self.form.sums(self.rows, &own, self.some(v)).products(&bench.at_some[v]);
                 let with = |i: usize| {
-                    let factor = &self.factors[v][i];
+                    let factor = &bench.factors[v][i];
                     (own.len() * factor.shape.functions() <= MOST_FUNCTIONS).then(|| {
                         let factors = term.factors.iter().cloned().chain([factor.clone()]).collect();
-                        further(vec![factors], products.gain(i))
+                        self.further(vec![factors], products.gain(i))
                     })
                 };
-                grown.extend((0..self.factors[v].len()).into_par_iter().filter_map(with).collect::<Vec<_>>());
+                grown.extend((0..bench.factors[v].len()).into_par_iter().filter_map(with).collect::<Vec<_>>());
             }
         }
-        all.extend(self.best_of_kinds(grown, REFINED, 2));
-        all
+        bench.best_of_kinds(grown, REFINED, 2)
     }
 }

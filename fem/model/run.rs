@@ -2,7 +2,7 @@
 
 use super::Model;
 use crate::input::Name;
-use crate::process::{Active, Failure, Observable, RunReport, Values};
+use crate::process::{Active, Failure, ForwardModel, Observable, Rows, RunReport, Values};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -81,14 +81,30 @@ impl Model {
         Ok(self.contributions(&[(effect.description.name.clone(), self.changes(effect, &prediction, progress)?)]))
     }
 
+    /// What one of its effects adds to rows, SI: the prediction less that without the effect.
+    ///
+    /// # Errors
+    /// The computation failed.
+    #[doc(hidden)]
+    pub fn change_in(&self, effect: &Active, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        let without = self.behind(self.without(effect), &self.measurement);
+        let (with, without) = (self.forward().observe(rows)?, without.observe(rows)?);
+        Ok(with.iter().zip(&without).map(|(a, b)| a - b).collect())
+    }
+
     /// Contribution of an effect to every observation, SI: the prediction less that without the effect.
     fn changes(&self, effect: &Active, prediction: &[f64], progress: &Progress) -> Result<Vec<f64>, Failure> {
+        let without = self.without(effect).predict(progress)?;
+        Ok(prediction.iter().zip(&without).map(|(a, b)| a - b).collect())
+    }
+
+    /// The model without one of its effects.
+    fn without(&self, effect: &Active) -> Box<dyn ForwardModel> {
         // The change of an effect goes with it.
         let own = &effect.description.name;
         let is_other = |e: &&Active| *e != effect && !e.description.is_change_of(own);
         let others: Vec<Active> = self.effects.iter().filter(is_other).cloned().collect();
-        let without = self.system.with_effects(&others).predict(progress)?;
-        Ok(prediction.iter().zip(&without).map(|(a, b)| a - b).collect())
+        self.system.with_effects(&others)
     }
 
     /// Summaries of changes at every point of the programme, observable by observable.

@@ -4,12 +4,13 @@
 use serde_json::{Value as Json, json};
 
 use super::answer::Answer;
+use super::apart;
 use super::block::{Block, Column, Table};
 use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
 use crate::diagnose::SIGNIFICANCE;
-use crate::discover::{Apart, Discovery, Law, LeftOut, TooFew, Tried};
+use crate::discover::{Discovery, Law, LeftOut, TooFew, Tried};
 use crate::model::Data;
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -23,6 +24,11 @@ pub struct LawsAnswer<'a>(pub &'a Data<'a>, pub &'a Discovery);
 impl LawsAnswer<'_> {
     fn observable(&self, law: &Law) -> String {
         self.0.model.process.observables()[law.ranked.observable].name.to_string()
+    }
+
+    /// Kind of what a law adds.
+    fn kind(&self, law: &Law) -> Kind {
+        self.0.model.process.observables()[law.ranked.observable].error_kind()
     }
 
     /// The command that adds a law; where it names columns that the process does not know, the measurements tell these.
@@ -94,6 +100,7 @@ impl Answer for LawsAnswer<'_> {
             best.reduced_chi2,
             if best.p_value.is_some_and(|p| p < SIGNIFICANCE) { ": more is left than noise gives" } else { "" }
         )));
+        blocks.extend(found.like.map(|like| Block::Sentence(format!("it has the form of {like}"))));
         if let Some(left_out) = found.left_out {
             blocks.push(Block::Sentence(format!(
                 "rows that it was not fitted to, setting by setting: {:.2} standard uncertainties, {:.2} without it",
@@ -117,8 +124,11 @@ impl Answer for LawsAnswer<'_> {
         if !rivals.is_empty() {
             blocks.push(Block::Heading("fit as well, and cannot be told from it".into()));
             let rival = |law: &Law| {
-                let apart =
-                    law.ranked.apart.as_ref().map_or(String::new(), |own| format!("; {}", told_apart(own, self, law)));
+                let apart = law
+                    .ranked
+                    .apart
+                    .as_ref()
+                    .map_or(String::new(), |own| format!("; {}", apart::words(own, self.kind(law))));
                 format!("{}   chi2/dof {:.3}{apart}", law.ranked.written.formula, law.reduced_chi2)
             };
             blocks.push(Block::List(rivals.iter().take(MOST_RIVALS).map(rival).collect()));
@@ -157,7 +167,7 @@ impl Answer for LawsAnswer<'_> {
                 "price": law.ranked.found.price,
                 "criterion": law.ranked.criterion,
                 "left_out": left_out.map(|own| json!({ "before": own.before, "after": own.after })),
-                "apart": law.ranked.apart.as_ref().map(|own| self.apart(own, law)),
+                "apart": law.ranked.apart.as_ref().map(|own| apart::json(own, self.kind(law))),
             })
         };
         let told = found.told();
@@ -180,6 +190,7 @@ impl Answer for LawsAnswer<'_> {
             "features": features.into_iter().collect::<Vec<_>>(),
             "chi2_per_dof_before": found.before,
             "variables_sought": found.sought,
+            "like": told.and(found.like),
             "law": told.map(|best| law(best, found.left_out)),
             "held_back": self.held_back(),
             "law_held_back": found.laws.first().filter(|_| told.is_none()).map(|best| law(best, found.left_out)),
@@ -196,19 +207,6 @@ impl Answer for LawsAnswer<'_> {
 
     fn progress(&self) -> Option<&Progress> {
         Some(&self.0.progress)
-    }
-}
-
-impl LawsAnswer<'_> {
-    fn apart(&self, own: &Apart, law: &Law) -> Json {
-        let kind = self.0.model.process.observables()[law.ranked.observable].error_kind();
-        let at = |(name, kind, value): &(String, Kind, f64)| json!({ "variable": name, "unit": kind.unit, "value": kind.from_si(*value) });
-        json!({
-            "at": own.at.iter().map(at).collect::<Vec<_>>(),
-            "difference": own.difference,
-            "unit": kind.unit,
-            "standard_uncertainties": own.sigmas,
-        })
     }
 }
 
@@ -232,20 +230,4 @@ fn sought(found: &Discovery) -> String {
 fn range((name, kind, [low, high]): &(String, Kind, [f64; 2])) -> String {
     let text = format!("{name} {:.4} to {:.4} {}", Short(kind.from_si(*low)), Short(kind.from_si(*high)), kind.unit);
     text.trim_end().to_string()
-}
-
-/// The row that tells two laws apart, in words.
-fn told_apart(own: &Apart, answer: &LawsAnswer, law: &Law) -> String {
-    let kind = answer.0.model.process.observables()[law.ranked.observable].error_kind();
-    let at = |(name, kind, value): &(String, Kind, f64)| {
-        format!("{name} {:.4} {}", Short(kind.from_si(*value)), kind.unit).trim_end().to_string()
-    };
-    let at: Vec<String> = own.at.iter().map(at).collect();
-    format!(
-        "a row at {} tells: {:.3} {} apart ({:.1} standard uncertainties)",
-        at.join(", "),
-        Short(own.difference.abs()),
-        kind.unit,
-        own.sigmas
-    )
 }

@@ -2,6 +2,7 @@
 //! [`figures`] and a [`Folder`] take. Files appear whole or not at all.
 
 mod answer;
+mod apart;
 mod block;
 mod budget;
 mod catalogue;

@@ -26,6 +26,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::OutputError;
 use super::answer::Answer;
+use super::apart;
 use super::block::Block;
 use super::chart::Svg;
 use super::falling::Falling;
@@ -33,12 +34,12 @@ use super::json::{finite, json as document};
 use super::measurement::{self, curve, files};
 use super::staged::Staged;
 use crate::diagnose::{
-    Along, Believed, Bend, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Verdict,
+    Along, Believed, Bend, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Rival, Verdict,
 };
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
-use crate::process::{Description, ON_TRIAL, Parameter};
+use crate::process::{Description, ON_TRIAL, Observable, Parameter};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -221,7 +222,12 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         told["observable"] = json!(law.observable);
         told["formula"] = json!(law.formula);
         told["variables"] = json!(law.variables);
-        told["rivals"] = json!(law.rivals);
+        told["like"] = json!(law.like);
+        told["rivals"] = json!(law.rivals.iter().map(|own| &own.formula).collect::<Vec<_>>());
+        let kind =
+            data.model.process.observables().iter().find(|own| own.name == law.observable).map(Observable::error_kind);
+        let apart = |own: &Rival| Some(apart::json(own.apart.as_ref()?, kind?));
+        told["apart"] = law.rivals.iter().map(apart).collect();
     }
     if let Some(changes) = &missing.effect.changes {
         let changed = missing.effect.parameters.iter().filter(|p| !p.is_step).zip(&missing.before);

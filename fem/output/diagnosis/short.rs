@@ -7,7 +7,7 @@ use super::commands::{command, discover, next_rows};
 use super::kinds::{Kinds, Open};
 use super::text::{NO_ROWS_ADVISED, experiment, head, told_by, told_otherwise, unexplained};
 use super::verdict::verdict;
-use super::words::{added, as_written, bent, label, largest_change, percent, rivals, value_before};
+use super::words::{added, as_written, bent, label, largest_change, like, percent, rivals, value_before};
 use crate::diagnose::{Cause, Diagnosis, Group, Missing, Next, Outlier};
 use crate::fit::Estimate;
 use crate::input::Name;
@@ -95,6 +95,7 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
         text += &format!("; alike here: {}", listed(&others, FEW));
     }
     text += &missing.bend.as_ref().map_or(String::new(), |bend| format!("; {}", bent(bend)));
+    text += &like(missing).map_or(String::new(), |like| format!("; {like}"));
     text += &rivals(missing).map_or(String::new(), |rivals| format!("; {rivals}"));
     if let Some(doubt) = &missing.doubt {
         return format!("{text}; {doubt}");

@@ -3,7 +3,9 @@
 use super::additions::name;
 use super::commands::{commands, discover};
 use super::verdict::verdict;
-use super::words::{added, as_written, bent, chance, label, largest_change, percent, rivals, traits, value_before};
+use super::words::{
+    added, as_written, bent, chance, label, largest_change, like, percent, rivals, traits, value_before,
+};
 use super::{absent, campaign};
 use crate::diagnose::{CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, RULED_OUT, Verdict};
 use crate::fit::Estimate;
@@ -108,7 +110,7 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
         blocks.push(Block::Sentence(format!("it is there with a probability of {percent}, over all sets of effects")));
     }
     blocks.extend(missing.bend.as_ref().map(|bend| Block::Sentence(bent(bend))));
-    blocks.extend(rivals(missing).map(Block::Sentence));
+    blocks.extend(like(missing).into_iter().chain(rivals(missing)).map(Block::Sentence));
     blocks.extend(missing.doubt.iter().map(|doubt| Block::Caution(doubt.clone())));
     for alternative in &missing.indistinguishable_from {
         let by = separated(effect, alternative).map_or(String::new(), |by| format!("; in general: {by}"));

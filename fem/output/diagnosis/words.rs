@@ -34,6 +34,12 @@ pub fn added(law: &FreeLaw) -> String {
     format!("{} + {}", law.observable, law.formula)
 }
 
+/// The effect that has the form of a law.
+pub fn like(missing: &Missing) -> Option<String> {
+    let Cause::Law(law) = &missing.cause else { return None };
+    law.like.map(|like| format!("it has the form of {like}"))
+}
+
 /// How many laws fit as well as one, and where they are told.
 pub fn rivals(missing: &Missing) -> Option<String> {
     let Cause::Law(law) = &missing.cause else { return None };

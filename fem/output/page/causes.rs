@@ -2,14 +2,15 @@
 
 use super::html::{self, Section, capital, sentence};
 use super::subject::{Evidence, Subject};
-use crate::diagnose::{Cause, Diagnosis, Missing};
+use crate::diagnose::{Cause, Diagnosis, FreeLaw, Missing, Rival};
 use crate::fit::Estimate;
 use crate::input::Name;
 use crate::model::Data;
 use crate::output::block::{Block, Cell, Column, Table};
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, escaped, named};
 use crate::output::fit::Short;
-use crate::output::{diagnosis, plots};
+use crate::output::{apart, diagnosis, plots};
+use crate::process::Observable;
 
 /// Rise of χ² at the ends of a 95 % interval: 95 % point of χ² with one degree of freedom.
 const QUANTILE: f64 = 3.841_458_820_694_124;
@@ -24,13 +25,13 @@ pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
     let card = |(number, missing): (usize, &Missing)| {
         // As the command numbers them.
         let number = if missing.describes() { format!("described {number}") } else { number.to_string() };
-        card(&number, missing, &curves, (subject, found.data))
+        card(&number, missing, &curves, (subject, found))
     };
     let cards = (1..).zip(&d.missing).map(card).collect();
     Section { id: "causes", title: "The causes", blocks: cards }
 }
 
-fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, data): (&Subject, &Data)) -> String {
+fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, found): (&Subject, &Evidence)) -> String {
     let effect = &missing.effect;
     let mut html = format!(
         "<article class=\"cause\"><h3><span class=\"number\">{number}</span>{}</h3><p>{}</p>",
@@ -46,10 +47,13 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, dat
     if let Some(changed) = diagnosis::changed(missing) {
         html.push_str(&html::paragraph("note", &sentence(&changed)));
     }
-    if let Some([moves, size]) = diagnosis::largest_change(missing, data) {
+    if let Some([moves, size]) = diagnosis::largest_change(missing, found.data) {
         html.push_str(&html::paragraph("note", &sentence(&format!("it {moves} {size}"))));
     }
     html.push_str(&html::paragraph("note", &sentence(&diagnosis::chance(missing.p_value))));
+    if let Cause::Law(FreeLaw { like: Some(like), .. }) = &missing.cause {
+        html.push_str(&html::paragraph("note", &sentence(&format!("it has the form of {like}"))));
+    }
     if let Some(doubt) = &missing.doubt {
         html.push_str(&html::paragraph("caution", &sentence(doubt)));
     }
@@ -57,9 +61,12 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, dat
         html.push_str(&html::paragraph("caution", &sentence(&diagnosis::bent(bend))));
     }
     let mut figures: Vec<(String, Svg)> = Vec::new();
-    if matches!(missing.cause, Cause::Physical | Cause::Law(_)) {
+    if matches!(missing.cause, Cause::Physical) {
         let own = curves.iter().filter(|c| c.0 == effect.name);
         figures.extend(own.map(|(_, chart)| named(chart)));
+    }
+    if let Cause::Law(law) = &missing.cause {
+        figures.extend(over_rows(&effect.name, law, found).iter().map(named));
     }
     figures.extend(missing.estimates.iter().filter_map(profile).map(|chart| named(&chart)));
     html.push_str(&html::figures(figures));
@@ -81,9 +88,42 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, dat
         html.push_str("<h4>Alike elsewhere, told apart here by</h4>");
         html.push_str(&html::list(&rivals));
     }
+    if let Cause::Law(law) = &missing.cause {
+        html.push_str(&rivals_of(law, found.data));
+    }
     let traits = diagnosis::traits(missing, subject.model());
     html.extend(traits.into_iter().map(|text| html::block(&Block::Sentence(text))));
     html + "</article>"
+}
+
+/// A law over its variables, with what every row leaves without it.
+fn over_rows(name: &Name, law: &FreeLaw, found: &Evidence) -> Vec<Chart> {
+    let charts = || {
+        let (model, _) = found.completed?;
+        let effect = model.effects.iter().find(|own| own.description.name == *name)?;
+        let rows = &found.data.rows;
+        let added = model.change_in(effect, rows).ok()?;
+        let residuals = found.data.residuals(&model.forward().observe(rows).ok()?);
+        let said = plots::Said { name, variables: &law.variables, added: &added, residuals: &residuals };
+        Some(plots::law(&plots::Rows::of(model, found.data), &said))
+    };
+    charts().unwrap_or_default()
+}
+
+/// Laws that fit as well as one, with the row that tells each from it.
+fn rivals_of(law: &FreeLaw, data: &Data) -> String {
+    let kind =
+        data.model.process.observables().iter().find(|own| own.name == law.observable).map(Observable::error_kind);
+    let line = |own: &Rival| {
+        let apart = own.apart.as_ref().zip(kind).map(|(apart, kind)| apart::words(apart, kind));
+        format!("{}{}", own.formula, apart.map_or(String::new(), |told| format!("; {told}")))
+    };
+    match law.rivals.is_empty() {
+        true => String::new(),
+        false => {
+            format!("<h4>Laws that fit as well</h4>{}", html::list(&law.rivals.iter().map(line).collect::<Vec<_>>()))
+        }
+    }
 }
 
 /// Values with their intervals as a table.

@@ -1,11 +1,13 @@
 //! Charts of a prediction, a comparison, a cause: chosen by what the coordinates are, whatever the process.
 
+mod law;
 mod layout;
 mod measured;
 mod positioning;
 mod predicted;
 mod residuals;
 
+pub use law::{Said, law};
 pub use measured::{Judged, Rows, agreement, measured};
 pub use predicted::{changes, predicted, signatures};
 pub use residuals::{along, maps};
