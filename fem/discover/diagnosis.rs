@@ -145,12 +145,12 @@ struct HeldBack {
 
 impl HeldBack {
     /// Says of zeros that may be such a law that nobody knows whether the instrument makes them; and takes half of the
-    /// probability, where it explains as much as effects of the machine: these are not certain then.
+    /// probability, where it explains more than effects of the machine: these are not certain then.
     fn against(self, diagnosis: &mut Diagnosis) {
         let sets_zero = |m: &Missing| matches!(m.cause, Cause::Measurement { effect, .. } if effect.sets_zero);
         let Self { text, is_likely, told } = self;
         let is_of_machine = diagnosis.missing.iter().any(|m| is_of_machine(&m.cause));
-        if let Some(told) = told.filter(|told| is_of_machine && told.criterion < diagnosis.criterion + CLEARLY) {
+        if let Some(told) = told.filter(|told| is_of_machine && told.criterion < diagnosis.criterion - CLEARLY) {
             told.against(diagnosis, 0.5);
         }
         let Some(zero) = diagnosis.missing.iter_mut().find(|m| sets_zero(m) && !m.describes()) else { return };
