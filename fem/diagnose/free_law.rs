@@ -37,6 +37,8 @@ pub struct Apart {
     pub at: Vec<(String, Kind, f64)>,
     /// Difference of the laws there, in the unit of the error of the observable.
     pub difference: f64,
+    /// Kind of that error.
+    pub kind: Kind,
     /// The same in standard uncertainties of a row.
     pub sigmas: f64,
 }

@@ -72,8 +72,9 @@ pub fn apart(bench: &Bench, one: &Found, other: &Found) -> Option<Apart> {
         let own = &bench.variables[*v];
         (own.name.to_string(), own.kind, value)
     });
-    let sigmas = difference(best).abs() * bench.metric(first.observable)?.weight();
-    Some(Apart { at: named.collect(), difference: difference(best), sigmas })
+    let metric = bench.metric(first.observable)?;
+    let sigmas = difference(best).abs() * metric.weight();
+    Some(Apart { at: named.collect(), difference: difference(best), kind: metric.kind, sigmas })
 }
 
 /// Values that are tried of a variable.

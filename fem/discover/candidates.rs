@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use nalgebra::DVector;
 
 use super::fitted::{self, Ranked};
-use super::law::{Written, near};
+use super::law::{Written, quantity};
 use super::search::{Bench, Found, PREDICTION, Term};
 use super::shape::Shape;
 use super::variable::{Factor, Variable};
 use crate::fit::{Objective, Solution, StoppingCriterion};
 use crate::formula::Formula;
-use crate::input::{InputError, Parameter, Problem, Reader, Source, numbered, read_tables};
-use crate::model::{Data, Model, add_effect};
+use crate::input::{InputError, Parameter, Problem, Reader, Source, read_tables};
+use crate::model::{Data, add_effect};
 use crate::units::{NUMBER, Unit, unit_text};
 
 /// Largest file of candidates, bytes.
@@ -178,12 +178,6 @@ impl Candidate {
         };
         (0..ways).step_by(every).map(at).collect()
     }
-
-    /// A name for it that no effect of the model has.
-    fn free_name(&self, model: &Model) -> String {
-        let is_free = |name: &String| model.effects.iter().all(|effect| effect.description.name != *name);
-        numbered(&self.name).find(is_free).unwrap_or_default()
-    }
 }
 
 /// The law of a candidate beside the model, and what it adds to the rows as a variable of its own; or why it is none.
@@ -195,7 +189,7 @@ pub fn ranked(
 ) -> Result<(Ranked, Variable), String> {
     const NOWHERE: &str = "it cannot be computed in these rows";
     let data = objective.data;
-    let name = candidate.free_name(data.model);
+    let name = fitted::free_name(data.model, &candidate.name);
     let said = |problem: Problem| problem.message.clone();
     add_effect(data.model, &name, &candidate.written.open()).map_err(said)?;
     let drafts = candidate.starts().into_iter().filter_map(|written| {
@@ -219,7 +213,7 @@ pub fn ranked(
         let Some((kind, si)) = value(&range.key) else { continue };
         let found = kind.from_si(si);
         if !range.has(found) {
-            let at = near(found, kind).replace("? near ", "");
+            let at = quantity(found, kind);
             return Err(format!("{} fits best at {at}, beyond {}", range.key, range.text()));
         }
     }

@@ -15,10 +15,10 @@ const SOME_STEPS: StoppingCriterion = StoppingCriterion::rough(12, 1e-4);
 /// Name of the effect; further ones are numbered.
 const NAME: &str = "law";
 
-/// A name for a law that no effect of the model has.
-pub fn free_name(model: &Model) -> String {
+/// A name that begins so, and that no effect of the model has.
+pub fn free_name(model: &Model, name: &str) -> String {
     let is_free = |name: &String| model.effects.iter().all(|effect| effect.description.name != *name);
-    numbered(NAME).find(is_free).unwrap_or_default()
+    numbered(name).find(is_free).unwrap_or_default()
 }
 
 /// Whether a parameter is one of a law of this name.
@@ -80,7 +80,7 @@ pub fn drafted((objective, solution): (&Objective, &Solution), bench: &Bench, fo
         terms.push((term, sizes.by_ref().take(count).collect()));
     }
     let written = law::written(&terms, bench.variables, kind);
-    let name = free_name(data.model);
+    let name = free_name(data.model, NAME);
     let open = add_effect(data.model, &name, &written.open()).ok()?;
     let (position, chi2) = begun((objective, solution), &open)?;
     let mut variables: Vec<String> =

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::diagnose::ProjectedResidual;
 use crate::fit::Objective;
+use crate::units::Kind;
 
 /// Most directions by which rows that share noise are weighed in a search.
 const MOST_SHARED: usize = 48;
@@ -15,6 +16,8 @@ const DEPENDENT: f64 = 1e-9;
 pub struct Metric<'a, 'm> {
     objective: &'a Objective<'m>,
     projected: &'a ProjectedResidual,
+    /// Kind of the error of the observable.
+    pub kind: Kind,
     /// Rows of the observable.
     pub rows: Vec<usize>,
     /// The unit of the error over the standard uncertainty of each row; of rows of another observable 0.
@@ -84,7 +87,8 @@ impl<'a, 'm> Metric<'a, 'm> {
     /// The metric of an observable.
     pub fn new(objective: &'a Objective<'m>, projected: &'a ProjectedResidual, observable: usize) -> Self {
         let data = objective.data;
-        let unit = data.model.process.observables()[observable].error_kind().canonical().factor;
+        let kind = data.model.process.observables()[observable].error_kind();
+        let unit = kind.canonical().factor;
         let is_own = |row: usize| data.rows.observable[row] == observable;
         let rows: Vec<usize> = (0..data.len()).filter(|row| is_own(*row)).collect();
         let weight = |(row, sigma): (usize, &f64)| if is_own(row) { unit / sigma } else { 0.0 };
@@ -96,7 +100,7 @@ impl<'a, 'm> Metric<'a, 'm> {
             };
             DMatrix::from_columns(&(0..data.len()).map(one).collect::<Vec<_>>())
         });
-        Self { objective, projected, rows, weights, shared }
+        Self { objective, projected, kind, rows, weights, shared }
     }
 
     /// The unit of the error over the usual standard uncertainty of a row.

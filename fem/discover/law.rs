@@ -241,7 +241,7 @@ pub fn near(value: f64, kind: Kind) -> String {
 }
 
 /// A known quantity.
-fn quantity(value: f64, kind: Kind) -> String {
+pub fn quantity(value: f64, kind: Kind) -> String {
     format!("{} {}", digits(value), kind.unit).trim_end().to_string()
 }
 

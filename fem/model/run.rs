@@ -81,15 +81,14 @@ impl Model {
         Ok(self.contributions(&[(effect.description.name.clone(), self.changes(effect, &prediction, progress)?)]))
     }
 
-    /// What one of its effects adds to rows, SI: the prediction less that without the effect.
+    /// What one of its effects adds to rows, SI: their prediction, which is given, less that without the effect.
     ///
     /// # Errors
     /// The computation failed.
     #[doc(hidden)]
-    pub fn change_in(&self, effect: &Active, rows: &Rows) -> Result<Vec<f64>, Failure> {
-        let without = self.behind(self.without(effect), &self.measurement);
-        let (with, without) = (self.forward().observe(rows)?, without.observe(rows)?);
-        Ok(with.iter().zip(&without).map(|(a, b)| a - b).collect())
+    pub fn change_in(&self, effect: &Active, predicted: &[f64], rows: &Rows) -> Result<Vec<f64>, Failure> {
+        let without = self.behind(self.without(effect), &self.measurement).observe(rows)?;
+        Ok(predicted.iter().zip(&without).map(|(a, b)| a - b).collect())
     }
 
     /// Contribution of an effect to every observation, SI: the prediction less that without the effect.

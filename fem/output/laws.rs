@@ -26,11 +26,6 @@ impl LawsAnswer<'_> {
         self.0.model.process.observables()[law.ranked.observable].name.to_string()
     }
 
-    /// Kind of what a law adds.
-    fn kind(&self, law: &Law) -> Kind {
-        self.0.model.process.observables()[law.ranked.observable].error_kind()
-    }
-
     /// The command that adds a law; where it names columns that the process does not know, the measurements tell these.
     fn command(&self, law: &Law) -> String {
         let data = self.0;
@@ -124,11 +119,7 @@ impl Answer for LawsAnswer<'_> {
         if !rivals.is_empty() {
             blocks.push(Block::Heading("fit as well, and cannot be told from it".into()));
             let rival = |law: &Law| {
-                let apart = law
-                    .ranked
-                    .apart
-                    .as_ref()
-                    .map_or(String::new(), |own| format!("; {}", apart::words(own, self.kind(law))));
+                let apart = law.ranked.apart.as_ref().map_or(String::new(), |own| format!("; {}", apart::words(own)));
                 format!("{}   chi2/dof {:.3}{apart}", law.ranked.written.formula, law.reduced_chi2)
             };
             blocks.push(Block::List(rivals.iter().take(MOST_RIVALS).map(rival).collect()));
@@ -167,7 +158,7 @@ impl Answer for LawsAnswer<'_> {
                 "price": law.ranked.found.price,
                 "criterion": law.ranked.criterion,
                 "left_out": left_out.map(|own| json!({ "before": own.before, "after": own.after })),
-                "apart": law.ranked.apart.as_ref().map(|own| apart::json(own, self.kind(law))),
+                "apart": law.ranked.apart.as_ref().map(apart::json),
             })
         };
         let told = found.told();

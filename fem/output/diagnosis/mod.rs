@@ -34,12 +34,12 @@ use super::json::{finite, json as document};
 use super::measurement::{self, curve, files};
 use super::staged::Staged;
 use crate::diagnose::{
-    Along, Believed, Bend, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Rival, Verdict,
+    Along, Believed, Bend, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, Outlook, Verdict,
 };
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::noise::MEASUREMENT;
-use crate::process::{Description, ON_TRIAL, Observable, Parameter};
+use crate::process::{Description, ON_TRIAL, Parameter};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -224,10 +224,7 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         told["variables"] = json!(law.variables);
         told["like"] = json!(law.like);
         told["rivals"] = json!(law.rivals.iter().map(|own| &own.formula).collect::<Vec<_>>());
-        let kind =
-            data.model.process.observables().iter().find(|own| own.name == law.observable).map(Observable::error_kind);
-        let apart = |own: &Rival| Some(apart::json(own.apart.as_ref()?, kind?));
-        told["apart"] = law.rivals.iter().map(apart).collect();
+        told["apart"] = law.rivals.iter().map(|own| own.apart.as_ref().map(apart::json)).collect();
     }
     if let Some(changes) = &missing.effect.changes {
         let changed = missing.effect.parameters.iter().filter(|p| !p.is_step).zip(&missing.before);

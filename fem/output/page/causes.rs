@@ -5,12 +5,10 @@ use super::subject::{Evidence, Subject};
 use crate::diagnose::{Cause, Diagnosis, FreeLaw, Missing, Rival};
 use crate::fit::Estimate;
 use crate::input::Name;
-use crate::model::Data;
 use crate::output::block::{Block, Cell, Column, Table};
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, escaped, named};
 use crate::output::fit::Short;
 use crate::output::{apart, diagnosis, plots};
-use crate::process::Observable;
 
 /// Rise of χ² at the ends of a 95 % interval: 95 % point of χ² with one degree of freedom.
 const QUANTILE: f64 = 3.841_458_820_694_124;
@@ -89,7 +87,7 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, fou
         html.push_str(&html::list(&rivals));
     }
     if let Cause::Law(law) = &missing.cause {
-        html.push_str(&rivals_of(law, found.data));
+        html.push_str(&rivals_of(law));
     }
     let traits = diagnosis::traits(missing, subject.model());
     html.extend(traits.into_iter().map(|text| html::block(&Block::Sentence(text))));
@@ -102,8 +100,9 @@ fn over_rows(name: &Name, law: &FreeLaw, found: &Evidence) -> Vec<Chart> {
         let (model, _) = found.completed?;
         let effect = model.effects.iter().find(|own| own.description.name == *name)?;
         let rows = &found.data.rows;
-        let added = model.change_in(effect, rows).ok()?;
-        let residuals = found.data.residuals(&model.forward().observe(rows).ok()?);
+        let predicted = model.forward().observe(rows).ok()?;
+        let added = model.change_in(effect, &predicted, rows).ok()?;
+        let residuals = found.data.residuals(&predicted);
         let said = plots::Said { name, variables: &law.variables, added: &added, residuals: &residuals };
         Some(plots::law(&plots::Rows::of(model, found.data), &said))
     };
@@ -111,12 +110,10 @@ fn over_rows(name: &Name, law: &FreeLaw, found: &Evidence) -> Vec<Chart> {
 }
 
 /// Laws that fit as well as one, with the row that tells each from it.
-fn rivals_of(law: &FreeLaw, data: &Data) -> String {
-    let kind =
-        data.model.process.observables().iter().find(|own| own.name == law.observable).map(Observable::error_kind);
+fn rivals_of(law: &FreeLaw) -> String {
     let line = |own: &Rival| {
-        let apart = own.apart.as_ref().zip(kind).map(|(apart, kind)| apart::words(apart, kind));
-        format!("{}{}", own.formula, apart.map_or(String::new(), |told| format!("; {told}")))
+        let told = own.apart.as_ref().map_or(String::new(), |apart| format!("; {}", apart::words(apart)));
+        format!("{}{told}", own.formula)
     };
     match law.rivals.is_empty() {
         true => String::new(),

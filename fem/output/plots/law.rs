@@ -1,8 +1,8 @@
 //! Charts of a law over what it is made of, with the rows that it describes.
 
-use super::measured::{Rows, every, thinned};
+use super::measured::{Rows, dots, thinned};
 use crate::input::Name;
-use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series};
+use crate::output::chart::{Axis, Chart, Form, Plane, Series};
 
 /// What a law says of rows, SI.
 pub struct Said<'a> {
@@ -27,10 +27,7 @@ pub fn law(rows: &Rows, said: &Said) -> Vec<Chart> {
             continue;
         }
         for variable in layout.variables.iter().filter(|own| is_of_law(&own.axis)) {
-            let points = |value: &dyn Fn(usize) -> f64| -> Vec<Point> {
-                let all = (0..layout.rows.len()).step_by(every(layout.rows.len()));
-                all.map(|at| Point::new(variable.values[at], factor * value(layout.rows[at]))).collect()
-            };
+            let own = |value: &dyn Fn(usize) -> f64| dots(layout, variable, &|at| factor * value(layout.rows[at]));
             let along = &variable.axis.name;
             charts.push(Chart {
                 name: format!("{name}-{}{}", along.replace(' ', "-"), layout.end),
@@ -43,8 +40,8 @@ pub fn law(rows: &Rows, said: &Said) -> Vec<Chart> {
                     x: variable.axis.clone(),
                     y: Axis::new("measured less predicted without it", unit),
                     series: vec![
-                        Series::new("rows", 0, Form::Dots, points(&|row| added[row] + residuals[row])),
-                        Series::new(name.to_string(), 1, Form::Dots, points(&|row| added[row])),
+                        Series::new("rows", 0, Form::Dots, own(&|row| added[row] + residuals[row])),
+                        Series::new(name.to_string(), 1, Form::Dots, own(&|row| added[row])),
                     ],
                 },
             });

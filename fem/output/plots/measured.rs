@@ -1,6 +1,6 @@
 //! Charts of measured rows beside what a model says of them.
 
-use super::layout::Layout;
+use super::layout::{Layout, Variable};
 use super::positioning;
 use crate::measure::Measurements;
 use crate::model::Model;
@@ -66,6 +66,12 @@ pub fn every(rows: usize) -> usize {
 pub fn thinned(rows: usize) -> String {
     let every = every(rows);
     if every > 1 { format!("; one row in {every} is drawn") } else { String::new() }
+}
+
+/// Rows as dots over one of their variables, by their values at their places in the layout; not more than can be told apart.
+pub fn dots(layout: &Layout, variable: &Variable, value: &dyn Fn(usize) -> f64) -> Vec<Point> {
+    let rows = layout.rows.len();
+    (0..rows).step_by(every(rows)).map(|at| Point::new(variable.values[at], value(at))).collect()
 }
 
 /// Measured rows as dots with bars, and predicted ones as lines.

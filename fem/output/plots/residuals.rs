@@ -1,7 +1,7 @@
 //! Charts of residuals: along every coordinate, and as maps over pairs.
 
 use super::layout::Layout;
-use super::measured::{Judged, Rows, every, thinned};
+use super::measured::{Judged, Rows, dots, thinned};
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series};
 
 /// Most levels of a coordinate at which the mean of the rows is drawn.
@@ -17,10 +17,7 @@ pub fn along(rows: &Rows, judged: &Judged, limits: Option<f64>) -> Vec<Chart> {
         let (factor, unit) = rows.unit(layout);
         for variable in &layout.variables {
             let residual = |at: usize| factor * judged.residuals[layout.rows[at]];
-            let dots: Vec<Point> = (0..layout.rows.len())
-                .step_by(every(layout.rows.len()))
-                .map(|at| Point::new(variable.values[at], residual(at)))
-                .collect();
+            let dots = dots(layout, variable, &residual);
             let means = means(&variable.levels, &variable.values, &residual);
             let sigma = layout.rows.iter().map(|row| judged.noise.sigma[*row].powi(2)).sum::<f64>();
             let sigma = factor * (sigma / layout.rows.len().max(1) as f64).sqrt();
