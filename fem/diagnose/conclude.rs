@@ -46,7 +46,7 @@ pub fn conclude(
     if is_imitation {
         hypotheses.truncate(1);
     }
-    let Some(Hypothesis { mut found, repeats, .. }) = hypotheses.pop() else { return Err(unsolvable()) };
+    let Some(Hypothesis { mut found, repeats, bent, .. }) = hypotheses.pop() else { return Err(unsolvable()) };
     posterior.tell_what_is_certain(&mut found);
     let repeats = &repeats;
     let plain = hypotheses.first();
@@ -161,6 +161,8 @@ pub fn conclude(
         }
         false => None,
     };
+    let own = laplace::criterion_of_values(&best);
+    let criterion = if is_unexplained { own } else { bent_law::criterion_of_values(&found, &bent).min(own) };
     let trials = (best.objective.trials.failures(), best.objective.trials.evaluations());
     let candidates = outlooks(&found, &best, variance, &posterior);
     let verdict_after = match verdict {
@@ -184,7 +186,7 @@ pub fn conclude(
         candidates,
         posterior,
         next,
-        criterion: laplace::criterion_of_values(&best),
+        criterion,
         cross_validation_by: folds.map(|f| f.coordinate),
         trials,
     })

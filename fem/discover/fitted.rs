@@ -79,7 +79,7 @@ pub fn drafted((objective, solution): (&Objective, &Solution), bench: &Bench, fo
         let count = term.factors.iter().map(|factor| factor.shape.functions()).product();
         terms.push((term, sizes.by_ref().take(count).collect()));
     }
-    let written = law::written(&terms, bench.variables, kind);
+    let written = law::written(&terms, bench.variables, (objective.data.model, kind));
     let name = free_name(data.model, NAME);
     let open = add_effect(data.model, &name, &written.open()).ok()?;
     let (position, chi2) = begun((objective, solution), &open)?;

@@ -2,10 +2,11 @@
 
 use nalgebra::DMatrix;
 
+use super::scales;
 use super::search::Term;
 use super::shape::Shape;
 use super::variable::{Factor, Variable};
-use crate::model::{Entry, Setting};
+use crate::model::{Entry, Model, Setting};
 use crate::units::{ANGLE, Kind, TEMPERATURE, TEMPERATURE_RISE};
 
 /// A formula with its parameters, each with its value as it is written.
@@ -29,12 +30,13 @@ impl Written {
     }
 }
 
-/// Names and values of parameters in the making.
-struct Names {
+/// Names and values of parameters in the making, beside those of a model.
+struct Names<'m> {
     settings: Vec<(String, String)>,
+    model: &'m Model,
 }
 
-impl Names {
+impl Names<'_> {
     /// A name that begins so and is free, with its value.
     fn add(&mut self, stem: &str, value: String) -> String {
         let is_free = |name: &String| self.settings.iter().all(|(other, _)| other != name);
@@ -53,9 +55,9 @@ impl Names {
     }
 }
 
-/// Writes terms with their amplitudes, in units of the error `kind` of the observable.
-pub fn written(terms: &[(&Term, Vec<f64>)], variables: &[Variable], kind: Kind) -> Written {
-    let mut names = Names { settings: Vec::new() };
+/// Writes terms with their amplitudes, in units of the error `kind` of the observable; known scales by their names in the model.
+pub fn written(terms: &[(&Term, Vec<f64>)], variables: &[Variable], (model, kind): (&Model, Kind)) -> Written {
+    let mut names = Names { settings: Vec::new(), model };
     let mut parts = Vec::new();
     for (term, amplitudes) in terms {
         let sizes = separated(term, amplitudes);
@@ -101,7 +103,7 @@ fn amplitude(term: &Term, amplitudes: &[f64], sizes: &[Vec<f64>]) -> f64 {
 }
 
 /// A factor as text, and by what the amplitude is larger for it.
-fn expression(factor: &Factor, sizes: &[f64], variables: &[Variable], names: &mut Names) -> (f64, String) {
+fn expression(factor: &Factor, sizes: &[f64], variables: &[Variable], names: &mut Names<'_>) -> (f64, String) {
     let own = &variables[factor.variable];
     let v = own.name.to_string();
     let short = short(&own.name);
@@ -209,8 +211,12 @@ fn expression(factor: &Factor, sizes: &[f64], variables: &[Variable], names: &mu
                 }
                 _ => {
                     let period = c / kind.canonical().factor;
-                    let period = if factor.is_known { quantity(period, width) } else { near(period, width) };
-                    let p = names.add(&format!("{short}_p"), period);
+                    let stem = format!("{short}_p");
+                    let p = match scales::name(names.model, width, c).filter(|_| factor.is_known) {
+                        Some(path) => path.to_string(),
+                        None if factor.is_known => names.add(&stem, quantity(period, width)),
+                        None => names.add(&stem, near(period, width)),
+                    };
                     (length, format!("sin(2*pi*{v}/{p} + {})", phase(names)))
                 }
             }

@@ -85,6 +85,8 @@ pub struct Discovery<L = Law> {
     pub left_out: Option<LeftOut>,
     /// The effect of the catalogue, of whatever process, that has the form of the best.
     pub like: Option<&'static str>,
+    /// Whether the best is a step in time.
+    pub is_step: bool,
     /// Names of the variables over which laws were sought.
     pub sought: Vec<String>,
     /// Ranges of the variables of the best, SI: beyond them nothing is known of it.
@@ -105,9 +107,20 @@ impl<L> Discovery<L> {
 /// # Errors
 /// The model cannot be computed.
 pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> Result<Discovery, Failure> {
-    let found = ranked(data, candidates, None, progress)?;
-    let Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, like, sought, ranges } =
-        found;
+    let Discovery {
+        laws,
+        tried,
+        before,
+        is_nothing_left,
+        instead,
+        ahead,
+        too_few,
+        left_out,
+        like,
+        is_step,
+        sought,
+        ranges,
+    } = ranked(data, candidates, None, progress)?;
     let laws = progress.stretch("fits of laws", || {
         let mut all: Vec<Law> = Vec::new();
         for law in laws {
@@ -117,7 +130,20 @@ pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> R
         }
         all
     });
-    Ok(Discovery { laws, tried, before, is_nothing_left, instead, ahead, too_few, left_out, like, sought, ranges })
+    Ok(Discovery {
+        laws,
+        tried,
+        before,
+        is_nothing_left,
+        instead,
+        ahead,
+        too_few,
+        left_out,
+        like,
+        is_step,
+        sought,
+        ranges,
+    })
 }
 
 /// Known effects that explain the rows.
@@ -161,6 +187,7 @@ fn rank(
         too_few: None,
         left_out: None,
         like: None,
+        is_step: false,
         sought: Vec::new(),
         ranges: Vec::new(),
     };
@@ -256,6 +283,8 @@ impl Discovery<Ranked> {
         }
         self.ranges = ranges(bench, &told);
         self.like = likeness::like(bench, &told);
+        let mut products = told.terms.iter().map(|term| term.factors.as_slice());
+        self.is_step = products.all(|own| matches!(own, [factor] if factor.is_step_in_time(bench.variables)));
         let settings = Settings::of(bench, &told);
         self.too_few = levels::too_few(bench, &told, &settings);
         self.left_out = left_out::left_out(bench, &told, &settings);

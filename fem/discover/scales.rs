@@ -2,11 +2,14 @@
 
 use toml_edit::{Document, Item, Table, Value};
 
+use crate::input::Parameter;
 use crate::model::Model;
 use crate::units::{Kind, Knowledge, LENGTH, Quantity, TIME};
 
 /// A day, s.
 const DAY: f64 = 86_400.0;
+/// Part of itself to within which two scales are one.
+const SAME: f64 = 1e-9;
 /// Most scales of one kind.
 const MOST: usize = 12;
 
@@ -27,9 +30,24 @@ pub fn scales(model: &Model, kind: Kind) -> Vec<f64> {
         all.push(DAY);
     }
     all.sort_unstable_by(f64::total_cmp);
-    all.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
+    all.dedup_by(|a, b| (*a - *b).abs() <= SAME * b.abs());
     all.truncate(MOST);
     all
+}
+
+/// The path of a known quantity of the machine that has this value (SI), by which a formula can name it.
+pub fn name(model: &Model, kind: Kind, value: f64) -> Option<&str> {
+    let is_plain = |path: &str| path.bytes().all(|b| b.is_ascii_alphanumeric() || b"_.".contains(&b));
+    let is_it = |own: &&Parameter| {
+        let Quantity { value: other, knowledge } = own.quantity;
+        own.kind.canonical().dimension == kind.canonical().dimension
+            && knowledge == Knowledge::Known
+            && (other - value).abs() <= SAME * value.abs()
+            && model.effect_of(&own.path).is_none()
+            && own.path.contains('.')
+            && is_plain(&own.path)
+    };
+    model.quantities.iter().find(is_it).map(|own| &*own.path)
 }
 
 fn of_table(table: &Table, texts: &mut Vec<String>) {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::input::Name;
 use crate::model::Data;
 use crate::process::Holds;
-use crate::units::{ANGLE, Kind, NUMBER};
+use crate::units::{ANGLE, Kind, NUMBER, TIME};
 
 use super::shape::Shape;
 
@@ -302,6 +302,24 @@ impl Factor {
             [] => std::iter::once(self.variable).chain(self.other).collect(),
             own => own.to_vec(),
         }
+    }
+
+    /// Whether it is otherwise from a moment on and the same before and after, as far as the rows can tell: a step of a time or of
+    /// what is counted.
+    pub fn is_step_in_time(&self, variables: &[Variable]) -> bool {
+        let own = &variables[self.variable];
+        let is_time =
+            own.kind.canonical().dimension == TIME.canonical().dimension || own.kind == NUMBER && own.words == 0;
+        let is_between = |c: f64, w: f64| {
+            let after = own.levels.partition_point(|level| *level < c);
+            after > 0 && after < own.levels.len() && w < own.levels[after] - own.levels[after - 1]
+        };
+        is_time
+            && match (self.shape, self.constants.as_slice()) {
+                (Shape::Step, _) => true,
+                (Shape::Transition, [c, w]) => is_between(*c, *w),
+                _ => false,
+            }
     }
 
     /// Its functions in every row.

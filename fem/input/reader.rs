@@ -5,6 +5,7 @@
 //! records what was asked, and the record is the JSON Schema. What is read and what is documented can thus
 //! never differ.
 
+mod elsewhere;
 mod tables;
 
 pub use tables::{Names, is_one_of, numbered};

@@ -8,17 +8,19 @@ use crate::process::{
     Absent, Active, Belongs, CHANGED, Coordinate, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter,
     Process, formula_effect,
 };
-use crate::units::{ANGLE, Dimension, Kind, NUMBER, Unit, UnitSymbol, unit_text};
+use crate::units::{ANGLE, Dimension, Kind, NUMBER, Quantity, Unit, UnitSymbol, unit_text};
 
 /// What stands in formulas for the prediction without them.
 pub const PREDICTION: &str = "prediction";
 /// Keys that are no parameters.
 pub const WORDS: [&str; 2] = ["about", FORMULA];
+/// Tables whose quantities are none of the machine.
+const OF_EFFECTS: [&str; 3] = ["effects.", "measurement.", "odds."];
 /// Key of the formula.
 pub const FORMULA: &str = "formula";
 
-/// Reads a formula effect; `None`, with the problems noted, where it cannot be used.
-pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active> {
+/// Reads a formula effect of a model; `None`, with the problems noted, where it cannot be used.
+pub fn read(name: &Name, (table, model): (&Reader, &Reader), process: &dyn Process) -> Option<Active> {
     let about = table.text("about", "what it is, for people").unwrap_or_else(|| "written in the model file".into());
     let text = table.text(FORMULA, "what is added to the observed value, over coordinates and parameters")?;
     let (mut parameters, mut values) = (Vec::new(), Vec::new());
@@ -42,7 +44,7 @@ pub fn read(name: &Name, table: &Reader, process: &dyn Process) -> Option<Active
         values.push(table.quantity(key.clone(), kind, "a parameter of the formula").required());
         parameters.push(parameter(key, kind));
     }
-    let law = law(&text, &parameters, process, |parameter| {
+    let law = law(&text, &parameters, (process, model), |parameter| {
         table.problem(parameter, format!("`{parameter}` does not occur in the formula"), "use it, or leave it out");
     });
     match law {
@@ -103,7 +105,7 @@ fn parameter(name: Name, kind: Kind) -> Parameter {
 fn law(
     text: &str,
     parameters: &[Parameter],
-    process: &dyn Process,
+    (process, model): (&dyn Process, &Reader),
     unused: impl Fn(&str),
 ) -> Result<FormulaLaw, FormulaError> {
     let formula = Formula::parse(text)?;
@@ -118,6 +120,14 @@ fn law(
                 (of_coordinate(i, coordinates[i]), Some(formula_effect::dimension(&coordinates[i].holds)))
             }
             (None, None) if name.text == PREDICTION => (Meaning::Prediction, None),
+            (None, None) if name.text.contains('.') => {
+                let (kind, value) = of_model(model, &name.text).map_err(|(message, help)| FormulaError {
+                    message,
+                    help,
+                    span: name.span.clone(),
+                })?;
+                (Meaning::Quantity(value), Some(kind.canonical().dimension))
+            }
             (None, None) => {
                 let known = || parameters.iter().map(|p| &*p.name).chain(coordinates.iter().map(|c| &*c.name));
                 let meant = did_you_mean(&name.text, known(), '`');
@@ -125,8 +135,9 @@ fn law(
                     format!("`{}` is neither a coordinate of {} nor a parameter here", name.text, process.name());
                 let listed = coordinates.iter().map(|c| &*c.name).collect::<Vec<_>>().join(", ");
                 let help = format!(
-                    "{meant}the coordinates are {listed}; a parameter is a key of this table, {0} = \"5 um\", and a column \
-                     that only files have is one of [recorded], {0} = \"20 degC\"",
+                    "{meant}the coordinates are {listed}; a parameter is a key of this table, {0} = \"5 um\", a column \
+                     that only files have is one of [recorded], {0} = \"20 degC\", and a quantity of another table has \
+                     its path, table.key",
                     name.text
                 );
                 return Err(FormulaError { message, help, span: name.span.clone() });
@@ -164,6 +175,29 @@ fn law(
         });
     }
     Ok(FormulaLaw::new(formula, meanings, adds_to))
+}
+
+/// Kind and value (SI) of a quantity of the model by its path, or message and help: one of the machine, for those of effects
+/// differ from one set of effects to another.
+fn of_model(model: &Reader, path: &str) -> Result<(Kind, f64), (String, String)> {
+    let is_of_machine = |path: &str| path.contains('.') && OF_EFFECTS.iter().all(|table| !path.starts_with(table));
+    let quantity = |path: &str| {
+        let text = model.text_at(path)?;
+        let kind = kind(Some(&text))?;
+        let value = Quantity::parse(&text, &kind).ok()?.value;
+        Some((kind, model.instead_at(path).unwrap_or(value)))
+    };
+    if !is_of_machine(path) {
+        let help = "a formula takes its own parameters, and quantities of other tables, such as `workpiece.length`";
+        return Err((format!("`{path}` belongs to an effect"), help.into()));
+    }
+    quantity(path).ok_or_else(|| {
+        let known: Vec<String> =
+            model.paths().into_iter().filter(|own| is_of_machine(own) && quantity(own).is_some()).collect();
+        let meant = did_you_mean(path, known.iter().map(String::as_str), '`');
+        let help = format!("{meant}the quantities that stand in the model are {}", known.join(", "));
+        (format!("`{path}` is no quantity that stands in the model"), help)
+    })
 }
 
 /// The meaning of a coordinate in a formula.

@@ -307,7 +307,7 @@ fn read_effects(model: &Reader, process: &dyn Process, system: Option<&dyn Syste
             [Some(effect), change].into_iter().flatten().collect::<Vec<_>>()
         };
         let Some(description) = known.iter().find(|d| d.name == *name) else {
-            return formula_effect::read(name, table, process).map(changed).unwrap_or_default();
+            return formula_effect::read(name, (table, model), process).map(changed).unwrap_or_default();
         };
         if let Some(Err(reason)) = system.map(|s| s.admits(name)) {
             table.problem("", reason, "remove the effect, or change what it acts on");

@@ -1,5 +1,5 @@
 //! Formula effects, which users write: a formula over the process's coordinates, columns that files record beside them,
-//! what the model predicts and the effect's own parameters, added to what is observed.
+//! what the model predicts, its quantities and the effect's own parameters, added to what is observed.
 
 use super::{Holds, Rows};
 use crate::formula::Formula;
@@ -26,6 +26,8 @@ pub enum Meaning {
     Parameter(usize),
     /// What the model predicts of the row without any formula.
     Prediction,
+    /// A quantity of the model, SI.
+    Quantity(f64),
 }
 
 impl FormulaLaw {
@@ -64,6 +66,7 @@ impl FormulaLaw {
                     Meaning::Recorded(column, usual) => rows.get(column, row).unwrap_or(usual),
                     Meaning::Prediction => predicted[row],
                     Meaning::Parameter(i) => parameters[i],
+                    Meaning::Quantity(value) => value,
                 };
             }
             *value += self.formula.value(&names);

@@ -18,6 +18,7 @@ mod fem;
 mod figures;
 mod files;
 mod fixture;
+mod formula;
 #[cfg(unix)]
 mod hostile;
 mod import;

@@ -1,0 +1,53 @@
+//! Formulas that name quantities of the model.
+
+use serde_json::Value as Json;
+
+use super::fem::{Place, model};
+
+/// The models/axis.toml, without effects, and with a wave over each turn of the screw.
+fn axis(lead: &str, wave: &str) -> String {
+    let ideal = model("axis.toml");
+    let ideal = ideal.split("[effects").next().unwrap_or_default().replace("lead = \"10 mm\"", lead);
+    format!("{ideal}\n[effects.lead-wave]\nformula = \"{wave}\"\na = \"3 um\"\n")
+}
+
+/// Targets of one run every 3 mm, with a wave of 3 um and 8 mm and a noise of 0.1 um.
+fn measured() -> String {
+    let mut text = "run,position [mm],direction,deviation [um],u [um]\n".to_string();
+    for k in 0..120 {
+        let position = 3.0 * f64::from(k);
+        let noise = 0.1 * f64::from(k % 5 - 2) / 2.0_f64.sqrt();
+        let deviation = 3.0 * (std::f64::consts::TAU * position / 8.0).sin() + noise;
+        text += &format!("1,{position},+,{deviation:.5},0.1\n");
+    }
+    text
+}
+
+#[test]
+fn a_formula_follows_a_quantity_of_the_model() {
+    let place = Place::new();
+    place.write("axis.toml", axis("lead = \"? near 8.02 mm\"", "a*sin(2*pi*position/screw.lead)"));
+    place.write("measured.csv", measured());
+    let fitted: Json =
+        serde_json::from_str(&place.fem(&["fit", "axis.toml", "--with", "measured.csv", "--json"]).out).unwrap();
+    let lead = &fitted["parameters"][0];
+    let [value, std] = ["value", "std"].map(|key| lead[key].as_f64().unwrap_or(f64::NAN));
+    assert_eq!(lead["path"], "screw.lead", "{fitted}");
+    assert!((value - 8.0).abs() < 4.0 * std && std < 0.01, "{fitted}");
+}
+
+#[test]
+fn what_is_no_quantity_of_the_model_is_refused_at_its_place() {
+    let place = Place::new();
+    for (wave, said) in [
+        ("a*sin(2*pi*position/screw.led)", "did you mean `screw.lead`?"),
+        ("a*sin(2*pi*position/test.spacing)", "`test.spacing` is no quantity that stands in the model"),
+        ("a*position/effects.lead-wave.a", "`effects.lead` belongs to an effect"),
+        ("a*sin(2*pi*position*screw.lead)", "`sin` of a quantity in m^2"),
+    ] {
+        place.write("axis.toml", axis("lead = \"10 mm\"", wave));
+        let refused = place.fem(&["run", "axis.toml"]);
+        assert!(refused.status != 0 && refused.err.contains(said), "{wave}: {}", refused.err);
+        assert!(refused.err.contains("lead-wave") || refused.err.contains("formula"), "{}", refused.err);
+    }
+}
