@@ -12,7 +12,7 @@ use super::variable::{Factor, Variable};
 use crate::fit::{Objective, Solution, StoppingCriterion};
 use crate::formula::Formula;
 use crate::input::{InputError, Parameter, Problem, Reader, Source, read_tables};
-use crate::model::{Data, add_effect};
+use crate::model::{Data, Model, add_effect};
 use crate::units::{NUMBER, Unit, unit_text};
 
 /// Largest file of candidates, bytes.
@@ -161,6 +161,21 @@ impl Range {
 }
 
 impl Candidate {
+    /// Whether a fit of it, under a name, ends within its ranges; else which of them it leaves.
+    fn admits(&self, name: &str, with: &Objective, position: &DVector<f64>) -> Result<(), String> {
+        for range in &self.ranges {
+            let is_own = |p: &Parameter| fitted::is_parameter_of(name, p) && p.path.key() == range.key;
+            let Some(i) = with.parameters.iter().position(is_own) else { continue };
+            let kind = with.parameters[i].kind;
+            let found = kind.from_si(with.variables[i].value(position[i]));
+            if !range.has(found) {
+                let at = quantity(found, kind);
+                return Err(format!("{} fits best at {at}, beyond {}", range.key, range.text()));
+            }
+        }
+        Ok(())
+    }
+
     /// The law with its search beginning at each of some places in its ranges.
     fn starts(&self) -> Vec<Written> {
         let ways = PLACES.pow(self.ranges.len().min(8) as u32);
@@ -180,70 +195,33 @@ impl Candidate {
     }
 }
 
+/// Why a candidate is none that these rows can tell.
+const NOWHERE: &str = "it cannot be computed in these rows";
+
 /// The law of a candidate beside the model, and what it adds to the rows as a variable of its own; or why it is none.
 pub fn ranked(
-    (objective, solution): (&Objective, &Solution),
+    start: (&Objective, &Solution),
     bench: &Bench,
     (candidate, of): (&Candidate, usize),
     number: usize,
 ) -> Result<(Ranked, Variable), String> {
-    const NOWHERE: &str = "it cannot be computed in these rows";
-    let data = objective.data;
-    let name = fitted::free_name(data.model, &candidate.name);
-    let said = |problem: Problem| problem.message.clone();
-    add_effect(data.model, &name, &candidate.written.open()).map_err(said)?;
-    let drafts = candidate.starts().into_iter().filter_map(|written| {
-        let open = add_effect(data.model, &name, &written.open()).ok()?;
-        let (position, chi2) = fitted::begun((objective, solution), &open)?;
-        Some((written, open, position, chi2))
-    });
-    let best = drafts.min_by(|a, b| a.3.total_cmp(&b.3));
-    let (written, open, position, _) = best.ok_or(NOWHERE)?;
-    let start = |_: &Objective| position.clone();
-    let full = StoppingCriterion::FULL;
-    let (position, chi2) = fitted::descended(objective, &open, start, full).ok_or(NOWHERE)?;
-    let own = Data::of(&open, data.clone().into_measurements()).map_err(|error| error.to_string())?;
+    let objective = start.0;
+    let name = fitted::free_name(objective.data.model, &candidate.name);
+    let Settled { written, open, position, chi2 } = settled(start, candidate, &name)?;
+    let own = Data::of(&open, objective.data.clone().into_measurements()).map_err(|error| error.to_string())?;
     let with = Objective::new(&own).map_err(|error| error.message)?;
-    let value = |key: &str| {
-        let is_own = |p: &Parameter| fitted::is_parameter_of(&name, p) && p.path.key() == key;
-        let i = with.parameters.iter().position(is_own)?;
-        Some((with.parameters[i].kind, with.variables[i].value(position[i])))
-    };
-    for range in &candidate.ranges {
-        let Some((kind, si)) = value(&range.key) else { continue };
-        let found = kind.from_si(si);
-        if !range.has(found) {
-            let at = quantity(found, kind);
-            return Err(format!("{} fits best at {at}, beyond {}", range.key, range.text()));
-        }
-    }
-    let added = added((objective, &solution.position), (&with, &position)).ok_or(NOWHERE)?;
-    let observables: Vec<usize> = bench.metrics.iter().map(|own| own.0).collect();
-    let is_of = |o: &usize| (0..data.len()).any(|row| data.rows.observable[row] == *o && added[row] != 0.0);
-    let observable = observables.iter().copied().find(is_of).ok_or("it adds nothing to these rows")?;
-    let names = Formula::parse(&written.formula).map_err(|error| error.message)?.names;
-    let is_named = |own: &Variable| names.iter().any(|name| *name.text == *own.name);
-    let made_of: Vec<usize> = (0..bench.variables.len()).filter(|v| is_named(&bench.variables[*v])).collect();
-    let factor = objective.data.model.process.observables()[observable].error_kind().canonical().factor;
-    let column = added.iter().map(|si| si / factor).collect();
-    let variable = Variable::new(name.clone().into(), NUMBER, 0, column).ok_or("it is the same in all rows")?;
+    candidate.admits(&name, &with, &position)?;
+    let added = added((objective, &start.1.position), (&with, &position)).ok_or(NOWHERE)?;
+    let (observable, variable) = variable(&name, &written, bench, (objective.data, &added))?;
     let freedom = with.parameters.iter().filter(|p| fitted::is_parameter_of(&name, p)).count();
-    let price = bench.price(freedom, (of as f64).ln())
-        + if made_of.iter().any(|v| bench.variables[*v].is_prediction) { PREDICTION } else { 0.0 };
-    let terms = vec![Term {
-        observable,
-        factors: vec![Factor {
-            variable: number,
-            other: None,
-            shape: Shape::Proportional,
-            constants: Vec::new(),
-            is_known: true,
-        }],
-    }];
+    let is_of_prediction = variable.made_of.iter().any(|v| bench.variables[*v].is_prediction);
+    let price = bench.price(freedom, (of as f64).ln()) + if is_of_prediction { PREDICTION } else { 0.0 };
+    let (shape, constants) = (Shape::Proportional, Vec::new());
+    let factor = Factor { variable: number, other: None, shape, constants, is_known: true };
+    let terms = vec![Term { observable, factors: vec![factor] }];
     let criterion = bench.misfit(chi2) + price;
-    let gain = bench.residual.norm_squared() - chi2;
-    let found = Found { terms, gain, freedom, criterion, price };
-    let mut variables: Vec<String> = made_of.iter().map(|v| bench.variables[*v].name.to_string()).collect();
+    let found = Found { terms, gain: bench.residual.norm_squared() - chi2, freedom, criterion, price };
+    let mut variables: Vec<String> = variable.made_of.iter().map(|v| bench.variables[*v].name.to_string()).collect();
     variables.sort();
     let ranked = Ranked {
         name,
@@ -257,7 +235,53 @@ pub fn ranked(
         apart: None,
         position,
     };
-    Ok((ranked, Variable { made_of, ..variable }))
+    Ok((ranked, variable))
+}
+
+/// A candidate whose constants are found.
+struct Settled {
+    written: Written,
+    open: Model,
+    position: DVector<f64>,
+    chi2: f64,
+}
+
+/// A candidate, under a name, where its fit ends from the best of its starts.
+fn settled(
+    (objective, solution): (&Objective, &Solution),
+    candidate: &Candidate,
+    name: &str,
+) -> Result<Settled, String> {
+    let model = objective.data.model;
+    add_effect(model, name, &candidate.written.open()).map_err(|problem| problem.message.clone())?;
+    let drafts = candidate.starts().into_iter().filter_map(|written| {
+        let open = add_effect(model, name, &written.open()).ok()?;
+        let (position, chi2) = fitted::begun((objective, solution), &open)?;
+        Some(Settled { written, open, position, chi2 })
+    });
+    let best = drafts.min_by(|a, b| a.chi2.total_cmp(&b.chi2)).ok_or(NOWHERE)?;
+    let start = |_: &Objective| best.position.clone();
+    let (position, chi2) = fitted::descended(objective, &best.open, start, StoppingCriterion::FULL).ok_or(NOWHERE)?;
+    Ok(Settled { position, chi2, ..best })
+}
+
+/// The observable on which a candidate acts, and what it adds to the rows as a variable.
+fn variable(
+    name: &str,
+    written: &Written,
+    bench: &Bench,
+    (data, added): (&Data, &[f64]),
+) -> Result<(usize, Variable), String> {
+    let is_of = |o: &usize| (0..data.len()).any(|row| data.rows.observable[row] == *o && added[row] != 0.0);
+    let observables = bench.metrics.iter().map(|own| own.0);
+    let observable = observables.into_iter().find(is_of).ok_or("it adds nothing to these rows")?;
+    let names = Formula::parse(&written.formula).map_err(|error| error.message)?.names;
+    let is_named = |own: &Variable| names.iter().any(|name| *name.text == *own.name);
+    let made_of: Vec<usize> = (0..bench.variables.len()).filter(|v| is_named(&bench.variables[*v])).collect();
+    let factor = data.model.process.observables()[observable].error_kind().canonical().factor;
+    let column = added.iter().map(|si| si / factor).collect();
+    let variable = Variable::new(name.to_string().into(), NUMBER, 0, column).ok_or("it is the same in all rows")?;
+    Ok((observable, Variable { made_of, ..variable }))
 }
 
 /// What a law adds to every row at the end of a search, SI.

@@ -2,7 +2,7 @@
 
 use super::fitted::{Ranked, fitted_settings, is_of};
 use super::law::near;
-use super::{CLEARLY, Candidate, Discovery, Explained, TooFew, ranked};
+use super::{CLEARLY, Candidate, Discovery, Explained, ranked};
 use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Rival, Verdict, thinned, weight};
 use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
@@ -220,14 +220,10 @@ fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progr
 /// A law that is held back because what it is made of was set too seldom.
 fn held_back(data: &Data, found: &Discovery<Ranked>) -> Option<HeldBack> {
     let law = found.laws.first().filter(|law| law.found.terms.len() == 1)?;
-    let TooFew { settings, variables, more } = found.too_few.as_ref()?;
-    let more = more.map_or("many more would".into(), |more| format!("{more} more would"));
-    let (names, observable) = (variables.join(", "), &data.model.process.observables()[law.observable].name);
+    let too_few = found.too_few.as_ref()?;
+    let (names, observable) = (law.variables.join(", "), &data.model.process.observables()[law.observable].name);
     Some(HeldBack {
-        text: format!(
-            "a law of {names}, {observable} + {}: {settings} settings are too few to tell, {more}",
-            law.written.formula
-        ),
+        text: format!("a law of {names}, {observable} + {}: {too_few}", law.written.formula),
         is_likely: found.ahead > -CLEARLY,
         told: None,
     })

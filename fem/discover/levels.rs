@@ -1,5 +1,7 @@
 //! Laws of what is set once for many rows: however many rows there are, they are as good as these settings are many.
 
+use std::fmt;
+
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::search::{Bench, Found, basis};
@@ -23,6 +25,18 @@ pub struct TooFew {
     pub variables: Vec<String>,
     /// How many more would tell, where some would.
     pub more: Option<usize>,
+}
+
+impl fmt::Display for TooFew {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { settings, variables, more } = self;
+        let of = variables.join(", ");
+        write!(f, "{settings} settings of {of} are too few: some law of the search fits whatever they are; ")?;
+        match more {
+            Some(more) => write!(f, "{more} more, unlike these, would decide"),
+            None => f.write_str("many more would be needed"),
+        }
+    }
 }
 
 /// What is set once for many rows.

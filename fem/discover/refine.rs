@@ -9,6 +9,8 @@ use super::variable::{Factor, product};
 const ROUNDS: usize = 7;
 /// Rounds in which shapes are exchanged for others of the same variable.
 const EXCHANGES: usize = 3;
+/// Difference of criteria up to which they are the same.
+const SAME: f64 = 1e-6;
 
 impl Bench<'_, '_> {
     /// Refined terms with the shapes and the number of them that say most.
@@ -28,11 +30,12 @@ impl Bench<'_, '_> {
                     self.judged(kept.map(|(_, term)| term.clone()).collect())
                 });
                 match less.min_by(|a, b| a.criterion.total_cmp(&b.criterion)) {
-                    Some(less) if less.criterion < best.criterion => best = self.refined(less),
+                    // Of two that say the same the plainer one is told.
+                    Some(less) if less.criterion <= best.criterion + SAME => best = self.refined(less),
                     _ => break,
                 }
             }
-            if best.criterion > before - 1e-6 {
+            if best.criterion > before - SAME {
                 break;
             }
         }
@@ -67,6 +70,10 @@ impl Bench<'_, '_> {
                         continue;
                     }
                     let (gain, count) = products.gain(shape);
+                    if count == 0 {
+                        // It would say what another term says.
+                        continue;
+                    }
                     let mut terms = found.terms.clone();
                     terms[t].factors[f] = other.clone();
                     let judged = self.priced(terms, (whole + gain, others.len() + count));

@@ -19,6 +19,10 @@ const MOST_LEVELS: usize = 64;
 const MOST_RANGES: f64 = 4.0;
 const MOST_PERIODS: f64 = 400.0;
 
+/// Widths of a transition within which it is under way, and the most levels within them where it is as good as a step.
+const ARRIVED: f64 = 1.5;
+const PASSED: usize = 3;
+
 /// A variable in every row.
 #[derive(Clone)]
 pub struct Variable {
@@ -310,14 +314,11 @@ impl Factor {
         let own = &variables[self.variable];
         let is_time =
             own.kind.canonical().dimension == TIME.canonical().dimension || own.kind == NUMBER && own.words == 0;
-        let is_between = |c: f64, w: f64| {
-            let after = own.levels.partition_point(|level| *level < c);
-            after > 0 && after < own.levels.len() && w < own.levels[after] - own.levels[after - 1]
-        };
+        let passed = |c: f64, w: f64| own.levels.iter().filter(|level| (**level - c).abs() < ARRIVED * w).count();
         is_time
             && match (self.shape, self.constants.as_slice()) {
                 (Shape::Step, _) => true,
-                (Shape::Transition, [c, w]) => is_between(*c, *w),
+                (Shape::Transition, [c, w]) => passed(*c, *w) <= PASSED,
                 _ => false,
             }
     }

@@ -10,7 +10,7 @@ use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
 use crate::diagnose::SIGNIFICANCE;
-use crate::discover::{Discovery, Law, LeftOut, TooFew, Tried};
+use crate::discover::{Discovery, Law, LeftOut, Tried};
 use crate::model::Data;
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -38,15 +38,8 @@ impl LawsAnswer<'_> {
     fn held_back(&self) -> Option<String> {
         let Self(data, found) = *self;
         found.laws.first().filter(|_| found.told().is_none())?;
-        if let Some(TooFew { settings, variables, more }) = &found.too_few {
-            let more = match more {
-                Some(more) => format!("{more} more, unlike these, would decide"),
-                None => "many more would be needed".into(),
-            };
-            let of = variables.join(", ");
-            return Some(format!(
-                "{settings} settings of {of} are too few: some law of the search fits whatever they are; {more}"
-            ));
+        if let Some(too_few) = &found.too_few {
+            return Some(too_few.to_string());
         }
         if !found.instead.is_empty() {
             let of = |term| measurement::words(term, &*data.model.process, Some(data));

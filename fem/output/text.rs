@@ -30,7 +30,7 @@ fn text_of(block: &Block, columns: Option<usize>) -> String {
     let width = columns.map_or(WIDEST, |columns| columns.min(WIDEST));
     match block {
         Block::Lines(lines) => lines.clone(),
-        Block::Caution(caution) => format!("\ncaution: {caution}\n"),
+        Block::Caution(caution) => format!("\n{}", wrapped("", &format!("caution: {caution}"), 2, width)),
         Block::Heading(heading) => format!("\n{heading}\n"),
         Block::Sentence(sentence) => format!("  {sentence}\n"),
         Block::Paragraph(text) => format!("\n{}", wrapped("", text, 2, width)),

@@ -93,7 +93,9 @@ fn where_it_fails(d: &Diagnosis) -> Vec<Block> {
 fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Block> {
     let effect = &missing.effect;
     let what = if missing.describes() { "described" } else { "cause" };
-    let mut blocks = vec![Block::Heading(format!("{what} {number}: {}, {}", label(missing), effect.about))];
+    // What is in doubt is not what the catalogue says of it.
+    let about = if missing.doubt.is_some() { String::new() } else { format!(", {}", effect.about) };
+    let mut blocks = vec![Block::Heading(format!("{what} {number}: {}{about}", label(missing)))];
     if let Some(campaign) = data.model.campaign() {
         let places = campaign::places(campaign, data, missing).join(", in ");
         blocks.push(Block::Sentence(format!("in {places}")));
