@@ -1,6 +1,7 @@
 //! What `diagnose` makes of cams that brute force has ground with a hidden cause.
 
-use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
+use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict};
+use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::Data;

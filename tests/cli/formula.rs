@@ -32,7 +32,7 @@ fn a_formula_follows_a_quantity_of_the_model() {
         serde_json::from_str(&place.fem(&["fit", "axis.toml", "--with", "measured.csv", "--json"]).out).unwrap();
     let lead = &fitted["parameters"][0];
     let [value, std] = ["value", "std"].map(|key| lead[key].as_f64().unwrap_or(f64::NAN));
-    assert_eq!(lead["path"], "screw.lead", "{fitted}");
+    assert_eq!(lead["parameter"], "screw.lead", "{fitted}");
     assert!((value - 8.0).abs() < 4.0 * std && std < 0.01, "{fitted}");
 }
 

@@ -1,6 +1,7 @@
 //! Events of a batch that nobody wrote down: named, and placed between the right parts.
 
-use fem::diagnose::{Diagnosis, MOST_EFFECTS, Missing, diagnose};
+use fem::diagnose::{Diagnosis, MOST_EFFECTS, Missing};
+use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

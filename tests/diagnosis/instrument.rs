@@ -3,7 +3,8 @@
 
 use std::f64::consts::TAU;
 
-use fem::diagnose::{Cause, Verdict, diagnose};
+use fem::diagnose::{Cause, Verdict};
+use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

@@ -1,7 +1,8 @@
 //! Values left wrong: a whole machine whose model states one of its effects as a template would, with a value that nobody
 //! measured. The value is to be told, and no effect in its stead.
 
-use fem::diagnose::{CERTAIN, Cause, Diagnosis, MOST_EFFECTS, Missing, diagnose};
+use fem::diagnose::{CERTAIN, Cause, Diagnosis, MOST_EFFECTS, Missing};
+use fem::discover::diagnose;
 use fem::input::{Parameter, Source};
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

@@ -3,7 +3,8 @@
 
 use std::path::Path;
 
-use fem::diagnose::{Diagnosis, MOST_EFFECTS, diagnose};
+use fem::diagnose::{Diagnosis, MOST_EFFECTS};
+use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Missing, Verdict, diagnose};
+use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Missing, Verdict};
+use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

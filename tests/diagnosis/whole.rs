@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-use fem::diagnose::{CERTAIN, Diagnosis, MOST_EFFECTS, RULED_OUT, diagnose};
+use fem::diagnose::{CERTAIN, Diagnosis, MOST_EFFECTS, RULED_OUT};
+use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

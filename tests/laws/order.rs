@@ -3,7 +3,8 @@
 //! and a gauge jumps.)
 
 use fem::compare::compare;
-use fem::diagnose::{Diagnosis, Missing, diagnose};
+use fem::diagnose::{Diagnosis, Missing};
+use fem::discover::diagnose;
 use fem::fit::fit;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

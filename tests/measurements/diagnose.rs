@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict, diagnose};
+use fem::diagnose::{Diagnosis, MOST_EFFECTS, Verdict};
+use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};

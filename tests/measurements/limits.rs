@@ -3,7 +3,8 @@
 
 use fem::ask::fitted;
 use fem::compare::compare;
-use fem::diagnose::{Verdict, diagnose};
+use fem::diagnose::Verdict;
+use fem::discover::diagnose;
 use fem::fit::fit;
 use fem::input::Source;
 use fem::measure::Measurements;

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use fem::compare::compare;
 use fem::compensate::compensate;
-use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Verdict, diagnose};
+use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Verdict};
+use fem::discover::diagnose;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
 use fem::progress::Progress;

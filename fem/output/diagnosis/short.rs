@@ -41,8 +41,8 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
         Some(_) if !d.missing.is_empty() => "all of it, and the commands that complete each model: --verbose",
         _ => "all of it: --verbose",
     };
-    let commands = [discover(data, d), command(data, d), next_rows(data, d), Some(rest.into())];
-    blocks.push(Block::Commands(commands.into_iter().flatten().collect()));
+    let further = [command(data, d), next_rows(data, d), Some(rest.into())];
+    blocks.push(Block::Commands(discover(data, d).into_iter().chain(further.into_iter().flatten()).collect()));
     blocks
 }
 

@@ -283,7 +283,10 @@ fn own_effect(data: &Data, d: &Diagnosis) -> Option<Block> {
     Some(Block::Lines(format!(
         "  {}if you know the cause, write it into the model and diagnose again:\n    [effects.my-cause]\n    formula = \
          \"a*sin(2*pi*{name}/p)\"   # over coordinates and these parameters\n    a = \"? {unit}\"\n    p = \"? {}\"\n",
-        discover(data, d).map_or(String::new(), |command| format!("a law over all columns is sought by {command}\n  ")),
+        discover(data, d)
+            .iter()
+            .map(|own| format!("a law over all columns is sought by {own}\n  "))
+            .collect::<String>(),
         along.unit
     )))
 }
