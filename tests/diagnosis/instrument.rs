@@ -4,7 +4,6 @@
 use std::f64::consts::TAU;
 
 use fem::diagnose::{Cause, Verdict};
-use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -12,7 +11,7 @@ use fem::progress::Progress;
 use generator::random::Random;
 use generator::{AXIS, Case, Process, RING, THERMAL};
 
-use crate::score;
+use crate::score::{self, diagnose};
 
 /// What was done to the readings of cases in which nothing else is hidden.
 struct Trial {

@@ -2,7 +2,6 @@
 //! measured. The value is to be told, and no effect in its stead.
 
 use fem::diagnose::{CERTAIN, Cause, Diagnosis, MOST_EFFECTS, Missing};
-use fem::discover::diagnose;
 use fem::input::{Parameter, Source};
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -11,7 +10,7 @@ use generator::random::Random;
 use generator::{Hidden, Process, RING, Whole, writing};
 use nalgebra::{DMatrix, DVector};
 
-use crate::score::class;
+use crate::score::{class, diagnose};
 use crate::{PROCESSES, every};
 
 /// How many times too large or too small a value is written.

@@ -2,8 +2,8 @@
 //!
 //! `cargo test --test diagnosis` runs a sample, `cargo test --release --test diagnosis -- --ignored
 //! --nocapture` the whole and prints the table of `README.md`. With `FEM_MISSES=DIR` each case that went
-//! wrong is written to DIR; with `FEM_EVERY=3` the whole is every third case of it, with `FEM_GROUP=outside` the rows of
-//! the table with that word.
+//! wrong is written to DIR; with `FEM_LAWS=1` laws that are in no catalogue are sought too; with `FEM_EVERY=3` the whole is
+//! every third case of it, with `FEM_GROUP=outside` the rows of the table with that word.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 

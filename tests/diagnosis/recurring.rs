@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Missing, Verdict};
-use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -11,7 +10,7 @@ use fem::progress::Progress;
 use generator::random::Random;
 use generator::{AXIS, Case, TURNING};
 
-use crate::score;
+use crate::score::{self, diagnose};
 
 const JOINT: &str = r#"process = "stiffness"
 [joint]

@@ -6,7 +6,6 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use fem::diagnose::{CERTAIN, Diagnosis, MOST_EFFECTS, RULED_OUT};
-use fem::discover::diagnose;
 use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
@@ -14,7 +13,7 @@ use fem::progress::Progress;
 use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING, Whole};
 
 use crate::advised::Machine;
-use crate::score;
+use crate::score::{self, diagnose};
 use crate::whole_table::Tally;
 
 /// Advised measurements that are made at most.
