@@ -34,15 +34,14 @@ use crate::units::Kind;
 use form::{Metric, Shapes};
 use levels::Settings;
 use rayon::prelude::*;
-use search::{Bench, Found, kind};
+use search::{Bench, Found, LEAST_NUMBERS, kind};
 use variable::{Factor, Variable};
 
 /// Most terms of one law.
 const MOST_TERMS: usize = 4;
-/// Rows for each number of a law, and the numbers that it may have on however few: with more it follows a curve, and is no law
-/// (Harrell, Regression modeling strategies, 2015, 4.4, asks for 10 to 20).
+/// Rows for each number of a law: with more it follows a curve, and is no law (Harrell, Regression modeling strategies, 2015, 4.4,
+/// asks for 10 to 20).
 const ROWS_EACH: usize = 8;
-const LEAST_NUMBERS: usize = 4;
 /// Fall of the criterion from which a term is worth its price.
 const WORTH: f64 = 10.0;
 /// Laws that are grown further, and laws of which is seen what they leave beside the model's own values.
@@ -340,7 +339,8 @@ fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
                 break;
             }
             let further = bench.further(&law, progress);
-            let is_law = |own: &Found| own.freedom <= most_numbers && own.criterion < law.criterion - WORTH;
+            let is_worth = |own: &Found| own.criterion < law.criterion - WORTH;
+            let is_law = |own: &Found| own.freedom <= most_numbers && bench.has_levels(own) && is_worth(own);
             next.extend(further.into_iter().filter(is_law));
         }
         next.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
