@@ -19,9 +19,9 @@ impl Reader<'_> {
     pub fn text_at(&self, path: &str) -> Option<String> {
         let Ground::Given(table, _) = &self.ground else { return None };
         let (tables, key) = path.rsplit_once('.').unwrap_or(("", path));
-        let tables = tables.split('.').filter(|name| !name.is_empty());
-        let table = tables.fold(Some(*table), |table, name| table?.get(name)?.as_table_like());
-        match table?.get(key)?.as_value()? {
+        let mut names = tables.split('.').filter(|name| !name.is_empty());
+        let table = names.try_fold(*table, |table, name| table.get(name)?.as_table_like())?;
+        match table.get(key)?.as_value()? {
             Value::String(text) => Some(text.value().clone()),
             Value::Integer(number) => Some(number.value().to_string()),
             Value::Float(number) => Some(number.value().to_string()),
