@@ -34,6 +34,7 @@ mod moves;
 mod next;
 mod null_distribution;
 mod on_trial;
+mod outlook;
 mod pairs;
 mod plan;
 mod posterior;

@@ -23,6 +23,9 @@ const MOST_PLACES: usize = 60;
 /// Part of a range by which a value may lie beyond its ends: what is written is rounded.
 const BEYOND: f64 = 0.005;
 
+/// Why a candidate without any prediction is none.
+const NOWHERE: &str = "it cannot be computed in these rows";
+
 /// A law that somebody has in mind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
@@ -195,9 +198,6 @@ impl Candidate {
     }
 }
 
-/// Why a candidate is none that these rows can tell.
-const NOWHERE: &str = "it cannot be computed in these rows";
-
 /// The law of a candidate beside the model, and what it adds to the rows as a variable of its own; or why it is none.
 pub fn ranked(
     start: (&Objective, &Solution),
@@ -216,8 +216,8 @@ pub fn ranked(
     let freedom = with.parameters.iter().filter(|p| fitted::is_parameter_of(&name, p)).count();
     let is_of_prediction = variable.made_of.iter().any(|v| bench.variables[*v].is_prediction);
     let price = bench.price(freedom, (of as f64).ln()) + if is_of_prediction { PREDICTION } else { 0.0 };
-    let (shape, constants) = (Shape::Proportional, Vec::new());
-    let factor = Factor { variable: number, other: None, shape, constants, is_known: true };
+    let factor =
+        Factor { variable: number, other: None, shape: Shape::Proportional, constants: Vec::new(), is_known: true };
     let terms = vec![Term { observable, factors: vec![factor] }];
     let criterion = bench.misfit(chi2) + price;
     let found = Found { terms, gain: bench.residual.norm_squared() - chi2, freedom, criterion, price };
@@ -273,8 +273,8 @@ fn variable(
     (data, added): (&Data, &[f64]),
 ) -> Result<(usize, Variable), String> {
     let is_of = |o: &usize| (0..data.len()).any(|row| data.rows.observable[row] == *o && added[row] != 0.0);
-    let observables = bench.metrics.iter().map(|own| own.0);
-    let observable = observables.into_iter().find(is_of).ok_or("it adds nothing to these rows")?;
+    let mut observables = bench.metrics.iter().map(|own| own.0);
+    let observable = observables.find(is_of).ok_or("it adds nothing to these rows")?;
     let names = Formula::parse(&written.formula).map_err(|error| error.message)?.names;
     let is_named = |own: &Variable| names.iter().any(|name| *name.text == *own.name);
     let made_of: Vec<usize> = (0..bench.variables.len()).filter(|v| is_named(&bench.variables[*v])).collect();

@@ -6,7 +6,6 @@ use super::{CLEARLY, Candidate, Discovery, Explained, ranked};
 use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Rival, Verdict, thinned, weight};
 use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
-use crate::noise;
 use crate::process::{Description, Failure};
 use crate::progress::Progress;
 
@@ -40,15 +39,12 @@ pub fn diagnose_with(
     }
     let (mut best, mut held_back): (Option<Told>, Option<HeldBack>) = (None, None);
     let explained = explained(&of_catalogue);
-    let is_step_told = of_catalogue.missing.iter().any(is_step);
     // Beside effects that explain everything nothing is left.
     let models = models(data, &of_catalogue).into_iter().take(if explained.is_some() { 1 } else { usize::MAX });
     for model in models {
         match beside(data, &model, candidates, (most, explained), progress)? {
             Sought::Nothing => {}
             Sought::HeldBack(own) => held_back = held_back.or(Some(own)),
-            // It has other words for a step that is told.
-            Sought::Told(told) if told.is_step && is_step_told => {}
             Sought::Told(told) => {
                 let is_all = told.diagnosis.verdict == Verdict::Adequate;
                 if best.as_ref().is_none_or(|own| told.criterion < own.criterion) {
@@ -87,12 +83,6 @@ fn explained(diagnosis: &Diagnosis) -> Option<Explained> {
     is_all.then_some(Explained { criterion: diagnosis.criterion, terms })
 }
 
-/// Whether it is something that is otherwise from a moment on, of the machine or of the measurement.
-fn is_step(missing: &Missing) -> bool {
-    let is_jump = matches!(missing.cause, Cause::Measurement { effect, .. } if effect.has(noise::FROM));
-    is_jump || missing.effect.is_step()
-}
-
 fn is_of_machine(cause: &Cause) -> bool {
     matches!(cause, Cause::Physical | Cause::Value { .. })
 }
@@ -129,8 +119,6 @@ fn opened(model: &Model, missing: &Missing) -> Option<Model> {
 /// A law, and what the catalogue says beside it.
 struct Told {
     law: FreeLaw,
-    /// Whether it is a step in time.
-    is_step: bool,
     effect: Description,
     diagnosis: Diagnosis,
     criterion: f64,
@@ -214,7 +202,7 @@ fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progr
         like: found.like,
         rivals: found.laws.into_iter().map(|own| Rival { formula: own.written.formula, apart: own.apart }).collect(),
     };
-    Ok(Some(Told { law, is_step: found.is_step, effect, diagnosis, criterion }))
+    Ok(Some(Told { law, effect, diagnosis, criterion }))
 }
 
 /// A law that is held back because what it is made of was set too seldom.
@@ -251,7 +239,7 @@ impl Told {
 
     /// The diagnosis with the law in the place of one without.
     fn over(self, without: Diagnosis, data: &Data) -> Diagnosis {
-        let Self { law, effect, mut diagnosis, criterion, .. } = self;
+        let Self { law, effect, mut diagnosis, criterion } = self;
         // Of two that are equally likely each has a half.
         let against = weight(without.criterion, criterion);
         let goodness = std::mem::replace(&mut diagnosis.before, without.before);

@@ -212,10 +212,10 @@ fn expression(factor: &Factor, sizes: &[f64], variables: &[Variable], names: &mu
                 _ => {
                     let period = c / kind.canonical().factor;
                     let stem = format!("{short}_p");
-                    let p = match scales::name(names.model, width, c).filter(|_| factor.is_known) {
-                        Some(path) => path.to_string(),
-                        None if factor.is_known => names.add(&stem, quantity(period, width)),
+                    let p = match factor.is_known.then(|| scales::name(names.model, width, c)) {
                         None => names.add(&stem, near(period, width)),
+                        Some(None) => names.add(&stem, quantity(period, width)),
+                        Some(Some(path)) => path.to_string(),
                     };
                     (length, format!("sin(2*pi*{v}/{p} + {})", phase(names)))
                 }

@@ -84,7 +84,7 @@ pub fn too_few(bench: &Bench, law: &Found, settings: &Settings) -> Option<TooFew
     let is_set = |own: &&Factor| own.made_of(bench.variables).iter().any(|v| set.contains(v));
     let of_settings: Vec<&Factor> = law.terms.iter().flat_map(|term| &term.factors).filter(is_set).collect();
     // Constants take directions as amplitudes do.
-    let constants: usize = of_settings.iter().filter(|own| !own.is_known).map(|own| own.constants.len()).sum();
+    let constants: usize = of_settings.iter().map(|own| own.sought()).sum();
     let own = (constants + of_law.len()).saturating_sub(alike.len()).max(1) as f64;
     let freedom = further.len() as f64 - constants as f64;
     let width: f64 =

@@ -84,8 +84,6 @@ pub struct Discovery<L = Law> {
     pub left_out: Option<LeftOut>,
     /// The effect of the catalogue, of whatever process, that has the form of the best.
     pub like: Option<&'static str>,
-    /// Whether the best is a step in time.
-    pub is_step: bool,
     /// Names of the variables over which laws were sought.
     pub sought: Vec<String>,
     /// Ranges of the variables of the best, SI: beyond them nothing is known of it.
@@ -106,23 +104,10 @@ impl<L> Discovery<L> {
 /// # Errors
 /// The model cannot be computed.
 pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> Result<Discovery, Failure> {
-    let Discovery {
-        laws,
-        tried,
-        before,
-        is_nothing_left,
-        instead,
-        ahead,
-        too_few,
-        left_out,
-        like,
-        is_step,
-        sought,
-        ranges,
-    } = ranked(data, candidates, None, progress)?;
+    let found = ranked(data, candidates, None, progress)?;
     let laws = progress.stretch("fits of laws", || {
         let mut all: Vec<Law> = Vec::new();
-        for law in laws {
+        for law in found.laws {
             if all.is_empty() || progress.permits("rivals of the law") {
                 all.extend(fitted::fitted(data, law));
             }
@@ -131,17 +116,16 @@ pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> R
     });
     Ok(Discovery {
         laws,
-        tried,
-        before,
-        is_nothing_left,
-        instead,
-        ahead,
-        too_few,
-        left_out,
-        like,
-        is_step,
-        sought,
-        ranges,
+        before: found.before,
+        is_nothing_left: found.is_nothing_left,
+        tried: found.tried,
+        instead: found.instead,
+        ahead: found.ahead,
+        too_few: found.too_few,
+        left_out: found.left_out,
+        like: found.like,
+        sought: found.sought,
+        ranges: found.ranges,
     })
 }
 
@@ -186,7 +170,6 @@ fn rank(
         too_few: None,
         left_out: None,
         like: None,
-        is_step: false,
         sought: Vec::new(),
         ranges: Vec::new(),
     };
@@ -282,8 +265,6 @@ impl Discovery<Ranked> {
         }
         self.ranges = ranges(bench, &told);
         self.like = likeness::like(bench, &told);
-        let mut products = told.terms.iter().map(|term| term.factors.as_slice());
-        self.is_step = products.all(|own| matches!(own, [factor] if factor.is_step_in_time(bench.variables)));
         let settings = Settings::of(bench, &told);
         self.too_few = levels::too_few(bench, &told, &settings);
         self.left_out = left_out::left_out(bench, &told, &settings);

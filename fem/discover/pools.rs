@@ -159,8 +159,7 @@ impl Pools<'_, '_, '_> {
     ) -> Vec<(usize, Gain)> {
         let factors = &self.bench.factors[v];
         let cheap = |j: usize, (gain, count): Gain| {
-            let constants = if factors[j].is_known { 0 } else { factors[j].constants.len() };
-            let numbers = (count + constants) as f64;
+            let numbers = (count + factors[j].sought()) as f64;
             self.bench.misfit((self.form.chi2 - gain).max(0.0)) + numbers * (self.bench.rows as f64).ln()
         };
         let all = (0..factors.len()).filter(|j| is_wanted(*j)).map(|j| (j, gain(j)));

@@ -152,7 +152,7 @@ impl Bench<'_, '_> {
         let factors = || law.terms.iter().flat_map(|term| &term.factors);
         let numbers = |v: usize| -> usize {
             let of = factors().filter(|own| own.variable == v && own.other.is_none());
-            of.map(|own| own.shape.functions() + if own.is_known { 0 } else { own.constants.len() }).sum()
+            of.map(|own| own.shape.functions() + own.sought()).sum()
         };
         let is_few = |v: usize| numbers(v) <= (self.variables[v].levels.len() / LEVELS_EACH).max(LEAST_NUMBERS);
         (0..self.variables.len()).all(|v| self.variables[v].words > 0 || is_few(v))
@@ -192,7 +192,7 @@ impl Bench<'_, '_> {
     /// Terms of which the fall of χ² and the number of amplitudes are known.
     pub fn priced(&self, terms: Vec<Term>, (gain, amplitudes): (f64, usize)) -> Found {
         let factors = || terms.iter().flat_map(|term| &term.factors);
-        let constants: usize = factors().filter(|own| !own.is_known).map(|own| own.constants.len()).sum();
+        let constants: usize = factors().map(Factor::sought).sum();
         let freedom = amplitudes + constants;
         let predictions = factors().filter(|own| self.variables[own.variable].is_prediction).count();
         let price = self.price(freedom, self.width(&terms)) + PREDICTION * predictions as f64;

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::input::Name;
 use crate::model::Data;
 use crate::process::Holds;
-use crate::units::{ANGLE, Kind, NUMBER, TIME};
+use crate::units::{ANGLE, Kind, NUMBER};
 
 use super::shape::Shape;
 
@@ -18,10 +18,6 @@ const MOST_LEVELS: usize = 64;
 /// Ranges of which a known period may be, and periods that a range may have.
 const MOST_RANGES: f64 = 4.0;
 const MOST_PERIODS: f64 = 400.0;
-
-/// Widths of a transition within which it is under way, and the most levels within them where it is as good as a step.
-const ARRIVED: f64 = 1.5;
-const PASSED: usize = 3;
 
 /// A variable in every row.
 #[derive(Clone)]
@@ -308,19 +304,9 @@ impl Factor {
         }
     }
 
-    /// Whether it is otherwise from a moment on and the same before and after, as far as the rows can tell: a step of a time or of
-    /// what is counted.
-    pub fn is_step_in_time(&self, variables: &[Variable]) -> bool {
-        let own = &variables[self.variable];
-        let is_time =
-            own.kind.canonical().dimension == TIME.canonical().dimension || own.kind == NUMBER && own.words == 0;
-        let passed = |c: f64, w: f64| own.levels.iter().filter(|level| (**level - c).abs() < ARRIVED * w).count();
-        is_time
-            && match (self.shape, self.constants.as_slice()) {
-                (Shape::Step, _) => true,
-                (Shape::Transition, [c, w]) => passed(*c, *w) <= PASSED,
-                _ => false,
-            }
+    /// Number of its constants that are found.
+    pub fn sought(&self) -> usize {
+        if self.is_known { 0 } else { self.constants.len() }
     }
 
     /// Its functions in every row.

@@ -19,6 +19,7 @@ mod record;
 mod several;
 mod source;
 mod tables;
+mod written;
 
 pub use bounds::Bounds;
 pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};

@@ -20,6 +20,7 @@ use std::sync::Arc;
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{Item, TableLike};
 
+use super::written::text_of;
 use super::{Bounds, Doubt, Kept, Name, Parameter, ParameterId, Problem, nearest};
 use crate::units::{Kind, Knowledge, Quantity};
 
@@ -192,8 +193,7 @@ impl<'a> Reader<'a> {
         let key = key.into();
         self.describe(&key, || json!({ "type": ["string", "number"], "description": about }), false);
         let item = self.item(key.clone())?;
-        let number = || item.as_integer().map(|n| n.to_string()).or_else(|| item.as_float().map(|n| n.to_string()));
-        let text = item.as_str().map(str::to_string).or_else(number);
+        let text = text_of(item);
         if text.is_none() {
             let found = item.type_name();
             let problem = Problem::new(format!("`{key}`: expected a text or a number, found {found}"));

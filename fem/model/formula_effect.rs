@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::formula::{Formula, FormulaError};
+use crate::formula::{self, Formula, FormulaError};
 use crate::input::{Bounds, Name, Reader, did_you_mean};
 use crate::process::{
     Absent, Active, Belongs, CHANGED, Coordinate, Description, EFFECTS, FormulaLaw, Meaning, Neutral, Odds, Parameter,
@@ -121,11 +121,7 @@ fn law(
             }
             (None, None) if name.text == PREDICTION => (Meaning::Prediction, None),
             (None, None) if name.text.contains('.') => {
-                let (kind, value) = of_model(model, &name.text).map_err(|(message, help)| FormulaError {
-                    message,
-                    help,
-                    span: name.span.clone(),
-                })?;
+                let (kind, value) = of_model(model, name)?;
                 (Meaning::Quantity(value), Some(kind.canonical().dimension))
             }
             (None, None) => {
@@ -177,9 +173,11 @@ fn law(
     Ok(FormulaLaw::new(formula, meanings, adds_to))
 }
 
-/// Kind and value (SI) of a quantity of the model by its path, or message and help: one of the machine, for those of effects
+/// Kind and value (SI) of the quantity of a model that a formula names by its path: one of the machine, for those of effects
 /// differ from one set of effects to another.
-fn of_model(model: &Reader, path: &str) -> Result<(Kind, f64), (String, String)> {
+fn of_model(model: &Reader, name: &formula::Name) -> Result<(Kind, f64), FormulaError> {
+    let path = &*name.text;
+    let refused = |message: String, help: String| FormulaError { message, help, span: name.span.clone() };
     let is_of_machine = |path: &str| path.contains('.') && OF_EFFECTS.iter().all(|table| !path.starts_with(table));
     let quantity = |path: &str| {
         let text = model.text_at(path)?;
@@ -189,14 +187,14 @@ fn of_model(model: &Reader, path: &str) -> Result<(Kind, f64), (String, String)>
     };
     if !is_of_machine(path) {
         let help = "a formula takes its own parameters, and quantities of other tables, such as `workpiece.length`";
-        return Err((format!("`{path}` belongs to an effect"), help.into()));
+        return Err(refused(format!("`{path}` belongs to an effect"), help.into()));
     }
     quantity(path).ok_or_else(|| {
         let known: Vec<String> =
             model.paths().into_iter().filter(|own| is_of_machine(own) && quantity(own).is_some()).collect();
         let meant = did_you_mean(path, known.iter().map(String::as_str), '`');
         let help = format!("{meant}the quantities that stand in the model are {}", known.join(", "));
-        (format!("`{path}` is no quantity that stands in the model"), help)
+        refused(format!("`{path}` is no quantity that stands in the model"), help)
     })
 }
 

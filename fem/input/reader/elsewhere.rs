@@ -1,7 +1,8 @@
 //! What stands in other tables of a file: a key may name it by its path.
 
-use toml_edit::{Item, TableLike, Value};
+use toml_edit::TableLike;
 
+use super::super::written::text_of;
 use super::{Ground, Reader};
 
 impl Reader<'_> {
@@ -21,12 +22,7 @@ impl Reader<'_> {
         let (tables, key) = path.rsplit_once('.').unwrap_or(("", path));
         let mut names = tables.split('.').filter(|name| !name.is_empty());
         let table = names.try_fold(*table, |table, name| table.get(name)?.as_table_like())?;
-        match table.get(key)?.as_value()? {
-            Value::String(text) => Some(text.value().clone()),
-            Value::Integer(number) => Some(number.value().to_string()),
-            Value::Float(number) => Some(number.value().to_string()),
-            _ => None,
-        }
+        text_of(table.get(key)?)
     }
 
     /// The value (SI) that is taken in the place of the one at a path of the file.
@@ -39,9 +35,9 @@ impl Reader<'_> {
 fn add_paths(table: &dyn TableLike, before: &str, paths: &mut Vec<String>) {
     for (key, item) in table.iter() {
         let path = if before.is_empty() { key.to_string() } else { format!("{before}.{key}") };
-        match item {
-            Item::Value(Value::String(_) | Value::Integer(_) | Value::Float(_)) => paths.push(path),
-            _ => item.as_table_like().into_iter().for_each(|table| add_paths(table, &path, paths)),
+        match item.as_table_like() {
+            Some(table) => add_paths(table, &path, paths),
+            None => paths.extend(text_of(item).map(|_| path)),
         }
     }
 }

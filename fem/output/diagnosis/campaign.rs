@@ -140,12 +140,25 @@ pub fn commands(campaign: &Campaign, data: &Data, d: &Diagnosis) -> Vec<String> 
         }
     }
     lines.extend(by_hand.iter().map(|(test, line)| format!("in {}: {line}", quoted(&files[*test]))));
-    let each = files.iter().zip(&data.files);
-    let all: Vec<String> =
-        each.map(|(model, file)| format!("{} --with {}", quoted(model), quoted(&file.name))).collect();
-    let said = data.said.iter().map(|word| format!(" {}", quoted(word))).collect::<String>();
-    lines.push(format!("fem diagnose {}{said}", all.join(" ")));
+    lines.push(format!("fem diagnose {}{}", each_with(&files, data).join(" "), said(data)));
     lines
+}
+
+/// The commands that seek a law in what is left of each test by itself.
+pub fn discover(campaign: &Campaign, data: &Data) -> Vec<String> {
+    let files: Vec<String> = campaign.tests.iter().map(|test| test.model.source.name.to_string()).collect();
+    each_with(&files, data).iter().map(|each| format!("fem discover {each}{}", said(data))).collect()
+}
+
+/// The files of models, each with the measurements of its test.
+fn each_with(models: &[String], data: &Data) -> Vec<String> {
+    let each = models.iter().zip(&data.files);
+    each.map(|(model, file)| format!("{} --with {}", quoted(model), quoted(&file.name))).collect()
+}
+
+/// The options that were given for all tests.
+fn said(data: &Data) -> String {
+    data.said.iter().map(|word| format!(" {}", quoted(word))).collect()
 }
 
 /// Settings of an effect of the measurement as the model of one test takes them.

@@ -3,7 +3,7 @@
 use super::additions::{Addition, add, additions, leave_out, quoted, set};
 use super::campaign;
 use crate::diagnose::Diagnosis;
-use crate::model::{Data, Model, Test};
+use crate::model::Data;
 use crate::units::Knowledge;
 
 /// The command that adds all that is missing at once; of several tests there is none.
@@ -20,20 +20,10 @@ pub fn next_rows(data: &Data, d: &Diagnosis) -> Option<String> {
 
 /// The commands that seek a law in what is left, where something is: of several tests in each by itself.
 pub fn discover(data: &Data, d: &Diagnosis) -> Vec<String> {
-    let command = |model: &Model, with: String| format!("fem discover {} {with}", quoted(&model.source.name));
     match data.model.campaign() {
         _ if !d.leaves_structure() => Vec::new(),
-        None => vec![command(data.model, with(data))],
-        Some(campaign) => {
-            let files = |test: usize| {
-                let rows = (0..data.len()).filter(|row| campaign.number_of(data.rows.observable[*row]) == test);
-                let mut numbers: Vec<usize> = rows.map(|row| data.file_number(row)).collect();
-                numbers.dedup();
-                numbers
-            };
-            let of = |(number, test): (usize, &Test)| command(&test.model, with_files(data, &files(number)));
-            campaign.tests.iter().enumerate().map(of).collect()
-        }
+        Some(campaign) => campaign::discover(campaign, data),
+        None => vec![format!("fem discover {} {}", quoted(&data.model.source.name), with(data))],
     }
 }
 
@@ -80,12 +70,7 @@ pub fn commands(data: &Data, d: &Diagnosis) -> Vec<String> {
 
 /// The options that name the measurements and how they are read.
 pub fn with(data: &Data) -> String {
-    with_files(data, &(0..data.files.len()).collect::<Vec<_>>())
-}
-
-/// The same of some of its files, by their numbers.
-fn with_files(data: &Data, numbers: &[usize]) -> String {
-    let files = numbers.iter().flat_map(|number| ["--with", &*data.files[*number].name]);
+    let files = data.files.iter().flat_map(|file| ["--with", &*file.name]);
     let words: Vec<String> = files.chain(data.said.iter().map(String::as_str)).map(quoted).collect();
     words.join(" ")
 }
