@@ -4,7 +4,7 @@ use std::fmt;
 
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::search::{Bench, Found, basis};
+use super::search::{Bench, Found, Term, basis};
 use super::variable::{Factor, Variable, product};
 
 /// Rows to each setting from which they are settings, about.
@@ -15,6 +15,9 @@ const CHANCE: f64 = 0.02;
 const SHAPES: usize = 4;
 /// Most settings more that are worth telling.
 const MOST_MORE: usize = 200;
+/// Levels for each number of a law that varies with them, and the numbers that it may have on however few.
+const LEVELS_EACH: usize = 2;
+pub const LEAST_NUMBERS: usize = 4;
 
 /// Settings that are too few for a law: some law of the search fits whatever they are.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +52,20 @@ pub struct Settings {
     set: Vec<usize>,
 }
 
+/// Whether a law has no more numbers of a variable, nor of all together that are set once for many rows, than a part of their
+/// levels: with more it follows them, and is no law.
+pub fn has_levels(bench: &Bench, law: &Found) -> bool {
+    let is_few = |numbers: usize, levels: usize| numbers <= (levels / LEVELS_EACH).max(LEAST_NUMBERS);
+    let factors = || law.terms.iter().flat_map(|term| &term.factors);
+    let has_levels_of = |v: usize| {
+        let of = factors().filter(|own| own.variable == v && own.other.is_none());
+        let numbers = of.map(|own| own.shape.functions() + own.sought()).sum();
+        bench.variables[v].words > 0 || is_few(numbers, bench.variables[v].levels.len())
+    };
+    let settings = Settings::of(bench, law);
+    (0..bench.variables.len()).all(has_levels_of) && is_few(settings.numbers_of(bench, law), settings.count)
+}
+
 /// Why a law cannot be told from chance, where the settings of its variables are too few: what it explains between settings
 /// is held against what settings with amplitudes of their own would explain more (F test), for as many laws as were tried.
 pub fn too_few(bench: &Bench, law: &Found, settings: &Settings) -> Option<TooFew> {
@@ -61,9 +78,8 @@ pub fn too_few(bench: &Bench, law: &Found, settings: &Settings) -> Option<TooFew
     // The law with the same amplitude in every setting, and each setting with an amplitude of its own of what varies within.
     let (mut columns, mut alike) = (Vec::new(), Vec::new());
     for term in &law.terms {
-        let is_within = |own: &&Factor| own.made_of(bench.variables).iter().all(|v| !set.contains(v));
-        let factors: Vec<Vec<Vec<f64>>> =
-            term.factors.iter().filter(is_within).map(|own| own.columns(bench.variables)).collect();
+        let within = term.factors.iter().filter(|own| !settings.is_set(bench, own));
+        let factors: Vec<Vec<Vec<f64>>> = within.map(|own| own.columns(bench.variables)).collect();
         let within = if factors.is_empty() { vec![vec![1.0; rows]] } else { product(&factors) };
         for own in within {
             let one = |setting: usize| -> Vec<f64> {
@@ -81,8 +97,8 @@ pub fn too_few(bench: &Bench, law: &Found, settings: &Settings) -> Option<TooFew
     let extra = bench.explained(further);
     let alike = basis(alike);
     let of_alike = bench.explained(&alike);
-    let is_set = |own: &&Factor| own.made_of(bench.variables).iter().any(|v| set.contains(v));
-    let of_settings: Vec<&Factor> = law.terms.iter().flat_map(|term| &term.factors).filter(is_set).collect();
+    let factors = law.terms.iter().flat_map(|term| &term.factors);
+    let of_settings: Vec<&Factor> = factors.filter(|own| settings.is_set(bench, own)).collect();
     // Constants take directions as amplitudes do.
     let constants: usize = of_settings.iter().map(|own| own.sought()).sum();
     let own = (constants + of_law.len()).saturating_sub(alike.len()).max(1) as f64;
@@ -122,6 +138,21 @@ impl Settings {
             }
         }
         Self { level, count: settings, set }
+    }
+
+    /// Whether a factor is made of what is set.
+    fn is_set(&self, bench: &Bench, factor: &Factor) -> bool {
+        factor.made_of(bench.variables).iter().any(|v| self.set.contains(v))
+    }
+
+    /// Numbers of a law by which it varies from setting to setting: amplitudes and constants.
+    fn numbers_of(&self, bench: &Bench, law: &Found) -> usize {
+        let of_term = |term: &Term| -> usize {
+            let set: Vec<&Factor> = term.factors.iter().filter(|own| self.is_set(bench, own)).collect();
+            let constants: usize = set.iter().map(|own| own.sought()).sum();
+            if set.is_empty() { 0 } else { set.iter().map(|own| own.shape.functions()).product::<usize>() + constants }
+        };
+        law.terms.iter().map(of_term).sum()
     }
 }
 

@@ -16,6 +16,7 @@ mod scales;
 mod search;
 mod shape;
 mod variable;
+mod wandering;
 
 pub use candidates::{Candidate, Tried, read_candidates};
 pub use diagnosis::{diagnose, diagnose_with};
@@ -23,6 +24,7 @@ pub use fitted::{Law, Ranked};
 pub use law::Written;
 pub use left_out::LeftOut;
 pub use levels::TooFew;
+pub use wandering::Wandering;
 
 use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, thinned_to, under_noise, under_stated_noise, unsolvable};
 use crate::fit::Objective;
@@ -32,9 +34,9 @@ use crate::process::Failure;
 use crate::progress::Progress;
 use crate::units::Kind;
 use form::{Metric, Shapes};
-use levels::Settings;
+use levels::{LEAST_NUMBERS, Settings, has_levels};
 use rayon::prelude::*;
-use search::{Bench, Found, LEAST_NUMBERS, kind};
+use search::{Bench, Found, kind};
 use variable::{Factor, Variable};
 
 /// Most terms of one law.
@@ -78,6 +80,8 @@ pub struct Discovery<L = Law> {
     pub instead: Vec<Term>,
     /// By how much the criterion of the best is below that of the effects of the measurement, where there are some.
     pub ahead: f64,
+    /// A zero that wanders while rows are taken, where it says more than any law of the search.
+    pub wandering: Option<Wandering>,
     /// Settings that are too few for the best of them, where they are: it is held back then.
     pub too_few: Option<TooFew>,
     /// What the best says of rows that were left out.
@@ -121,6 +125,7 @@ pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> R
         tried: found.tried,
         instead: found.instead,
         ahead: found.ahead,
+        wandering: found.wandering,
         too_few: found.too_few,
         left_out: found.left_out,
         like: found.like,
@@ -167,6 +172,7 @@ fn rank(
         tried: Vec::new(),
         instead: Vec::new(),
         ahead: f64::INFINITY,
+        wandering: None,
         too_few: None,
         left_out: None,
         like: None,
@@ -181,7 +187,11 @@ fn rank(
     let variables = Variable::all(data, &solution.predicted);
     discovery.sought = variables.iter().map(|own| own.name.to_string()).collect();
     let mut bench = Bench { most, ..bench(data, &objective, &projected, &variables) };
-    let laws = progress.stretch("search for laws", || grown(&bench, progress));
+    let wandering = Wandering::of(&bench, data.rows.observable.iter().copied());
+    let mut laws = progress.stretch("search for laws", || grown(&bench, wandering.as_ref(), progress));
+    let were_some = !laws.is_empty();
+    laws.retain(|own| wandering.is_none_or(|other| !other.says_more_than(own, &bench)));
+    discovery.wandering = wandering.filter(|_| were_some && laws.is_empty());
     let least = laws.first().map_or(f64::INFINITY, |best| best.criterion);
     let is_plain = |own: &Found| explained.is_none_or(|known| own.terms.len() <= known.terms);
     let is_near = |own: &Found| is_plain(own) && own.criterion < (least + NEAR).min(most);
@@ -308,8 +318,9 @@ fn bench<'a, 'm>(
     }
 }
 
-/// Laws of one term and more, each grown from the best with a term less, the best first.
-fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
+/// Laws of one term and more, each grown from the best with a term less, the best first. What cannot say more than a zero that
+/// wanders is not grown.
+fn grown(bench: &Bench, wandering: Option<&Wandering>, progress: &Progress) -> Vec<Found> {
     let mut all: Vec<Found> = Vec::new();
     let mut open = vec![bench.judged(Vec::new())];
     let most_numbers = (bench.rows / ROWS_EACH).max(LEAST_NUMBERS);
@@ -321,7 +332,7 @@ fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
             }
             let further = bench.further(&law, progress);
             let is_worth = |own: &Found| own.criterion < law.criterion - WORTH;
-            let is_law = |own: &Found| own.freedom <= most_numbers && bench.has_levels(own) && is_worth(own);
+            let is_law = |own: &Found| own.freedom <= most_numbers && has_levels(bench, own) && is_worth(own);
             next.extend(further.into_iter().filter(is_law));
         }
         next.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
@@ -338,6 +349,10 @@ fn grown(bench: &Bench, progress: &Progress) -> Vec<Found> {
         open.retain(|own| bench.residual.norm_squared() - own.gain > bench.freedom);
         let least = all.iter().map(|own| own.criterion).fold(f64::INFINITY, f64::min);
         open.retain(|own| bench.most.is_infinite() && bench.least_of_further(own) < least + RIVAL);
+        let hope = |own: &Found, other: &Wandering| {
+            bench.least_of_further(own) < other.criterion || !other.is_rival_of(own, bench)
+        };
+        open.retain(|own| wandering.is_none_or(|other| hope(own, other)));
     }
     all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     all

@@ -21,9 +21,6 @@ const UNREFINED: f64 = 40.0;
 pub const PREDICTION: f64 = 6.0;
 /// Part of the degrees of freedom that a law leaves at least, as χ².
 const LEAST_LEFT: f64 = 0.9;
-/// Levels of a variable for each number of a law that varies with it, and the numbers that it may have on however few.
-const LEVELS_EACH: usize = 2;
-pub const LEAST_NUMBERS: usize = 4;
 /// Part of a column that must be left beside others for it to be another.
 const DEPENDENT: f64 = 1e-6;
 
@@ -144,18 +141,6 @@ impl Bench<'_, '_> {
         all.sort_unstable();
         all.dedup();
         all
-    }
-
-    /// Whether a law has no more numbers of a variable than a part of the levels at which it was set: with more it follows them,
-    /// and is no law.
-    pub fn has_levels(&self, law: &Found) -> bool {
-        let factors = || law.terms.iter().flat_map(|term| &term.factors);
-        let numbers = |v: usize| -> usize {
-            let of = factors().filter(|own| own.variable == v && own.other.is_none());
-            of.map(|own| own.shape.functions() + own.sought()).sum()
-        };
-        let is_few = |v: usize| numbers(v) <= (self.variables[v].levels.len() / LEVELS_EACH).max(LEAST_NUMBERS);
-        (0..self.variables.len()).all(|v| self.variables[v].words > 0 || is_few(v))
     }
 
     /// The price of so many numbers and of a choice among so many laws, by its logarithm.

@@ -10,7 +10,7 @@ use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
 use crate::diagnose::SIGNIFICANCE;
-use crate::discover::{Discovery, Law, LeftOut, Tried};
+use crate::discover::{Discovery, Law, LeftOut, Tried, Wandering};
 use crate::model::Data;
 use crate::progress::Progress;
 use crate::units::Kind;
@@ -64,6 +64,7 @@ impl Answer for LawsAnswer<'_> {
                 true => format!("nothing is left for a law: chi2/dof {:.3}, what noise gives", found.before),
                 false => format!("chi2/dof {:.3} is left, and no law of {} explains it", found.before, sought(found)),
             }));
+            blocks.extend(found.wandering.map(|own| Block::Paragraph(wanders(&own))));
             blocks.extend(tried(found));
             return blocks;
         };
@@ -177,6 +178,7 @@ impl Answer for LawsAnswer<'_> {
             "like": told.and(found.like),
             "law": told.map(|best| law(best, found.left_out)),
             "held_back": self.held_back(),
+            "wandering": found.wandering.map(|own| json!({ "size": own.size, "rows": own.memory })),
             "law_held_back": found.laws.first().filter(|_| told.is_none()).map(|best| law(best, found.left_out)),
             "rivals": found.laws.iter().skip(1).map(|rival| law(rival, None)).collect::<Vec<_>>(),
             "tried": found.tried.iter().map(|own| json!({
@@ -192,6 +194,15 @@ impl Answer for LawsAnswer<'_> {
     fn progress(&self) -> Option<&Progress> {
         Some(&self.0.progress)
     }
+}
+
+/// What says more than any law: a zero that wanders.
+fn wanders(own: &Wandering) -> String {
+    format!(
+        "a zero that wanders while rows are taken says more than laws that fit: {:.1} standard uncertainties of a row, \
+         forgotten within some {:.0} rows; measure a master in between, or the rows in another order",
+        own.size, own.memory
+    )
 }
 
 /// What the laws came to that somebody has in mind.
