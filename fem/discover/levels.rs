@@ -15,8 +15,10 @@ const CHANCE: f64 = 0.02;
 const SHAPES: usize = 4;
 /// Most settings more that are worth telling.
 const MOST_MORE: usize = 200;
-/// Levels for each number of a law that varies with them, and the numbers that it may have on however few.
-const LEVELS_EACH: usize = 2;
+/// Part of the levels of a variable up to which a law may have numbers that vary with it; of settings of several variables a
+/// third is left to test the law by; and the numbers that it may have on however few.
+const OF_LEVELS: f64 = 0.5;
+const OF_SETTINGS: f64 = 2.0 / 3.0;
 pub const LEAST_NUMBERS: usize = 4;
 
 /// Settings that are too few for a law: some law of the search fits whatever they are.
@@ -55,15 +57,17 @@ pub struct Settings {
 /// Whether a law has no more numbers of a variable, nor of all together that are set once for many rows, than a part of their
 /// levels: with more it follows them, and is no law.
 pub fn has_levels(bench: &Bench, law: &Found) -> bool {
-    let is_few = |numbers: usize, levels: usize| numbers <= (levels / LEVELS_EACH).max(LEAST_NUMBERS);
+    let is_few =
+        |numbers: usize, part: f64, levels: usize| numbers as f64 <= (part * levels as f64).max(LEAST_NUMBERS as f64);
     let factors = || law.terms.iter().flat_map(|term| &term.factors);
     let has_levels_of = |v: usize| {
         let of = factors().filter(|own| own.variable == v && own.other.is_none());
         let numbers = of.map(|own| own.shape.functions() + own.sought()).sum();
-        bench.variables[v].words > 0 || is_few(numbers, bench.variables[v].levels.len())
+        bench.variables[v].words > 0 || is_few(numbers, OF_LEVELS, bench.variables[v].levels.len())
     };
     let settings = Settings::of(bench, law);
-    (0..bench.variables.len()).all(has_levels_of) && is_few(settings.numbers_of(bench, law), settings.count)
+    (0..bench.variables.len()).all(has_levels_of)
+        && is_few(settings.numbers_of(bench, law), OF_SETTINGS, settings.count)
 }
 
 /// Why a law cannot be told from chance, where the settings of its variables are too few: what it explains between settings

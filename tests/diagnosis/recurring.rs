@@ -276,19 +276,17 @@ fn with_clock(case: &Case) -> Option<Case> {
 #[test]
 fn times_are_never_worse_than_none() {
     let (mut all, mut worse) = ([0; 2], Vec::new());
-    for (number, process) in [&AXIS, &TURNING].into_iter().enumerate() {
-        // Lathes have many effects, of which every second will do, once.
-        let (every, seeds) = [(1, 2), (2, 1)][number];
-        for (law, seed) in process.laws.iter().step_by(every).flat_map(|law| (0..seeds).map(move |seed| (law.0, seed)))
-        {
-            let Some(case) = process.single(law, 40.0, seed) else { continue };
+    // Lathes have many effects, of which every third will do.
+    for (number, (process, every)) in [(&AXIS, 1), (&TURNING, 3)].into_iter().enumerate() {
+        for (law, ..) in process.laws.iter().step_by(every) {
+            let Some(case) = process.single(law, 40.0, 0) else { continue };
             let both = match without_clock(&case) {
                 Some(bare) => Some((case, bare)),
                 None => with_clock(&case).map(|timed| (timed, case)),
             };
             let Some((timed, bare)) = both else { continue };
             all[number] += 1;
-            worse.extend(lost(&timed, &bare).map(|lost| format!("{} {law} {seed}: {lost}", process.name)));
+            worse.extend(lost(&timed, &bare).map(|lost| format!("{} {law}: {lost}", process.name)));
         }
     }
     assert!(all.iter().all(|count| *count >= 8) && worse.is_empty(), "{all:?}: {worse:#?}");
