@@ -74,6 +74,7 @@
 //     series                the ring by Fourier series, which the finite elements are held against
 //     solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat; plane bodies
 //     positioning           positioning tests by ISO 230-2, compensation tables
+//     tolerance             limits that a drawing sets: ISO 286-1, either way, both
 //     process               the frame of a process: its definition, coordinates, effects, reports
 //     processes             turning, ring, …: each with its effects
 //     measure               measurement files
@@ -85,6 +86,7 @@
 //     diagnose              which effect is missing
 //     discover              laws that are in no catalogue: found in what a model leaves, written as formulas
 //     budget                errors added up by rules and by drawing
+//     correct               what to command so that the part comes out as the drawing asks
 //     study                 many jobs with one model: points, rows, yield, worst case, sensitivity
 //     validation            what handbooks, closed forms and benchmarks say, and what is computed
 //     output                text, CSV, JSON, VTK; files that appear whole
@@ -100,6 +102,8 @@ mod cli;
 pub mod compare;
 #[doc(hidden)]
 pub mod compensate;
+#[doc(hidden)]
+pub mod correct;
 #[doc(hidden)]
 pub mod diagnose;
 #[doc(hidden)]
@@ -140,6 +144,8 @@ pub mod series;
 pub mod solve;
 #[doc(hidden)]
 pub mod study;
+#[doc(hidden)]
+pub mod tolerance;
 #[doc(hidden)]
 pub mod units;
 #[doc(hidden)]

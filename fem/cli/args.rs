@@ -52,6 +52,8 @@ pub enum Command {
     Plan(Plan),
     /// An axis: backlash value, pitch tables, what they leave, and what they cannot do
     Compensate(Compensate),
+    /// What to command so that the part comes out right, and what will be left
+    Correct(Correct),
     /// One page of everything: prediction, residuals, causes, what to do next
     Report(Report),
     /// Add errors up, by the handbook's rules and by Monte Carlo
@@ -285,6 +287,29 @@ pub struct Compensate {
     /// The name of the axis in the control
     #[arg(long, value_name = "NAME", default_value = "X", value_parser = axis_name)]
     pub axis: String,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "The correction is solved through the model, so that force feedback, copying and contacts answer to it. [tolerance] in the
+model says what the drawing asks.
+
+Examples:
+  fem correct models/lathe.toml
+  fem correct models/lathe.toml -o correction"
+)]
+pub struct Correct {
+    /// The model file, whose values are known
+    pub model: PathBuf,
+    /// Where to write the corrected contour of every part; nothing is written if left out
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,

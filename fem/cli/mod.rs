@@ -5,6 +5,7 @@ mod args;
 mod budget;
 mod compare;
 mod compensate;
+mod correct;
 mod data;
 mod demo;
 mod diagnose;
@@ -48,6 +49,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Some(Command::Fit(args)) => fit::run(&args),
         Some(Command::Diagnose(args)) => diagnose::run(&args),
         Some(Command::Compensate(args)) => compensate::run(&args),
+        Some(Command::Correct(args)) => correct::run(&args),
         Some(Command::Report(args)) => report::run(&args),
         Some(Command::Plan(args)) => plan::run(&args),
         Some(Command::Budget(args)) => budget::run(&args),

@@ -2,7 +2,7 @@
 
 use super::Model;
 use crate::input::Name;
-use crate::process::{Active, Failure, ForwardModel, Observable, Rows, RunReport, Values};
+use crate::process::{Active, Failure, ForwardModel, Observable, Rows, RunReport, Standing, Values};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -13,6 +13,8 @@ pub struct Run {
     pub report: RunReport,
     /// Prediction of every point of the model's own programme, SI.
     pub prediction: Vec<f64>,
+    /// How the parts stand against what the drawing asks, as far as the model says.
+    pub standings: Vec<Standing>,
     /// Contribution of each part of the model to each observable, the ideal system first.
     pub contributions: Vec<Contribution>,
 }
@@ -58,7 +60,8 @@ impl Model {
             changes.push((effect.description.name.clone(), self.changes(effect, &prediction, progress)?));
         }
         let contributions = self.contributions(&changes);
-        Ok(Run { report: forward.report(prediction.clone())?, prediction, contributions })
+        let standings = Standing::all(&*self.system, &self.system.programme(), &prediction);
+        Ok(Run { report: forward.report(prediction.clone())?, prediction, standings, contributions })
     }
 
     /// Report of a run, without the contributions of its effects.

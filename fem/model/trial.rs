@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Model, Place, place_among, places, read, recorded};
 use crate::input::{Instead, ParameterId, Reader};
 use crate::noise::{self, MEASUREMENT, Term};
-use crate::process::{Active, Failure, ForwardModel, ON_TRIAL, System};
+use crate::process::{Active, Command, Failure, ForwardModel, ON_TRIAL, System};
 
 impl Model {
     /// The model with values (SI) entered for quantities, by their paths: known, whatever the file says of them. The
@@ -105,6 +105,21 @@ impl Model {
             effects.into_iter().partition(|e| e.description.table == MEASUREMENT);
         terms.extend(readings.iter().filter_map(|reading| noise::reading(reading, &*self.process)));
         self.behind(system.with_effects(&effects), &terms)
+    }
+
+    /// What makes the part, with the parameters at these values (SI, in the order of `parameters`) and a correction of its
+    /// command: no instrument stands before it.
+    ///
+    /// # Errors
+    /// The values make no model.
+    #[doc(hidden)]
+    pub fn commanded_at(&self, values: &[f64], command: &Arc<Command>) -> Result<Box<dyn ForwardModel>, Failure> {
+        let (system, mut effects) = match self.effects_at(values) {
+            Some((effects, _)) => (self.system.clone(), effects),
+            None => self.read_at(values).map(|(system, effects, _)| (system, effects))?,
+        };
+        effects.retain(|effect| effect.description.table != MEASUREMENT);
+        Ok(system.with_command(&effects, command))
     }
 
     /// System with the parameters at these values (SI, in the order of `parameters`).

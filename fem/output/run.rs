@@ -10,7 +10,7 @@ use super::block::{Block, Cell, Column, Table};
 use super::chart::{Svg, named};
 use super::json::{finite, json as document};
 use super::staged::Staged;
-use super::{csv, drawing, measurement, plots, sketch};
+use super::{csv, drawing, measurement, plots, sketch, tolerance};
 use crate::model::{Contribution, Model, Run};
 use crate::process::{Datum, Figure, Observable};
 use crate::units::{Kind, UnitSymbol};
@@ -24,9 +24,10 @@ impl Answer for RunAnswer<'_> {
         let title = model.title.as_deref().unwrap_or(&model.source.name).replace(|c: char| c.is_control(), " ");
         let mut text = format!("{title}\n{}: {}\n\n", model.process.name(), model.process.about());
         for figure in &run.report.figures {
-            // The first line stands behind the label, the others below it.
-            let lines = figure.lines.join(&format!("\n{:27}", ""));
-            text += &format!("  {:<24} {lines}\n", figure.label);
+            text += &labelled(&figure.label, &figure.lines);
+        }
+        if !run.standings.is_empty() {
+            text += &labelled("tolerance", &tolerance::lines(&run.standings));
         }
         let own = measurement::at_work(&model.source.name, &model.measurement, &*model.process, None);
         if !own.is_empty() {
@@ -57,6 +58,7 @@ impl Answer for RunAnswer<'_> {
             "effects": model.effects.iter().map(|e| &e.description.name).collect::<Vec<_>>(),
             "measurement": measurement::json(&model.measurement, &*model.process, None),
             "findings": findings,
+            "tolerance": tolerance::json(&run.standings),
             "shares": run.contributions.iter().map(share).collect::<Vec<_>>(),
             "warnings": run.report.warnings,
         })
@@ -82,6 +84,11 @@ impl Answer for RunAnswer<'_> {
         files.figures(self.figures())?;
         files.text("summary.json", &document(self))
     }
+}
+
+/// Lines behind a label: the first one beside it, the others below it.
+fn labelled(label: &str, lines: &[String]) -> String {
+    format!("  {label:<24} {}\n", lines.join(&format!("\n{:27}", "")))
 }
 
 /// The machine to scale, and the contours that it makes.

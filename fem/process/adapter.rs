@@ -3,9 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use super::{
-    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Definition, Description, Failure,
-    FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning, Process, Rows, RunReport, Spot,
-    System, UnitRole,
+    Active, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
+    Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning,
+    Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -99,6 +99,22 @@ impl<D: Definition> System for Ready<D> {
         D::datum_directions(&self.setup, rows)
     }
 
+    fn requirements(&self) -> Vec<Requirement> {
+        D::requirements(&self.setup)
+    }
+
+    fn aims(&self, rows: &Rows) -> Vec<f64> {
+        D::aims(&self.setup, rows)
+    }
+
+    fn commanded(&self) -> Option<Commanded> {
+        D::COMMANDED
+    }
+
+    fn characteristics(&self, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
+        D::characteristics(&self.setup, rows, values)
+    }
+
     fn reach(&self, coordinate: &str) -> Option<(f64, f64)> {
         D::reach(&self.setup, coordinate)
     }
@@ -132,6 +148,12 @@ impl<D: Definition> System for Ready<D> {
 
     fn with_effects(&self, effects: &[Active]) -> Box<dyn ForwardModel> {
         Box::new(Assembled { programme: self.programme.clone(), ..Assembled::<D>::new(self.setup.clone(), effects) })
+    }
+
+    fn with_command(&self, effects: &[Active], command: &Arc<Command>) -> Box<dyn ForwardModel> {
+        let mut assembled = Assembled::<D>::new(self.setup.clone(), effects);
+        assembled.stages.iter_mut().for_each(|stage| D::command(&mut stage.machine, command.clone()));
+        Box::new(Assembled { programme: self.programme.clone(), ..assembled })
     }
 }
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{
-    Active, CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Failure, Misplaced, Observable, Places,
-    Positioning, Rows, RunReport, Spot, UnitRole,
+    Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Coordinate, DatumDirection,
+    Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -45,12 +45,18 @@ pub trait Definition: Sync + Sized + 'static {
     /// only parameter of the effects of its role.
     const OF_UNIT: &'static [(&'static str, UnitRole)] = &[];
 
+    /// How its command is corrected, if it has one.
+    const COMMANDED: Option<Commanded> = None;
+
     /// Reads every table of a model but `[effects]`; `None` where what was read makes no set-up, and the
     /// problems are noted.
     fn read(model: &Reader) -> Option<Self::Setup>;
 
     /// The machine without any effect.
     fn ideal(setup: Arc<Self::Setup>) -> Self::Machine;
+
+    /// Adds a correction to the command of a machine. Only what is [`COMMANDED`](Self::COMMANDED) is asked to.
+    fn command(_machine: &mut Self::Machine, _command: Arc<Command>) {}
 
     /// The rows that lie outside the set-up.
     fn misplaced(setup: &Self::Setup, rows: &Rows) -> Vec<Misplaced>;
@@ -75,6 +81,21 @@ pub trait Definition: Sync + Sized + 'static {
 
     /// Directions of the rows that the way of measuring sets to zero. As a rule there are none.
     fn datum_directions(_setup: &Self::Setup, _rows: &Rows) -> Vec<DatumDirection> {
+        Vec::new()
+    }
+
+    /// What a drawing asks of what is made. As a rule the model does not say.
+    fn requirements(_setup: &Self::Setup) -> Vec<Requirement> {
+        Vec::new()
+    }
+
+    /// The error at which the maker of each row aims, SI: the middle of its limits. As a rule at none.
+    fn aims(_setup: &Self::Setup, rows: &Rows) -> Vec<f64> {
+        vec![0.0; rows.len()]
+    }
+
+    /// What rows show of each part of that, part by part, given the observable of every row, SI.
+    fn characteristics(_setup: &Self::Setup, _rows: &Rows, _values: &[f64]) -> Vec<Characteristic> {
         Vec::new()
     }
 

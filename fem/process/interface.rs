@@ -2,11 +2,12 @@
 //! [`Definition`](super::Definition) by one adapter.
 
 use super::{
-    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, Failure, Misplaced,
-    Observable, Places, Positioning, Rows, RunReport, Spot, UnitRole,
+    Active, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
+    Description, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
+use std::sync::Arc;
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {
@@ -79,6 +80,18 @@ pub trait System: Send + Sync {
     /// degree of freedom.
     fn datum_directions(&self, rows: &Rows) -> Vec<DatumDirection>;
 
+    /// What a drawing asks of what is made, as far as the model says.
+    fn requirements(&self) -> Vec<Requirement>;
+
+    /// The error at which the maker of each row aims, SI.
+    fn aims(&self, rows: &Rows) -> Vec<f64>;
+
+    /// How its command is corrected, if it has one.
+    fn commanded(&self) -> Option<Commanded>;
+
+    /// What rows show of each part of that, given the observable of every row, SI.
+    fn characteristics(&self, rows: &Rows, values: &[f64]) -> Vec<Characteristic>;
+
     /// Where along a coordinate a cause may stand though no row is measured there: on the body, where its
     /// warmth is felt. `None` where a cause shows only where it is measured.
     fn reach(&self, coordinate: &str) -> Option<(f64, f64)>;
@@ -97,6 +110,9 @@ pub trait System: Send + Sync {
 
     /// The system with effects acting, ready to predict.
     fn with_effects(&self, effects: &[Active]) -> Box<dyn ForwardModel>;
+
+    /// The same with a correction of its command, if it has one.
+    fn with_command(&self, effects: &[Active], command: &Arc<Command>) -> Box<dyn ForwardModel>;
 }
 
 /// A system with its effects acting: rows in, values out.

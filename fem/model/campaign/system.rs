@@ -6,8 +6,9 @@ use super::forward::Together;
 use super::test::{Campaign, Test};
 use crate::input::Reader;
 use crate::process::{
-    Active, CandidateExperiment, Contradiction, Coordinate, DatumDirection, Description, ForwardModel, Misplaced,
-    Observable, Places, Positioning, Process, Rows, Spot, System, UnitRole,
+    Active, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
+    Description, ForwardModel, Misplaced, Observable, Places, Positioning, Process, Requirement, Rows, Spot, System,
+    UnitRole,
 };
 
 impl Process for Campaign {
@@ -147,6 +148,22 @@ impl System for Whole {
         None
     }
 
+    fn requirements(&self) -> Vec<Requirement> {
+        Vec::new()
+    }
+
+    fn aims(&self, rows: &Rows) -> Vec<f64> {
+        vec![0.0; rows.len()]
+    }
+
+    fn commanded(&self) -> Option<Commanded> {
+        None
+    }
+
+    fn characteristics(&self, _rows: &Rows, _values: &[f64]) -> Vec<Characteristic> {
+        Vec::new()
+    }
+
     fn positioning(&self) -> Option<&dyn Positioning> {
         None
     }
@@ -155,5 +172,9 @@ impl System for Whole {
         let of = |(number, test): (usize, &Test)| test.model.system.with_effects(&self.0.own_effects(number, effects));
         let parts = self.0.tests.iter().enumerate().map(of).collect();
         Box::new(Together { parts, layout: self.0.layout.clone() })
+    }
+
+    fn with_command(&self, effects: &[Active], _command: &Arc<Command>) -> Box<dyn ForwardModel> {
+        self.with_effects(effects)
     }
 }

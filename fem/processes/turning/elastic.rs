@@ -20,6 +20,8 @@ pub struct Cutting {
     pub diameter: f64,
     /// Where the nose stands.
     pub nose: Nose,
+    /// What a correction of the last pass adds to the diameter there, m.
+    pub commanded: f64,
     /// How far headstock and tailstock stand from their places, m.
     pub displacements: [f64; 2],
 }
@@ -28,7 +30,8 @@ impl Cutting {
     /// The cut at a moment under these conditions.
     pub fn new(machine: &Machine, moment: &Moment, conditions: Conditions) -> Self {
         let (nose, displacements) = (machine.nose_at(moment), machine.displacements_at(moment));
-        Self { conditions, diameter: moment.diameter, nose, displacements }
+        let commanded = machine.commanded_at(moment);
+        Self { conditions, diameter: moment.diameter, nose, commanded, displacements }
     }
 
     /// The last pass on a part at x (m), by the schedule and the settings of the model, where the work is as it is meant.
@@ -113,7 +116,8 @@ impl<'a> Elastic<'a> {
         let passes = &self.setup.passes;
         let later = passes[number + 1..].iter().map(|pass| pass.depth).sum::<f64>() + self.setup.cut.depth;
         let conditions = passes[number].conditions(x, error);
-        Cutting { conditions, diameter: last.diameter + 2.0 * later, ..*last }
+        let nose = Nose { across: last.nose.across - last.commanded, ..last.nose };
+        Cutting { conditions, diameter: last.diameter + 2.0 * later, nose, commanded: 0.0, ..*last }
     }
 
     /// The equilibrium with the tool at position number `i`.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::setup::Setup;
 use crate::joint::Joint;
-use crate::process::{self, Failure};
+use crate::process::{self, Command, Failure};
 use crate::solve::{Hold, Shaft};
 
 /// An effect on this machine, with `N` parameters.
@@ -101,6 +101,8 @@ pub struct Machine {
     pub wears: Vec<Wear>,
     /// Changes of the insert beside those of the schedule.
     pub renewals: Vec<Renewal>,
+    /// What is added to the radius that the last pass is programmed to.
+    pub command: Option<Arc<Command>>,
     /// Why an effect cannot be computed; the machine then predicts nothing.
     pub failure: Option<Failure>,
 }
@@ -125,6 +127,7 @@ impl Machine {
             lifts: Vec::new(),
             wears: Vec::new(),
             renewals: Vec::new(),
+            command: None,
             failure: None,
         };
         if !(setup.schedule.events.corrections.is_empty() && setup.schedule.events.inserts.is_empty()) {
@@ -171,9 +174,15 @@ impl Machine {
         worn + renewed.sum::<f64>()
     }
 
-    /// Where the nose stands at a moment.
+    /// Where the nose stands at a moment of the last pass.
     pub fn nose_at(&self, moment: &Moment) -> Nose {
-        Nose { across: all(&self.shifts, moment) + 2.0 * self.wear_at(moment), up: 2.0 * all(&self.lifts, moment) }
+        let across = all(&self.shifts, moment) + 2.0 * self.wear_at(moment) + self.commanded_at(moment);
+        Nose { across, up: 2.0 * all(&self.lifts, moment) }
+    }
+
+    /// What a correction of the last pass adds to the diameter at a moment, m.
+    pub fn commanded_at(&self, moment: &Moment) -> f64 {
+        self.command.as_ref().map_or(0.0, |command| 2.0 * command.at(moment.x, moment.part))
     }
 
     /// How far headstock and tailstock stand from their places at a moment, away from the tool, m.

@@ -21,6 +21,7 @@ pub(crate) mod report;
 pub(crate) mod rows;
 pub(crate) mod schedule;
 mod setup;
+mod tolerance;
 
 pub use forward::{condense, deflections};
 pub use machine::Machine;
@@ -31,8 +32,8 @@ use std::sync::Arc;
 use self::lift_off::LiftOff;
 use crate::input::Reader;
 use crate::process::{
-    Active, CandidateExperiment, CatalogueEffect, Contradiction, Coordinate, Definition, Failure, Forward, Limit,
-    Misplaced, Observable, Places, Rows, RunReport,
+    Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction, Coordinate,
+    Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Requirement, Rows, RunReport,
 };
 use crate::progress::Progress;
 
@@ -60,12 +61,25 @@ impl Definition for Turning {
         ("insert-change", "is an event itself"),
     ];
 
+    const COMMANDED: Option<Commanded> = Some(Commanded {
+        key: "radius_change",
+        words: "radius",
+        along: rows::X,
+        number: rows::PART,
+        observable: 0,
+        gain: 2.0,
+    });
+
     fn read(model: &Reader) -> Option<Setup> {
         Some(Setup::read(model))
     }
 
     fn ideal(setup: Arc<Setup>) -> Machine {
         Machine::ideal(setup)
+    }
+
+    fn command(machine: &mut Machine, command: Arc<Command>) {
+        machine.command = Some(command);
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
@@ -82,6 +96,18 @@ impl Definition for Turning {
 
     fn places(setup: &Setup, rows: &Rows) -> Option<Places> {
         Some(rows::places(setup, rows))
+    }
+
+    fn requirements(setup: &Setup) -> Vec<Requirement> {
+        tolerance::requirements(setup)
+    }
+
+    fn aims(setup: &Setup, rows: &Rows) -> Vec<f64> {
+        tolerance::aims(setup, rows)
+    }
+
+    fn characteristics(setup: &Setup, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
+        tolerance::characteristics(setup, rows, values)
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {

@@ -8,6 +8,7 @@ use super::edge::Edge;
 use super::heating::HeatedRods;
 use super::passes::{Blank, EarlierPass};
 use super::schedule::Schedule;
+use super::tolerance::Tolerance;
 use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
 use crate::material::Material;
@@ -72,6 +73,8 @@ pub struct Setup {
     pub schedule: Schedule,
     /// The cutting edge, if the model tells of it.
     pub edge: Option<Edge>,
+    /// What the drawing asks of every part.
+    pub tolerance: Tolerance,
     /// Positions at which the profile is predicted.
     pub positions: usize,
     /// Longest beam element that is shown, m.
@@ -134,6 +137,7 @@ impl Setup {
             model.problem("batch", message, "take fewer positions or parts");
         }
         let edge = Edge::read(model, &schedule);
+        let tolerance = Tolerance::read(model, &segments);
         let ends = segments.iter().scan(0.0, |x, s| {
             *x += s.length;
             Some(*x)
@@ -152,6 +156,7 @@ impl Setup {
             blank,
             schedule,
             edge,
+            tolerance,
             positions,
             element_size,
             beam,

@@ -1,0 +1,166 @@
+//! The answer of `fem correct`: what to command, and what will be left.
+
+use serde_json::{Map, Value as Json, json};
+
+use super::OutputError;
+use super::answer::Answer;
+use super::block::{Block, Cell, Column, Table};
+use super::json::{finite, json as document};
+use super::staged::Staged;
+use super::{csv, tolerance};
+use crate::correct::Correction;
+use crate::model::Model;
+use crate::process::{Column as Cells, Table as Sheet};
+use crate::units::MICRO;
+
+/// Changes of an offset below this are none, m: no control takes them.
+const NONE: f64 = 1e-9;
+
+/// The correction of a model.
+pub struct CorrectionAnswer<'a>(pub &'a Model, pub &'a Correction);
+
+impl Answer for CorrectionAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        let Self(model, found) = *self;
+        let observable = &model.process.observables()[found.commanded.observable];
+        let title = model.title.as_deref().unwrap_or(&model.source.name).replace(|c: char| c.is_control(), " ");
+        let mut blocks =
+            vec![Block::Sentence(format!("{title}: what to add to the programmed {}", found.commanded.words))];
+        let row = |name: &str, values: &[f64], band: Option<f64>| {
+            let [rms, low, high] = summary(values).map(|si| MICRO.from_si(si));
+            let band = band.map_or(Cell::Missing, |si| Cell::number(MICRO.from_si(si)));
+            vec![Cell::Text(name.into()), Cell::number(rms), Cell::signed(low), Cell::signed(high), band]
+        };
+        let band = (found.uncertain > 0).then(|| widest(found));
+        let first = Column::new(&*observable.words, 34);
+        let numbers = ["rms", "from", "to", "95 % ±"].map(|name| Column::new(name, 10));
+        let columns = [first].into_iter().chain(numbers).chain([Column::remark(MICRO.unit.to_string(), 0)]);
+        let rows = [
+            row("as it is", &found.before, None),
+            row("with an offset for each part", &found.left_by_offsets, band),
+            row("with a contour for each part", &found.left, band),
+        ];
+        blocks.push(Block::Table(Table::new(columns, rows)));
+        if found.unreached > 0 {
+            blocks.push(Block::Caution(format!(
+                "{} of {} places cannot be brought to size: the tool does not reach there what it should",
+                found.unreached,
+                found.left.len()
+            )));
+        }
+        if found.uncertain == 0 {
+            blocks.push(Block::Caution(
+                "the model knows all its values exactly, so nothing is said of how far they may be off".into(),
+            ));
+        }
+        blocks.push(Block::Heading(format!("offset of the {}", found.commanded.words)));
+        let steps = changes(found);
+        let line = |(after, change): &(usize, f64)| {
+            let when = if *after == 0 { "now".to_string() } else { format!("after part {after}") };
+            format!("{when}: {:+.2} {}", MICRO.from_si(*change), MICRO.unit)
+        };
+        blocks.push(Block::List(steps.iter().map(line).collect()));
+        let [before, after] = &found.standings;
+        if !before.is_empty() {
+            blocks.push(Block::Heading("tolerance, as it is".into()));
+            blocks.push(Block::List(tolerance::lines(before)));
+            blocks.push(Block::Heading("tolerance, with a contour for each part".into()));
+            blocks.push(Block::List(tolerance::lines(after)));
+        }
+        if let Some(probability) = &found.probability {
+            let least = probability.of_parts.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+            let of_least = least.and_then(|(part, p)| Some(format!("; part {} with {:.0} %", (*part)?, 100.0 * p)));
+            blocks.push(Block::Sentence(format!(
+                "all parts are within with a probability of {:.0} %{}",
+                100.0 * probability.of_all,
+                of_least.unwrap_or_default()
+            )));
+        }
+        blocks
+    }
+
+    /// `fem correct --json`: `fem-correction/1`; SI.
+    fn json(&self) -> Json {
+        let Self(model, found) = *self;
+        let coordinates = model.process.coordinates();
+        let shown = [found.commanded.along, found.commanded.number];
+        let at = |row: usize| -> Map<String, Json> {
+            let one = |column: &usize| {
+                let value = found.rows.columns[*column][row];
+                let is_number = *column == found.commanded.number;
+                (coordinates[*column].name.to_string(), if is_number { json!(value as usize) } else { finite(value) })
+            };
+            shown.iter().map(one).collect()
+        };
+        let correction = found.command.changes.iter().enumerate().map(|(row, change)| {
+            let mut entry = at(row);
+            entry.insert(found.commanded.key.into(), finite(*change));
+            Json::Object(entry)
+        });
+        let left = found.left.iter().enumerate().map(|(row, value)| {
+            let mut entry = at(row);
+            entry.insert("value".into(), finite(*value));
+            entry.insert("interval95".into(), found.interval(row).map(finite).into_iter().collect());
+            Json::Object(entry)
+        });
+        let key = found.commanded.key;
+        let probability = found.probability.as_ref();
+        json!({
+            "schema": "fem-correction/1",
+            "model": &*model.source.name,
+            "process": model.process.name(),
+            "correction": correction.collect::<Vec<_>>(),
+            "left": left.collect::<Vec<_>>(),
+            "unreached": found.unreached,
+            "offsets": changes(found).iter().map(|(after, change)| json!({ "after_part": after, key: change })).collect::<Vec<_>>(),
+            "rms": {
+                "before": summary(&found.before)[0],
+                "with_offsets": summary(&found.left_by_offsets)[0],
+                "left": summary(&found.left)[0],
+            },
+            "uncertain_values": found.uncertain,
+            "tolerance": {
+                "probability_in": probability.map(|own| own.of_all),
+                "parts": probability.map(|own| own.of_parts.iter().map(|(part, p)| json!({ "part": part, "probability_in": p })).collect::<Vec<_>>()),
+                "before": tolerance::json(&found.standings[0]),
+                "after": tolerance::json(&found.standings[1]),
+            },
+        })
+    }
+
+    /// `correction.csv` and `correction.json`.
+    fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
+        let Self(model, found) = *self;
+        let coordinates = model.process.coordinates();
+        let of = |column: usize| Cells::coordinate(&coordinates[column], &found.rows.columns[column]);
+        let change = Cells::quantities(found.commanded.key, MICRO, &found.command.changes);
+        let left = Cells::quantities("left", MICRO, &found.left);
+        let deviation = Cells::quantities("u", MICRO, &found.deviation);
+        let columns = vec![of(found.commanded.number), of(found.commanded.along), change, left, deviation];
+        files.text("correction.csv", &csv::table(&Sheet { columns }))?;
+        files.text("correction.json", &document(self))
+    }
+}
+
+/// The offsets, each where it differs from the one before, with the part after which it is set.
+fn changes(found: &Correction) -> Vec<(usize, f64)> {
+    let mut all: Vec<(usize, f64)> = Vec::new();
+    for (number, change) in &found.offsets {
+        if all.last().is_none_or(|(_, last)| (last - change).abs() > NONE) {
+            all.push((number.saturating_sub(1), *change));
+        }
+    }
+    all
+}
+
+/// Root mean square, the smallest and the largest.
+fn summary(values: &[f64]) -> [f64; 3] {
+    let square: f64 = values.iter().map(|value| value * value).sum();
+    let (low, high) = crate::process::range(values.iter().copied());
+    [(square / values.len().max(1) as f64).sqrt(), low, high]
+}
+
+/// The widest half of an interval that holds what is left with 95 %.
+fn widest(found: &Correction) -> f64 {
+    (0..found.left.len()).map(|row| found.interval(row)[1] - found.left[row]).fold(0.0, f64::max)
+}
