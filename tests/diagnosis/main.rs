@@ -9,6 +9,7 @@
 
 mod advised;
 mod calibration;
+mod corrected;
 mod events;
 mod instrument;
 mod laws;

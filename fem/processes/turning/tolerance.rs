@@ -93,8 +93,10 @@ pub fn characteristics(setup: &Setup, rows: &Rows, values: &[f64]) -> Vec<Charac
         let set = if rows.observable[row] == DIAMETER { setup.diameter(x) } else { 0.0 };
         sections.entry((part(rows, row), setup.segment(x))).or_default().push((x, value - set));
     }
-    let of_diameter =
-        |section: usize| diameters[section].as_ref().map(|_| diameters[..section].iter().flatten().count());
+    let of_diameter = |section: usize| {
+        diameters.get(section)?.as_ref()?;
+        Some(diameters[..section].iter().flatten().count())
+    };
     let forms = diameters.iter().flatten().count();
     let mut all = Vec::new();
     for ((part, section), mut errors) in sections {

@@ -36,6 +36,7 @@ fn measured(job: &Job, row: &Asked) -> Option<Row> {
         x: decimals(row.number("x", 1e3)?, 1),
         force: decimals(row.number("radial_force", 1.0).unwrap_or(job.force), 1),
         blank: row.number("blank", 1e3).map(|blank| decimals(blank, 4)),
+        radius_change: row.number("radius_change", 1e6).unwrap_or(0.0),
         ..Row::default()
     })
 }

@@ -129,8 +129,11 @@ pub fn errors(job: &Job, causes: &[Cause]) -> Vec<f64> {
 fn one_side(job: &Job, row: &Row, at: &At, exponent: Option<f64>, angle: f64) -> f64 {
     let finished = job.shaft.diameter(row.x);
     let last = |set: f64| Cut { set, nominal: 1e3 * job.depth, force: row.force, exponent };
+    // The programme of the last pass alone is another one.
+    let mover = Mover { across: at.mover.across + row.radius_change, ..at.mover };
+    let commanded = At { held: at.held, carriage: at.carriage, imposed: at.imposed.clone(), mover };
     if let Some(blank) = row.blank {
-        return at.after(&last(1e3 * 0.5 * (blank - finished)), 1e3 * finished);
+        return commanded.after(&last(1e3 * 0.5 * (blank - finished)), 1e3 * finished);
     }
     // By how much the radius is too large before a pass.
     let mut left = job.set_up.blank_error(row.x, job.shaft.length(), angle);
@@ -141,5 +144,5 @@ fn one_side(job: &Job, row: &Row, at: &At, exponent: Option<f64>, angle: f64) ->
         left = at.after(&cut, 1e3 * (finished + 2.0 * later(number + 1)));
     }
     let set = row.depth.unwrap_or(job.depth);
-    at.after(&last(1e3 * set + left), 1e3 * finished)
+    commanded.after(&last(1e3 * set + left), 1e3 * finished)
 }

@@ -30,6 +30,8 @@ pub struct Row {
     pub depth: Option<f64>,
     /// Around the part, deg.
     pub angle: f64,
+    /// What is added to the radius to which the last pass is programmed, um.
+    pub radius_change: f64,
 }
 
 /// What was measured on the lathe itself.
