@@ -1,5 +1,7 @@
 //! What is known of the values of a model, and draws from that.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::budget::{Law, Stream};
 use crate::input::Bounds;
 use crate::model::Model;
@@ -16,6 +18,8 @@ pub struct Knowledge {
     pub values: Vec<f64>,
     /// Standard uncertainties, SI.
     pub deviations: Vec<f64>,
+    /// What makes of independent numbers such that are correlated as the values are.
+    root: DMatrix<f64>,
     /// Whether each is a positive quantity, whose logarithm is spread.
     is_positive: Vec<bool>,
 }
@@ -30,6 +34,7 @@ impl Knowledge {
         Self {
             values: model.parameters.iter().map(|own| own.quantity.value).collect(),
             deviations: model.parameters.iter().map(|own| deviation(own.quantity.knowledge)).collect(),
+            root: model.together.root(&model.parameters),
             is_positive: model.parameters.iter().map(|own| own.bounds == Bounds::Positive).collect(),
         }
     }
@@ -42,9 +47,11 @@ impl Knowledge {
     /// Values as they may be: draw of a number, always the same.
     pub fn drawn(&self, number: usize) -> Vec<f64> {
         let stream = Stream::new(SEED, number as u64);
-        let all = self.values.iter().zip(&self.deviations).zip(&self.is_positive).zip(0..);
-        all.map(|(((value, deviation), is_positive), i)| {
-            let by = deviation * FIELD * Law::Normal.draw(&stream, i, 0);
+        let independent = (0..self.values.len()).map(|i| FIELD * Law::Normal.draw(&stream, i as u32, 0));
+        let together = &self.root * DVector::from_iterator(self.values.len(), independent);
+        let all = self.values.iter().zip(&self.deviations).zip(&self.is_positive).zip(together.iter());
+        all.map(|(((value, deviation), is_positive), drawn)| {
+            let by = deviation * drawn;
             if *is_positive { value * (by / value).exp() } else { value + by }
         })
         .collect()

@@ -6,6 +6,8 @@ mod solve;
 
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use crate::model::Model;
 use crate::process::{Command, Commanded, Failure, Rows, Standing, Values};
 use crate::progress::Progress;
@@ -15,9 +17,9 @@ use knowledge::Knowledge;
 const LEAST_PLACES: usize = 51;
 /// Rows that draws of the values may cost together, and the fewest and the most draws.
 const MOST_DRAWN: usize = 2_000_000;
-const DRAWS: (usize, usize) = (40, 400);
-/// Standard deviations of a normal distribution to either side that hold 95 %.
-const OF_95: f64 = 1.959_964;
+const DRAWS: (usize, usize) = (100, 400);
+/// Part of the draws below and above an interval that holds 95 % of them.
+const BEYOND: f64 = 0.025;
 
 /// A correction, and what is left with it. SI.
 #[derive(Clone, Debug)]
@@ -33,8 +35,8 @@ pub struct Correction {
     pub before: Vec<f64>,
     /// What it makes with the correction.
     pub left: Vec<f64>,
-    /// Standard uncertainty of that, from what is known of the values of the model.
-    pub deviation: Vec<f64>,
+    /// The interval that holds that with 95 %, from what is known of the values of the model.
+    pub interval: Vec<[f64; 2]>,
     /// Rows that no change of the command brings to where they should be.
     pub unreached: usize,
     /// The offset that comes nearest to the change, for each number, and what is left with offsets alone.
@@ -57,14 +59,6 @@ pub struct Probability {
     pub of_all: f64,
 }
 
-impl Correction {
-    /// The interval that holds what is left at a row with 95 %.
-    pub fn interval(&self, row: usize) -> [f64; 2] {
-        let half = OF_95 * self.deviation[row];
-        [self.left[row] - half, self.left[row] + half]
-    }
-}
-
 /// Solves for the correction of a model whose values are known; `None` where its process has no command that is corrected.
 ///
 /// # Errors
@@ -80,7 +74,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     let solved = progress.stretch("correction", || solve::solve(&nothing, (&before, &aims), commanded.gain, made))?;
     let of = |left: &[f64]| Standing::all(&*model.system, &rows, left);
     let standings = [of(&before), of(&solved.left)];
-    let (deviation, probability) = progress.stretch("what is known of it", || {
+    let (interval, probability) = progress.stretch("what is known of it", || {
         let command = &solved.command;
         let draw = |values: &[f64]| model.commanded_at(values, command)?.observe(&rows);
         spread(&knowledge, (&rows, &solved.left), draw, of)
@@ -94,7 +88,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         command: solved.command,
         before,
         left: solved.left,
-        deviation,
+        interval,
         unreached: solved.unreached,
         offsets,
         left_by_offsets,
@@ -134,13 +128,16 @@ fn offsets(command: &Command) -> Vec<(usize, f64)> {
     command.numbers.iter().copied().zip(own.map(mean)).collect()
 }
 
-/// Standard uncertainty of every row, and the probability that parts are within what is asked, by drawing the values.
+/// What is left at every row with 95 %, and the probability that parts are within what is asked.
+type Spread = (Vec<[f64; 2]>, Option<Probability>);
+
+/// How far what is left may be off, by drawing the values; those that make no model are none.
 fn spread(
     knowledge: &Knowledge,
     (rows, left): (&Rows, &[f64]),
-    draw: impl Fn(&[f64]) -> Result<Vec<f64>, Failure>,
+    draw: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync,
     of: impl Fn(&[f64]) -> Vec<Standing>,
-) -> Result<(Vec<f64>, Option<Probability>), Failure> {
+) -> Result<Spread, Failure> {
     let parts: Vec<Option<usize>> = {
         let mut all: Vec<_> = of(left).iter().flat_map(|own| own.parts.iter().map(|(part, _)| *part)).collect();
         all.sort_unstable();
@@ -151,19 +148,37 @@ fn spread(
         true => 1,
         false => (MOST_DRAWN / rows.len().max(1)).clamp(DRAWS.0, DRAWS.1),
     };
-    let (mut squares, mut within, mut all_within) = (vec![0.0; rows.len()], vec![0usize; parts.len()], 0usize);
-    for number in 0..draws {
-        // The first draw is what is known best.
-        let made = if number == 0 { left.to_vec() } else { draw(&knowledge.drawn(number))? };
-        squares.iter_mut().zip(made.iter().zip(left)).for_each(|(sum, (made, left))| *sum += (made - left).powi(2));
-        let standings = of(&made);
-        let out: Vec<Option<usize>> = standings.iter().flat_map(Standing::out).collect();
+    // The first is what is known best.
+    let further: Vec<Vec<f64>> =
+        (1..draws).into_par_iter().filter_map(|number| draw(&knowledge.drawn(number)).ok()).collect();
+    if 2 * further.len() + 1 < draws {
+        return Err(Failure {
+            message: "the values of the model are known so roughly that most of what they may be makes no model".into(),
+            help: "fit them to measurements first: `fem fit MODEL --with DATA --add-to BETTER`".into(),
+        });
+    }
+    let all: Vec<&[f64]> = std::iter::once(left).chain(further.iter().map(Vec::as_slice)).collect();
+    let interval = (0..rows.len()).map(|row| interval(all.iter().map(|made| made[row]).collect())).collect();
+    let (mut within, mut all_within) = (vec![0usize; parts.len()], 0usize);
+    for made in &all {
+        let out: Vec<Option<usize>> = of(made).iter().flat_map(|own| own.out().collect::<Vec<_>>()).collect();
         parts.iter().zip(&mut within).for_each(|(part, count)| *count += usize::from(!out.contains(part)));
         all_within += usize::from(out.is_empty());
     }
-    let deviation = squares.into_iter().map(|sum| (sum / (draws - 1).max(1) as f64).sqrt()).collect();
-    let share = |count: usize| count as f64 / draws as f64;
+    let share = |count: usize| count as f64 / all.len() as f64;
     let of_parts: Vec<_> = parts.into_iter().zip(within.into_iter().map(share)).collect();
     let probability = (!of_parts.is_empty()).then(|| Probability { of_parts, of_all: share(all_within) });
-    Ok((deviation, probability))
+    Ok((interval, probability))
+}
+
+/// The interval that holds 95 % of some values.
+fn interval(mut values: Vec<f64>) -> [f64; 2] {
+    values.sort_unstable_by(f64::total_cmp);
+    let last = (values.len() - 1) as f64;
+    [BEYOND, 1.0 - BEYOND].map(|part| {
+        let at = part * last;
+        let (below, share) = (at as usize, at.fract());
+        let above = values[(below + 1).min(values.len() - 1)];
+        values[below] + share * (above - values[below])
+    })
 }

@@ -2,6 +2,7 @@
 
 use super::sizes::EstimatedSize;
 use crate::fit::Fit;
+use crate::input::ParameterId;
 use crate::model::{Data, Edit, Entry};
 use crate::units::unit_text;
 
@@ -20,8 +21,16 @@ pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
         let text = format!("{} {name}", uncertain(value, fit.birge_ratio() * estimate.std / unit.factor));
         Some(Edit::Set { path: parameter.path.clone(), entry: Entry::Text(text.trim_end().into()) })
     });
+    let together: Vec<usize> = (0..fit.estimates.len()).filter(|i| fit.estimates[*i].is_closed()).collect();
+    let of: Vec<ParameterId> = together.iter().map(|i| fit.estimates[*i].parameter.path.clone()).collect();
+    let correlation = fit.correlation.select_rows(&together).select_columns(&together);
+    // Tests of one machine have no file in which they could stand.
+    let correlations = match data.model.campaign() {
+        Some(_) => Vec::new(),
+        None => data.model.together.edits(&of, &correlation),
+    };
     let sizes = fit.sizes.iter().filter(|size| size.is_told()).map(|size| sized(data, size));
-    std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).collect()
+    std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).chain(correlations).collect()
 }
 
 /// The size of an effect of the measurement, in the unit that stood there, or in the usual one where it was left out.

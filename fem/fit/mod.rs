@@ -61,6 +61,9 @@ pub struct Fit {
     pub p_value: Option<f64>,
     /// Pairs of parameters (by position) with their correlation, where it is strong.
     pub correlated: Vec<(usize, usize, f64)>,
+    /// Correlations of the values of the estimates.
+    #[doc(hidden)]
+    pub correlation: DMatrix<f64>,
     /// Physical impossibilities that the fitted model's prediction implies, in sentences.
     pub doubts: Vec<String>,
     /// Number of evaluations at which the model could not be computed.
@@ -141,12 +144,15 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
     let rms = rms(&objective.data.together(&residuals, &objective.noise.sigma));
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
+    let sign = |i: usize| objective.variables[i].sign();
+    let of_values = DMatrix::from_fn(estimates.len(), estimates.len(), |i, j| sign(i) * sign(j) * correlation(i, j));
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
     let doubts = objective.forward(&solution.position).and_then(|forward| forward.doubts(&objective.data.rows));
     Fit {
         doubts: doubts.unwrap_or_default(),
         correlated: strong.collect(),
+        correlation: of_values,
         estimates,
         sizes: Vec::new(),
         predicted: solution.predicted,

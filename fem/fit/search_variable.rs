@@ -306,6 +306,14 @@ impl SearchVariable {
         }
     }
 
+    /// Sign with which the value goes with the search variable.
+    pub fn sign(&self) -> f64 {
+        match self.scale {
+            Scale::Reciprocal | Scale::Ratio(_, Grows::Inversely) => -1.0,
+            Scale::Plain | Scale::From(_) | Scale::Logarithm | Scale::Ratio(..) => 1.0,
+        }
+    }
+
     /// Whether a bound that gives way is in the way at a position.
     pub fn is_barred(&self, position: f64) -> bool {
         position >= self.high && self.high < self.limits.1 || position <= self.low && self.low > self.limits.0

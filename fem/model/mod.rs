@@ -17,6 +17,7 @@ mod run;
 mod schema;
 mod tables;
 mod terms;
+mod together;
 mod trial;
 
 pub use add::{Setting, add_effect};
@@ -29,6 +30,7 @@ pub use process::ModelProcess;
 pub use run::{Contribution, Run};
 pub use schema::schema;
 pub use tables::{Edit, Entry};
+pub use together::Together;
 
 use std::collections::HashMap;
 use std::ffi::OsStr;
@@ -76,6 +78,9 @@ pub struct Model {
     /// Odds of effects that it gives itself.
     #[doc(hidden)]
     pub odds: OwnOdds,
+    /// Correlations of its values, as far as they were fitted together.
+    #[doc(hidden)]
+    pub together: Together,
     /// Machine that it names.
     #[doc(hidden)]
     pub machine: Option<Machine>,
@@ -157,7 +162,7 @@ impl Model {
     /// Reads a model from its tables, with what was kept from readings before.
     fn of_tables(source: Source, tables: Tables, kept: Kept, recorded: &[Coordinate]) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
-        let ((process, (title, machine, system, effects, measurement, odds)), found) =
+        let ((process, (title, machine, system, effects, measurement, (odds, together))), found) =
             Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| {
                 let process = ModelProcess::of(process, recorded, recorded::read(model, process, recorded));
                 (process.clone(), read(model, &*process))
@@ -175,6 +180,7 @@ impl Model {
             places,
             quantities: quantities.into(),
             odds,
+            together,
             machine,
             entered: HashMap::new(),
             files,
@@ -282,7 +288,7 @@ fn find_process(document: &Table) -> Result<&'static dyn Process, Problem> {
 fn read(
     model: &Reader,
     process: &dyn Process,
-) -> (Option<String>, Option<Machine>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>, OwnOdds) {
+) -> (Option<String>, Option<Machine>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>, (OwnOdds, Together)) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
     model.part("measurement");
@@ -290,7 +296,7 @@ fn read(
     let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
     let odds = OwnOdds::read(model, process);
-    (title, machine, system, effects, noise::read(model, process), odds)
+    (title, machine, system, effects, noise::read(model, process), (odds, Together::read(model)))
 }
 
 fn read_effects(model: &Reader, process: &dyn Process, system: Option<&dyn System>) -> Vec<Active> {

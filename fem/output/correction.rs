@@ -100,7 +100,7 @@ impl Answer for CorrectionAnswer<'_> {
         let left = found.left.iter().enumerate().map(|(row, value)| {
             let mut entry = at(row);
             entry.insert("value".into(), finite(*value));
-            entry.insert("interval95".into(), found.interval(row).map(finite).into_iter().collect());
+            entry.insert("interval95".into(), found.interval[row].map(finite).into_iter().collect());
             Json::Object(entry)
         });
         let key = found.commanded.key;
@@ -135,8 +135,10 @@ impl Answer for CorrectionAnswer<'_> {
         let of = |column: usize| Cells::coordinate(&coordinates[column], &found.rows.columns[column]);
         let change = Cells::quantities(found.commanded.key, MICRO, &found.command.changes);
         let left = Cells::quantities("left", MICRO, &found.left);
-        let deviation = Cells::quantities("u", MICRO, &found.deviation);
-        let columns = vec![of(found.commanded.number), of(found.commanded.along), change, left, deviation];
+        let end = |which: usize| found.interval.iter().map(|own| own[which]).collect::<Vec<f64>>();
+        let low = Cells::quantities("left_from", MICRO, &end(0));
+        let high = Cells::quantities("left_to", MICRO, &end(1));
+        let columns = vec![of(found.commanded.number), of(found.commanded.along), change, left, low, high];
         files.text("correction.csv", &csv::table(&Sheet { columns }))?;
         files.text("correction.json", &document(self))
     }
@@ -162,5 +164,5 @@ fn summary(values: &[f64]) -> [f64; 3] {
 
 /// The widest half of an interval that holds what is left with 95 %.
 fn widest(found: &Correction) -> f64 {
-    (0..found.left.len()).map(|row| found.interval(row)[1] - found.left[row]).fold(0.0, f64::max)
+    found.interval.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max)
 }

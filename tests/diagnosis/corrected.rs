@@ -79,7 +79,7 @@ fn corrected(seed: u64) -> Option<Corrected> {
         rms(all.iter().filter(|(row, _)| row / found.command.places.len() == part).map(|(_, value)| *value))
     };
     let is_held = |(row, value): &&(usize, f64)| {
-        let [low, high] = found.interval(*row).map(|si| 1e6 * si);
+        let [low, high] = found.interval[*row].map(|si| 1e6 * si);
         (low..=high).contains(value)
     };
     Some(Corrected {

@@ -10,7 +10,7 @@ use super::test::{Campaign, Test, origins};
 use crate::input::{Kept, Name, Parameter, Problem, Source, numbered};
 use crate::model::odds::OwnOdds;
 use crate::model::tables::Tables;
-use crate::model::{Model, ModelProcess, places};
+use crate::model::{Model, ModelProcess, Together, places};
 use crate::process::Active;
 
 impl Model {
@@ -55,6 +55,7 @@ impl Model {
             parameters,
             quantities: Arc::default(),
             odds,
+            together: Together::default(),
             entered: HashMap::new(),
             files: Vec::new(),
             kept: Kept::default(),
