@@ -21,13 +21,11 @@ pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
         let text = format!("{} {name}", uncertain(value, fit.birge_ratio() * estimate.std / unit.factor));
         Some(Edit::Set { path: parameter.path.clone(), entry: Entry::Text(text.trim_end().into()) })
     });
-    let together: Vec<usize> = (0..fit.estimates.len()).filter(|i| fit.estimates[*i].is_closed()).collect();
-    let of: Vec<ParameterId> = together.iter().map(|i| fit.estimates[*i].parameter.path.clone()).collect();
-    let correlation = fit.correlation.select_rows(&together).select_columns(&together);
+    let of: Vec<ParameterId> = fit.estimates.iter().map(|estimate| estimate.parameter.path.clone()).collect();
     // Tests of one machine have no file in which they could stand.
     let correlations = match data.model.campaign() {
         Some(_) => Vec::new(),
-        None => data.model.together.edits(&of, &correlation),
+        None => data.model.together.edits(&of, &fit.known.correlation),
     };
     let sizes = fit.sizes.iter().filter(|size| size.is_told()).map(|size| sized(data, size));
     std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).chain(correlations).collect()
@@ -60,7 +58,7 @@ pub fn uncertain(value: f64, std: f64) -> String {
     }
     // A value keeps three digits however uncertain it is: rounded to 0 it might leave its bounds.
     let of_value = if value == 0.0 { 0 } else { 2 - value.abs().log10().floor() as i32 };
-    let of_std = 1 - std.abs().log10().floor() as i32;
+    let of_std = 3 - std.abs().log10().floor() as i32;
     let place = if of_std < of_value && std > 0.1 * value.abs() { of_value } else { of_std };
     if (0..=12).contains(&place) {
         let digits = place as usize;

@@ -7,6 +7,7 @@ mod estimates;
 mod growth;
 mod intervals;
 mod jacobian;
+mod known;
 pub(crate) mod least_squares;
 mod objective;
 mod search_variable;
@@ -19,6 +20,7 @@ pub use coarseness::Coarseness;
 pub use edits::{edits, five_digits, uncertain};
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
+pub use known::Known;
 pub use least_squares::{StoppingCriterion, minimise, resume};
 pub use objective::{Objective, Solution, Trials};
 pub use search_variable::{SearchVariable, Usual};
@@ -61,9 +63,9 @@ pub struct Fit {
     pub p_value: Option<f64>,
     /// Pairs of parameters (by position) with their correlation, where it is strong.
     pub correlated: Vec<(usize, usize, f64)>,
-    /// Correlations of the values of the estimates.
+    /// What is known of the values together, for whoever goes on with them.
     #[doc(hidden)]
-    pub correlation: DMatrix<f64>,
+    pub known: Known,
     /// Physical impossibilities that the fitted model's prediction implies, in sentences.
     pub doubts: Vec<String>,
     /// Number of evaluations at which the model could not be computed.
@@ -144,15 +146,14 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
     let rms = rms(&objective.data.together(&residuals, &objective.noise.sigma));
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
-    let sign = |i: usize| objective.variables[i].sign();
-    let of_values = DMatrix::from_fn(estimates.len(), estimates.len(), |i, j| sign(i) * sign(j) * correlation(i, j));
+    let known = Known::of(objective, &solution, &covariance, &estimates);
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
     let doubts = objective.forward(&solution.position).and_then(|forward| forward.doubts(&objective.data.rows));
     Fit {
         doubts: doubts.unwrap_or_default(),
         correlated: strong.collect(),
-        correlation: of_values,
+        known,
         estimates,
         sizes: Vec::new(),
         predicted: solution.predicted,

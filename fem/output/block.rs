@@ -94,7 +94,9 @@ impl Cell {
 
     /// A number with three decimals and its sign.
     pub fn signed(value: f64) -> Self {
-        Self::Number(format!("{value:+.3}"), value)
+        // Nothing has no sign.
+        let rounded = (1e3 * value).round() / 1e3 + 0.0;
+        Self::Number(format!("{rounded:+.3}"), value)
     }
 
     /// A number with three decimals, if it is one.

@@ -30,6 +30,8 @@ struct Corrected {
     worse: usize,
     held: usize,
     places: usize,
+    /// Root mean square of what was left, in standard uncertainties that were promised.
+    of_promised: f64,
 }
 
 fn parsed(text: &str) -> Model {
@@ -90,6 +92,10 @@ fn corrected(seed: u64) -> Option<Corrected> {
         worse: (0..parts).filter(|part| of_part(&is, *part) > of_part(&was, *part)).count(),
         held: is.iter().filter(is_held).count(),
         places: is.len(),
+        of_promised: rms(is.iter().map(|(row, value)| {
+            let [low, high] = found.interval[*row].map(|si| 1e6 * si);
+            (value - 1e6 * found.left[*row]) / (0.5 * (high - low) / 1.96)
+        })),
     })
 }
 
@@ -130,7 +136,7 @@ fn the_whole_of_corrections_of_machines() {
         all.iter().for_each(|(seed, own)| println!("{seed}: {own:?}"));
     }
     println!(
-        "| | machines | left within 1.3 of the noise | median left | error taken away, median | worse parts | in the 95 % interval |\n|---|---|---|---|---|---|---|"
+        "| | machines | left within 1.3 of the noise | median left | error taken away, median | worse parts | in the 95 % interval | left, of what was promised |\n|---|---|---|---|---|---|---|---|"
     );
     for (name, adequate) in [("explained", true), ("partly", false)] {
         let own: Vec<&Corrected> = found.iter().filter(|own| own.adequate == adequate).collect();
@@ -141,7 +147,7 @@ fn the_whole_of_corrections_of_machines() {
         };
         let sum = |value: &dyn Fn(&Corrected) -> usize| own.iter().map(|own| value(own)).sum::<usize>();
         println!(
-            "| {name} | {} of {} | {} | {:.2} | {:.1} % | {} of {} | {:.1} % |",
+            "| {name} | {} of {} | {} | {:.2} | {:.1} % | {} of {} | {:.1} % | {:.2} |",
             own.len(),
             all.len(),
             own.iter().filter(|own| own.after <= 1.3).count(),
@@ -149,7 +155,8 @@ fn the_whole_of_corrections_of_machines() {
             100.0 * middle(&|own| 1.0 - own.after / own.before),
             sum(&|own| own.worse),
             sum(&|own| own.parts),
-            100.0 * sum(&|own| own.held) as f64 / sum(&|own| own.places).max(1) as f64
+            100.0 * sum(&|own| own.held) as f64 / sum(&|own| own.places).max(1) as f64,
+            rms(own.iter().map(|own| own.of_promised).filter(|own| own.is_finite()))
         );
     }
 }

@@ -52,8 +52,16 @@ fn said(case: &HiddenLaw, label: &str) -> Said {
     let (model, data) = read(&case.model, &case.data);
     let data = Data::of(&model, data).expect("every row lies in the model");
     let start = Instant::now();
-    let found = discover(&data, &[], &Progress::default()).expect("the model can be computed");
+    let found = discover(&data, &[], &Progress::default());
     let seconds = start.elapsed().as_secs_f64();
+    let found = match found {
+        Ok(found) => found,
+        Err(failure) => {
+            println!("{label}: {}", failure.message);
+            keep(case, label);
+            return Said { seconds, ..Said::default() };
+        }
+    };
     let law = found.told();
     let model = law.and_then(|law| law.model.as_ref());
     let names = |law: &fem::discover::Law| {
@@ -79,15 +87,19 @@ fn said(case: &HiddenLaw, label: &str) -> Said {
         let formula = found.laws.first().map_or("none", |law| law.ranked.written.formula.as_str());
         let held = if law.is_some() { "told" } else { "held back" };
         println!("{label}: {} | {held}: {formula} | fresh {fresh:.2} far {far:.2} {seconds:.1} s", case.law);
-        if let Some(directory) = std::env::var_os("FEM_MISSES").filter(|own| !own.is_empty()) {
-            let stem = std::path::Path::new(&directory).join(label);
-            std::fs::write(stem.with_extension("toml"), &case.model).unwrap();
-            std::fs::write(stem.with_extension("csv"), &case.data).unwrap();
-            std::fs::write(stem.with_extension("fresh.csv"), &case.fresh).unwrap();
-            std::fs::write(stem.with_extension("far.csv"), &case.far).unwrap();
-        }
+        keep(case, label);
     }
     said
+}
+
+/// Writes the files of a case into the folder `FEM_MISSES`, if there is one.
+fn keep(case: &HiddenLaw, label: &str) {
+    let Some(directory) = std::env::var_os("FEM_MISSES").filter(|own| !own.is_empty()) else { return };
+    let stem = std::path::Path::new(&directory).join(label);
+    std::fs::write(stem.with_extension("toml"), &case.model).unwrap();
+    std::fs::write(stem.with_extension("csv"), &case.data).unwrap();
+    std::fs::write(stem.with_extension("fresh.csv"), &case.fresh).unwrap();
+    std::fs::write(stem.with_extension("far.csv"), &case.far).unwrap();
 }
 
 /// The names in a difference.

@@ -1,0 +1,81 @@
+//! What is known of fitted values together, as it is handed on: of what the data leave open no more is known than what is
+//! plausible, and all that hangs together with it is known better by that.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::estimates::Estimate;
+use super::objective::{Objective, Solution};
+
+/// Standard uncertainties of values with their correlations.
+#[derive(Clone, Debug)]
+pub struct Known {
+    /// Of each estimate, SI.
+    pub deviations: Vec<f64>,
+    /// Their correlations.
+    pub correlation: DMatrix<f64>,
+}
+
+impl Known {
+    /// That of estimates at a minimum, from the covariance of the search variables: a plausible range of the catalogue counts
+    /// as a standard uncertainty to either side of its middle.
+    pub fn of(objective: &Objective, solution: &Solution, covariance: &DMatrix<f64>, estimates: &[Estimate]) -> Self {
+        let (variables, n) = (&objective.variables, estimates.len());
+        let rate = |i: usize| variables[i].rate(solution.position[i]);
+        let of_values = DMatrix::from_fn(n, n, |i, j| {
+            variables[i].sign() * variables[j].sign() * rate(i) * rate(j) * covariance[(i, j)]
+        });
+        let plausible = |i: usize| {
+            let entry = objective.catalogue(i).filter(|_| variables[i].prior.is_none())?;
+            Some((i, 0.5 * (entry.kind.to_si(entry.range.1) - entry.kind.to_si(entry.range.0))))
+        };
+        let limited: Vec<(usize, f64)> =
+            (0..n).filter_map(plausible).filter(|(_, width)| width.is_finite() && *width > 0.0).collect();
+        let own = within(&of_values, &limited).unwrap_or_else(|| of_values.clone());
+        let deviation = |i: usize| own[(i, i)].max(0.0).sqrt();
+        // A valley that is no parabola is as wide as its interval.
+        let wider = |i: usize| {
+            let ratio = estimates[i].std / of_values[(i, i)].sqrt();
+            if ratio.is_finite() { ratio } else { 1.0 }
+        };
+        let deviations = (0..n).map(|i| deviation(i) * wider(i)).collect();
+        let correlation = DMatrix::from_fn(n, n, |i, j| {
+            let both = deviation(i) * deviation(j);
+            if i == j {
+                1.0
+            } else if both > 0.0 {
+                (own[(i, j)] / both).clamp(-1.0, 1.0)
+            } else {
+                0.0
+            }
+        });
+        Self { deviations, correlation }
+    }
+}
+
+/// A covariance beside independent knowledge of some of its values: (C⁻¹ + W⁻¹)⁻¹ = C − C·(C + W)⁻¹·C.
+fn within(covariance: &DMatrix<f64>, limited: &[(usize, f64)]) -> Option<DMatrix<f64>> {
+    let places: Vec<usize> = limited.iter().map(|(i, _)| *i).collect();
+    let columns = covariance.select_columns(&places);
+    let mut both = columns.select_rows(&places);
+    both +=
+        DMatrix::from_diagonal(&DVector::from_iterator(limited.len(), limited.iter().map(|(_, width)| width * width)));
+    let solved = both.cholesky()?.solve(&columns.transpose());
+    Some(covariance - columns * solved)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two values of which only the sum is known: what is plausible of one limits the other.
+    #[test]
+    fn what_is_plausible_of_one_value_is_known_of_the_other() {
+        let (sum, wide) = (0.01f64, 1e6);
+        // (a + b)/2 and (a - b)/2 are independent.
+        let covariance = DMatrix::from_row_slice(2, 2, &[wide + sum, sum - wide, sum - wide, wide + sum]);
+        let own = within(&covariance, &[(0, 2.0)]).unwrap();
+        let dense = covariance.try_inverse().unwrap() + DMatrix::from_row_slice(2, 2, &[0.25, 0.0, 0.0, 0.0]);
+        let dense = dense.try_inverse().unwrap();
+        assert!((own[(0, 0)] - 4.0).abs() < 1e-3 && (own[(1, 1)] - dense[(1, 1)]).abs() < 1e-3, "{own} {dense}");
+    }
+}
