@@ -58,7 +58,7 @@ pub fn uncertain(value: f64, std: f64) -> String {
     }
     // A value keeps three digits however uncertain it is: rounded to 0 it might leave its bounds.
     let of_value = if value == 0.0 { 0 } else { 2 - value.abs().log10().floor() as i32 };
-    let of_std = 3 - std.abs().log10().floor() as i32;
+    let of_std = 1 - std.abs().log10().floor() as i32;
     let place = if of_std < of_value && std > 0.1 * value.abs() { of_value } else { of_std };
     if (0..=12).contains(&place) {
         let digits = place as usize;

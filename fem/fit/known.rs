@@ -3,14 +3,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::estimates::Estimate;
 use super::objective::{Objective, Solution};
 
-/// Standard uncertainties of values with their correlations.
+/// What of the standard uncertainties of estimates is handed on, and their correlations.
 #[derive(Clone, Debug)]
 pub struct Known {
-    /// Of each estimate, SI.
-    pub deviations: Vec<f64>,
+    /// Part of the standard uncertainty of each estimate that is left beside what is plausible.
+    pub parts: Vec<f64>,
     /// Their correlations.
     pub correlation: DMatrix<f64>,
 }
@@ -18,8 +17,8 @@ pub struct Known {
 impl Known {
     /// That of estimates at a minimum, from the covariance of the search variables: a plausible range of the catalogue counts
     /// as a standard uncertainty to either side of its middle.
-    pub fn of(objective: &Objective, solution: &Solution, covariance: &DMatrix<f64>, estimates: &[Estimate]) -> Self {
-        let (variables, n) = (&objective.variables, estimates.len());
+    pub fn of(objective: &Objective, solution: &Solution, covariance: &DMatrix<f64>) -> Self {
+        let (variables, n) = (&objective.variables, objective.variables.len());
         let rate = |i: usize| variables[i].rate(solution.position[i]);
         let of_values = DMatrix::from_fn(n, n, |i, j| {
             variables[i].sign() * variables[j].sign() * rate(i) * rate(j) * covariance[(i, j)]
@@ -32,12 +31,11 @@ impl Known {
             (0..n).filter_map(plausible).filter(|(_, width)| width.is_finite() && *width > 0.0).collect();
         let own = within(&of_values, &limited).unwrap_or_else(|| of_values.clone());
         let deviation = |i: usize| own[(i, i)].max(0.0).sqrt();
-        // A valley that is no parabola is as wide as its interval.
-        let wider = |i: usize| {
-            let ratio = estimates[i].std / of_values[(i, i)].sqrt();
-            if ratio.is_finite() { ratio } else { 1.0 }
+        let part = |i: usize| {
+            let part = deviation(i) / of_values[(i, i)].sqrt();
+            if part.is_finite() { part.min(1.0) } else { 1.0 }
         };
-        let deviations = (0..n).map(|i| deviation(i) * wider(i)).collect();
+        let parts = (0..n).map(part).collect();
         let correlation = DMatrix::from_fn(n, n, |i, j| {
             let both = deviation(i) * deviation(j);
             if i == j {
@@ -48,7 +46,7 @@ impl Known {
                 0.0
             }
         });
-        Self { deviations, correlation }
+        Self { parts, correlation }
     }
 }
 

@@ -146,7 +146,7 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
     let rms = rms(&objective.data.together(&residuals, &objective.noise.sigma));
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
-    let known = Known::of(objective, &solution, &covariance, &estimates);
+    let known = Known::of(objective, &solution, &covariance);
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
     let doubts = objective.forward(&solution.position).and_then(|forward| forward.doubts(&objective.data.rows));

@@ -156,7 +156,7 @@ pub fn limits(class: &str, size: f64) -> Result<Limits, Unknown> {
     let range = range(size).ok_or(Unknown::Size)?;
     let width = width(number, range);
     let is_hole = letter.starts_with(|c: char| c.is_ascii_uppercase());
-    let distance = |name: &str| DISTANCES.iter().find(|(own, _)| *own == name).map(|(_, all)| all[range]);
+    let distance = |name: &str| DISTANCES.iter().find(|(own, _)| *own == name).map(|(_, all)| 1e-6 * all[range]);
     let [lower, upper] = match &*letter.to_ascii_lowercase() {
         "h" => [-width, 0.0],
         "js" => [-0.5 * width, 0.5 * width],

@@ -11,6 +11,7 @@ mod cam;
 mod compare;
 mod compensate;
 mod contour;
+mod correct;
 mod discover;
 mod events;
 mod faults;

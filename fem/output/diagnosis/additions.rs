@@ -96,7 +96,7 @@ fn fitted_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
         // A value that the data leave open is known no better than its plausible range.
         let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
         let place = fit.estimates.iter().position(|own| own.parameter.path == e.parameter.path);
-        let std = place.map_or(e.std, |i| fit.known.deviations[i]);
+        let std = e.std * place.map_or(1.0, |i| fit.known.parts[i]);
         let value =
             crate::fit::uncertain(k.from_si(e.value), (fit.birge_ratio() * std / k.canonical().factor).min(widest));
         Setting { key: name(e).into(), value: Entry::Text(format!("{value} {}", k.unit).trim_end().into()) }

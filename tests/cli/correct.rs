@@ -1,0 +1,134 @@
+//! `fem correct`, and what the drawing asks.
+
+use serde_json::Value as Json;
+
+use super::fem::{Place, model};
+
+fn parsed(text: &str) -> Json {
+    serde_json::from_str(text).unwrap()
+}
+
+/// A slender shaft in the middle of which the cut bends it by tens of micrometres.
+const SHAFT: &str = r#"
+process = "turning"
+workpiece = { material = "steel", segments = [{ length = "300 mm", diameter = "30 mm" }] }
+workholding = { type = "centres" }
+cut = { depth = "0.4 mm", feed = "0.15 mm/rev", spindle_speed = "900 rpm", radial_force = "200 N" }
+batch = { parts = 3, cycle_time = "4 min" }
+[effects.tool-wear]
+run_in = "0 um"
+rate = "9 um/km"
+[effects.tailstock-compliance]
+stiffness = "40 +- 4 N/um"
+"#;
+
+#[test]
+fn what_the_drawing_asks_is_held_against_every_part() {
+    let place = Place::new();
+    for (tolerance, wrong) in [
+        ("diameter = \"h6\"", ""),
+        ("diameter = \"g6\"", ""),
+        ("diameter = \"+-20 um\"\ntaper = \"5 um\"\nsections = [{ segment = 1, diameter = \"-5 to 20 um\" }]", ""),
+        ("diameter = \"6h\"", "it is no tolerance class"),
+        ("diameter = \"zc6\"", "of `zc` there is no table here"),
+        ("diameter = \"h19\"", "there is no grade 19"),
+        ("diameter = \"20 to -5 um\"", "the lower limit is not below the upper one"),
+        ("diameter = \"+-20 N\"", "measures a force"),
+        ("sections = [{ segment = 2, diameter = \"h6\" }]", "segment"),
+    ] {
+        place.write("shaft.toml", format!("{SHAFT}[tolerance]\n{tolerance}\n"));
+        let run = place.fem(&["run", "shaft.toml", "--json", "-o", "out", "--force"]);
+        assert_eq!(run.status, if wrong.is_empty() { 0 } else { 2 }, "{tolerance}: {}", run.err);
+        assert!(run.err.contains(wrong), "{tolerance}: {}", run.err);
+    }
+    place.write("shaft.toml", format!("{SHAFT}[tolerance]\ndiameter = \"h6\"\ncylindricity = \"1 um\"\n"));
+    let run = parsed(&place.fem(&["run", "shaft.toml", "--json", "-o", "out", "--force"]).out);
+    let [diameter, form] = [&run["tolerance"][0], &run["tolerance"][1]];
+    // 30 mm are 13 um in grade 6.
+    assert_eq!(
+        [&diameter["lower"], &diameter["upper"], &diameter["parts"]].map(|v| v.as_f64().unwrap().round()),
+        [-13.0, 0.0, 3.0]
+    );
+    assert_eq!(diameter["out"], serde_json::json!([1, 2, 3]));
+    assert_eq!((&form["lower"], form["upper"].as_f64().unwrap()), (&Json::Null, 1.0));
+}
+
+#[test]
+fn a_correction_brings_every_part_to_the_middle_of_its_limits() {
+    let place = Place::new();
+    place.write("shaft.toml", format!("{SHAFT}[tolerance]\ndiameter = \"h6\"\n"));
+    let answer = place.fem(&["correct", "shaft.toml", "--json", "-o", "out"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let found = parsed(&answer.out);
+    assert_eq!((&found["process"], &found["unreached"]), (&"turning".into(), &0.into()));
+    let (changes, left) = (found["correction"].as_array().unwrap(), found["left"].as_array().unwrap());
+    assert!(changes.len() == left.len() && changes.len() >= 3 * 50, "{}", changes.len());
+    for (change, left) in changes.iter().zip(left) {
+        assert!((left["value"].as_f64().unwrap() + 6.5e-6).abs() < 1e-9, "{left}");
+        assert!([&change["x"], &change["part"]] == [&left["x"], &left["part"]]);
+        // The tool goes in where it leaves too much.
+        assert!(change["radius_change"].as_f64().unwrap() < 0.0, "{change}");
+        let [low, high] = [0, 1].map(|end| left["interval95"][end].as_f64().unwrap());
+        assert!(low <= -6.5e-6 + 1e-9 && high >= -6.5e-6 - 1e-9, "{left}");
+    }
+    // Each part is worn away from the last.
+    let offsets: Vec<f64> =
+        found["offsets"].as_array().unwrap().iter().map(|own| own["radius_change"].as_f64().unwrap()).collect();
+    assert!(offsets.len() == 3 && offsets.is_sorted_by(|a, b| a > b), "{offsets:?}");
+    assert!(found["tolerance"]["probability_in"].as_f64().unwrap() > 0.9);
+    assert!(place.read("out/correction.csv").starts_with("part,x [mm],radius_change [um],left [um],left_from [um],"));
+    // The same model has the same answer.
+    assert_eq!(place.fem(&["correct", "shaft.toml", "--json"]).out, answer.out);
+}
+
+#[test]
+fn what_cannot_be_corrected_is_said() {
+    let place = Place::new();
+    place.write("open.toml", SHAFT.replace("40 +- 4", "?"));
+    place.write("ring.toml", model("ring.toml"));
+    let open = place.fem(&["correct", "open.toml"]);
+    assert!(open.status == 2 && open.err.contains("is unknown (`?`)") && open.err.contains("fem fit"), "{}", open.err);
+    let ring = place.fem(&["correct", "ring.toml"]);
+    assert!(ring.status == 2 && ring.err.contains("corrections are known of turned contours"), "{}", ring.err);
+}
+
+/// Two springs of which the measurements know the sum: together they say what will be made, each for itself they do not.
+#[test]
+fn what_is_fitted_together_is_known_together() {
+    let place = Place::new();
+    let rough = SHAFT.replace("40 +- 4 N/um", "40 +- 20 N/um").replace("rate = \"9 um/km\"", "rate = \"9 +- 9 um/km\"");
+    let rough = format!("{rough}[effects.setting-error]\noffset = \"0 +- 50 um\"\n");
+    place.write("true.toml", SHAFT.replace(" +- 4", ""));
+    place.write("rough.toml", rough);
+    assert_eq!(place.fem(&["run", "true.toml", "-o", "out"]).status, 0);
+    let rows: Vec<String> = place
+        .read("out/profile.csv")
+        .lines()
+        .enumerate()
+        .filter(|(i, _)| i % 12 == 0 || *i == 0)
+        .map(|(_, line)| line.to_string())
+        .collect();
+    let data = rows.iter().enumerate().map(|(i, line)| format!("{line},{}\n", if i == 0 { "u [um]" } else { "0.8" }));
+    place.write("m.csv", data.collect::<String>());
+    let fitted = place.fem(&["fit", "rough.toml", "--with", "m.csv", "--add-to", "better.toml"]);
+    assert_eq!(fitted.status, 0, "{}", fitted.err);
+    let better = place.read("better.toml");
+    assert!(better.contains("[known.together]") && better.contains("correlation = \""), "{better}");
+    let widest = |name: &str| {
+        let found = parsed(&place.fem(&["correct", name, "--json"]).out);
+        let half =
+            |left: &Json| 0.5 * (left["interval95"][1].as_f64().unwrap() - left["interval95"][0].as_f64().unwrap());
+        found["left"].as_array().unwrap().iter().map(half).fold(0.0, f64::max)
+    };
+    let apart = better.split("[known.together]").next().unwrap().to_string();
+    place.write("apart.toml", apart);
+    let (together, apart) = (widest("better.toml"), widest("apart.toml"));
+    assert!(together < 0.7 * apart, "{together} {apart}");
+    // What is wrong in it is told with its place.
+    place.write("wrong.toml", better.replace("correlation = \"", "correlation = \"7 "));
+    let wrong = place.fem(&["correct", "wrong.toml"]);
+    assert!(wrong.status == 2 && wrong.err.contains("`correlation` is none of"), "{}", wrong.err);
+    // A fit that follows puts its own in the place of it.
+    let again = place.fem(&["fit", "better.toml", "--with", "m.csv", "--add-to", "again.toml"]);
+    assert_eq!((again.status, place.read("again.toml").matches("[known.together]").count()), (0, 1), "{}", again.err);
+}
