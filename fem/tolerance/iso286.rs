@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Limits;
+use super::limits::Limits;
 
 /// Ends of the ranges of nominal sizes of ISO 286-1:2010, table 1, mm: over the one before, up to and with this one.
 const SIZES: [u32; 21] =

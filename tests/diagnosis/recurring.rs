@@ -289,7 +289,7 @@ fn times_are_never_worse_than_none() {
             worse.extend(lost(&timed, &bare).map(|lost| format!("{} {law}: {lost}", process.name)));
         }
     }
-    assert!(all.iter().all(|count| *count >= 8) && worse.is_empty(), "{all:?}: {worse:#?}");
+    assert!(all.iter().all(|count| *count >= 7) && worse.is_empty(), "{all:?}: {worse:#?}");
 }
 
 /// What is hidden and named without times, and with them is not.

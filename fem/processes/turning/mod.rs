@@ -18,6 +18,7 @@ mod machine;
 mod passes;
 pub(crate) mod refinement;
 pub(crate) mod report;
+mod requirements;
 pub(crate) mod rows;
 pub(crate) mod schedule;
 mod setup;
@@ -99,15 +100,15 @@ impl Definition for Turning {
     }
 
     fn requirements(setup: &Setup) -> Vec<Requirement> {
-        tolerance::requirements(setup)
+        requirements::requirements(setup)
     }
 
     fn aims(setup: &Setup, rows: &Rows) -> Vec<f64> {
-        tolerance::aims(setup, rows)
+        requirements::aims(setup, rows)
     }
 
     fn characteristics(setup: &Setup, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
-        tolerance::characteristics(setup, rows, values)
+        requirements::characteristics(setup, rows, values)
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {
