@@ -57,6 +57,8 @@ const DIFFERENT: f64 = 1.0;
 const NEAR: f64 = 40.0;
 /// Rise of the criterion up to which a law is a rival of the best.
 pub const RIVAL: f64 = 6.0;
+/// Rise of the criterion up to which two laws are as good as equal.
+const EQUAL: f64 = 2.0;
 /// Rise of the criterion, after a few steps of a fit, up to which a law may turn out to be a rival.
 const PERHAPS: f64 = 9.0;
 /// Fall of −2 ln L, beyond its price, from which a law is told in the place of effects of the measurement.
@@ -253,8 +255,21 @@ impl Discovery<Ranked> {
         Ok(())
     }
 
+    /// Of laws that are as good as equal the one stands first whose shapes are plain.
+    fn put_plain_first(&mut self) {
+        let Some(least) = self.laws.first().map(|best| best.criterion) else { return };
+        let curved = |law: &Ranked| {
+            law.found.terms.iter().flat_map(|term| &term.factors).filter(|own| !own.shape.is_plain()).count()
+        };
+        let equal = self.laws.iter().take_while(|law| law.criterion < least + EQUAL);
+        if let Some((plainest, _)) = equal.enumerate().min_by_key(|(_, law)| curved(law)) {
+            self.laws[..=plainest].rotate_right(1);
+        }
+    }
+
     /// Keeps the best law and its rivals, and says of them what speaks for and against them.
     fn judge(&mut self, bench: &Bench) {
+        self.put_plain_first();
         let Some(best) = self.laws.first() else { return };
         let (least, misfit, told) = (best.criterion, best.misfit(), best.found.clone());
         // What fits as well is a rival, at whatever price: further out it may say something else. What has something more

@@ -75,6 +75,20 @@ impl Shape {
         }
     }
 
+    /// Whether anybody would draw it first: a line, a power, a word, a harmonic.
+    pub fn is_plain(self) -> bool {
+        matches!(
+            self,
+            Self::Proportional
+                | Self::Line
+                | Self::Power(_)
+                | Self::Parabola
+                | Self::Sign
+                | Self::Word
+                | Self::Harmonic(_)
+        )
+    }
+
     /// The values of its functions at v, with a scale s and constants.
     pub fn at(self, v: f64, s: f64, constants: &[f64]) -> [f64; 3] {
         let c = constants.first().copied().unwrap_or(1.0);
