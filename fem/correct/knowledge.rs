@@ -17,7 +17,7 @@ pub struct Knowledge {
     /// The values, SI, in the order of the model's parameters.
     pub values: Vec<f64>,
     /// Standard uncertainties, SI.
-    pub deviations: Vec<f64>,
+    deviations: Vec<f64>,
     /// What makes of independent numbers such that are correlated as the values are.
     root: DMatrix<f64>,
     /// Whether each is a positive quantity, whose logarithm is spread.
@@ -39,9 +39,9 @@ impl Knowledge {
         }
     }
 
-    /// Whether every value is known.
-    pub fn is_certain(&self) -> bool {
-        self.deviations.iter().all(|deviation| *deviation == 0.0)
+    /// How many values are not exactly known.
+    pub fn uncertain(&self) -> usize {
+        self.deviations.iter().filter(|deviation| **deviation > 0.0).count()
     }
 
     /// Values as they may be: draw of a number, always the same.

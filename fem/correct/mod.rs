@@ -68,8 +68,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     let (rows, nothing) = contour(model, &commanded);
     let aims = model.system.aims(&rows);
     let knowledge = Knowledge::of(model);
-    let values = knowledge.values.clone();
-    let made = |command: &Arc<Command>| model.commanded_at(&values, command)?.observe(&rows);
+    let made = |command: &Arc<Command>| model.commanded_at(&knowledge.values, command)?.observe(&rows);
     let before = made(&Arc::new(nothing.clone()))?;
     let solved = progress.stretch("correction", || solve::solve(&nothing, (&before, &aims), commanded.gain, made))?;
     let of = |left: &[f64]| Standing::all(&*model.system, &rows, left);
@@ -94,7 +93,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         left_by_offsets,
         standings,
         probability,
-        uncertain: knowledge.deviations.len(),
+        uncertain: knowledge.uncertain(),
         rows,
     }))
 }
@@ -144,9 +143,9 @@ fn spread(
         all.dedup();
         all
     };
-    let draws = match knowledge.is_certain() {
-        true => 1,
-        false => (MOST_DRAWN / rows.len().max(1)).clamp(DRAWS.0, DRAWS.1),
+    let draws = match knowledge.uncertain() {
+        0 => 1,
+        _ => (MOST_DRAWN / rows.len().max(1)).clamp(DRAWS.0, DRAWS.1),
     };
     // The first is what is known best.
     let further: Vec<Vec<f64>> =

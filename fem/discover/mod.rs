@@ -364,10 +364,7 @@ fn grown(bench: &Bench, wandering: Option<&Wandering>, progress: &Progress) -> V
         open.retain(|own| bench.residual.norm_squared() - own.gain > bench.freedom);
         let least = all.iter().map(|own| own.criterion).fold(f64::INFINITY, f64::min);
         open.retain(|own| bench.most.is_infinite() && bench.least_of_further(own) < least + RIVAL);
-        let hope = |own: &Found, other: &Wandering| {
-            bench.least_of_further(own) < other.criterion || !other.is_rival_of(own, bench)
-        };
-        open.retain(|own| wandering.is_none_or(|other| hope(own, other)));
+        open.retain(|own| wandering.is_none_or(|other| !other.says_more_than_any_of(own, bench)));
     }
     all.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
     all

@@ -46,30 +46,27 @@ impl Wandering {
 
     /// Whether it says more than a law of what does not follow the order of the rows. Of a law that does nobody can tell it.
     pub fn says_more_than(&self, law: &Found, bench: &Bench) -> bool {
-        self.criterion < law.criterion && self.is_rival_of(law, bench)
+        self.criterion < law.criterion && is_out_of_order(law, bench)
     }
 
-    /// Whether a law is made of something that does not follow the order of the rows.
-    pub fn is_rival_of(&self, law: &Found, bench: &Bench) -> bool {
-        bench.variables_of(law).into_iter().any(|v| turns(&bench.variables[v].level) >= TURNS)
+    /// Whether it says more than all that a law can become with further terms, in the same sense.
+    pub fn says_more_than_any_of(&self, law: &Found, bench: &Bench) -> bool {
+        self.criterion <= bench.least_of_further(law) && is_out_of_order(law, bench)
     }
+}
+
+/// Whether a law is made of something that does not follow the order of the rows.
+fn is_out_of_order(law: &Found, bench: &Bench) -> bool {
+    bench.variables_of(law).into_iter().any(|v| turns(&bench.variables[v].level) >= TURNS)
 }
 
 /// χ² beside what the model's own values imitate and the logarithm of the determinants, less those without wandering
 /// (restricted likelihood: Harville, Journal of the American Statistical Association 72, 1977, 320).
 fn restricted(bench: &Bench, rows_of: &[Vec<usize>], size: f64, memory: f64) -> Option<(f64, f64)> {
     let gains: Vec<Vec<Gain>> = rows_of.iter().map(|rows| gains(rows.len(), size, memory)).collect();
-    let forgets = (-1.0 / memory).exp();
-    let freed = |column: DVector<f64>| {
-        rows_of.iter().zip(&gains).fold(column, |mut column, (rows, gains)| {
-            let mut expected = 0.0;
-            for (row, gain) in rows.iter().zip(gains) {
-                let new = column[*row] - expected;
-                expected = forgets * (expected + gain.kept * new);
-                column[*row] = new / gain.deviation;
-            }
-            column
-        })
+    let freed = |mut column: DVector<f64>| {
+        rows_of.iter().zip(&gains).for_each(|(rows, gains)| free(&mut column, rows, gains, memory));
+        column
     };
     let residual = freed(bench.residual.clone());
     let own: f64 = gains.iter().flatten().map(|gain| 2.0 * gain.deviation.ln()).sum();
@@ -102,6 +99,17 @@ fn gains(rows: usize, size: f64, memory: f64) -> Vec<Gain> {
         Gain { deviation: variance.sqrt(), kept }
     };
     (0..rows).map(next).collect()
+}
+
+/// Frees the values of rows, one after another, of what the zero shares among them.
+fn free(column: &mut DVector<f64>, rows: &[usize], gains: &[Gain], memory: f64) {
+    let forgets = (-1.0 / memory).exp();
+    let mut expected = 0.0;
+    for (row, gain) in rows.iter().zip(gains) {
+        let new = column[*row] - expected;
+        expected = forgets * (expected + gain.kept * new);
+        column[*row] = new / gain.deviation;
+    }
 }
 
 /// How often a sequence turns from rising to falling, or back.
@@ -137,5 +145,10 @@ mod tests {
         let gains = gains(rows, size, memory);
         let log_determinant: f64 = gains.iter().map(|gain| 2.0 * gain.deviation.ln()).sum();
         assert!((log_determinant - dense.determinant().ln()).abs() < 1e-12);
+        let values = DVector::from_vec(vec![1.0, -2.0, 0.5]);
+        let square = values.dot(&(dense.try_inverse().unwrap() * &values));
+        let mut freed = values;
+        free(&mut freed, &[0, 1, 2], &gains, memory);
+        assert!((freed.norm_squared() - square).abs() < 1e-12, "{} {square}", freed.norm_squared());
     }
 }

@@ -3,9 +3,8 @@
 
 use nalgebra::{Cholesky, DMatrix, Dyn};
 
-use super::Edit;
+use super::{Edit, Entry};
 use crate::input::{Parameter, ParameterId, Reader};
-use crate::model::Entry;
 use crate::units::Knowledge;
 
 /// Its place in a model.
@@ -49,7 +48,7 @@ impl Together {
     }
 
     /// The correlations of parameters that are known roughly, in their order; what is not among those here is known for itself.
-    pub fn correlation(&self, parameters: &[Parameter]) -> DMatrix<f64> {
+    fn correlation(&self, parameters: &[Parameter]) -> DMatrix<f64> {
         let place = |parameter: &Parameter| {
             let is_rough = matches!(parameter.quantity.knowledge, Knowledge::Rough(_));
             self.of.iter().position(|own| *own == parameter.path).filter(|_| is_rough)

@@ -94,9 +94,7 @@ impl Cell {
 
     /// A number with three decimals and its sign.
     pub fn signed(value: f64) -> Self {
-        // Nothing has no sign.
-        let rounded = (1e3 * value).round() / 1e3 + 0.0;
-        Self::Number(format!("{rounded:+.3}"), value)
+        Self::Number(number::signed(value, 3), value)
     }
 
     /// A number with three decimals, if it is one.

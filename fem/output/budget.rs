@@ -6,6 +6,7 @@ use serde_json::{Value as Json, json};
 
 use super::answer::Answer;
 use super::block::Block;
+use super::text::titled;
 use crate::budget::{
     Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, ModelPart, Share, Source, Unknown, rules,
 };
@@ -27,7 +28,7 @@ pub struct BudgetAnswer<'a>(pub &'a Budget, pub Option<&'a Estimate>);
 impl Answer for BudgetAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
         let Self(budget, estimate) = *self;
-        let title = budget.title.as_deref().unwrap_or(&budget.file.name).replace(|c: char| c.is_control(), " ");
+        let title = titled(budget.title.as_deref(), &budget.file.name);
         let mut text = format!("{title}\nbudget: errors added up by the handbook's rules and by Monte Carlo\n\n");
         if let Some(estimate) = estimate {
             handbook_text(&mut text, budget, &estimate.handbook);

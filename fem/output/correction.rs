@@ -7,10 +7,12 @@ use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
 use super::json::{finite, json as document};
 use super::staged::Staged;
-use super::{csv, tolerance};
+use super::text::titled;
+use super::{csv, number, tolerance};
+use crate::compare::rms;
 use crate::correct::Correction;
 use crate::model::Model;
-use crate::process::{Column as Cells, Table as Sheet};
+use crate::process::{Column as Cells, Table as Sheet, range};
 use crate::units::MICRO;
 
 /// Changes of an offset below this are none, m: no control takes them.
@@ -23,11 +25,12 @@ impl Answer for CorrectionAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
         let Self(model, found) = *self;
         let observable = &model.process.observables()[found.commanded.observable];
-        let title = model.title.as_deref().unwrap_or(&model.source.name).replace(|c: char| c.is_control(), " ");
+        let title = titled(model.title.as_deref(), &model.source.name);
         let mut blocks =
             vec![Block::Sentence(format!("{title}: what to add to the programmed {}", found.commanded.words))];
         let row = |name: &str, values: &[f64], band: Option<f64>| {
-            let [rms, low, high] = summary(values).map(|si| MICRO.from_si(si));
+            let (low, high) = range(values.iter().copied());
+            let [rms, low, high] = [rms(values), low, high].map(|si| MICRO.from_si(si));
             let band = band.map_or(Cell::Missing, |si| Cell::number(MICRO.from_si(si)));
             vec![Cell::Text(name.into()), Cell::number(rms), Cell::signed(low), Cell::signed(high), band]
         };
@@ -57,7 +60,7 @@ impl Answer for CorrectionAnswer<'_> {
         let steps = changes(found);
         let line = |(after, change): &(usize, f64)| {
             let when = if *after == 0 { "now".to_string() } else { format!("after part {after}") };
-            format!("{when}: {:+.2} {}", MICRO.from_si(*change), MICRO.unit)
+            format!("{when}: {} {}", number::signed(MICRO.from_si(*change), 2), MICRO.unit)
         };
         blocks.push(Block::List(steps.iter().map(line).collect()));
         let [before, after] = &found.standings;
@@ -114,9 +117,9 @@ impl Answer for CorrectionAnswer<'_> {
             "unreached": found.unreached,
             "offsets": changes(found).iter().map(|(after, change)| json!({ "after_part": after, key: change })).collect::<Vec<_>>(),
             "rms": {
-                "before": summary(&found.before)[0],
-                "with_offsets": summary(&found.left_by_offsets)[0],
-                "left": summary(&found.left)[0],
+                "before": rms(&found.before),
+                "with_offsets": rms(&found.left_by_offsets),
+                "left": rms(&found.left),
             },
             "uncertain_values": found.uncertain,
             "tolerance": {
@@ -153,13 +156,6 @@ fn changes(found: &Correction) -> Vec<(usize, f64)> {
         }
     }
     all
-}
-
-/// Root mean square, the smallest and the largest.
-fn summary(values: &[f64]) -> [f64; 3] {
-    let square: f64 = values.iter().map(|value| value * value).sum();
-    let (low, high) = crate::process::range(values.iter().copied());
-    [(square / values.len().max(1) as f64).sqrt(), low, high]
 }
 
 /// The widest half of an interval that holds what is left with 95 %.

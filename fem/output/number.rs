@@ -17,7 +17,12 @@ pub fn signed(value: f64, decimals: usize) -> String {
 
 /// Metres in millimetres with so many decimals, without zeros behind.
 pub fn mm(m: f64, decimals: usize) -> String {
-    let text = fixed(1e3 * m, decimals);
+    trimmed(1e3 * m, decimals)
+}
+
+/// A number with so many decimals at most, without zeros behind.
+pub fn trimmed(value: f64, decimals: usize) -> String {
+    let text = fixed(value, decimals);
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_string(),
         false => text,

@@ -10,6 +10,7 @@ use super::block::{Block, Cell, Column, Table};
 use super::chart::{Svg, named};
 use super::json::{finite, json as document};
 use super::staged::Staged;
+use super::text::titled;
 use super::{csv, drawing, measurement, plots, sketch, tolerance};
 use crate::model::{Contribution, Model, Run};
 use crate::process::{Datum, Figure, Observable};
@@ -21,7 +22,7 @@ pub struct RunAnswer<'a>(pub &'a Model, pub &'a Run);
 impl Answer for RunAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
         let Self(model, run) = *self;
-        let title = model.title.as_deref().unwrap_or(&model.source.name).replace(|c: char| c.is_control(), " ");
+        let title = titled(model.title.as_deref(), &model.source.name);
         let mut text = format!("{title}\n{}: {}\n\n", model.process.name(), model.process.about());
         for figure in &run.report.figures {
             text += &labelled(&figure.label, &figure.lines);

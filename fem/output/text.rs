@@ -15,6 +15,11 @@ pub(super) fn whole(text: &str) -> String {
     text.replace(' ', &NO_BREAK.to_string())
 }
 
+/// The title of a file, or else its name, on one line.
+pub(super) fn titled(title: Option<&str>, name: &str) -> String {
+    title.unwrap_or(name).replace(|c: char| c.is_control(), " ")
+}
+
 /// An answer as text; curves take as many columns, or those of the usual terminal.
 pub fn text(answer: &dyn Answer, columns: Option<usize>) -> String {
     let mut blocks = answer.blocks();

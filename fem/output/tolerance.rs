@@ -3,6 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use super::json::finite;
+use super::number;
 use crate::process::Standing;
 
 /// Most parts that are named.
@@ -17,7 +18,7 @@ fn line(standing: &Standing) -> String {
     let Standing { requirement, parts } = standing;
     let (limits, kind) = (requirement.limits, requirement.kind);
     let [low, high] = standing.range();
-    let shown = |si: f64| number(kind.from_si(si));
+    let shown = |si: f64| number::trimmed(kind.from_si(si), 2);
     let (asked, found) = if limits.lower.is_finite() {
         (format!("{} to {}", shown(limits.lower), shown(limits.upper)), format!("{} to {}", shown(low), shown(high)))
     } else {
@@ -40,12 +41,6 @@ fn named(out: &[Option<usize>]) -> String {
     let parts = if out.len() == 1 { "part" } else { "parts" };
     let and_more = if more > 0 { format!(" and {more} more") } else { String::new() };
     format!("{parts} {}{and_more}", numbers.join(", "))
-}
-
-/// Up to two decimals, without a sign for zero.
-fn number(value: f64) -> String {
-    let rounded = (value * 100.0).round() / 100.0;
-    format!("{}", rounded + 0.0)
 }
 
 /// The requirements with their limits, what the parts show, and the parts that are out.

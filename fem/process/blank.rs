@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::polyline::on_lines;
 use crate::input::Reader;
 use crate::units::{ANGLE, LENGTH, NUMBER};
 
@@ -77,15 +78,8 @@ impl BlankProfile {
     /// Error at x on a part of `length`, m.
     pub fn error(&self, x: f64, length: f64) -> f64 {
         let wave = |w: &Wave| w.amplitude * (TAU * w.waves * x / length - w.phase).cos();
-        let between = match self.points.partition_point(|p| p.0 <= x) {
-            _ if self.points.is_empty() => 0.0,
-            0 => self.points[0].1,
-            next if next == self.points.len() => self.points[next - 1].1,
-            next => {
-                let ((a, before), (b, after)) = (self.points[next - 1], self.points[next]);
-                before + (after - before) * (x - a) / (b - a)
-            }
-        };
+        let next = self.points.partition_point(|p| p.0 <= x);
+        let between = on_lines(next, self.points.len(), |i| self.points[i], x);
         self.waves.iter().map(wave).sum::<f64>() + between
     }
 }

@@ -1,5 +1,7 @@
 //! What is added to the command of a machine: a corrected contour, part by part.
 
+use super::polyline::on_lines;
+
 /// How a process takes a correction of its command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Commanded {
@@ -32,16 +34,8 @@ impl Command {
     /// The change at a place (m) of a number, m; beyond the ends that of the end, of numbers that it does not have none.
     pub fn at(&self, place: f64, number: usize) -> f64 {
         let Ok(row) = self.numbers.binary_search(&number) else { return 0.0 };
-        let own = &self.changes[row * self.places.len()..][..self.places.len()];
-        match self.places.partition_point(|own| *own <= place) {
-            _ if own.is_empty() => 0.0,
-            0 => own[0],
-            next if next == own.len() => own[next - 1],
-            next => {
-                let (from, to) = (self.places[next - 1], self.places[next]);
-                own[next - 1] + (own[next] - own[next - 1]) * (place - from) / (to - from)
-            }
-        }
+        let (count, next) = (self.places.len(), self.places.partition_point(|own| *own <= place));
+        on_lines(next, count, |i| (self.places[i], self.changes[row * count + i]), place)
     }
 }
 

@@ -1,13 +1,14 @@
 //! Interface of a process to the layers above: three object-safe traits, made of every
 //! [`Definition`](super::Definition) by one adapter.
 
+use std::sync::Arc;
+
 use super::{
     Active, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
     Description, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
-use std::sync::Arc;
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {

@@ -20,6 +20,7 @@ mod grid;
 mod interface;
 mod nut;
 mod observation;
+mod polyline;
 mod positioning;
 mod report;
 mod requirement;

@@ -14,8 +14,6 @@ pub struct Requirement {
     pub kind: Kind,
     /// Its limits, SI; those of a size are deviations from the nominal one.
     pub limits: Limits,
-    /// The observable of which the limits hold in every row, by its position; `None` of a form, which several rows have together.
-    pub of_rows: Option<usize>,
 }
 
 /// A characteristic of one part, as rows of it show it.

@@ -16,6 +16,10 @@ impl Standing {
     pub fn all(system: &dyn System, rows: &Rows, values: &[f64]) -> Vec<Self> {
         let mut all: Vec<Self> =
             system.requirements().into_iter().map(|requirement| Self { requirement, parts: Vec::new() }).collect();
+        // A million rows need not be looked at where nothing is asked.
+        if all.is_empty() {
+            return all;
+        }
         for Characteristic { requirement, part, range } in system.characteristics(rows, values) {
             let parts = &mut all[requirement].parts;
             match parts.last_mut() {

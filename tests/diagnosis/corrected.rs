@@ -12,7 +12,7 @@ use generator::job::Job;
 use generator::random::decimals;
 use generator::{Hidden, TURNING, Whole};
 
-use crate::{every, score, together};
+use crate::{every, score, side_by_side};
 
 /// Places of a part at which it is made again.
 const PLACES: usize = 9;
@@ -100,16 +100,7 @@ fn corrected(seed: u64) -> Option<Corrected> {
 }
 
 fn all(seeds: impl Iterator<Item = u64>) -> Vec<(u64, Option<Corrected>)> {
-    let seeds: Vec<u64> = seeds.collect();
-    let seeds = &seeds;
-    std::thread::scope(|scope| {
-        let one = |from: usize| {
-            let own = seeds.iter().skip(from).step_by(together());
-            scope.spawn(move || own.map(|seed| (*seed, corrected(*seed))).collect::<Vec<_>>())
-        };
-        let running: Vec<_> = (0..together()).map(one).collect();
-        running.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
-    })
+    side_by_side(&seeds.collect::<Vec<_>>(), |seed| (*seed, corrected(*seed)))
 }
 
 /// The correction of the true model leaves nothing, whatever feeds back, copies or lifts off: it is made by other code.

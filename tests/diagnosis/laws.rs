@@ -9,7 +9,7 @@ use fem::model::{Data, Draft, Model};
 use fem::progress::Progress;
 use generator::{AXIS, Beside, FIXTURE, HiddenLaw, Process, RING, TURNING};
 
-use crate::{PROCESSES, every, together};
+use crate::{PROCESSES, every, side_by_side};
 
 /// What was said of a case.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -108,16 +108,7 @@ fn words(name: &str) -> Vec<String> {
 }
 
 fn all(cases: Vec<(String, HiddenLaw)>) -> Vec<Said> {
-    let cases = &cases;
-    std::thread::scope(|scope| {
-        let one = |from: usize| {
-            scope.spawn(move || {
-                cases.iter().skip(from).step_by(together()).map(|(label, case)| said(case, label)).collect::<Vec<_>>()
-            })
-        };
-        let running: Vec<_> = (0..together()).map(one).collect();
-        running.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
-    })
+    side_by_side(&cases, |(label, case)| said(case, label))
 }
 
 fn percent(part: usize, whole: usize) -> String {

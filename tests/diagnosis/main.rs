@@ -54,22 +54,28 @@ fn together() -> usize {
     std::env::var("FEM_TOGETHER").ok().and_then(|n| n.parse().ok()).unwrap_or(2)
 }
 
+/// What becomes of each of some cases, in their order.
+fn side_by_side<T: Sync, R: Send>(cases: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let some = |from: usize| {
+        let own = cases.iter().enumerate().skip(from).step_by(together());
+        own.map(|(i, case)| (i, of(case))).collect::<Vec<(usize, R)>>()
+    };
+    let some = &some;
+    let mut all: Vec<(usize, R)> = std::thread::scope(|scope| {
+        let running: Vec<_> = (0..together()).map(|from| scope.spawn(move || some(from))).collect();
+        running.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
+    });
+    all.sort_by_key(|own| own.0);
+    all.into_iter().map(|own| own.1).collect()
+}
+
 fn run(table: &mut Table, group: &str, cases: impl Iterator<Item = (String, Case)>) {
     if std::env::var("FEM_GROUP").is_ok_and(|word| !group.contains(&word)) {
         return;
     }
     let cases: Vec<(String, Case)> = cases.collect();
-    let scored = |from: usize| {
-        let own = cases.iter().enumerate().skip(from).step_by(together());
-        own.map(|(i, (_, case))| (i, score(case))).collect::<Vec<(usize, Score)>>()
-    };
-    let scored = &scored;
-    let mut scores: Vec<(usize, Score)> = std::thread::scope(|scope| {
-        let running: Vec<_> = (0..together()).map(|from| scope.spawn(move || scored(from))).collect();
-        running.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
-    });
-    scores.sort_by_key(|s| s.0);
-    for ((_, score), (name, case)) in scores.into_iter().zip(&cases) {
+    let scores = side_by_side(&cases, |(_, case)| score(case));
+    for (score, (name, case)) in scores.into_iter().zip(&cases) {
         if let Some(directory) = std::env::var_os("FEM_MISSES").filter(|_| !score.right) {
             println!("{group} {name}: {}", score.said);
             keep(&Path::new(&directory).join(format!("{group} {name}")), case);

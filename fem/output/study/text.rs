@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::rows::with_unit;
 use crate::output::fit::Short;
+use crate::output::text::titled;
 use crate::study::{Acceptance, Extreme, Found, Index, Layout, Nature, Numbers, ResultColumn, Summary};
 
 /// Results of which indices are told, unless they have a tolerance.
@@ -13,7 +14,7 @@ const MOST_WORDS: usize = 8;
 
 /// Writes a study. Writing to a String does not fail.
 pub fn text(layout: &Layout, summary: &Summary) -> String {
-    let title = layout.title.as_deref().unwrap_or(&layout.plan).replace(|c: char| c.is_control(), " ");
+    let title = titled(layout.title.as_deref(), &layout.plan);
     let mut text = format!("{title}\nstudy: {}\n\n", about(layout));
     let share = 100.0 * summary.failed as f64 / summary.rows.max(1) as f64;
     let failed = match summary.failed {

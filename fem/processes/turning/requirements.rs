@@ -17,11 +17,11 @@ pub fn requirements(setup: &Setup) -> Vec<Requirement> {
     let diameter = |(number, limits): (usize, &Option<(Limits, String)>)| {
         let (limits, written) = limits.as_ref()?;
         let label = format!("diameter{}, {written}", of(number));
-        Some(Requirement { key: "diameter", label, kind: MICRO, limits: *limits, of_rows: Some(0) })
+        Some(Requirement { key: "diameter", label, kind: MICRO, limits: *limits })
     };
     let form = |key: &'static str, width: &Option<f64>| {
         let limits = Limits::up_to((*width)?);
-        Some(Requirement { key, label: key.into(), kind: MICRO, limits, of_rows: None })
+        Some(Requirement { key, label: key.into(), kind: MICRO, limits })
     };
     let diameters = diameters.iter().enumerate().filter_map(diameter);
     diameters.chain(form("taper", taper)).chain(form("cylindricity", cylindricity)).collect()
