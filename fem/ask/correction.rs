@@ -16,6 +16,6 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Correction, Error> 
     let found = rayon::scope(|_| crate::correct::correct(model, progress))?;
     found.ok_or_else(|| {
         let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
-        problem.help("corrections are known of turned contours; `fem compensate` has the tables of an axis").into()
+        problem.help("it has no command that is corrected: corrections are known of turning, ring, fixture, thermal, axis and contour").into()
     })
 }

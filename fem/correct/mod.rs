@@ -1,6 +1,7 @@
 //! What to command so that the part comes out as the drawing asks: solved through the model, so that force feedback, copying
 //! and contacts answer to the correction as they answer to the cut.
 
+mod contour;
 mod knowledge;
 mod solve;
 
@@ -9,12 +10,18 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::model::Model;
-use crate::process::{Command, Commanded, Failure, Rows, Standing, Values};
+use crate::process::{Advice, Command, Commanded, Failure, Rows, Standing};
 use crate::progress::Progress;
+use contour::Programme;
 use knowledge::Knowledge;
+use solve::Solved;
 
-/// Fewest places of a contour.
+/// Fewest places of a contour, and the most to which it is divided further.
 const LEAST_PLACES: usize = 51;
+const MOST_PLACES: usize = 801;
+/// What may be left between places, as a part of the largest error there was, and whatever that is, m.
+const CLOSE: f64 = 0.02;
+const NEGLIGIBLE: f64 = 1e-8;
 /// Rows that draws of the values may cost together, and the fewest and the most draws.
 const MOST_DRAWN: usize = 2_000_000;
 const DRAWS: (usize, usize) = (100, 400);
@@ -27,9 +34,9 @@ const BEYOND: f64 = 0.025;
 pub struct Correction {
     /// What is commanded.
     pub commanded: Commanded,
-    /// The rows for which it is told: places of every part.
+    /// The rows for which it is told: places of every contour.
     pub rows: Rows,
-    /// The places and numbers, and the change of the command at each row.
+    /// The change of the command at each row.
     pub command: Arc<Command>,
     /// What the machine makes of each row as it is, as an error.
     pub before: Vec<f64>,
@@ -39,15 +46,21 @@ pub struct Correction {
     pub interval: Vec<[f64; 2]>,
     /// Rows that no change of the command brings to where they should be.
     pub unreached: usize,
+    /// The largest distance from where it should be half way between two places.
+    pub between: f64,
     /// The offset that comes nearest to the change, for each number, and what is left with offsets alone.
-    pub offsets: Vec<(usize, f64)>,
+    pub offsets: Vec<(Option<usize>, f64)>,
     pub left_by_offsets: Vec<f64>,
+    /// What is left where all numbers have one contour, and each an offset; none where there is one number.
+    pub left_by_one: Option<Vec<f64>>,
     /// How parts stand against the drawing before and with the correction.
     pub standings: [Vec<Standing>; 2],
     /// Probability that each part is within all that is asked, and that all are, with the correction; none where nothing is.
     pub probability: Option<Probability>,
     /// Values of the model that are known roughly.
     pub uncertain: usize,
+    /// What to do beside the command.
+    pub advice: Vec<Advice>,
 }
 
 /// Probabilities of being within what is asked.
@@ -65,12 +78,10 @@ pub struct Probability {
 /// The model cannot be computed.
 pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>, Failure> {
     let Some(commanded) = model.system.commanded() else { return Ok(None) };
-    let (rows, nothing) = contour(model, &commanded);
-    let aims = model.system.aims(&rows);
     let knowledge = Knowledge::of(model);
+    let Course { rows, before, solved, between } =
+        progress.stretch("correction", || course(model, &commanded, &knowledge.values))?;
     let made = |command: &Arc<Command>| model.commanded_at(&knowledge.values, command)?.observe(&rows);
-    let before = made(&Arc::new(nothing.clone()))?;
-    let solved = progress.stretch("correction", || solve::solve(&nothing, (&before, &aims), commanded.gain, made))?;
     let of = |left: &[f64]| Standing::all(&*model.system, &rows, left);
     let standings = [of(&before), of(&solved.left)];
     let (interval, probability) = progress.stretch("what is known of it", || {
@@ -78,10 +89,10 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         let draw = |values: &[f64]| model.commanded_at(values, command)?.observe(&rows);
         spread(&knowledge, (&rows, &solved.left), draw, of)
     })?;
-    let offsets = offsets(&solved.command);
-    let places = solved.command.places.len();
-    let changes = offsets.iter().flat_map(|(_, change)| std::iter::repeat_n(*change, places)).collect();
-    let left_by_offsets = made(&Arc::new(Command { changes, ..(*solved.command).clone() }))?;
+    let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&rows, &before)?;
+    let offsets = contour::offsets(&solved.command, &commanded);
+    let left_by_offsets = made(&contour::of_offsets(&solved.command, &commanded, &offsets))?;
+    let one = contour::of_one_contour(&solved.command, &commanded);
     Ok(Some(Correction {
         commanded,
         command: solved.command,
@@ -89,42 +100,50 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         left: solved.left,
         interval,
         unreached: solved.unreached,
+        between,
         offsets,
         left_by_offsets,
+        left_by_one: one.map(|command| made(&command)).transpose()?,
         standings,
         probability,
         uncertain: knowledge.uncertain(),
+        advice,
         rows,
     }))
 }
 
-/// The rows of a contour: every place of every number, and the command that changes none of them.
-fn contour(model: &Model, commanded: &Commanded) -> (Rows, Command) {
-    let programme = model.system.programme();
-    let own = |column: usize| programme.columns[column].iter().copied().filter(|value| value.is_finite());
-    let mut places: Vec<f64> = own(commanded.along).collect();
-    places.sort_unstable_by(f64::total_cmp);
-    places.dedup();
-    if let ([low, .., high], true) = (&places[..], places.len() < LEAST_PLACES) {
-        let (low, high, last) = (*low, *high, (LEAST_PLACES - 1) as f64);
-        places = (0..LEAST_PLACES).map(|i| low + (high - low) * i as f64 / last).collect();
-    }
-    let mut numbers: Vec<usize> = own(commanded.number).map(|number| number as usize).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
-    let count = places.len() * numbers.len();
-    let mut columns = vec![Values::shared(f64::NAN, count); programme.columns.len()];
-    columns[commanded.along] = numbers.iter().flat_map(|_| places.iter().copied()).collect();
-    columns[commanded.number] = numbers.iter().flat_map(|number| places.iter().map(|_| *number as f64)).collect();
-    let rows = Rows { columns, observable: Values::shared(commanded.observable, count) };
-    (rows, Command { changes: vec![0.0; count], places, numbers })
+/// A correction along its course.
+struct Course {
+    rows: Rows,
+    before: Vec<f64>,
+    solved: Solved,
+    between: f64,
 }
 
-/// The mean change of each number: what an offset alone can do.
-fn offsets(command: &Command) -> Vec<(usize, f64)> {
-    let own = command.changes.chunks(command.places.len().max(1));
-    let mean = |changes: &[f64]| changes.iter().sum::<f64>() / changes.len().max(1) as f64;
-    command.numbers.iter().copied().zip(own.map(mean)).collect()
+/// Solves at places so close that what is between them is corrected too, as far as that can be.
+fn course(model: &Model, commanded: &Commanded, values: &[f64]) -> Result<Course, Failure> {
+    let programme = Programme::of(model, commanded);
+    let mut least = LEAST_PLACES;
+    loop {
+        let nothing = programme.command(commanded, least);
+        let rows = programme.rows(model, commanded, &contour::places(&nothing));
+        let aims = model.system.aims(&rows);
+        let made = |command: &Arc<Command>| model.commanded_at(values, command)?.observe(&rows);
+        let before = made(&Arc::new(nothing.clone()))?;
+        let solved = solve::solve(&nothing, (&before, &aims), commanded, made)?;
+        let middles = programme.rows(model, commanded, &contour::middles(&nothing));
+        let aimed = model.system.aims(&middles);
+        let made = model.commanded_at(values, &solved.command)?.observe(&middles)?;
+        let worst = |made: &[f64], aims: &[f64]| {
+            made.iter().zip(aims).map(|(made, aim)| (made - aim).abs()).fold(0.0f64, f64::max)
+        };
+        let between = worst(&made, &aimed);
+        let is_fine = between <= (CLOSE * worst(&before, &aims)).max(NEGLIGIBLE);
+        if is_fine || 2 * least > MOST_PLACES {
+            return Ok(Course { rows, before, solved, between });
+        }
+        least = 2 * least - 1;
+    }
 }
 
 /// What is left at every row with 95 %, and the probability that parts are within what is asked.

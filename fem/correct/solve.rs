@@ -2,12 +2,18 @@
 
 use std::sync::Arc;
 
-use crate::process::{Command, Failure};
+use crate::process::{Answers, Command, Commanded, Failure};
 
-/// Steps after which what is not there yet will not come.
+/// Steps after which what is not there yet will not come, of rows that answer to their own place, and of those that do not.
 const MOST_STEPS: usize = 24;
+const MOST_STEPS_ALONG: usize = 100;
+/// Of those a step that leaves more than this part is the last: behind a jump of the command the drives stay behind, and who
+/// drives them on makes them swing.
+const LEAST_STEP: f64 = 0.9;
 /// Errors below this are none, m.
 const NONE: f64 = 1e-10;
+/// Part of the largest error that is as good as none where rows do not answer to their own place alone.
+const GOOD: f64 = 1e-3;
 /// Range of what a change of the command does, in terms of what it does where nothing gives way.
 const ANSWERS: (f64, f64) = (0.05, 3.0);
 
@@ -21,37 +27,54 @@ pub struct Solved {
     pub unreached: usize,
 }
 
-/// The command with which `made` gives `aims`, from what it gives without one, by a secant in every row: a row answers to the
-/// command at its own place alone.
+/// The command with which `made` gives `aims`, from what it gives without one.
+///
+/// Where a row answers to the command at its own place alone, by a secant in every row. Where drives lag behind it, F, each
+/// step adds what is missing: 1 − F is below one at every frequency, so that what is missing falls, the coarser the faster.
 ///
 /// # Errors
 /// What is made cannot be computed.
 pub fn solve(
     nothing: &Command,
     (before, aims): (&[f64], &[f64]),
-    gain: f64,
+    commanded: &Commanded,
     made: impl Fn(&Arc<Command>) -> Result<Vec<f64>, Failure>,
 ) -> Result<Solved, Failure> {
+    let worst = |made: &[f64]| made.iter().zip(aims).fold(0.0f64, |worst, (made, aim)| worst.max((made - aim).abs()));
+    let gain = commanded.gain;
+    let (steps, good) = match commanded.answers {
+        Answers::Here => (MOST_STEPS, NONE),
+        Answers::Along => (MOST_STEPS_ALONG, NONE.max(GOOD * worst(before))),
+    };
     let mut slopes = vec![gain; before.len()];
     let mut command = Arc::new(nothing.clone());
     let mut left = before.to_vec();
-    for _ in 0..MOST_STEPS {
-        let worst = left.iter().zip(aims).fold(0.0f64, |worst, (left, aim)| worst.max((left - aim).abs()));
-        if worst < NONE {
+    for _ in 0..steps {
+        if worst(&left) < good {
             break;
         }
         let steps: Vec<f64> =
             left.iter().zip(aims).zip(&slopes).map(|((left, aim), slope)| (aim - left) / slope).collect();
-        let changes = command.changes.iter().zip(&steps).map(|(change, step)| change + step).collect();
-        let next = Arc::new(Command { changes, ..(*command).clone() });
+        let changes = command.changes().iter().zip(&steps).map(|(change, step)| change + step).collect();
+        let next = Arc::new(command.with(changes));
         let now = made(&next)?;
-        for (((slope, step), now), was) in slopes.iter_mut().zip(&steps).zip(&now).zip(&left) {
-            if step.abs() > NONE {
-                *slope = ((now - was) / step / gain).clamp(ANSWERS.0, ANSWERS.1) * gain;
+        if commanded.answers == Answers::Here {
+            for (((slope, step), now), was) in slopes.iter_mut().zip(&steps).zip(&now).zip(&left) {
+                if step.abs() > NONE {
+                    *slope = ((now - was) / step / gain).clamp(ANSWERS.0, ANSWERS.1) * gain;
+                }
             }
         }
+        let missing = |made: &[f64]| made.iter().zip(aims).map(|(made, aim)| (made - aim).powi(2)).sum::<f64>().sqrt();
+        let is_last = commanded.answers == Answers::Along && missing(&now) > LEAST_STEP * missing(&left);
+        if is_last && missing(&now) > missing(&left) {
+            break;
+        }
         (command, left) = (next, now);
+        if is_last {
+            break;
+        }
     }
-    let unreached = left.iter().zip(aims).filter(|(left, aim)| (*left - *aim).abs() > 1e2 * NONE).count();
+    let unreached = left.iter().zip(aims).filter(|(left, aim)| (*left - *aim).abs() > 1e2 * good).count();
     Ok(Solved { command, left, unreached })
 }

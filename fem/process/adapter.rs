@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::{
-    Active, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
+    Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
     Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning,
     Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
 };
@@ -361,6 +361,11 @@ impl<D: Definition> ForwardModel for Assembled<D> {
         }
         doubts.dedup();
         Ok(doubts)
+    }
+
+    fn advice(&self, rows: &Rows, values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        self.possible()?;
+        D::advice(self.machine(), rows, values)
     }
 
     fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure> {

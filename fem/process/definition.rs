@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use super::{
-    Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Coordinate, DatumDirection,
-    Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
+    Active, Advice, Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded,
+    Coordinate, DatumDirection, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport,
+    Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -84,19 +85,36 @@ pub trait Definition: Sync + Sized + 'static {
         Vec::new()
     }
 
-    /// What a drawing asks of what is made. As a rule the model does not say.
-    fn requirements(_setup: &Self::Setup) -> Vec<Requirement> {
-        Vec::new()
+    /// What a drawing allows the first observable at every place, with the words for it, where it asks no more.
+    fn allowed(_setup: &Self::Setup) -> Option<(&Allowed, &'static AllowedWords)> {
+        None
     }
 
-    /// The error at which the maker of each row aims, SI: the middle of its limits. As a rule at none.
-    fn aims(_setup: &Self::Setup, rows: &Rows) -> Vec<f64> {
-        vec![0.0; rows.len()]
+    /// What a drawing asks of what is made; nothing where the model does not say.
+    fn requirements(setup: &Self::Setup) -> Vec<Requirement> {
+        Self::allowed(setup).map(|(allowed, words)| allowed.requirements(words)).unwrap_or_default()
+    }
+
+    /// The error at which the maker of each row aims, SI: the middle of its limits; none where there are none.
+    fn aims(setup: &Self::Setup, rows: &Rows) -> Vec<f64> {
+        let aim = Self::allowed(setup).map_or(0.0, |(allowed, _)| allowed.aim());
+        (0..rows.len()).map(|row| if rows.observable[row] == 0 { aim } else { 0.0 }).collect()
     }
 
     /// What rows show of each part of that, part by part, given the observable of every row, SI.
-    fn characteristics(_setup: &Self::Setup, _rows: &Rows, _values: &[f64]) -> Vec<Characteristic> {
-        Vec::new()
+    fn characteristics(setup: &Self::Setup, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
+        let numbered = Self::IN_ORDER.and_then(|name| Self::COORDINATES.iter().position(|own| own.name == name));
+        let number = |row: usize| Some(rows.get(numbered?, row)? as usize);
+        let part = |row: usize| (rows.observable[row] == 0).then(|| number(row));
+        Self::allowed(setup).map(|(allowed, _)| allowed.characteristics(rows, values, part)).unwrap_or_default()
+    }
+
+    /// What to do beside the command, given the observable of rows of the commanded kind, SI.
+    ///
+    /// # Errors
+    /// The machine cannot be computed.
+    fn advice(_machine: &Self::Machine, _rows: &Rows, _values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        Ok(Vec::new())
     }
 
     /// Contradiction between the written values of an effect and the tables, if any: a model that says one thing twice,

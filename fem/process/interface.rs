@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::{
-    Active, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
+    Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
     Description, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
@@ -135,6 +135,14 @@ pub trait ForwardModel: Send + Sync {
     /// # Errors
     /// The computation failed.
     fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure>;
+
+    /// What to do beside the command, given the observable of rows of the commanded kind, SI.
+    ///
+    /// # Errors
+    /// The computation failed.
+    fn advice(&self, _rows: &Rows, _values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        Ok(Vec::new())
+    }
 
     /// Everything a run reports, given the prediction of the programme.
     ///

@@ -4,6 +4,8 @@
 //! object-safe [`Process`], [`System`] and [`ForwardModel`] that the layers above use.
 
 mod adapter;
+mod advice;
+mod allowed;
 mod belongs;
 mod bench;
 mod blank;
@@ -33,13 +35,15 @@ mod winding;
 mod words;
 
 pub use adapter::Assembled;
+pub use advice::Advice;
+pub use allowed::{Allowed, AllowedWords};
 pub use belongs::{Belongs, UnitRole};
 pub(crate) use bench::assembled;
 #[cfg(test)]
 pub(crate) use bench::with_effect;
 pub(crate) use blank::{BlankProfile, BlankWords, Wave};
 pub use change::{CHANGED, change_of, is_size, name_of_change};
-pub use command::{Command, Commanded};
+pub use command::{Answers, Command, Commanded};
 pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
 pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing};
@@ -52,6 +56,7 @@ pub use nut::Nut;
 pub use observation::{
     Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
 };
+pub use polyline::on_lines;
 pub use positioning::Positioning;
 pub use report::{Animation, Column, Plot, RunReport, Table};
 pub use requirement::{Characteristic, Requirement};

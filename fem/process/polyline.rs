@@ -2,7 +2,7 @@
 
 /// The value at `x` on straight lines through `count` points (place, value), places rising, of which that numbered `next` is the
 /// first beyond `x`; beyond the ends that of the end, and 0 where there are no points.
-pub(super) fn on_lines(next: usize, count: usize, point: impl Fn(usize) -> (f64, f64), x: f64) -> f64 {
+pub fn on_lines(next: usize, count: usize, point: impl Fn(usize) -> (f64, f64), x: f64) -> f64 {
     match next {
         _ if count == 0 => 0.0,
         0 => point(0).1,

@@ -7,7 +7,7 @@
 //! larger the slide stays on the one flank, and play shows no more.
 
 use super::machine::Machine;
-use super::rows::{PULL, TIME_OF_ROW, approach};
+use super::rows::{DIRECTION, PULL, RUN, TIME_OF_ROW, approach};
 use crate::joint::give_way;
 use crate::positioning::{Approach, Direction};
 use crate::process::Rows;
@@ -16,7 +16,10 @@ use crate::process::Rows;
 /// drive's wind-up; backwards too, and by the play besides.
 pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
     let one = |row: usize| {
-        let Approach { position, direction, .. } = approach(rows, row);
+        let Approach { position: meant, direction, .. } = approach(rows, row);
+        let apart = [RUN, DIRECTION].map(|column| rows.columns[column][row]);
+        let added = machine.command.as_ref().map_or(0.0, |command| command.at(meant, &apart));
+        let position = meant + added;
         let pull = rows.get(PULL, row).unwrap_or(0.0);
         let reversal = match direction {
             _ if pull > 0.0 => {
@@ -30,7 +33,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
         let time = rows.columns[TIME_OF_ROW][row];
         let errors: f64 = machine.errors.iter().map(|error| error(position, time)).sum();
         let zero = machine.setup.test.reading_at_zero.unwrap_or(0.0);
-        zero + reversal + machine.setup.growth(position, time) + errors
+        zero + added + reversal + machine.setup.growth(position, time) + errors
     };
     (0..rows.len()).map(one).collect()
 }

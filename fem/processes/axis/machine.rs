@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::setup::Setup;
-use crate::process::{self, Winding};
+use crate::process::{self, Command, Winding};
 
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
@@ -27,12 +27,14 @@ pub struct Machine {
     pub winding: Option<Winding>,
     /// Deviations that add up.
     pub errors: Vec<Error>,
+    /// What is added to the command, if it is corrected.
+    pub command: Option<Arc<Command>>,
 }
 
 impl Machine {
     /// The ideal axis: it goes where it is told.
     pub fn ideal(setup: Arc<Setup>) -> Self {
-        Self { setup, gap: 0.0, plays: Vec::new(), winding: None, errors: Vec::new() }
+        Self { setup, gap: 0.0, plays: Vec::new(), winding: None, errors: Vec::new(), command: None }
     }
 
     /// Adds a deviation.

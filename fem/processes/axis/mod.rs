@@ -4,6 +4,7 @@
 //! run, at a time. The ideal axis goes where it is told; the ball screw is a bar on its bearing, stretched
 //! by whatever the slide's friction asks of it [seed 000, fig. 2].
 
+mod advice;
 mod controller;
 mod drag;
 mod effects;
@@ -20,8 +21,8 @@ use std::sync::Arc;
 
 use crate::input::Reader;
 use crate::process::{
-    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable,
-    Places, Positioning, Rows, RunReport,
+    Advice, Allowed, AllowedWords, Answers, CandidateExperiment, CatalogueEffect, Command, Commanded, Coordinate,
+    Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Positioning, Rows, RunReport,
 };
 
 /// The process `axis`.
@@ -37,6 +38,19 @@ impl Definition for Axis {
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    const COMMANDED: Option<Commanded> = Some(Commanded {
+        key: "change",
+        words: "commanded position",
+        course: "table",
+        along: rows::POSITION,
+        number: Some(rows::RUN),
+        beside: &[rows::DIRECTION],
+        observable: 0,
+        gain: 1.0,
+        answers: Answers::Here,
+        period: None,
+    });
     const IN_ORDER: Option<&'static str> = Some("run");
     const CARRIED_OVER: &'static [(&'static str, &'static str)] =
         &[("thermal-growth", "warms over many runs, and what is warm does not begin anew at a run")];
@@ -47,6 +61,18 @@ impl Definition for Axis {
 
     fn ideal(setup: Arc<Setup>) -> Machine {
         Machine::ideal(setup)
+    }
+
+    fn command(machine: &mut Machine, command: Arc<Command>) {
+        machine.command = Some(command);
+    }
+
+    fn advice(_machine: &Machine, rows: &Rows, values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        Ok(advice::advice(rows, values))
+    }
+
+    fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
+        Some((&setup.allowed, &rows::ALLOWED))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -2,11 +2,12 @@
 
 use super::controller::Controller;
 use super::drag::Drag;
+use super::rows::ALLOWED;
 use crate::element::Round;
 use crate::input::{Along, Reader, Varying};
 use crate::material::Material;
 use crate::positioning::Tolerance;
-use crate::process::{Nut, estimates};
+use crate::process::{Allowed, Nut, estimates};
 use crate::solve::Bar;
 use crate::units::{LENGTH, TEMPERATURE, TIME};
 
@@ -79,6 +80,8 @@ pub struct Setup {
     pub test: Test,
     /// Deviations that the axis is allowed.
     pub tolerance: Tolerance,
+    /// What the drawing allows.
+    pub allowed: Allowed,
     /// The controller's compensation.
     pub controller: Controller,
 }
@@ -116,8 +119,11 @@ impl Setup {
                 }
                 (material, [diameter, lead, fixed_at], also, warmth, Nut::read(t))
             });
-        let tolerance =
-            model.optional_table("tolerance", "what the axis is allowed, for `fem compensate`", read_tolerance);
+        let (tolerance, allowed) = model
+            .optional_table("tolerance", "what the axis is allowed", |t| {
+                (read_tolerance(t), Allowed::read(t, &ALLOWED))
+            })
+            .unwrap_or_default();
         let about = "the controller's compensation, for `fem compensate`";
         let controller = model.optional_table("controller", about, |t| Controller::read(t, travel));
         Self {
@@ -132,7 +138,8 @@ impl Setup {
             nut,
             warmth,
             test,
-            tolerance: tolerance.unwrap_or_default(),
+            tolerance,
+            allowed,
             controller: controller.unwrap_or_default(),
         }
     }

@@ -32,8 +32,8 @@ use std::sync::Arc;
 
 use crate::input::Reader;
 use crate::process::{
-    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable,
-    Places, Rows, RunReport, Spot,
+    Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit,
+    Misplaced, Observable, Places, Rows, RunReport, Spot,
 };
 use crate::progress::Progress;
 
@@ -57,6 +57,10 @@ impl Definition for CamGrinding {
 
     fn ideal(setup: Arc<Setup>) -> Machine {
         Machine::ideal(setup)
+    }
+
+    fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
+        Some((&setup.allowed, &rows::ALLOWED))
     }
 
     fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -5,9 +5,10 @@ use super::division::{Division, Speed};
 use super::guide::wheel_rate;
 use super::profile::{self, Drawn, Profile, Segment, turn};
 use super::program::Program;
+use super::rows::ALLOWED;
 use crate::input::Reader;
-use crate::process::Spot;
 use crate::process::estimates::CUTTING_FORCE;
+use crate::process::{Allowed, Spot};
 use crate::units::{FORCE_PER_RATE, LENGTH, MICRO};
 
 /// Everything a cam model says but its effects. SI units.
@@ -29,6 +30,8 @@ pub struct Setup {
     pub program: Program,
     /// The pass before, where its programme was another.
     pub before: Option<Before>,
+    /// What the drawing allows.
+    pub allowed: Allowed,
     /// Points of the prediction in each block.
     pub points: usize,
 }
@@ -82,6 +85,9 @@ impl Setup {
         let before = model.optional_table("before", "the pass before, if its programme was another", |t| {
             Before::read(t, drawn.as_ref(), wheel_radius, speed, stock.is_some())
         });
+        let allowed = model
+            .optional_table("tolerance", "what the cam is held against", |t| Allowed::read(t, &ALLOWED))
+            .unwrap_or_default();
         let (division, program) = programmed?;
         let Drawn { profile, segments } = drawn?;
         // So many that each block shows its error, and no more than a picture holds.
@@ -96,6 +102,7 @@ impl Setup {
             division,
             program,
             before: before.flatten(),
+            allowed,
             points,
         })
     }

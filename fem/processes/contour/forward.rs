@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 
+use super::followed::Followed;
 use super::machine::{Cyclic, Machine, Spike};
 use super::motion::{Motion, Turn};
 use super::path::{AXES, Direction, Path, Point, dot};
@@ -53,6 +54,8 @@ pub struct Lap<'m> {
     feed: f64,
     /// x, y.
     pub axes: [Axis; 2],
+    /// What a corrected path adds.
+    followed: Option<Followed>,
 }
 
 /// An axis on its lap: behind the servo and with its play.
@@ -125,7 +128,15 @@ impl<'m> Lap<'m> {
     /// The lap of a machine.
     pub fn new(machine: &'m Machine, direction: Direction, feed: f64) -> Self {
         let motion = |axis| Motion::of(&machine.setup.path, axis, machine.gains[axis], feed, direction);
-        Self { machine, direction, feed, axes: [0, 1].map(|axis| Axis::new(motion(axis), machine.plays[axis].clone())) }
+        let axes = [0, 1].map(|axis| Axis::new(motion(axis), machine.plays[axis].clone()));
+        let mut lap = Self { machine, direction, feed, axes, followed: None };
+        lap.followed = machine.command.as_ref().map(|command| Followed::new(machine, &lap, command));
+        lap
+    }
+
+    /// What sets its contour apart in a command.
+    pub fn apart(&self) -> f64 {
+        f64::from(self.direction as u8)
     }
 
     /// s within the lap at which a point is commanded.
@@ -147,7 +158,11 @@ impl<'m> Lap<'m> {
     /// Place of the tool at a time within the lap (m), and the time since each axis turned round (s).
     pub fn position(&self, time: f64) -> ([f64; 2], [f64; 2]) {
         let machine = self.machine;
-        let reached = [0, 1].map(|axis| self.axes[axis].at(time, self.further_lag(axis, time)));
+        let mut reached = [0, 1].map(|axis| self.axes[axis].at(time, self.further_lag(axis, time)));
+        if let Some(followed) = &self.followed {
+            let off = followed.at(time);
+            (0..2).for_each(|axis| reached[axis].0 = self.axes[axis].motion.position(time) + off[axis]);
+        }
         let [x, y] = [0, 1].map(|axis| {
             let (at, Cyclic { amplitude, phase }) = (reached[axis].0, machine.cyclic[axis]);
             let lead = machine.setup.drives[axis].lead.unwrap_or(f64::INFINITY);
@@ -165,7 +180,7 @@ impl<'m> Lap<'m> {
     }
 
     /// Lag of an axis whose gain follows its speed, beyond that at a gain which does not, m.
-    fn further_lag(&self, axis: usize, time: f64) -> f64 {
+    pub fn further_lag(&self, axis: usize, time: f64) -> f64 {
         let machine = self.machine;
         if machine.gain_changes[axis] == 0.0 {
             return 0.0;

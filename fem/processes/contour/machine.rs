@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::play::Play;
 use super::setup::Setup;
-use crate::process;
+use crate::process::{self, Command};
 
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
@@ -34,6 +34,8 @@ pub struct Machine {
     pub centre: [f64; 2],
     /// Mark that each axis leaves when it turns round.
     pub spikes: [Spike; 2],
+    /// What is added to the command, if it is corrected.
+    pub command: Option<Arc<Command>>,
 }
 
 /// amplitude·sin(2π·position/lead + phase).
@@ -70,6 +72,7 @@ impl Machine {
             squareness: 0.0,
             centre: [0.0; 2],
             spikes: [Spike::default(); 2],
+            command: None,
         }
     }
 

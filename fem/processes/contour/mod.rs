@@ -4,8 +4,10 @@
 //! deviation from the path, positive outwards, plus spikes: in that order, in the steady state that laps
 //! before have brought about, at the commanded point [seed 000; ISO 230-4].
 
+mod advice;
 mod drive;
 mod effects;
+mod followed;
 pub(crate) mod forward;
 mod machine;
 mod motion;
@@ -23,8 +25,8 @@ use std::sync::Arc;
 
 use crate::input::Reader;
 use crate::process::{
-    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable,
-    Places, Rows, RunReport, Spot,
+    Advice, Allowed, AllowedWords, Answers, CandidateExperiment, CatalogueEffect, Command, Commanded, Coordinate,
+    Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Rows, RunReport, Spot,
 };
 
 /// The process `contour`.
@@ -41,12 +43,37 @@ impl Definition for Contour {
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
 
+    const COMMANDED: Option<Commanded> = Some(Commanded {
+        key: "change",
+        words: "commanded path, outwards",
+        course: "contour",
+        along: rows::ANGLE_OF_ROW,
+        number: None,
+        beside: &[rows::DIRECTION],
+        observable: 0,
+        gain: 1.0,
+        answers: Answers::Along,
+        period: Some(std::f64::consts::TAU),
+    });
+
     fn read(model: &Reader) -> Option<Setup> {
         Some(Setup::read(model))
     }
 
     fn ideal(setup: Arc<Setup>) -> Machine {
         Machine::ideal(setup)
+    }
+
+    fn command(machine: &mut Machine, command: Arc<Command>) {
+        machine.command = Some(command);
+    }
+
+    fn advice(machine: &Machine, rows: &Rows, values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        advice::advice(machine, rows, values)
+    }
+
+    fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
+        Some((&setup.allowed, &rows::ALLOWED))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -4,11 +4,17 @@ use std::f64::consts::TAU;
 
 use super::path::{Direction, Path};
 use super::setup::Setup;
-use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
+use crate::process::{
+    Absent, AllowedWords, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values,
+};
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 
 /// The deviation of the tool from its path, positive outwards.
 pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the contour", MICRO)];
+
+/// What a drawing allows it.
+pub const ALLOWED: AllowedWords =
+    AllowedWords { within: "deviation", about: "limits of the deviation from the path", form: None, kind: MICRO };
 
 /// Positions in [`COORDINATES`]: the polar angle of the commanded point.
 pub const ANGLE_OF_ROW: usize = 0;

@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use super::drive::{self, Drive, Feedback};
 use super::path::{Direction, Path, dot};
 use crate::input::Reader;
+use crate::process::Allowed;
 use crate::process::estimates::{self, CUTTING_FORCE};
+use crate::tolerance::Limits;
 use crate::units::{ANGLE, FEED_RATE, FORCE, FREQUENCY, GAIN, LENGTH, MICRO};
 
 /// Most corners of a polygon: more than any has.
@@ -32,6 +34,8 @@ pub struct Setup {
     pub force: [f64; 2],
     /// Largest deviation that is allowed, m.
     pub tolerance: Option<f64>,
+    /// The same as limits at every place.
+    pub allowed: Allowed,
     /// Evenly spaced points of the contour at which it is predicted.
     pub points: usize,
 }
@@ -81,6 +85,9 @@ impl Setup {
         let points = model.optional_table("measurement", "where the contour is predicted", |t| {
             t.count("points", "evenly spaced points along the contour").between(8, 100_000).or(360)
         });
+        let within = tolerance
+            .map(|largest| (Limits { lower: -largest, upper: largest }, format!("±{}", MICRO.format(largest))));
+        let allowed = Allowed { within, form: None };
         let setup = Self {
             path,
             feed,
@@ -91,6 +98,7 @@ impl Setup {
             frequency,
             force: force.unwrap_or_default(),
             tolerance,
+            allowed,
             points: points.unwrap_or(360),
         };
         if let Some(reason) = setup.too_fast(feed) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::jaws::{self, Jaw};
 use super::setup::Setup;
-use crate::process::{self, Failure};
+use crate::process::{self, Command, Failure};
 
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
@@ -45,6 +45,8 @@ pub struct Machine {
     moves: Vec<Mark>,
     /// Deviations set free when the ring is bored.
     released: Vec<Mark>,
+    /// What is added to the command, if it is corrected.
+    pub command: Option<Arc<Command>>,
 }
 
 impl Machine {
@@ -62,6 +64,7 @@ impl Machine {
             copied: 0.0,
             moves: Vec::new(),
             released: Vec::new(),
+            command: None,
         }
     }
 
@@ -85,7 +88,8 @@ impl Machine {
         let all = |marks: &[Mark]| marks.iter().map(|mark| mark(point)).sum::<f64>();
         let [x, y] = self.eccentricity;
         let away = squeeze + self.warmth + x * point.angle.cos() + y * point.angle.sin();
-        let (nose, found) = (all(&self.moves), point.blank + away);
+        let commanded = self.command.as_ref().map_or(0.0, |command| command.at(point.angle, &[]));
+        let (nose, found) = (commanded + all(&self.moves), point.blank + away);
         nose - self.copied * (nose - found) - away + all(&self.released)
     }
 

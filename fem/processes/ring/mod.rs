@@ -4,6 +4,7 @@
 //! deviation(θ) = −u_r(Ri, θ), positive outwards, θ = 0 at jaw 1 [seed 002, ring in a three-jaw chuck].
 //! Clamped and not yet bored it is +u_r. Errors of the cut itself add to the released bore.
 
+mod advice;
 pub(crate) mod circle;
 mod drawn;
 mod effects;
@@ -24,8 +25,8 @@ use std::sync::Arc;
 
 use crate::input::Reader;
 use crate::process::{
-    CandidateExperiment, CatalogueEffect, Coordinate, DatumDirection, Definition, Failure, Forward, Limit, Misplaced,
-    Observable, Places, Rows, RunReport, Spot,
+    Advice, Allowed, AllowedWords, Answers, CandidateExperiment, CatalogueEffect, Command, Commanded, Coordinate,
+    DatumDirection, Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Rows, RunReport, Spot,
 };
 
 /// The process `ring`.
@@ -41,6 +42,19 @@ impl Definition for Ring {
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
+
+    const COMMANDED: Option<Commanded> = Some(Commanded {
+        key: "change",
+        words: "radius at which the bore is cut",
+        course: "contour",
+        along: rows::ANGLE_OF_ROW,
+        number: None,
+        beside: &[],
+        observable: 0,
+        gain: 1.0,
+        answers: Answers::Here,
+        period: Some(std::f64::consts::TAU),
+    });
     const IN_ORDER: Option<&'static str> = Some("run");
 
     fn read(model: &Reader) -> Option<Setup> {
@@ -49,6 +63,18 @@ impl Definition for Ring {
 
     fn ideal(setup: Arc<Setup>) -> Machine {
         Machine::ideal(setup)
+    }
+
+    fn command(machine: &mut Machine, command: Arc<Command>) {
+        machine.command = Some(command);
+    }
+
+    fn advice(machine: &Machine, _rows: &Rows, values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        Ok(advice::advice(machine, values))
+    }
+
+    fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
+        Some((&setup.allowed, &rows::ALLOWED))
     }
 
     fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

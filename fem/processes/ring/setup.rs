@@ -5,11 +5,13 @@ use std::sync::Arc;
 use super::circle::evenly;
 use super::drawn::{Drawn, Held};
 use super::response::{MeshSize, Proportions, Response};
+use super::rows::ALLOWED;
 use crate::input::{Cache, Reader};
 use crate::material::Material;
 use crate::mesh::Mesh;
+use crate::process::Allowed;
 use crate::process::estimates::{CLAMPING_FORCE, CUTTING_FORCE};
-use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
+use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, NUMBER, SPINDLE_SPEED};
 
 /// Most elements: more than any ring needs, some seconds and 800 MB.
 const MOST_ELEMENTS: usize = 120_000;
@@ -64,6 +66,12 @@ pub struct Setup {
     pub arc: f64,
     /// Force of each jaw at standstill, N.
     pub jaw_force: f64,
+    /// Friction between jaws and ring.
+    pub friction: Option<f64>,
+    /// By how much the friction of the jaws is to hold more than the cut asks for.
+    pub margin: f64,
+    /// Force of the cut along the turning, N.
+    pub cutting_force: Option<f64>,
     /// Spindle speed while boring, rad/s.
     pub spindle_speed: Option<f64>,
     /// C, the radial force per depth of cut, N/m.
@@ -74,9 +82,14 @@ pub struct Setup {
     pub responses: Arc<Cache<Proportions, Response, 16>>,
     /// Circle that deviations are measured from.
     pub reference: Reference,
+    /// What the drawing allows.
+    pub allowed: Allowed,
     /// Evenly spaced angles at which the bore is predicted.
     pub points: usize,
 }
+
+/// Times that jaws hold what the cut asks for, unless the model says otherwise.
+const MARGIN: f64 = 2.0;
 
 impl Reference {
     /// The words of the model file, the default first.
@@ -99,19 +112,36 @@ impl Setup {
             });
             (material, radii, width, blank)
         });
-        let (jaws, jaw_force) = model.table("chuck", "the chuck that holds the ring by its outside", |t| {
-            let jaws = t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
-            let force = t.quantity("jaw_force", FORCE, "radial force of each jaw").estimated(CLAMPING_FORCE);
-            (jaws, force.not_negative().required())
-        });
+        let (jaws, jaw_force, friction, margin) =
+            model.table("chuck", "the chuck that holds the ring by its outside", |t| {
+                let jaws =
+                    t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
+                let force = t.quantity("jaw_force", FORCE, "radial force of each jaw").estimated(CLAMPING_FORCE);
+                let friction =
+                    t.quantity("friction", NUMBER, "between jaws and ring; with it the least force that holds is told");
+                let margin = t.quantity(
+                    "margin",
+                    NUMBER,
+                    "by how many times the friction of the jaws holds what the cut asks for",
+                );
+                (jaws, force.not_negative().required(), friction.positive().optional(), margin.positive().or(MARGIN))
+            });
         let cut = model.optional_table("cut", "how the bore is cut", |t| {
             let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while boring").not_negative();
             let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
-            (speed.optional(), force.estimated(CUTTING_FORCE).positive().optional())
+            let along = t.quantity("cutting_force", FORCE, "force of the cut along the turning, which the jaws hold");
+            (
+                speed.optional(),
+                force.estimated(CUTTING_FORCE).positive().optional(),
+                along.estimated(CUTTING_FORCE).positive().optional(),
+            )
         });
-        let (spindle_speed, force_per_depth) = cut.unwrap_or_default();
+        let (spindle_speed, force_per_depth, cutting_force) = cut.unwrap_or_default();
         let body = read_body(model, jaws, radii);
         let (reference, points) = read_measurement(model);
+        let allowed = model
+            .optional_table("tolerance", "what the drawing asks of the bore", |t| Allowed::read(t, &ALLOWED))
+            .unwrap_or_default();
         let ([outer_radius, inner_radius], jaw_angles, arc) = match &body {
             Body::Cells(_) => (radii.map(Option::unwrap_or_default), evenly(jaws), 0.0),
             Body::Drawn(drawn) => ([drawn.outer_radius, drawn.inner_radius], drawn.jaws.clone(), drawn.arc),
@@ -125,11 +155,15 @@ impl Setup {
             jaw_angles,
             arc,
             jaw_force,
+            friction,
+            margin,
+            cutting_force,
             spindle_speed,
             force_per_depth,
             body,
             responses: model.kept(),
             reference,
+            allowed,
             points,
         }
     }

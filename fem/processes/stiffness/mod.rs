@@ -18,8 +18,8 @@ use std::sync::Arc;
 
 use crate::input::Reader;
 use crate::process::{
-    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Rows,
-    RunReport, UnitRole,
+    Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit,
+    Misplaced, Observable, Rows, RunReport, UnitRole,
 };
 
 /// The process `stiffness`.
@@ -44,6 +44,10 @@ impl Definition for Stiffness {
 
     fn ideal(setup: Arc<Setup>) -> Machine {
         Machine::ideal(setup)
+    }
+
+    fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
+        Some((&setup.allowed, &rows::ALLOWED))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -1,7 +1,8 @@
 //! The tables of a stiffness model.
 
+use super::rows::ALLOWED;
 use crate::input::Reader;
-use crate::process::estimates;
+use crate::process::{Allowed, estimates};
 use crate::units::{FORCE, STIFFNESS};
 
 /// Where the force goes from its largest.
@@ -31,6 +32,8 @@ pub struct Setup {
     pub steps: usize,
     /// Where the force goes from its largest.
     pub loading: Loading,
+    /// What the drawing allows.
+    pub allowed: Allowed,
 }
 
 impl Setup {
@@ -48,7 +51,9 @@ impl Setup {
             let about = "whether the force is let go at zero, or runs on to the other sign and back";
             (max_force, steps, t.choice("loading", about, Loading::WORDS).or_first(Loading::FromZero))
         });
-        Self { stiffness, unit, max_force, steps, loading }
+        let about = "what the displacement is held against";
+        let allowed = model.optional_table("tolerance", about, |t| Allowed::read(t, &ALLOWED)).unwrap_or_default();
+        Self { stiffness, unit, max_force, steps, loading, allowed }
     }
 
     /// Forces of the programme, rising, N.

@@ -26,8 +26,10 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let run = Run { end, ..run_for(machine, &looks, &readings)? };
     refuse_too_many_steps(&run)?;
     let mut values = read(machine, &looks, &readings, &run)?;
-    for (value, observable) in values.iter_mut().zip(rows.observable.iter()) {
-        *value += if *observable == ELONGATION { 0.0 } else { machine.setup.start };
+    let commanded = |time: f64| machine.command.as_ref().map_or(0.0, |command| command.at(time, &[]));
+    for (row, value) in values.iter_mut().enumerate() {
+        let is_elongation = rows.observable[row] == ELONGATION;
+        *value += if is_elongation { commanded(rows.columns[TIME_OF_ROW][row]) } else { machine.setup.start };
     }
     Ok(values)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::boundary::{Boundary, Condition};
 use super::follow::Look;
 use super::setup::{Setup, Time};
-use crate::process;
+use crate::process::{self, Command};
 use crate::solve::rod::{History, PointSource, Swing};
 
 /// An effect on this machine, with `N` parameters.
@@ -38,13 +38,24 @@ pub struct Machine {
     pub contacts: Vec<Contact>,
     /// Time constant of temperature sensors, s.
     pub lag: f64,
+    /// What is added to the command, if it is corrected.
+    pub command: Option<Arc<Command>>,
 }
 
 impl Machine {
     /// The ideal body: insulated, in one piece, in surroundings that stay as they are, with instant sensors.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         let sources = setup.sources.clone();
-        Self { setup, convection: 0.0, base: 0.0, drifts: Vec::new(), sources, contacts: Vec::new(), lag: 0.0 }
+        Self {
+            setup,
+            convection: 0.0,
+            base: 0.0,
+            drifts: Vec::new(),
+            sources,
+            contacts: Vec::new(),
+            lag: 0.0,
+            command: None,
+        }
     }
 
     /// The same in elements twice as long, where they are the program's own, and in these steps (s).

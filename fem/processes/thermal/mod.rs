@@ -7,6 +7,7 @@
 //! bows where it is warmer above than below. The temperature of the surroundings and the power of a source
 //! may be records.
 
+mod advice;
 mod body;
 pub(crate) mod boundary;
 mod effects;
@@ -28,8 +29,8 @@ use std::sync::Arc;
 
 use crate::input::Reader;
 use crate::process::{
-    CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Rows,
-    RunReport,
+    Advice, Allowed, AllowedWords, Answers, CandidateExperiment, CatalogueEffect, Command, Commanded, Coordinate,
+    Definition, Failure, Forward, Limit, Misplaced, Observable, Rows, RunReport,
 };
 
 /// The process `thermal`.
@@ -46,12 +47,37 @@ impl Definition for Thermal {
     const STARTING_MODEL: &'static str = include_str!("new.toml");
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
 
+    const COMMANDED: Option<Commanded> = Some(Commanded {
+        key: "change",
+        words: "commanded length",
+        course: "course",
+        along: rows::TIME_OF_ROW,
+        number: None,
+        beside: &[],
+        observable: 0,
+        gain: 1.0,
+        answers: Answers::Here,
+        period: None,
+    });
+
     fn read(model: &Reader) -> Option<Setup> {
         Some(Setup::read(model))
     }
 
     fn ideal(setup: Arc<Setup>) -> Machine {
         Machine::ideal(setup)
+    }
+
+    fn command(machine: &mut Machine, command: Arc<Command>) {
+        machine.command = Some(command);
+    }
+
+    fn advice(machine: &Machine, rows: &Rows, values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        Ok(advice::advice(machine, rows, values))
+    }
+
+    fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
+        Some((&setup.allowed, &rows::ALLOWED))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use super::body::{Body, MOST_CELLS};
 use super::boundary::{self, Boundary, refuse_impossible};
+use super::rows::ALLOWED;
 use super::source;
 use super::steps::Steps;
 use crate::input::{Along, Reader};
 use crate::material::Material;
-use crate::process::estimates;
+use crate::process::{Allowed, estimates};
 use crate::solve::conduction::Scheme;
 use crate::solve::rod::{History, Known, PointSource};
 use crate::units::{LENGTH, TEMPERATURE, TEMPERATURE_RISE, TIME};
@@ -57,6 +58,8 @@ pub struct Setup {
     pub places: Vec<f64>,
     /// Times at which it looks, s.
     pub times: Vec<f64>,
+    /// What the drawing allows.
+    pub allowed: Allowed,
     /// Steps that are chosen by the tolerance.
     pub steps: Arc<Steps>,
     /// Runs of rods that are known, kept by the model.
@@ -118,6 +121,9 @@ impl Setup {
             .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
         let element_size = element_size.unwrap_or(usual_size);
         let rods = model.kept();
+        let allowed = model
+            .optional_table("tolerance", "what the growth is held against", |t| Allowed::read(t, &ALLOWED))
+            .unwrap_or_default();
         let setup = Self {
             material,
             body,
@@ -129,6 +135,7 @@ impl Setup {
             element_size,
             places,
             times,
+            allowed,
             steps: Arc::default(),
             rods,
         };

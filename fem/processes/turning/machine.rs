@@ -182,7 +182,7 @@ impl Machine {
 
     /// What a correction of the last pass adds to the diameter at a moment, m.
     pub fn commanded_at(&self, moment: &Moment) -> f64 {
-        self.command.as_ref().map_or(0.0, |command| 2.0 * command.at(moment.x, moment.part))
+        self.command.as_ref().map_or(0.0, |command| 2.0 * command.at(moment.x, &[moment.part as f64]))
     }
 
     /// How far headstock and tailstock stand from their places at a moment, away from the tool, m.

@@ -3,6 +3,7 @@
 //! The tool stands at x and pushes the shaft away by y(x); the diameter grows by ΔD = 2·y(x), and everything
 //! that moves the tool nose toward or away from the axis adds to it.
 
+mod advice;
 mod batch;
 pub(crate) mod cut;
 mod edge;
@@ -33,8 +34,8 @@ use std::sync::Arc;
 use self::lift_off::LiftOff;
 use crate::input::Reader;
 use crate::process::{
-    Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction, Coordinate,
-    Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Requirement, Rows, RunReport,
+    Active, Advice, Answers, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction,
+    Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Requirement, Rows, RunReport,
 };
 use crate::progress::Progress;
 
@@ -64,11 +65,15 @@ impl Definition for Turning {
 
     const COMMANDED: Option<Commanded> = Some(Commanded {
         key: "radius_change",
-        words: "radius",
+        words: "programmed radius",
+        course: "contour",
         along: rows::X,
-        number: rows::PART,
+        number: Some(rows::PART),
+        beside: &[],
         observable: 0,
         gain: 2.0,
+        answers: Answers::Here,
+        period: None,
     });
 
     fn read(model: &Reader) -> Option<Setup> {
@@ -81,6 +86,10 @@ impl Definition for Turning {
 
     fn command(machine: &mut Machine, command: Arc<Command>) {
         machine.command = Some(command);
+    }
+
+    fn advice(machine: &Machine, rows: &Rows, values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        Ok(advice::advice(machine, rows, values))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

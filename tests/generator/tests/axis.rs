@@ -6,7 +6,7 @@ use generator::law::Cause;
 use generator::preload::Side;
 
 fn job(x: f64, set_up: SetUp) -> Job {
-    let row = |backward| Row { run: 1, x, backward, time: 0.0, pull: 0.0 };
+    let row = |backward| Row { change: 0.0, run: 1, x, backward, time: 0.0, pull: 0.0 };
     Job {
         travel: 400.0,
         from: 0.0,

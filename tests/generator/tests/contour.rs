@@ -15,6 +15,7 @@ fn job(gain: f64, angles: &[f64]) -> Job {
     let row =
         |clockwise| move |angle: &f64| Row { lap: usize::from(clockwise), clockwise, feed: 1200.0, angle: *angle };
     Job {
+        command: [Vec::new(), Vec::new()],
         radius: 100.0,
         feed: 1200.0,
         gain,

@@ -117,7 +117,7 @@ mod milled {
     use generator::law::Cause;
 
     fn row(x: f64, depth: f64, blank: f64, y: f64) -> Row {
-        Row { part: 500, group: 0, x, clamp_force: 4000.0, depth, blank, y }
+        Row { change: 0.0, part: 500, group: 0, x, clamp_force: 4000.0, depth, blank, y }
     }
 
     fn job(rows: Vec<Row>) -> Job {

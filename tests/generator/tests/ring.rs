@@ -73,7 +73,10 @@ mod bored {
             force_per_depth: 1.0,
             absolute: true,
             set_ups: vec![SetUp { force: 2000.0, speed: 400.0, orientation: 10.0, clamped }],
-            rows: [0.0, 25.0, 60.0, 140.0].iter().map(|angle| Row { set_up: 0, angle: *angle, blank }).collect(),
+            rows: [0.0, 25.0, 60.0, 140.0]
+                .iter()
+                .map(|angle| Row { change: 0.0, set_up: 0, angle: *angle, blank })
+                .collect(),
             noise: NoiseKind::Neither,
             shown: vec![],
             compliances: compliances(0.8, 0.3, 1),

@@ -12,6 +12,7 @@ pub fn asked(job: &Job, rows: &[Asked]) -> Option<Job> {
             x: decimals(row.number("position", 1e3)?, 4),
             backward: row.is("direction", "-"),
             time: decimals(row.number("time", 1.0 / 60.0).unwrap_or(0.0), 4),
+            change: row.number("change", 1e6).unwrap_or(0.0),
             pull: decimals(row.number("pull", 1.0).unwrap_or(0.0), 1),
         })
     };

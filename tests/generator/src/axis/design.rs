@@ -22,7 +22,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
         let there = targets.iter().map(|x| (*x, false));
         for (x, backward) in there.chain(targets.iter().rev().map(|x| (*x, true))) {
             let time = decimals(reading * (rows.len() + 1) as f64, 3);
-            rows.push(Row { run, x, backward, time, pull: 0.0 });
+            rows.push(Row { run, x, backward, time, pull: 0.0, change: 0.0 });
         }
     }
     let noise = if hidden.contains(&"thermal-growth") {

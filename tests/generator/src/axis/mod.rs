@@ -58,6 +58,8 @@ pub struct Row {
     pub time: f64,
     /// Force that pulls the slide towards the beginning of the travel, N.
     pub pull: f64,
+    /// What the control adds to the command, um.
+    pub change: f64,
 }
 
 /// An axis with its test.
@@ -199,7 +201,9 @@ impl crate::job::Job for Job {
             }
             if row.backward { both + wound + play } else { both - wound }
         };
-        self.rows.iter().map(one).collect()
+        // The slide is sent elsewhere, and is off there as it is off when it is meant to go there.
+        let sent = |row: &Row| row.change + one(&Row { x: row.x + 1e-3 * row.change, ..*row });
+        self.rows.iter().map(sent).collect()
     }
 
     fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {

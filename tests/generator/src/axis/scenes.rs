@@ -53,7 +53,7 @@ pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Opti
     let mut rows = Vec::new();
     for run in 1..=2 {
         for (k, backward) in (0..8).map(|k| (k, false)).chain((0..8).rev().map(|k| (k, true))) {
-            rows.push(Row { run, x: target(k), backward, time: 1.5 * (rows.len() + 1) as f64, pull: 0.0 });
+            rows.push(Row { run, x: target(k), backward, time: 1.5 * (rows.len() + 1) as f64, pull: 0.0, change: 0.0 });
         }
     }
     let mut job = Job {

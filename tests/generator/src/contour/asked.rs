@@ -17,5 +17,13 @@ pub fn asked(job: &Job, rows: &[Asked]) -> Option<Job> {
             angle: decimals(row.number("angle", 1.0)?.to_degrees(), 4) % 360.0,
         })
     };
-    Some(Job { rows: rows.iter().map(one).collect::<Option<_>>()?, ..job.clone() })
+    let own: Vec<Row> = rows.iter().map(one).collect::<Option<_>>()?;
+    let mut command = [Vec::new(), Vec::new()];
+    for (row, asked) in own.iter().zip(rows) {
+        if let Some(change) = asked.number("change", 1e6) {
+            command[usize::from(row.clockwise)].push((row.angle, change));
+        }
+    }
+    command.iter_mut().for_each(|table| table.sort_by(|a, b| a.0.total_cmp(&b.0)));
+    Some(Job { rows: own, command, ..job.clone() })
 }

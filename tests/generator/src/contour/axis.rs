@@ -61,6 +61,11 @@ impl Axis {
         State { place: slide, velocity: self.drive(behind).1, since: (behind - turned) / self.speed }
     }
 
+    /// Place of the drive when its command stands at radius·cos(`phase`), mm.
+    pub fn drive_at(&self, phase: f64) -> f64 {
+        self.drive(phase - (self.speed / self.gain).atan()).0
+    }
+
     /// Place (mm) and speed (mm/s) of a drive that lags by `behind`. A gain that changes with the speed v changes
     /// the lag v/Kv.
     fn drive(&self, behind: f64) -> (f64, f64) {
@@ -73,7 +78,7 @@ impl Axis {
 
 impl Lost {
     /// Where a slide comes to stand from where it stood when the drive goes to `drive`.
-    fn dragged(&self, slide: f64, drive: f64) -> f64 {
+    pub fn dragged(&self, slide: f64, drive: f64) -> f64 {
         let mut stands = slide;
         for _ in 0..LOOKS {
             let reach = self.half + self.growth * (stands - self.bearing).abs();

@@ -23,6 +23,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
     let has_screws = asked(&["elastic-lost-motion-x", "elastic-lost-motion-y"]) || random.chance(0.4);
     let has_cut = asked(&["cutting-deflection"]) || random.chance(0.25);
     Some(Job {
+        command: [Vec::new(), Vec::new()],
         radius,
         feed,
         gain: figures(random.uniform(20.0, 60.0), 3),

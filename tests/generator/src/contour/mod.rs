@@ -4,6 +4,7 @@
 pub mod asked;
 pub mod axis;
 pub mod catalogue;
+pub mod commanded;
 pub mod design;
 pub mod scenes;
 pub mod writing;
@@ -12,6 +13,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use axis::{Axis, Lost, State};
 use catalogue::LAWS;
+use commanded::Lap;
 
 use crate::Process;
 use crate::asked::Asked;
@@ -79,6 +81,8 @@ pub struct Job {
     pub screws: Option<[Screw; 2]>,
     /// On the tool, outwards and against the travel, N.
     pub cut: Option<[f64; 2]>,
+    /// How much farther out the path is commanded counter-clockwise and clockwise: angle (deg) and change (um), rising.
+    pub command: [Vec<(f64, f64)>; 2],
     /// Readings in their order.
     pub rows: Vec<Row>,
     /// Where the noise is to be learnt from.
@@ -117,7 +121,17 @@ impl crate::job::Job for Job {
     }
 
     fn predict(&self, causes: &[Cause]) -> Vec<f64> {
-        self.rows.iter().map(|row| self.deviation(causes, row)).collect()
+        // All rows with a corrected command are of one feed.
+        let lap = |clockwise: bool| -> Option<[Lap; 2]> {
+            let table = &self.command[usize::from(clockwise)];
+            let row = self.rows.iter().find(|row| row.clockwise == clockwise && !table.is_empty())?;
+            let round = if clockwise { -1.0 } else { 1.0 };
+            let [x, y] = self.axes(causes, row);
+            Some([Lap::new(x, table, 0.0, round), Lap::new(y, table, 1.0, round)])
+        };
+        let laps = [false, true].map(lap);
+        let of = |row: &Row| laps[usize::from(row.clockwise)].as_ref();
+        self.rows.iter().map(|row| self.deviation(causes, row, of(row))).collect()
     }
 
     fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {
@@ -182,7 +196,7 @@ impl Job {
     }
 
     /// What a row shows without noise, um.
-    fn deviation(&self, causes: &[Cause], row: &Row) -> f64 {
+    fn deviation(&self, causes: &[Cause], row: &Row, lap: Option<&[Lap; 2]>) -> f64 {
         let size = |effect: &str, parameter: &str| value(causes, effect, parameter).unwrap_or(0.0);
         let round = if row.clockwise { -1.0 } else { 1.0 };
         let angle = row.angle.to_radians();
@@ -190,7 +204,8 @@ impl Job {
         // The command's own turn since the lap began at 0°; y follows a quarter behind it, or goes ahead.
         let turned = (round * angle).rem_euclid(TAU);
         let axes = self.axes(causes, row);
-        let [x, y] = [axes[0].at(turned), axes[1].at(turned - round * FRAC_PI_2)];
+        let phases = [turned, turned - round * FRAC_PI_2];
+        let [x, y] = [0, 1].map(|i| lap.map_or_else(|| axes[i].at(phases[i]), |laps| laps[i].at(phases[i])));
         let time = turned / axes[0].speed;
         let wave = |effect: &str, at: f64| size(effect, "amplitude") * (at + size(effect, "phase").to_radians()).sin();
         // What the screw is wrong by where the slide has come to, and how the drive jerks.

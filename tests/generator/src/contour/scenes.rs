@@ -39,6 +39,7 @@ pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Opti
         rows.extend(places.iter().map(|angle| Row { lap, clockwise, feed, angle: *angle }));
     }
     let mut job = Job {
+        command: [Vec::new(), Vec::new()],
         radius,
         feed,
         gain: decimals(random.uniform(25.0, 50.0), 1),

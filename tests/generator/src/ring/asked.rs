@@ -21,7 +21,9 @@ pub fn asked(job: &Job, rows: &[Asked]) -> Option<Job> {
         }
         next.set_ups[run - 1] = set_up;
         let angle = decimals(row.number("angle", 1.0)?.to_degrees(), 1);
-        next.rows.push(Row { set_up: run - 1, angle, blank: decimals(row.number("blank", 1e6).unwrap_or(0.0), 3) });
+        let blank = decimals(row.number("blank", 1e6).unwrap_or(0.0), 3);
+        let change = row.number("change", 1e6).unwrap_or(0.0);
+        next.rows.push(Row { set_up: run - 1, angle, blank, change });
     }
     Some(next)
 }

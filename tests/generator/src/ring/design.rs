@@ -25,7 +25,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
         for i in 0..places {
             let angle = decimals(360.0 * i as f64 / places as f64, 1);
             let blank: f64 = waves.iter().map(|(m, a, p)| a * (m * angle.to_radians() - p).cos()).sum();
-            let row = Row { set_up, angle, blank: if blanks { decimals(blank, 3) } else { 0.0 } };
+            let row = Row { change: 0.0, set_up, angle, blank: if blanks { decimals(blank, 3) } else { 0.0 } };
             job.rows.extend(std::iter::repeat_n(row, copies));
         }
     }

@@ -24,6 +24,8 @@ pub struct Row {
     pub angle: f64,
     /// Radial deviation before boring, um.
     pub blank: f64,
+    /// How much farther out the nose is sent, um.
+    pub change: f64,
 }
 
 /// A ring with its measuring design.

@@ -203,7 +203,7 @@ impl Job {
         let hot = self.expansion * 1e-6 * self.inner * 1e3 * size("cutting-heat", "temperature_rise");
         let aside = wave("chuck-runout", 0.5 * size("chuck-runout", "runout"), 1.0, 0.0);
         let moved = squeezed + hot + aside;
-        let set = wave("spindle-error", size("spindle-error", "amplitude"), 2.0, 0.0);
+        let set = row.change + wave("spindle-error", size("spindle-error", "amplitude"), 2.0, 0.0);
         // N/um from kN/mm: the same number.
         let copies =
             value(causes, "copying", "stiffness").map_or(0.0, |j| self.force_per_depth / (self.force_per_depth + j));

@@ -94,7 +94,7 @@ pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Opti
             let turn = angle.to_radians();
             let blank =
                 40.0 * (2.0 * turn - phase).cos() + 20.0 * (turn + phase).cos() - 12.0 * (5.0 * turn).sin() + 6.0;
-            job.rows.push(Row { set_up, angle, blank: decimals(blank, 3) });
+            job.rows.push(Row { change: 0.0, set_up, angle, blank: decimals(blank, 3) });
         }
     }
     job.shown.retain(|shown| !effects.contains(&shown.effect));

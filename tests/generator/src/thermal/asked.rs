@@ -24,7 +24,7 @@ pub fn asked(job: &Job, rows: &[Asked]) -> Option<Job> {
             "elongation" => Seen::Elongation,
             _ => return None,
         };
-        next.rows.push(Row { time, seen });
+        next.rows.push(Row { time, seen, change: row.number("change", 1e6).unwrap_or(0.0) });
     }
     next.rows.sort_by(|a, b| a.time.total_cmp(&b.time));
     Some(next)

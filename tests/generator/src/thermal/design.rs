@@ -14,7 +14,7 @@ pub fn draw_job(hidden: &[&str], random: &mut Random) -> Option<Job> {
     let lag = hidden.contains(&"sensor-lag");
     let (temperatures, elongations) = (both.0 || lag, both.1);
     for k in 1..=(job.end / every) as usize {
-        let row = |seen| Row { time: decimals(every * k as f64, 2), seen };
+        let row = |seen| Row { change: 0.0, time: decimals(every * k as f64, 2), seen };
         let sensors = (0..job.sensors.len()).filter(|_| temperatures).map(|s| row(Seen::Temperature(s)));
         for row in sensors.chain(elongations.then(|| row(Seen::Elongation))) {
             job.rows.extend(std::iter::repeat_n(row, copies));

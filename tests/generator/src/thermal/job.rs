@@ -23,6 +23,8 @@ pub struct Row {
     pub time: f64,
     /// What.
     pub seen: Seen,
+    /// What the control adds to the length, um.
+    pub change: f64,
 }
 
 /// A rod with its measuring design.

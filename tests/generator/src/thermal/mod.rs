@@ -101,7 +101,7 @@ impl crate::job::Job for Job {
             let i = times.iter().position(|t| (t - 60.0 * row.time).abs() < 1e-6).unwrap_or(0);
             match row.seen {
                 Seen::Temperature(sensor) => self.set_up.start.unwrap_or(self.ambient) + found[i].0[sensor],
-                Seen::Elongation => 1e6 * 11.5e-6 * found[i].1,
+                Seen::Elongation => 1e6 * 11.5e-6 * found[i].1 + row.change,
             }
         };
         self.rows.iter().map(row).collect()

@@ -57,7 +57,9 @@ fn rod(scene: usize, effects: &[&'static str], random: &mut Random) -> Option<Jo
     }
     let sensors: Vec<f64> = [0.1, 0.5, 0.9].map(|share| decimals(share * length, 0)).to_vec();
     let seen = (0..sensors.len()).map(Seen::Temperature).chain([Seen::Elongation]);
-    let rows = (1..=10).flat_map(|k| seen.clone().map(move |seen| Row { time: 12.0 * f64::from(k), seen })).collect();
+    let rows = (1..=10)
+        .flat_map(|k| seen.clone().map(move |seen| Row { change: 0.0, time: 12.0 * f64::from(k), seen }))
+        .collect();
     let mut job = Job {
         segments,
         source: (if scene == 2 { decimals(0.8 * length, 0) } else { length }, 12.0, 0.0, 55.0),

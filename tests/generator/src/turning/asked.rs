@@ -33,7 +33,7 @@ pub fn asked(job: &Job, rows: &[Asked]) -> Option<Job> {
 fn measured(job: &Job, row: &Asked) -> Option<Row> {
     Some(Row {
         part: row.number("part", 1.0)? as usize,
-        x: decimals(row.number("x", 1e3)?, 1),
+        x: decimals(row.number("x", 1e3)?, 4),
         force: decimals(row.number("radial_force", 1.0).unwrap_or(job.force), 1),
         blank: row.number("blank", 1e3).map(|blank| decimals(blank, 4)),
         radius_change: row.number("radius_change", 1e6).unwrap_or(0.0),

@@ -75,7 +75,9 @@ pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Opti
         .map(|(x, y)| (decimals(x * length, 0), decimals(y * height, 0)))
         .to_vec();
     let seen = (0..sensors.len()).map(Seen::Temperature).chain([Seen::Elongation]);
-    let rows = (1..=10).flat_map(|k| seen.clone().map(move |seen| Row { time: 4.0 * f64::from(k), seen })).collect();
+    let rows = (1..=10)
+        .flat_map(|k| seen.clone().map(move |seen| Row { change: 0.0, time: 4.0 * f64::from(k), seen }))
+        .collect();
     let mut job = Job {
         size: [length, height, 12.0],
         edges,

@@ -1,0 +1,33 @@
+//! The value of the control for the reversal.
+
+use super::rows::{DIRECTION, POSITION, RUN};
+use crate::process::{Advice, Rows};
+use crate::units::MICRO;
+
+/// Reversals below this are none, m.
+const NONE: f64 = 5e-8;
+
+/// The mean reversal, given the deviation of every row, m: rows of one run each way, at the same positions.
+pub fn advice(rows: &Rows, deviations: &[f64]) -> Vec<Advice> {
+    let is_backward = |row: usize| rows.columns[DIRECTION][row] != 0.0;
+    let key = |row: usize| (rows.columns[RUN][row].to_bits(), rows.columns[POSITION][row].to_bits());
+    let forward: std::collections::HashMap<_, f64> =
+        (0..rows.len()).filter(|row| !is_backward(*row)).map(|row| (key(row), deviations[row])).collect();
+    let differences: Vec<f64> = (0..rows.len())
+        .filter(|row| is_backward(*row))
+        .filter_map(|row| Some(deviations[row] - forward.get(&key(row))?))
+        .collect();
+    if differences.is_empty() {
+        return Vec::new();
+    }
+    let mean = differences.iter().sum::<f64>() / differences.len() as f64;
+    if mean.abs() < NONE {
+        return Vec::new();
+    }
+    let text = format!(
+        "reversal compensation of {:.2}: the slide stands so much farther on when it comes back; a pitch table takes the rest (`fem \
+         compensate` makes both of a positioning test)",
+        MICRO.shown(mean)
+    );
+    vec![Advice::new(text)]
+}

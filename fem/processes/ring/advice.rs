@@ -1,0 +1,42 @@
+//! The least force of the jaws that still holds the ring against the cut.
+//!
+//! The jaws hold the moment of the cutting force by friction: n·μ·F·Ro ≥ S·F_c·Ri while they press with F = F₀ − m·r·ω² (VDI
+//! 3106:2004, of a chuck that holds by its jaws alone; forces of feed and thrust are held by stops).
+
+use super::machine::Machine;
+use super::setup::Setup;
+use crate::process::Advice;
+use crate::units::{FORCE, MICRO};
+
+/// Force of each jaw at standstill that holds the cut with the margin that is asked for, N; `None` where the model does not
+/// know the cut, or the friction.
+pub fn least_force(machine: &Machine) -> Option<f64> {
+    let Setup { cutting_force, friction, margin, inner_radius, outer_radius, .. } = &*machine.setup;
+    let jaws = machine.jaw_angles.len() as f64;
+    let while_boring = margin * (*cutting_force)? * inner_radius / (jaws * (*friction)? * outer_radius);
+    let speed = machine.setup.speed();
+    Some(while_boring + machine.jaw_moment * speed * speed)
+}
+
+/// What the jaws should press with, given the deviation of the bore, m.
+pub fn advice(machine: &Machine, deviation: &[f64]) -> Vec<Advice> {
+    let Some(least) = least_force(machine) else { return Vec::new() };
+    let (force, margin) = (machine.setup.jaw_force, machine.setup.margin);
+    let [asked, now] = [least, force].map(|force| FORCE.shown(force));
+    if force < least {
+        let text = format!(
+            "the jaws do not hold the cut with a margin of {margin:.1}: each needs {asked:.0} at standstill and presses with {now:.0}"
+        );
+        return vec![Advice::new(text).setting("chuck.jaw_force", force, least)];
+    }
+    let speed = machine.setup.speed();
+    let [left, pressed] = [least, force].map(|force| machine.force_at(force, speed));
+    let worst = deviation.iter().fold(0.0f64, |worst, own| worst.max(own.abs()));
+    let gain = worst * (1.0 - left / pressed);
+    let text = format!(
+        "{asked:.0} at each jaw still hold the cut with a margin of {margin:.1}, not {now:.0}: what the jaws leave falls in \
+         proportion, by up to {:.1}",
+        MICRO.shown(gain)
+    );
+    vec![Advice::new(text).setting("chuck.jaw_force", force, least).gaining(gain)]
+}

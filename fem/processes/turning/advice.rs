@@ -1,0 +1,37 @@
+//! Where to move the tailstock, so that no correction has to follow a taper.
+
+use super::machine::Machine;
+use super::rows::X;
+use super::setup::Workholding;
+use crate::process::{Advice, Rows, spread};
+use crate::units::MICRO;
+
+/// A taper is told where it is at least this part of the spread of the mean errors.
+const LEAST: f64 = 0.2;
+
+/// The move of the tailstock that takes the straight part of the mean errors of diameters (m) away.
+pub fn advice(machine: &Machine, rows: &Rows, errors: &[f64]) -> Vec<Advice> {
+    let (x, count) = (&rows.columns[X], rows.len() as f64);
+    let middle = x.iter().sum::<f64>() / count;
+    let (square, product) = (0..rows.len()).fold((0.0, 0.0), |(square, product), row| {
+        (square + (x[row] - middle).powi(2), product + (x[row] - middle) * errors[row])
+    });
+    let length = machine.setup.length();
+    if machine.setup.workholding != Workholding::Centres || square <= 0.0 {
+        return Vec::new();
+    }
+    let slope = product / square;
+    let straight: Vec<f64> = (0..rows.len()).map(|row| errors[row] - slope * (x[row] - middle)).collect();
+    let [whole, left] = [errors, &straight].map(spread);
+    // A tailstock that stands away from the tool by s leaves 2·s·x/L.
+    let away = -0.5 * slope * length;
+    if whole - left < LEAST * whole || !away.is_finite() {
+        return Vec::new();
+    }
+    let way = if away > 0.0 { "away from" } else { "towards" };
+    let [by, taper, whole, left] = [away.abs(), (slope * length).abs(), whole, left].map(|length| MICRO.shown(length));
+    let text = format!(
+        "move the tailstock by {by:.1} {way} the tool: a taper of {taper:.1} goes, and diameters differ by {left:.1}, not {whole:.1}"
+    );
+    vec![Advice::new(text)]
+}
