@@ -5,7 +5,6 @@ use nalgebra::{DMatrix, DVector};
 use crate::budget::{Law, Stream};
 use crate::input::Bounds;
 use crate::model::Model;
-use crate::units;
 
 /// Seed of the draws: the same model has the same answer.
 const SEED: u64 = 1;
@@ -27,13 +26,9 @@ pub struct Knowledge {
 impl Knowledge {
     /// That of a model without unknown values.
     pub fn of(model: &Model) -> Self {
-        let deviation = |knowledge: units::Knowledge| match knowledge {
-            units::Knowledge::Rough(deviation) => deviation,
-            units::Knowledge::Known | units::Knowledge::Free => 0.0,
-        };
         Self {
             values: model.parameters.iter().map(|own| own.quantity.value).collect(),
-            deviations: model.parameters.iter().map(|own| deviation(own.quantity.knowledge)).collect(),
+            deviations: model.together.deviations(&model.parameters),
             root: model.together.root(&model.parameters),
             is_positive: model.parameters.iter().map(|own| own.bounds == Bounds::Positive).collect(),
         }

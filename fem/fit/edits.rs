@@ -2,7 +2,7 @@
 
 use super::sizes::EstimatedSize;
 use crate::fit::Fit;
-use crate::input::ParameterId;
+use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry};
 use crate::units::unit_text;
 
@@ -12,20 +12,23 @@ use crate::units::unit_text;
 pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
     let name = data.name.replace(char::is_control, " ");
     let remark = format!("Fitted to {name}, {}: what is known from it stands after `+-`.", data.marks().join("; "));
-    let closed = fit.estimates.iter().filter(|estimate| estimate.is_closed());
-    let values = closed.filter_map(|estimate| {
+    let closed = fit.estimates.iter().zip(&fit.known.alone).filter(|(estimate, _)| estimate.is_closed());
+    let values = closed.filter_map(|(estimate, alone)| {
         let parameter = &estimate.parameter;
         let name = unit_text(data.model.written(&parameter.path)?);
         let unit = parameter.kind.unit_of(name).unwrap_or(parameter.kind.canonical());
         let value = (estimate.value - unit.offset) / unit.factor;
-        let text = format!("{} {name}", uncertain(value, fit.birge_ratio() * estimate.std / unit.factor));
+        let std = fit.birge_ratio() * estimate.std / unit.factor;
+        let text = format!("{} {name}", uncertain_beside(value, std, *alone));
         Some(Edit::Set { path: parameter.path.clone(), entry: Entry::Text(text.trim_end().into()) })
     });
-    let of: Vec<ParameterId> = fit.estimates.iter().map(|estimate| estimate.parameter.path.clone()).collect();
+    let of: Vec<Parameter> = fit.estimates.iter().map(|estimate| estimate.parameter.clone()).collect();
+    let std = fit.estimates.iter().zip(&fit.known.parts);
+    let std: Vec<f64> = std.map(|(own, part)| fit.birge_ratio() * part * own.std).collect();
     // Tests of one machine have no file in which they could stand.
     let correlations = match data.model.campaign() {
         Some(_) => Vec::new(),
-        None => data.model.together.edits(&of, &fit.known.correlation),
+        None => data.model.together.edits(&of, &fit.known.correlation, &std),
     };
     let sizes = fit.sizes.iter().filter(|size| size.is_told()).map(|size| sized(data, size));
     std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).chain(correlations).collect()
@@ -53,12 +56,18 @@ pub fn five_digits(value: f64) -> String {
 
 /// Writes `59.2 +- 1.1`: the uncertainty with two digits, the value to the same place.
 pub fn uncertain(value: f64, std: f64) -> String {
+    uncertain_beside(value, std, 1.0)
+}
+
+/// The same of a value whose uncertainty beside known others is a part `alone` of that: with the digits that what is known of
+/// all together needs.
+pub fn uncertain_beside(value: f64, std: f64, alone: f64) -> String {
     if !(std.is_finite() && std > 0.0) {
         return format!("{value}");
     }
     // A value keeps three digits however uncertain it is: rounded to 0 it might leave its bounds.
     let of_value = if value == 0.0 { 0 } else { 2 - value.abs().log10().floor() as i32 };
-    let of_std = 1 - std.abs().log10().floor() as i32;
+    let of_std = 1 - (alone * std).abs().log10().floor() as i32;
     let place = if of_std < of_value && std > 0.1 * value.abs() { of_value } else { of_std };
     if (0..=12).contains(&place) {
         let digits = place as usize;
@@ -77,6 +86,7 @@ mod tests {
     fn values_are_written_to_their_uncertainty() {
         assert_eq!(uncertain(59.2437, 1.1432), "59.2 +- 1.1");
         assert_eq!(uncertain(59.2437, 0.0123), "59.244 +- 0.012");
+        assert_eq!(uncertain_beside(59.2437, 1.1432, 0.02), "59.244 +- 1.143");
         assert_eq!(uncertain(-0.5, 0.25), "-0.500 +- 0.250");
         assert_eq!(uncertain(0.536, 700.0), "0.536 +- 700.000");
     }

@@ -12,6 +12,8 @@ pub struct Known {
     pub parts: Vec<f64>,
     /// Their correlations.
     pub correlation: DMatrix<f64>,
+    /// Part of the standard uncertainty of each that is left where the others are known.
+    pub alone: Vec<f64>,
 }
 
 impl Known {
@@ -46,8 +48,19 @@ impl Known {
                 0.0
             }
         });
-        Self { parts, correlation }
+        let alone = alone(&correlation);
+        Self { parts, correlation, alone }
     }
+}
+
+/// Finest part of a standard uncertainty to which a value is written.
+const FINEST: f64 = 1e-4;
+
+/// What of each standard uncertainty is left where the others are known: 1/√(R⁻¹)ᵢᵢ.
+fn alone(correlation: &DMatrix<f64>) -> Vec<f64> {
+    let inverse = correlation.clone().cholesky().map(|own| own.inverse());
+    let part = |i: usize| inverse.as_ref().map_or(FINEST, |own| own[(i, i)].max(1.0).sqrt().recip().max(FINEST));
+    (0..correlation.nrows()).map(part).collect()
 }
 
 /// A covariance beside independent knowledge of some of its values: (C⁻¹ + W⁻¹)⁻¹ = C − C·(C + W)⁻¹·C.

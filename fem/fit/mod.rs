@@ -17,7 +17,7 @@ pub(crate) mod starts;
 mod steps;
 
 pub use coarseness::Coarseness;
-pub use edits::{edits, five_digits, uncertain};
+pub use edits::{edits, five_digits, uncertain, uncertain_beside};
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
 pub use known::Known;

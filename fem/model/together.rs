@@ -1,5 +1,5 @@
-//! The table `[known.together]`: correlations of values that were fitted together. What is known of each alone stands behind its
-//! `+-`; what a model predicts with them depends on both.
+//! The table `[known.together]`: what is known of values that were fitted together, as those of this very model. What stands behind
+//! the `+-` of a value may be wider: it holds for other models too that explain the same measurements.
 
 use nalgebra::{Cholesky, DMatrix, Dyn};
 
@@ -23,6 +23,8 @@ pub struct Together {
     of: Vec<ParameterId>,
     /// Their correlations.
     correlation: DMatrix<f64>,
+    /// Their standard uncertainties as written, in the usual units of their kinds; empty where none are.
+    std: Vec<String>,
 }
 
 impl Together {
@@ -34,8 +36,15 @@ impl Together {
                 t.text("correlation", "of each but the first with those before it: a row each, parted by semicolons");
             let of: Vec<ParameterId> =
                 of.unwrap_or_default().split(',').map(|path| ParameterId::from(path.trim())).collect();
+            let std = t.text("std", "standard uncertainty of each beside the others, those of `+-` if left out");
+            let std: Vec<String> =
+                std.map(|all| all.split(',').map(|own| own.trim().to_string()).collect()).unwrap_or_default();
+            if !(std.is_empty() || std.len() == of.len() && std.iter().all(|own| number(own).is_some())) {
+                let message = format!("`std` is none of {} quantities", of.len());
+                t.problem("std", message, "write a number with its unit for each, parted by commas");
+            }
             match triangle(&rows.unwrap_or_default(), of.len()) {
-                Some(correlation) => Self { of, correlation },
+                Some(correlation) => Self { of, correlation, std },
                 None => {
                     let message = format!("`correlation` is none of {} quantities", of.len());
                     t.problem("correlation", message, "leave the table out: values are known each for itself then");
@@ -61,32 +70,59 @@ impl Together {
         })
     }
 
+    /// Standard uncertainties of parameters as those of this very model, SI: never wider than what stands behind their `+-`.
+    pub fn deviations(&self, parameters: &[Parameter]) -> Vec<f64> {
+        let own = |parameter: &Parameter| {
+            let place = self.of.iter().position(|own| *own == parameter.path)?;
+            Some(number(self.std.get(place)?)? * parameter.kind.canonical().factor)
+        };
+        let of = |parameter: &Parameter| match parameter.quantity.knowledge {
+            Knowledge::Rough(wide) => own(parameter).map_or(wide, |own| own.min(wide)),
+            Knowledge::Known | Knowledge::Free => 0.0,
+        };
+        parameters.iter().map(of).collect()
+    }
+
     /// A root of the correlations: what it makes of independent numbers is correlated so.
     pub fn root(&self, parameters: &[Parameter]) -> DMatrix<f64> {
         let all = self.correlation(parameters);
         cholesky(all).map_or_else(|| DMatrix::identity(parameters.len(), parameters.len()), |own| own.l())
     }
 
-    /// Edits that put correlations of these quantities into a model, in the place of those that it has; none where nothing is
-    /// correlated.
-    pub fn edits(&self, of: &[ParameterId], correlation: &DMatrix<f64>) -> Vec<Edit> {
+    /// Edits that put what is known of these quantities into a model, with their standard uncertainties (SI), in the place of what it
+    /// has; none where nothing is correlated.
+    pub fn edits(&self, of: &[Parameter], correlation: &DMatrix<f64>, std: &[f64]) -> Vec<Edit> {
         let had = (!self.of.is_empty()).then(|| Edit::Remove { parent: PARENT, name: NAME.into() });
         let is_any = (0..of.len()).any(|i| (0..i).any(|j| correlation[(i, j)].abs() > NONE));
         let own = is_any.then(|| {
             let row = |i: usize| (0..i).map(|j| decimals(correlation[(i, j)])).collect::<Vec<_>>().join(" ");
             let rows: Vec<String> = (1..of.len()).map(row).collect();
-            let names: Vec<&str> = of.iter().map(|path| &**path).collect();
+            let names: Vec<&str> = of.iter().map(|own| &*own.path).collect();
+            let one = |(own, std): (&Parameter, &f64)| {
+                let text = format!("{:.4e} {}", std / own.kind.canonical().factor, own.kind.unit);
+                text.trim_end().to_string()
+            };
+            let written: Vec<String> = of.iter().zip(std).map(one).collect();
             let text = |key: &str, text: String| (key.to_string(), Entry::Text(text));
-            let keys = vec![text("of", names.join(", ")), text("correlation", rows.join("; "))];
+            let mut keys = vec![text("of", names.join(", ")), text("correlation", rows.join("; "))];
+            // Of what the data leave open there is no more than stands behind its `+-`.
+            if std.iter().all(|own| own.is_finite()) {
+                keys.insert(1, text("std", written.join(", ")));
+            }
             Edit::Add { parent: PARENT, name: NAME.into(), keys }
         });
         had.into_iter().chain(own).collect()
     }
 }
 
-/// A correlation with six decimals at most.
+/// The number of a standard uncertainty with its unit.
+fn number(text: &str) -> Option<f64> {
+    text.split_whitespace().next()?.parse().ok().filter(|own: &f64| own.is_finite() && *own >= 0.0)
+}
+
+/// A correlation with nine decimals at most.
 fn decimals(value: f64) -> String {
-    let rounded = (value * 1e6).round() / 1e6;
+    let rounded = (value * 1e9).round() / 1e9;
     format!("{}", rounded + 0.0)
 }
 

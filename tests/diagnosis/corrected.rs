@@ -57,13 +57,7 @@ fn known(process: &str, place: f64) -> f64 {
 }
 
 /// Makes again what was made, corrected or as it was: rows of a correction, with what the generator makes there, um, as errors.
-fn made(
-    process: &Process,
-    job: &dyn Job,
-    hidden: &[Hidden],
-    (model, found): (&Model, &Correction),
-    share: f64,
-) -> Vec<(usize, f64)> {
+fn made(job: &dyn Job, hidden: &[Hidden], (model, found): (&Model, &Correction), share: f64) -> Vec<(usize, f64)> {
     let (name, coordinates) = (model.process.name(), model.process.coordinates());
     let along = found.commanded.along;
     let of_contour = |own: &std::ops::Range<usize>| {

@@ -97,8 +97,9 @@ fn fitted_settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
         let widest = entry.map_or(f64::INFINITY, |p| 0.5 * (p.range.1 - p.range.0));
         let place = fit.estimates.iter().position(|own| own.parameter.path == e.parameter.path);
         let std = e.std * place.map_or(1.0, |i| fit.known.parts[i]);
-        let value =
-            crate::fit::uncertain(k.from_si(e.value), (fit.birge_ratio() * std / k.canonical().factor).min(widest));
+        let std = (fit.birge_ratio() * std / k.canonical().factor).min(widest);
+        let alone = place.map_or(1.0, |i| fit.known.alone[i]);
+        let value = crate::fit::uncertain_beside(k.from_si(e.value), std, alone);
         Setting { key: name(e).into(), value: Entry::Text(format!("{value} {}", k.unit).trim_end().into()) }
     };
     missing.estimates.iter().map(setting).collect()
