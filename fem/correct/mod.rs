@@ -4,6 +4,8 @@
 mod knowledge;
 mod solve;
 
+pub use knowledge::Knowledge;
+
 use std::sync::Arc;
 
 use rayon::prelude::*;
@@ -11,7 +13,6 @@ use rayon::prelude::*;
 use crate::model::Model;
 use crate::process::{Command, Commanded, Failure, Rows, Standing, Values};
 use crate::progress::Progress;
-use knowledge::Knowledge;
 
 /// Fewest places of a contour.
 const LEAST_PLACES: usize = 51;
