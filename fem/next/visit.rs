@@ -11,6 +11,8 @@ use crate::model::{Edit, Entry, Model};
 use crate::process::{Command, Failure, Rows, Values};
 use crate::units::{Kind, TIME};
 
+/// Fewest parts of a batch: effects of several parts are refused in one of a single part.
+const FEWEST: usize = 64;
 /// Step of a slope, in standard uncertainties of a value.
 const STEP: f64 = 0.3;
 
@@ -53,7 +55,7 @@ impl<'h> Visit<'h> {
         let inserts: Vec<_> = within.iter().filter(is_new).map(|part| vec![after(part)]).collect();
         let set = |key: &str, entry| Edit::Set { path: ParameterId::from(format!("batch.{key}").as_str()), entry };
         let mut edits = vec![
-            set("parts", Entry::Whole((end - first.number + 1) as i64)),
+            set("parts", Entry::Whole((end - first.number + 1).max(FEWEST) as i64)),
             set("pauses", Entry::Tables(pauses.collect())),
             set("inserts", Entry::Tables(inserts)),
             set("corrections", Entry::Tables(Vec::new())),
