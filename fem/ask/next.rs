@@ -99,25 +99,10 @@ impl Log {
         progress: &Progress,
     ) -> Result<(Next, Added), Error> {
         let advised = self.history.advised.clone();
-        let (mut body, mut about) = (String::new(), Vec::new());
-        if let Some((job, measurements)) = measured {
-            let readings = self.readings(job, measurements)?;
-            let is_told = applied.is_some() || self.history.last() > 0 || advised.is_some();
-            let (parts, rows) = self.history.add(readings, applied);
-            let count = |number: usize, one: &str| format!("{number} {one}{}", if number == 1 { "" } else { "s" });
-            let known = measurements.len() - rows.len();
-            if known > 0 {
-                self.notes.push(format!("{} of {} stood in the log already", count(known, "reading"), measurements.name));
-            }
-            if !is_told && !parts.is_empty() {
-                self.notes.push("no offset was told for these parts: taken as 0, the programme as it stands (else: --applied)".into());
-            }
-            if !rows.is_empty() {
-                about.push(format!("{} of {}", count(rows.len(), "reading"), measurements.name.replace(['\n', '\r'], " ")));
-                parts.iter().for_each(|part| body += &self.told("part", "number", part));
-                body += &self.rows_of(job, measurements, &rows);
-            }
-        }
+        let (mut body, mut about) = match measured {
+            Some((job, measurements)) => self.added(job, measurements, applied)?,
+            None => (String::new(), Vec::new()),
+        };
         let plan = self.plan(change)?;
         let found = rayon::scope(|_| next(&self.history, &plan, progress))?;
         if advised.as_ref() != Some(&found.part) {
@@ -129,6 +114,34 @@ impl Log {
             false => self.entries.next(&self.text, &about.join(", "), &body),
         };
         Ok((found, Added { whole: self.entries.bytes, entry }))
+    }
+
+    /// Adds measurements to the history, and tells the entry of what is new, and what it is about.
+    fn added(
+        &mut self,
+        job: usize,
+        measurements: &Measurements,
+        applied: Option<f64>,
+    ) -> Result<(String, Vec<String>), Error> {
+        let readings = self.readings(job, measurements)?;
+        let is_told = applied.is_some() || self.history.last() > 0 || self.history.advised.is_some();
+        let (parts, rows) = self.history.add(readings, applied);
+        let count = |number: usize| format!("{number} reading{}", if number == 1 { "" } else { "s" });
+        let known = measurements.len() - rows.len();
+        let name = measurements.name.replace(['\n', '\r'], " ");
+        if known > 0 {
+            self.notes.push(format!("{} of {name} stood in the log already", count(known)));
+        }
+        if !is_told && !parts.is_empty() {
+            let note = "no offset was told for these parts: taken as 0, the programme as it stands (else: --applied)";
+            self.notes.push(note.into());
+        }
+        if rows.is_empty() {
+            return Ok((String::new(), Vec::new()));
+        }
+        let told: String = parts.iter().map(|part| self.told("part", "number", part)).collect();
+        let body = told + &self.rows_of(job, measurements, &rows);
+        Ok((body, vec![format!("{} of {name}", count(rows.len()))]))
     }
 
     /// The part that comes next.
@@ -180,7 +193,9 @@ impl Log {
         };
         let pause = if *pause > 0.0 { format!("pause = \"{}\"\n", exact(&TIME, *pause)) } else { String::new() };
         let offset = exact(&MICRO, *offset);
-        format!("[[{table}]]\n{number} = {own}\n{job}offset = \"{offset}\"\ninsert = {insert}\nset_up = {set_up}\n{pause}\n")
+        format!(
+            "[[{table}]]\n{number} = {own}\n{job}offset = \"{offset}\"\ninsert = {insert}\nset_up = {set_up}\n{pause}\n"
+        )
     }
 
     /// Rows of a file as an entry tells them: what the process knows of its columns.

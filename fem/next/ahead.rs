@@ -26,8 +26,10 @@ const FIELD: f64 = 3.0;
 /// Parts to come.
 pub struct Ahead<'h> {
     visit: Visit<'h>,
-    /// Places that are looked at, m.
+    /// Places that are looked at, m, those that are measured last.
     pub places: Vec<f64>,
+    /// Places over which means are taken, m: those that are measured, or all.
+    pub mean_over: Vec<f64>,
     /// Each of the parts, in the order of [`AHEAD`].
     pub parts: Vec<Coming>,
     /// The first part that the insert cut in this visit, as if it were made in the state of the next.
@@ -49,6 +51,8 @@ pub struct Coming {
     answers: DVector<f64>,
     /// Where the drawing has them.
     aims: DVector<f64>,
+    /// First of the places over which means are taken.
+    over: usize,
     rows: Rows,
     /// The state of the machine if nothing is measured until then.
     pub state: State,
@@ -68,14 +72,13 @@ impl<'h> Ahead<'h> {
         fixed: Option<f64>,
     ) -> Result<Self, Failure> {
         let last = line.steps.last().map(|step| &step.part);
-        let visited = line.last_visit().map(|step| &step.part).filter(|first| first.job == plan.job);
-        let first = visited.unwrap_or(plan);
         let numbers: Vec<usize> = AHEAD.iter().map(|further| plan.number + further).collect();
-        let end = numbers[numbers.len() - 1];
-        let visit = Visit::new(history, first, last.map_or(0, |own| own.number), end, plan)?;
-        let own = line.steps.iter().filter(|step| step.part.number >= first.number && step.part.insert == plan.insert);
-        let sharp = own.map(|step| step.part.number).min().unwrap_or(plan.number);
-        let places = places(line.state.ends(plan.job));
+        let (visit, sharp) = visit(history, plan, line, numbers[numbers.len() - 1])?;
+        let mut places = places(line.state.ends(plan.job));
+        let measured = measured(line, plan.job);
+        let over = if measured.is_empty() { 0 } else { places.len() };
+        places.extend(measured);
+        let mean_over = places[over..].to_vec();
         let rows = visit.rows(&[&numbers[..], &[sharp]].concat(), &places);
         let away = line.state.away(history, plan.job, &line.about);
         let before = last.map_or(0.0, |own| own.offset);
@@ -84,17 +87,21 @@ impl<'h> Ahead<'h> {
         let aims = visit.model().system.aims(&visit.local(&rows));
         let count = places.len();
         let coming = |own: usize, number: usize, state: State| {
-            let at = |place: usize| own * count + place;
-            let of = |i: usize| line.state.slopes(plan.job, places[i], shown.slopes.iter().map(|all| all[at(i)]));
-            let slopes: Vec<DVector<f64>> = (0..count).map(of).collect();
-            let about = |i: usize| line.state.of_values(&slopes[i]).dot(&line.about);
+            let own: Vec<usize> = (own * count..(own + 1) * count).collect();
+            let of = |row: &usize| {
+                line.state.slopes(plan.job, places[row % count], shown.slopes.iter().map(|all| all[*row]))
+            };
+            let slopes: Vec<DVector<f64>> = own.iter().map(of).collect();
+            let all = |value: &dyn Fn(usize) -> f64| DVector::from_iterator(count, own.iter().map(|row| value(*row)));
+            let about = |row: usize| line.state.of_values(&slopes[row % count]).dot(&line.about);
             Coming {
                 number,
-                expected: DVector::from_fn(count, |i, _| shown.values[at(i)] - about(i)),
+                expected: all(&|row| shown.values[row] - about(row)),
+                answers: all(&|row| (tried[row] - shown.values[row]) / TRIED),
+                aims: all(&|row| aims[row]),
                 slopes: DMatrix::from_fn(count, line.state.len(), |i, j| slopes[i][j]),
-                answers: DVector::from_fn(count, |i, _| (tried[at(i)] - shown.values[at(i)]) / TRIED),
-                aims: DVector::from_fn(count, |i, _| aims[at(i)]),
-                rows: rows.some(&(0..count).map(at).collect::<Vec<_>>()),
+                over,
+                rows: rows.some(&own),
                 state,
             }
         };
@@ -107,8 +114,9 @@ impl<'h> Ahead<'h> {
             parts.push(coming(own, *number, now.clone()));
         }
         let sharp = coming(numbers.len(), sharp, parts[0].state.clone());
-        let mut ahead = Self { visit, places, parts, sharp, offset: before, before };
-        let needed = fixed.unwrap_or_else(|| ((before - ahead.parts[0].off() / ahead.answer()) / LEAST).round() * LEAST);
+        let mut ahead = Self { visit, places, mean_over, parts, sharp, offset: before, before };
+        let needed =
+            fixed.unwrap_or_else(|| ((before - ahead.parts[0].off() / ahead.answer()) / LEAST).round() * LEAST);
         ahead.shift(needed, &rows, (&shown.values, &away))?;
         Ok(ahead)
     }
@@ -124,7 +132,8 @@ impl<'h> Ahead<'h> {
 
     /// How much of a change of the offset the mean of the next part shows.
     pub fn answer(&self) -> f64 {
-        self.parts[0].answers.mean()
+        let next = &self.parts[0];
+        next.mean_of(&next.answers)
     }
 
     /// The system that makes them.
@@ -156,9 +165,13 @@ impl<'h> Ahead<'h> {
 }
 
 impl Coming {
+    fn mean_of(&self, values: &DVector<f64>) -> f64 {
+        values.rows_range(self.over..).mean()
+    }
+
     /// How the mean of its errors depends on the state.
     pub fn of_mean(&self) -> DVector<f64> {
-        self.slopes.row_mean().transpose()
+        self.slopes.rows_range(self.over..).row_mean().transpose()
     }
 
     /// How its error at a place, by its position, depends on the state.
@@ -168,12 +181,12 @@ impl Coming {
 
     /// The mean of its errors, SI.
     pub fn mean(&self) -> f64 {
-        self.expected.mean() + self.of_mean().dot(&self.state.mean)
+        self.mean_of(&self.expected) + self.of_mean().dot(&self.state.mean)
     }
 
     /// The mean of where the drawing has them, SI.
     pub fn aim(&self) -> f64 {
-        self.aims.mean()
+        self.mean_of(&self.aims)
     }
 
     /// By how much the mean is off.
@@ -185,6 +198,27 @@ impl Coming {
     pub fn deviation(&self) -> f64 {
         self.state.variance(&self.of_mean()).sqrt()
     }
+}
+
+/// The visit to which a planned part belongs, up to the part numbered `end`, and the first part in it that its insert cuts.
+fn visit<'h>(history: &'h History, plan: &Part, line: &Line, end: usize) -> Result<(Visit<'h>, usize), Failure> {
+    let visited = line.last_visit().map(|step| &step.part).filter(|first| first.job == plan.job);
+    let first = visited.unwrap_or(plan);
+    let last = line.steps.last().map_or(0, |step| step.part.number);
+    let own = line.steps.iter().map(|step| &step.part);
+    let own = own.filter(|part| part.number >= first.number && part.insert == plan.insert);
+    let sharp = own.map(|part| part.number).min().unwrap_or(plan.number);
+    Ok((Visit::new(history, first, last, end, plan)?, sharp))
+}
+
+/// Places that were measured on parts of a job, at most as many as are looked at anyway.
+fn measured(line: &Line, job: usize) -> Vec<f64> {
+    let own = line.steps.iter().filter(|step| step.part.job == job);
+    let mut all: Vec<f64> = own.flat_map(|step| step.readings.iter().map(|own| own.place)).collect();
+    all.sort_unstable_by(f64::total_cmp);
+    all.dedup();
+    let each = all.len().div_ceil(PLACES).max(1);
+    all.into_iter().step_by(each).collect()
 }
 
 /// Places that are looked at.

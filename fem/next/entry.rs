@@ -37,7 +37,10 @@ impl Entries {
                 begun = Some((place.start, number));
             } else if let (Some((first, number)), Some(seal)) = (begun, line.strip_prefix(LAST)) {
                 // A last line without its end, or of another entry, ends nothing.
-                if seal.split(", ").next() != Some(number) || !seal.ends_with('\n') || seal.trim_end().len() < number.len() + 18 {
+                if seal.split(", ").next() != Some(number)
+                    || !seal.ends_with('\n')
+                    || seal.trim_end().len() < number.len() + 18
+                {
                     continue;
                 }
                 if line != last(number, &text[first..place.start]) {
@@ -54,7 +57,13 @@ impl Entries {
         let number = (self.whole + 1).to_string();
         let own = format!("{FIRST}{number}: {about}\n{body}");
         let kept = &text[..self.bytes];
-        let gap = if kept.is_empty() || kept.ends_with("\n\n") { "" } else if kept.ends_with('\n') { "\n" } else { "\n\n" };
+        let gap = if kept.is_empty() || kept.ends_with("\n\n") {
+            ""
+        } else if kept.ends_with('\n') {
+            "\n"
+        } else {
+            "\n\n"
+        };
         format!("{gap}{own}{}", last(&number, &own))
     }
 }

@@ -12,6 +12,8 @@ use super::sizes::{FIRST_RATE, NOISE, OF_INSERT, OF_PART, OF_PAUSE, OF_SET_UP, P
 
 /// Standard deviations beyond which a reading counts for less, and a part is suspected.
 const FAR: f64 = 4.0;
+/// How often a part is measured wrongly, or something changes that nobody writes down.
+const SELDOM: f64 = 0.02;
 /// Parts before which none is suspected: what is usual on the machine has to be seen first.
 const FIRST_PARTS: usize = 3;
 
@@ -84,7 +86,7 @@ pub fn run(line: &Line, sizes: &Sizes, until: usize) -> Run {
             // Both have to make room for it at the same price; the parts behind it tell them apart.
             let mut changed = tales[0].clone();
             changed.state.covariance[(ZERO, ZERO)] += by.powi(2) + sizes.of(OF_SET_UP).powi(2);
-            changed.log_likelihood += changed.state.learn(&step.readings, sizes);
+            changed.log_likelihood += changed.state.learn(&step.readings, sizes) + SELDOM.ln();
             changed.is_change = true;
             tales[0].log_likelihood = changed.log_likelihood;
             tales.push(changed);
@@ -179,11 +181,14 @@ impl State {
         let gain = &self.covariance * &reading.slopes;
         let off = reading.error - reading.expected - reading.slopes.dot(&self.mean);
         let expected = gain.dot(&reading.slopes) + noise;
-        // What is too far off counts as if it stood there with its own large noise.
-        let variance = expected * (off.powi(2) / expected / FAR.powi(2)).max(1.0);
+        // Beyond so many standard deviations the price grows with the distance, not with its square [Huber, Robust Statistics,
+        // 1981]: one chip under the gauge does not turn the machine over, and the size of what is missing still shows.
+        let far = off.abs() / expected.sqrt();
+        let variance = expected * (far / FAR).max(1.0);
         self.mean += &gain * (off / variance);
         self.covariance -= &gain * gain.transpose() / variance;
-        -0.5 * (off.powi(2) / variance + (std::f64::consts::TAU * variance).ln())
+        let price = if far > FAR { FAR * far - 0.5 * FAR.powi(2) } else { 0.5 * far.powi(2) };
+        -price - 0.5 * (std::f64::consts::TAU * expected).ln()
     }
 
     /// What would be known after a reading with some noise.
@@ -219,4 +224,3 @@ impl Told {
         self.found - self.expected
     }
 }
-

@@ -72,14 +72,18 @@ impl Job {
     /// A value is unknown, or the process has no command that is corrected, or parts do not follow one another in it.
     pub fn new(name: String, model: Model) -> Result<Self, InputError> {
         model.require_part()?;
-        let refuse = |message: String, help: &str| InputError::one(model.source.clone(), Problem::new(message).help(help));
+        let refuse =
+            |message: String, help: &str| InputError::one(model.source.clone(), Problem::new(message).help(help));
         let Some(commanded) = model.system.commanded() else {
             let message = format!("{} models {}", model.source.name, model.process.about());
             return Err(refuse(message, "the next part is known of turned contours, which are corrected by an offset"));
         };
         if model.written("batch.cycle_time").is_none() {
             let message = format!("{} does not say how parts follow one another", model.source.name);
-            return Err(refuse(message, "add [batch] with cycle_time = \"6 min\", from the start of one part to the next"));
+            return Err(refuse(
+                message,
+                "add [batch] with cycle_time = \"6 min\", from the start of one part to the next",
+            ));
         }
         Ok(Self { name, model, commanded })
     }
@@ -109,7 +113,8 @@ impl Job {
         let ideal = system.with_effects(&[]);
         let failed = |failure: Failure| refuse(vec![Problem::new(failure.message).help(failure.help)]);
         let (whole, error) = (ideal.observe(&rows).map_err(failed)?, ideal.observe(&as_errors).map_err(failed)?);
-        let errors = measurements.observed.iter().zip(whole.iter().zip(&error)).map(|(y, (w, e))| y - (w - e)).collect();
+        let errors =
+            measurements.observed.iter().zip(whole.iter().zip(&error)).map(|(y, (w, e))| y - (w - e)).collect();
         let uncertainty = match &measurements.uncertainty {
             Some(own) => own.to_vec(),
             None => vec![f64::NAN; rows.len()],
@@ -144,7 +149,8 @@ impl History {
     pub fn part(&self, number: usize) -> Part {
         let first = Part { number, job: 0, offset: 0.0, insert: 1, set_up: 1, pause: 0.0 };
         let last = self.parts.iter().rfind(|part| part.number <= number);
-        let advised = self.advised.as_ref().filter(|own| own.number <= number && last.is_none_or(|l| own.number > l.number));
+        let advised =
+            self.advised.as_ref().filter(|own| own.number <= number && last.is_none_or(|l| own.number > l.number));
         match advised.or(last) {
             Some(own) if own.number == number => own.clone(),
             Some(own) => Part { number, pause: 0.0, ..own.clone() },
@@ -191,7 +197,8 @@ impl History {
         numbers.dedup();
         let last = self.last();
         // Where something was to change that was not measured, it is written down as well.
-        let planned = self.advised.as_ref().map(|own| own.number).filter(|own| numbers.last().is_some_and(|last| own < last));
+        let planned =
+            self.advised.as_ref().map(|own| own.number).filter(|own| numbers.last().is_some_and(|last| own < last));
         let mut new: Vec<usize> = numbers.into_iter().chain(planned).filter(|number| *number > last).collect();
         new.sort_unstable();
         new.dedup();

@@ -176,18 +176,8 @@ impl Layout {
     pub fn away(&self, history: &History, job: usize, about: &DVector<f64>) -> Vec<f64> {
         let mut own = self.values[job].iter();
         let knowledge = Knowledge::of(&history.jobs[job].model);
-        knowledge.are_rough().map(|is| own.next_if(is).map_or(0.0, |i| about[*i])).collect()
-    }
-}
-
-/// The next of an iterator, if it is asked for.
-trait NextIf: Iterator {
-    fn next_if(&mut self, is_asked: bool) -> Option<Self::Item>;
-}
-
-impl<I: Iterator> NextIf for I {
-    fn next_if(&mut self, is_asked: bool) -> Option<Self::Item> {
-        if is_asked { self.next() } else { None }
+        let mut next = || own.next().map_or(0.0, |i| about[*i]);
+        knowledge.are_rough().map(|is| if is { next() } else { 0.0 }).collect()
     }
 }
 

@@ -90,9 +90,8 @@ fn measured(
 
 /// The one model, or those of several jobs.
 fn read_jobs(reader: &Reader, broken: &RefCell<Option<InputError>>) -> Vec<Option<Job>> {
-    let job = |name: String, model: Option<Model>| {
-        Job::new(name, model?).map_err(|error| broken.replace(Some(error))).ok()
-    };
+    let job =
+        |name: String, model: Option<Model>| Job::new(name, model?).map_err(|error| broken.replace(Some(error))).ok();
     let about = "the model file of what is made";
     let several = reader.list("job", "one of several things that are made on the machine", |t, _| {
         let name = t.text("name", "its name in the log");

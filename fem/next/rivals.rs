@@ -11,13 +11,13 @@ const WINDOWS: [usize; 3] = [5, 8, 15];
 
 /// A part of the history without the offset: what would have been measured.
 #[derive(Clone, Debug)]
-pub struct Uncorrected {
+struct Uncorrected {
     /// Number of the part.
-    pub number: usize,
+    number: usize,
     /// Mean error of its readings less its aim with an offset of zero, SI.
-    pub error: f64,
+    error: f64,
     /// Each of these, with its place.
-    pub readings: Vec<(f64, f64)>,
+    readings: Vec<(f64, f64)>,
 }
 
 /// What a rival would have left, and what it would do next.
@@ -33,8 +33,14 @@ pub struct Rival {
     pub next: f64,
 }
 
-/// All of them, given what one unit of the offset does as the shop believes and as the machine answers.
-pub fn rivals(parts: &[Uncorrected], first: f64, (gain, answer): (f64, f64)) -> Vec<Rival> {
+/// All of them on a line, none where nothing was measured, given what one unit of the offset does as the shop believes and as the
+/// machine answers.
+pub fn of(line: &Line, (gain, answer): (f64, f64)) -> Vec<Rival> {
+    let parts = &uncorrected(line, answer)[..];
+    let first = line.steps.first().map_or(0.0, |step| step.part.offset);
+    if parts.is_empty() {
+        return Vec::new();
+    }
     let weights = || (1..=WEIGHTS).map(|i| i as f64 / WEIGHTS as f64);
     let errors: Vec<f64> = parts.iter().map(|part| part.error).collect();
     let of_mean = |weight: f64| {
@@ -52,7 +58,10 @@ pub fn rivals(parts: &[Uncorrected], first: f64, (gain, answer): (f64, f64)) -> 
     };
     let pairs = weights().flat_map(|a| weights().map(move |b| (a, b)));
     let windows = WINDOWS.iter().map(|count| Some(*count)).chain([None]);
-    [best(weights().map(of_mean)), best(pairs.map(of_trend)), best(windows.map(of_profile))].into_iter().flatten().collect()
+    [best(weights().map(of_mean)), best(pairs.map(of_trend)), best(windows.map(of_profile))]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// That which would have left the least.
@@ -129,7 +138,7 @@ fn straight(parts: &[Uncorrected], number: usize) -> f64 {
 }
 
 /// The parts of a line without their offsets, given how readings answer to a unit of the offset.
-pub fn uncorrected(line: &Line, answer: f64) -> Vec<Uncorrected> {
+fn uncorrected(line: &Line, answer: f64) -> Vec<Uncorrected> {
     let measured = line.steps.iter().filter(|step| !step.readings.is_empty());
     let of = |step: &Step| {
         let reading = |own: &Reading| (own.place, own.error - own.aim - answer * step.part.offset);

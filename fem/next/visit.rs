@@ -46,10 +46,12 @@ impl<'h> Visit<'h> {
         let own = &history.jobs[first.job];
         let local = |part: &Part| part.number - first.number;
         let within = history.parts.iter().filter(|part| part.number > first.number && part.number <= last);
-        let within: Vec<&Part> = within.chain((to_come.number > last && to_come.number <= end).then_some(to_come)).collect();
+        let is_within = to_come.number > last.max(first.number) && to_come.number <= end;
+        let within: Vec<&Part> = within.chain(is_within.then_some(to_come)).collect();
         let after = |part: &Part| ("after".to_string(), Entry::Whole(local(part) as i64));
         let rested = within.iter().filter(|part| part.pause > 0.0);
-        let pauses = rested.map(|part| vec![after(part), ("duration".to_string(), Entry::Text(exact(&TIME, part.pause)))]);
+        let pauses =
+            rested.map(|part| vec![after(part), ("duration".to_string(), Entry::Text(exact(&TIME, part.pause)))]);
         let mut insert = first.insert;
         let is_new = |part: &&&Part| std::mem::replace(&mut insert, part.insert) != part.insert;
         let inserts: Vec<_> = within.iter().filter(is_new).map(|part| vec![after(part)]).collect();

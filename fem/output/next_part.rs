@@ -14,6 +14,9 @@ use crate::units::{MICRO, TIME};
 /// Fewest measured parts on which the record says something.
 const FEW: usize = 4;
 
+/// Most places that are named.
+const MOST_PLACES: usize = 6;
+
 /// The next part of a machine.
 pub struct NextAnswer<'a>(pub &'a History, pub &'a Next);
 
@@ -39,12 +42,8 @@ impl Answer for NextAnswer<'_> {
         let Self(history, next) = *self;
         let job = &history.jobs[next.part.job];
         let left = |values: &[f64]| json!({ "rms": (!values.is_empty()).then(|| rms(values)), "parts": values });
-        let rival = |own: &crate::next::Rival| {
-            json!({ "name": own.key, "words": own.words, "left": left(&own.left[own.left.len().min(1)..]), "next": { job.commanded.key: own.next } })
-        };
-        let suspect = |(part, own): &(usize, crate::next::Suspect)| {
-            json!({ "part": part, "by": finite(own.by), "machine_changed": own.is_change })
-        };
+        let rival = |own: &crate::next::Rival| json!({ "name": own.key, "words": own.words, "left": left(&own.left[own.left.len().min(1)..]), "next": { job.commanded.key: own.next } });
+        let suspect = |(part, own): &(usize, crate::next::Suspect)| json!({ "part": part, "by": finite(own.by), "machine_changed": own.is_change });
         let Measure { part, place, halves, is_for_tolerance } = &next.measure;
         json!({
             "schema": "fem-next/1",
@@ -55,7 +54,7 @@ impl Answer for NextAnswer<'_> {
             "set_up": next.part.set_up,
             "pause": next.part.pause,
             "offset": { job.commanded.key: next.part.offset, "before": next.before },
-            "expected": { "mean": finite(next.expected), "interval95": next.interval.map(finite), "aim": finite(next.aim) },
+            "expected": { "mean": finite(next.expected), "interval95": next.interval.map(finite), "aim": finite(next.aim), "places": next.places },
             "probability_in": next.probability,
             "measure": {
                 "part": part,
@@ -131,13 +130,29 @@ impl NextAnswer<'_> {
         let Self(history, next) = *self;
         let job = &history.jobs[next.part.job];
         let words = &job.model.process.observables()[job.commanded.observable].words;
-        let aim = if next.aim == 0.0 { String::new() } else { format!(" (the middle of the limits is {})", signed(next.aim)) };
+        let aim = if next.aim == 0.0 {
+            String::new()
+        } else {
+            format!(" (the middle of the limits is {})", signed(next.aim))
+        };
         let within = match next.probability {
             Some(p) => format!("; within all that the drawing asks with {:.0} %", 100.0 * p),
             None => "; the model says nothing of what the drawing asks: [tolerance]".into(),
         };
         let [low, high] = next.interval.map(signed);
-        format!("expected mean error of {words} {} um, 95 % from {low} to {high}{aim}{within}", signed(next.expected))
+        let over = match next.measured {
+            0 => "along the part".to_string(),
+            _ if next.places.len() > MOST_PLACES => "over the places that are measured".into(),
+            _ => {
+                let along = &job.model.process.coordinates()[job.commanded.along].name;
+                let places: Vec<String> = next.places.iter().map(|place| number::mm(*place, 1)).collect();
+                format!("at {along} = {} mm", places.join(", "))
+            }
+        };
+        format!(
+            "expected mean error of {words} {over} {} um, 95 % from {low} to {high}{aim}{within}",
+            signed(next.expected)
+        )
     }
 
     fn measure(&self) -> String {
@@ -164,10 +179,16 @@ impl NextAnswer<'_> {
         let grown = format!("{} um since it was new", signed(*growth));
         match (after, is_asked) {
             (Some(part), _) => {
-                format!("change it after part {part}: later on no offset keeps parts in tolerance; the mean of the diameter has then moved by {grown}")
+                format!(
+                    "change it after part {part}: later on no offset keeps parts in tolerance; the mean of the diameter has then moved by {grown}"
+                )
             }
-            (None, true) => format!("nothing that the model knows asks for a new one up to part {looked}; the mean of the diameter moves by {grown}, which the offset takes up"),
-            (None, false) => format!("how long it may cut depends on what the drawing asks: [tolerance]; up to part {looked} the mean of the diameter moves by {grown}"),
+            (None, true) => format!(
+                "nothing that the model knows asks for a new one up to part {looked}; the mean of the diameter moves by {grown}, which the offset takes up"
+            ),
+            (None, false) => format!(
+                "how long it may cut depends on what the drawing asks: [tolerance]; up to part {looked} the mean of the diameter moves by {grown}"
+            ),
         }
     }
 
@@ -175,7 +196,10 @@ impl NextAnswer<'_> {
     fn record(&self) -> Vec<Block> {
         let next = self.1;
         if next.measured < FEW {
-            let told = format!("{} parts were measured: from {FEW} on the model is held against what shops do instead", next.measured);
+            let told = format!(
+                "{} parts were measured: from {FEW} on the model is held against what shops do instead",
+                next.measured
+            );
             return vec![Block::Paragraph(told)];
         }
         let row = |words: &str, left: &[f64]| {
@@ -184,7 +208,11 @@ impl NextAnswer<'_> {
         };
         let mut rows = vec![row("this model, one part ahead", &next.left)];
         rows.extend(next.rivals.iter().map(|own| row(&format!("{} (tuned in hindsight)", own.words), &own.left[1..])));
-        let columns = [Column::wide("mean error left on parts that were measured"), Column::new("rms", 10), Column::new("largest", 10)];
+        let columns = [
+            Column::wide("mean error left on parts that were measured"),
+            Column::new("rms", 10),
+            Column::new("largest", 10),
+        ];
         let columns = columns.into_iter().chain([Column::remark(MICRO.unit.to_string(), 0)]);
         vec![Block::Table(Table::new(columns, rows))]
     }

@@ -54,7 +54,8 @@ impl Machine {
     pub fn made(&self, offset: impl Fn(usize) -> f64) -> Vec<f64> {
         let asked = |(part, x, time): &(usize, f64, Option<f64>)| {
             let number = |(name, value): (&str, f64)| (name.to_string(), value);
-            let mut numbers: Vec<_> = [("part", (part + 1) as f64), ("x", *x), ("radius_change", 1e-6 * offset(*part))].map(number).into();
+            let mut numbers: Vec<_> =
+                [("part", (part + 1) as f64), ("x", *x), ("radius_change", 1e-6 * offset(*part))].map(number).into();
             numbers.extend(time.map(|time| number(("time", time))));
             Asked { observable: "diameter_error".into(), numbers, words: Vec::new() }
         };
@@ -82,7 +83,9 @@ impl Schedule {
         let document = Document::parse(model.to_string()).unwrap();
         let of = |key: &str| document[key].as_table().unwrap();
         let (batch, cut) = (of("batch"), of("cut"));
-        let entries = |item: Option<&Item>| item.and_then(Item::as_array).map_or(Vec::new(), |list| list.iter().cloned().collect());
+        let entries = |item: Option<&Item>| {
+            item.and_then(Item::as_array).map_or(Vec::new(), |list| list.iter().cloned().collect())
+        };
         let pause = |own: &toml_edit::Value| {
             let own = own.as_inline_table().unwrap();
             let minutes = own["duration"].as_str().unwrap().split(' ').next().unwrap().parse().unwrap();
@@ -119,7 +122,9 @@ impl Line {
         let places: Vec<f64> = [0.1, 0.5, 0.9].map(|share| 1e-3 * decimals(share * schedule.length, 1)).into();
         let mut pauses: Vec<(usize, f64)> = schedule.pauses.iter().map(|(after, minutes)| (*after, *minutes)).collect();
         let own: Vec<(usize, f64)> = match is_changing {
-            true => [random.whole(13, 19), random.whole(20, 27)].map(|part| (part, random.uniform(20.0, 90.0).round())).into(),
+            true => [random.whole(13, 19), random.whole(20, 27)]
+                .map(|part| (part, random.uniform(20.0, 90.0).round()))
+                .into(),
             false => Vec::new(),
         };
         pauses.extend(own.iter().copied());
@@ -130,12 +135,15 @@ impl Line {
             hidden.push(Hidden { effect: "insert-change", parameters: vec![("after", insert as f64), ("share", 1.0)] });
         }
         let rows = (0..PARTS).flat_map(|part| places.iter().map(move |x| (part, *x)));
-        let time = |part: usize, x: f64| own.iter().any(|(before, _)| *before <= part).then(|| 60.0 * schedule.time(part, 1e3 * x, &pauses));
+        let time = |part: usize, x: f64| {
+            own.iter().any(|(before, _)| *before <= part).then(|| 60.0 * schedule.time(part, 1e3 * x, &pauses))
+        };
         let rows = rows.map(|(part, x)| (part, x, time(part, x))).collect();
         let machine = Machine { job, hidden, rows };
         let by_part = |values: Vec<f64>| values.chunks(places.len()).map(<[f64]>::to_vec).collect::<Vec<_>>();
         let (off, moved) = (by_part(machine.made(|_| 0.0)), by_part(machine.made(|_| -20.0)));
-        let answer = |(off, moved): (&Vec<f64>, &Vec<f64>)| off.iter().zip(moved).map(|(a, b)| (b - a) / -20.0).collect();
+        let answer =
+            |(off, moved): (&Vec<f64>, &Vec<f64>)| off.iter().zip(moved).map(|(a, b)| (b - a) / -20.0).collect();
         let answers = off.iter().zip(&moved).map(answer).collect();
         let sigma = decimals(random.log_uniform(0.5, 2.0), 3);
         let mut line = Self {

@@ -37,7 +37,8 @@ fn corrected(line: &Line, weights: (f64, f64), anew: Anew) -> Vec<f64> {
 /// That of the weights which leaves the least.
 pub fn tuned(line: &Line, is_double: bool, anew: Anew, cost: impl Fn(&[f64]) -> f64) -> Vec<f64> {
     let weights: Vec<f64> = (1..=20).map(|i| f64::from(i) / 20.0).collect();
-    let rates: Vec<f64> = if is_double { [0.0, 0.02].into_iter().chain(weights.iter().copied()).collect() } else { vec![0.0] };
+    let rates: Vec<f64> =
+        if is_double { [0.0, 0.02].into_iter().chain(weights.iter().copied()).collect() } else { vec![0.0] };
     let all = weights.iter().flat_map(|a| rates.iter().map(move |b| corrected(line, (*a, *b), anew)));
     all.min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap()
 }

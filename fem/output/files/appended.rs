@@ -55,7 +55,7 @@ impl Appended {
     /// # Errors
     /// It cannot be written.
     pub fn append(&mut self, whole: usize, entry: &str) -> Result<(), OutputError> {
-        let written = || {
+        let mut written = || {
             if whole < self.bytes.len() {
                 self.file.set_len(whole as u64)?;
             }
@@ -63,7 +63,6 @@ impl Appended {
             self.file.write_all(entry.as_bytes())?;
             self.file.sync_all()
         };
-        let mut written = written;
         written().map_err(OutputError::at(&self.path))
     }
 }
