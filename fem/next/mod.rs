@@ -14,6 +14,7 @@ mod read;
 mod record;
 mod rivals;
 mod sizes;
+mod tuning;
 mod visit;
 mod when;
 
@@ -122,7 +123,7 @@ pub fn next(history: &History, plan: &Part, progress: &Progress) -> Result<Next,
 /// The line about the values that the history tells, sizes, and the state with which it ends.
 fn known(history: &History, first: Line) -> Result<(Line, Sizes, State, Vec<Suspect>), Failure> {
     let all = first.steps.len();
-    let sizes = Sizes::usual(&first).tuned(&first, all);
+    let sizes = tuning::tuned(Sizes::usual(&first), &first, all);
     let found = run(&first, &sizes, all);
     let values = first.state.of_values(&found.state.mean);
     if values.amax() < MOVED {

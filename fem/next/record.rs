@@ -3,6 +3,7 @@
 use super::filter::{Told, run};
 use super::line::Line;
 use super::sizes::Sizes;
+use super::tuning::tuned;
 
 /// Measured parts after which sizes are found anew, at first, and how many more there must be each time.
 const FIRST: usize = 4;
@@ -17,7 +18,7 @@ pub fn told(line: &Line) -> Vec<Told> {
     let (mut begun, mut end) = (0, FIRST.min(measured.len()));
     while begun < measured.len() {
         if begun > 0 {
-            sizes = sizes.tuned(line, measured[begun]);
+            sizes = tuned(sizes, line, measured[begun]);
         }
         let until = measured.get(end).copied().unwrap_or(line.steps.len());
         all.extend(run(line, &sizes, until).told.into_iter().skip(begun).map(|(_, own)| own));

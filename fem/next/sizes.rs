@@ -1,7 +1,5 @@
-//! How large what no law of a model makes is: sizes found by the likelihood of the history, with what is usual as prior
-//! knowledge. All are errors of the diameter.
+//! How large what no law of a model makes is, and what is usual of that. All are errors of the diameter.
 
-use super::filter::run;
 use super::line::Line;
 
 /// How many there are.
@@ -32,9 +30,6 @@ const OF_MACHINE: [(usize, f64, f64); 5] = [
     (OF_INSERT, 8e-6, 2.5),
     (OF_PAUSE, 1e-6, 3.0),
 ];
-/// First and last step of the search, in the logarithm of a size.
-const STEPS: (f64, f64) = (0.8, 0.15);
-
 /// The sizes, and what is usual of each.
 #[derive(Clone, Debug)]
 pub struct Sizes {
@@ -64,36 +59,24 @@ impl Sizes {
         self.own[which].exp()
     }
 
-    /// The logarithm of how probable they are before anything is measured.
-    fn prior(&self) -> f64 {
+    /// The logarithm of how probable they are before anything is measured, but for a constant.
+    pub fn prior(&self) -> f64 {
         let one = |(own, (mean, deviation)): (&f64, &(f64, f64))| -0.5 * ((own - mean) / deviation).powi(2);
         self.own.iter().zip(&self.usual).map(one).sum()
     }
 
-    /// The most probable sizes with what was measured before the step numbered `until`, by a search along each in turn.
+    /// Those that are to be found.
+    pub fn open(&self) -> impl Iterator<Item = usize> + use<> {
+        let is_noise_known = self.is_noise_known;
+        (0..COUNT).filter(move |which| *which != NOISE || !is_noise_known)
+    }
+
+    /// The same with one that is larger by so much, in its logarithm.
     #[must_use]
-    pub fn tuned(mut self, line: &Line, until: usize) -> Self {
-        let value = |sizes: &Self| sizes.prior() + run(line, sizes, until).log_likelihood;
-        let free = (0..COUNT).filter(|i| *i != NOISE || !self.is_noise_known).collect::<Vec<_>>();
-        let (mut best, mut step) = (value(&self), STEPS.0);
-        while step > STEPS.1 {
-            let mut is_better = false;
-            for size in &free {
-                for by in [step, -step] {
-                    let mut other = self.clone();
-                    other.own[*size] += by;
-                    let own = value(&other);
-                    if own > best {
-                        (self, best, is_better) = (other, own, true);
-                        break;
-                    }
-                }
-            }
-            if !is_better {
-                step *= 0.5;
-            }
-        }
-        self
+    pub fn moved(&self, which: usize, by: f64) -> Self {
+        let mut other = self.clone();
+        other.own[which] += by;
+        other
     }
 }
 
