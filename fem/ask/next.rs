@@ -81,7 +81,10 @@ impl Log {
         let names = || self.history.jobs.iter().map(|job| &*job.name);
         names().position(|own| own == name).ok_or_else(|| {
             let meant = did_you_mean(name, names(), '`');
-            let help = format!("{meant}the log has {}", names().collect::<Vec<_>>().join(", "));
+            let help = match names().all(str::is_empty) {
+                true => "it has one model, and no [[job]]".to_string(),
+                false => format!("{meant}it has {}", names().collect::<Vec<_>>().join(", ")),
+            };
             Problem::new(format!("the log has no job `{name}`")).help(help).into()
         })
     }
@@ -105,9 +108,12 @@ impl Log {
         };
         let plan = self.plan(change)?;
         let found = rayon::scope(|_| next(&self.history, &plan, progress))?;
-        if advised.as_ref() != Some(&found.part) {
+        // As they are written: what was read is rounded to that.
+        let [was, is] =
+            [advised.as_ref(), Some(&found.part)].map(|own| own.map(|part| self.told("advised", "part", part)));
+        if was != is {
             about.push(format!("advice for part {}", found.part.number));
-            body += &self.told("advised", "part", &found.part);
+            body += &is.unwrap_or_default();
         }
         let entry = match body.is_empty() {
             true => String::new(),
