@@ -71,7 +71,8 @@ fn the_next_part_is_told_and_what_was_measured_counts_once() {
     assert_eq!((&again.out, place.read("log.toml")), (&first.out, log.clone()));
     assert!(again.err.contains("12 readings of today.csv stood in the log already"), "{}", again.err);
     // In other units they are the same readings.
-    let mm = measured(1..=6, 14.0, 3.0).lines().skip(1).map(|line| {
+    let um = measured(1..=6, 14.0, 3.0);
+    let mm = um.lines().skip(1).map(|line| {
         let cells: Vec<&str> = line.split(',').collect();
         format!("{},{},{:.4}\n", cells[0], cells[1], 1e-3 * cells[2].parse::<f64>().unwrap())
     });
