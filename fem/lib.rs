@@ -87,6 +87,7 @@
 //     discover              laws that are in no catalogue: found in what a model leaves, written as formulas
 //     budget                errors added up by rules and by drawing
 //     correct               what to command so that the part comes out as the drawing asks
+//     next                  the next part of a machine, from its own history
 //     study                 many jobs with one model: points, rows, yield, worst case, sensitivity
 //     validation            what handbooks, closed forms and benchmarks say, and what is computed
 //     output                text, CSV, JSON, VTK; files that appear whole
@@ -126,6 +127,8 @@ pub mod measure;
 pub mod mesh;
 #[doc(hidden)]
 pub mod model;
+#[doc(hidden)]
+pub mod next;
 #[doc(hidden)]
 pub mod noise;
 #[doc(hidden)]

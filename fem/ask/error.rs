@@ -128,6 +128,7 @@ impl Error {
                 OutputError::Read { .. } => "name another file; models and measurements are never overwritten",
                 OutputError::Exists { .. } => "name another place, or let it be replaced with --force",
                 OutputError::Special { .. } => "name another place",
+                OutputError::Busy { .. } => "wait until that one has ended, and ask again",
                 OutputError::Link { .. } => {
                     "it may have come with the files of others; if it is yours, name the folder that it leads to"
                 }

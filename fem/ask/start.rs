@@ -4,7 +4,7 @@ use super::Error;
 use crate::input::{Problem, did_you_mean};
 use crate::output::commented;
 use crate::process::Process;
-use crate::{budget, processes, study};
+use crate::{budget, next, processes, study};
 
 /// The files of a story to try everything on, a model and what was measured: name and text.
 pub const STORY: [(&str, &str); 2] = [
@@ -14,7 +14,7 @@ pub const STORY: [(&str, &str); 2] = [
 
 /// A file to start from.
 pub struct StartingFile {
-    /// Name of its subject: a process, `budget` or `study`.
+    /// Name of its subject: a process, `budget`, `study` or `next`.
     pub name: &'static str,
     /// The same in a sentence.
     pub about: &'static str,
@@ -44,7 +44,13 @@ pub fn starting_files() -> Vec<StartingFile> {
         text: study::STARTING.to_string(),
         command: "study",
     };
-    processes::ALL.iter().map(of_process).chain([budget, study]).collect()
+    let next = StartingFile {
+        name: "next",
+        about: "the log of a machine: what was made, measured and set",
+        text: next::STARTING.to_string(),
+        command: "next",
+    };
+    processes::ALL.iter().map(of_process).chain([budget, study, next]).collect()
 }
 
 /// The file to start from by its name.

@@ -10,6 +10,7 @@ use clap::{Parser, Subcommand};
 
 use crate::model::Setting;
 use crate::output::CONTROLS;
+use crate::units::{Kind, Knowledge, MICRO, Quantity, TIME};
 
 pub use shared::{Data, Limit, Mark, Reading};
 pub use study::{Study, StudyCommand};
@@ -54,6 +55,8 @@ pub enum Command {
     Compensate(Compensate),
     /// What to command so that the part comes out right, and what will be left
     Correct(Correct),
+    /// Between parts: the next offset, what to measure, when to change the insert
+    Next(Next),
     /// One page of everything: prediction, residuals, causes, what to do next
     Report(Report),
     /// Add errors up, by the handbook's rules and by Monte Carlo
@@ -316,6 +319,68 @@ pub struct Correct {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "The log names the model of what is made, and keeps what was done and measured: entries are added to it, and nothing in it is
+written again. `fem new next` explains it. What was measured before counts once, however often it is named.
+
+Examples:
+  fem new next -o log.toml
+  fem next log.toml --with today.csv
+  fem next log.toml --new-insert --pause '45 min'"
+)]
+pub struct Next {
+    /// The log of the machine
+    pub log: PathBuf,
+    /// Measurements of parts, by their numbers on the machine; once for each of several files
+    #[arg(long, value_name = "TODAY.csv")]
+    pub with: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: Reading,
+    /// Offset of the radius with which the measured parts were made, where it is not that which was advised
+    #[arg(long, value_name = "LENGTH", value_parser = offset, allow_hyphen_values = true, requires = "with")]
+    pub applied: Option<f64>,
+    /// Which of the jobs of the log was measured
+    #[arg(long, value_name = "NAME")]
+    pub job: Option<String>,
+    /// The next part is cut by a new insert
+    #[arg(long)]
+    pub new_insert: bool,
+    /// The tool is measured or touched anew before the next part
+    #[arg(long)]
+    pub new_set_up: bool,
+    /// How long the machine rests before the next part
+    #[arg(long, value_name = "TIME", value_parser = rest)]
+    pub pause: Option<f64>,
+    /// Which of the jobs comes next
+    #[arg(long, value_name = "NAME")]
+    pub next_job: Option<String>,
+    /// Tell, and add nothing to the log
+    #[arg(long)]
+    pub dry_run: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A known quantity of a kind, SI.
+fn known(text: &str, kind: &Kind) -> Result<f64, String> {
+    let wrong = |message: &str| format!("{message}: write '{}'", kind.example());
+    let quantity = Quantity::parse(text, kind).map_err(|error| wrong(&error.message))?;
+    match quantity.knowledge {
+        Knowledge::Known => Ok(quantity.value),
+        _ => Err(wrong("it is known what was done")),
+    }
+}
+
+fn offset(text: &str) -> Result<f64, String> {
+    known(text, &MICRO)
+}
+
+fn rest(text: &str) -> Result<f64, String> {
+    known(text, &TIME)
 }
 
 /// The controls that can be named, with what they are.

@@ -16,6 +16,7 @@ mod fit;
 mod import;
 mod look;
 mod new;
+mod next;
 mod plan;
 mod report;
 mod run;
@@ -50,6 +51,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Some(Command::Diagnose(args)) => diagnose::run(&args),
         Some(Command::Compensate(args)) => compensate::run(&args),
         Some(Command::Correct(args)) => correct::run(&args),
+        Some(Command::Next(args)) => next::run(&args),
         Some(Command::Report(args)) => report::run(&args),
         Some(Command::Plan(args)) => plan::run(&args),
         Some(Command::Budget(args)) => budget::run(&args),

@@ -39,16 +39,30 @@ impl Knowledge {
         self.deviations.iter().filter(|deviation| **deviation > 0.0).count()
     }
 
+    /// Whether each value is known roughly.
+    pub fn are_rough(&self) -> impl Iterator<Item = bool> {
+        self.deviations.iter().map(|deviation| *deviation > 0.0)
+    }
+
+    /// Covariance of the values in their standard uncertainties: their correlations.
+    pub fn correlation(&self) -> DMatrix<f64> {
+        &self.root * self.root.transpose()
+    }
+
+    /// The values so many of their standard uncertainties away from what is known best.
+    pub fn away<'a>(&self, by: impl IntoIterator<Item = &'a f64>) -> Vec<f64> {
+        let all = self.values.iter().zip(&self.deviations).zip(&self.is_positive).zip(by);
+        all.map(|(((value, deviation), is_positive), away)| {
+            let by = deviation * away;
+            if *is_positive { value * (by / value).exp() } else { value + by }
+        })
+        .collect()
+    }
+
     /// Values as they may be: draw of a number, always the same.
     pub fn drawn(&self, number: usize) -> Vec<f64> {
         let stream = Stream::new(SEED, number as u64);
         let independent = (0..self.values.len()).map(|i| FIELD * Law::Normal.draw(&stream, i as u32, 0));
-        let together = &self.root * DVector::from_iterator(self.values.len(), independent);
-        let all = self.values.iter().zip(&self.deviations).zip(&self.is_positive).zip(together.iter());
-        all.map(|(((value, deviation), is_positive), drawn)| {
-            let by = deviation * drawn;
-            if *is_positive { value * (by / value).exp() } else { value + by }
-        })
-        .collect()
+        self.away(&(&self.root * DVector::from_iterator(self.values.len(), independent)))
     }
 }

@@ -5,6 +5,8 @@ mod contour;
 mod knowledge;
 mod solve;
 
+pub use knowledge::Knowledge;
+
 use std::sync::Arc;
 
 use rayon::prelude::*;
@@ -13,7 +15,6 @@ use crate::model::Model;
 use crate::process::{Advice, Command, Commanded, Failure, Rows, Standing};
 use crate::progress::Progress;
 use contour::Programme;
-use knowledge::Knowledge;
 use solve::Solved;
 
 /// Fewest places of a contour, and the most to which it is divided further.

@@ -52,6 +52,8 @@ pub enum Entry {
     Words(Vec<String>),
     /// Rows of a file, from 1, in a text: `12, 40`.
     Rows(Vec<usize>),
+    /// A list of tables, each with its keys: `[{ after = 5, duration = "30 min" }]`.
+    Tables(Vec<Vec<(String, Entry)>>),
 }
 
 impl std::fmt::Display for Entry {
@@ -63,6 +65,7 @@ impl std::fmt::Display for Entry {
             Self::Flag(flag) => write!(f, "{flag}"),
             Self::Words(words) => f.write_str(&words.join(", ")),
             Self::Rows(rows) => f.write_str(&rows.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
+            Self::Tables(_) => Value::from(self).fmt(f),
         }
     }
 }
@@ -73,6 +76,12 @@ impl From<&Entry> for Value {
             Entry::Number(number) => Self::from(*number),
             Entry::Whole(number) => Self::from(*number),
             Entry::Flag(flag) => Self::from(*flag),
+            Entry::Tables(tables) => {
+                let table = |keys: &Vec<(String, Entry)>| -> Self {
+                    keys.iter().map(|(key, entry)| (key, Self::from(entry))).collect::<InlineTable>().into()
+                };
+                Self::Array(tables.iter().map(table).collect())
+            }
             other => Self::from(other.to_string()),
         }
     }

@@ -46,6 +46,12 @@ pub enum OutputError {
         /// Its target, where that exists.
         target: Option<PathBuf>,
     },
+    /// Another run of the program writes it.
+    #[error("{} is held by another run of fem", path.display())]
+    Busy {
+        /// Path of the file.
+        path: PathBuf,
+    },
     /// It would stand where a file is that was read.
     #[error("{} is itself what is read", path.display())]
     Read {

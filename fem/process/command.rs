@@ -4,6 +4,9 @@ use std::ops::Range;
 
 use super::polyline::on_lines;
 
+/// Key of a change of the radius at which a tool is programmed.
+pub const RADIUS_CHANGE: &str = "radius_change";
+
 /// How a process takes a correction of its command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Commanded {
@@ -39,6 +42,11 @@ pub enum Answers {
 }
 
 impl Commanded {
+    /// Whether an offset of it is what is entered for a tool between two parts.
+    pub fn is_tool_offset(&self) -> bool {
+        self.key == RADIUS_CHANGE
+    }
+
     /// The coordinates of which each set of values has a contour of its own.
     pub fn apart(&self) -> impl Iterator<Item = usize> {
         self.number.into_iter().chain(self.beside.iter().copied())

@@ -26,6 +26,7 @@ mod import;
 mod measurement;
 mod mesh_file;
 mod next;
+mod next_part;
 mod odds;
 mod pages;
 mod passes;

@@ -33,6 +33,7 @@ const LAYERS: &[&str] = &[
     "discover",
     "budget",
     "correct",
+    "next",
     "study",
     "validation",
     "output",

@@ -2,6 +2,7 @@
 //! that this program did not write stays, unless the user says otherwise.
 
 mod account;
+mod appended;
 mod beside;
 mod guard;
 mod page;
@@ -12,6 +13,7 @@ mod way;
 mod work;
 mod written;
 
+pub use appended::Appended;
 pub use beside::abandon;
 pub use guard::Guard;
 pub use page::{is_sealed, sealed};

@@ -35,7 +35,8 @@ use self::lift_off::LiftOff;
 use crate::input::Reader;
 use crate::process::{
     Active, Advice, Answers, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction,
-    Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Requirement, Rows, RunReport,
+    Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Places, RADIUS_CHANGE, Requirement, Rows,
+    RunReport,
 };
 use crate::progress::Progress;
 
@@ -64,7 +65,7 @@ impl Definition for Turning {
     ];
 
     const COMMANDED: Option<Commanded> = Some(Commanded {
-        key: "radius_change",
+        key: RADIUS_CHANGE,
         words: "programmed radius",
         course: "contour",
         along: rows::X,
