@@ -1,6 +1,7 @@
 //! What to command so that the part comes out as the drawing asks: solved through the model, so that force feedback, copying
 //! and contacts answer to the correction as they answer to the cut.
 
+mod contour;
 mod knowledge;
 mod solve;
 
@@ -11,6 +12,7 @@ use rayon::prelude::*;
 use crate::model::Model;
 use crate::process::{Command, Commanded, Failure, Rows, Standing, Values};
 use crate::progress::Progress;
+pub use contour::{OneContour, Programmed};
 use knowledge::Knowledge;
 
 /// Fewest places of a contour.
@@ -42,6 +44,8 @@ pub struct Correction {
     /// The offset that comes nearest to the change, for each number, and what is left with offsets alone.
     pub offsets: Vec<(usize, f64)>,
     pub left_by_offsets: Vec<f64>,
+    /// One contour for all numbers, with an offset for each.
+    pub common: OneContour,
     /// How parts stand against the drawing before and with the correction.
     pub standings: [Vec<Standing>; 2],
     /// Probability that each part is within all that is asked, and that all are, with the correction; none where nothing is.
@@ -82,6 +86,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     let places = solved.command.places.len();
     let changes = offsets.iter().flat_map(|(_, change)| std::iter::repeat_n(*change, places)).collect();
     let left_by_offsets = made(&Arc::new(Command { changes, ..(*solved.command).clone() }))?;
+    let common = OneContour::common(&solved.command, made)?;
     Ok(Some(Correction {
         commanded,
         command: solved.command,
@@ -91,6 +96,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         unreached: solved.unreached,
         offsets,
         left_by_offsets,
+        common,
         standings,
         probability,
         uncertain: knowledge.uncertain(),

@@ -6,6 +6,7 @@ use super::{
     Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Coordinate, DatumDirection,
     Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
 };
+use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
 
@@ -126,6 +127,11 @@ pub trait Definition: Sync + Sized + 'static {
 
     /// The unit of a machine that is tested, where the model names one.
     fn unit(_setup: &Self::Setup) -> Option<&str> {
+        None
+    }
+
+    /// The part as a program of the machine sees it, if programs of it are corrected.
+    fn program(_setup: &Self::Setup) -> Option<Workpiece> {
         None
     }
 

@@ -16,6 +16,7 @@ mod lift_off;
 mod log;
 mod machine;
 mod passes;
+mod program;
 pub(crate) mod refinement;
 pub(crate) mod report;
 mod requirements;
@@ -31,6 +32,7 @@ pub use setup::Setup;
 use std::sync::Arc;
 
 use self::lift_off::LiftOff;
+use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::process::{
     Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction, Coordinate,
@@ -109,6 +111,10 @@ impl Definition for Turning {
 
     fn characteristics(setup: &Setup, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
         requirements::characteristics(setup, rows, values)
+    }
+
+    fn program(setup: &Setup) -> Option<Workpiece> {
+        Some(program::workpiece(setup))
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {

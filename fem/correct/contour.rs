@@ -1,0 +1,94 @@
+//! One contour for all that is made one after another, and an offset for each: what a program and a wear constant can do.
+
+use std::sync::Arc;
+
+use super::Correction;
+use crate::gcode::Corrected;
+use crate::model::Model;
+use crate::process::{Command, Failure};
+
+/// One contour, an offset for each number, and what they leave. SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OneContour {
+    /// The change at every place.
+    pub contour: Vec<f64>,
+    /// The offset beside it for each number.
+    pub offsets: Vec<(usize, f64)>,
+    /// What is left at every row.
+    pub left: Vec<f64>,
+}
+
+impl OneContour {
+    /// The contour that comes nearest to those of all numbers: their mean.
+    ///
+    /// # Errors
+    /// What is made cannot be computed.
+    pub fn common(
+        command: &Command,
+        made: impl Fn(&Arc<Command>) -> Result<Vec<f64>, Failure>,
+    ) -> Result<Self, Failure> {
+        let (places, numbers) = (command.places.len(), command.numbers.len());
+        let mean = |place: usize| {
+            let own = command.changes.iter().skip(place).step_by(places);
+            own.sum::<f64>() / numbers.max(1) as f64
+        };
+        Self::given(command, (0..places).map(mean).collect(), made)
+    }
+
+    /// A contour with the offsets that come nearest to the command beside it.
+    ///
+    /// # Errors
+    /// What is made cannot be computed.
+    pub fn given(
+        command: &Command,
+        contour: Vec<f64>,
+        made: impl Fn(&Arc<Command>) -> Result<Vec<f64>, Failure>,
+    ) -> Result<Self, Failure> {
+        let offset = |own: &[f64]| {
+            let beside = own.iter().zip(&contour).map(|(change, common)| change - common);
+            beside.sum::<f64>() / contour.len().max(1) as f64
+        };
+        let own = command.changes.chunks(contour.len().max(1)).map(offset);
+        let offsets: Vec<(usize, f64)> = command.numbers.iter().copied().zip(own).collect();
+        let changes = offsets.iter().flat_map(|(_, offset)| contour.iter().map(move |change| change + offset));
+        let changes = changes.collect();
+        let left = made(&Arc::new(Command { changes, ..command.clone() }))?;
+        Ok(Self { contour, offsets, left })
+    }
+}
+
+/// A program of the user's with the words of a correction.
+#[derive(Clone, Debug)]
+pub struct Programmed {
+    /// Name of its file, without its folder.
+    pub name: String,
+    /// It, and what it does not carry.
+    pub corrected: Corrected,
+    /// What is left with it and an offset for each number.
+    pub with: OneContour,
+}
+
+impl Correction {
+    /// What is left with a contour that is given, and an offset for each number.
+    ///
+    /// # Errors
+    /// What is made cannot be computed.
+    pub fn with_contour(&self, model: &Model, contour: &[f64]) -> Result<OneContour, Failure> {
+        let values: Vec<f64> = model.parameters.iter().map(|own| own.quantity.value).collect();
+        let made = |command: &Arc<Command>| model.commanded_at(&values, command)?.observe(&self.rows);
+        OneContour::given(&self.command, contour.to_vec(), made)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_contour_and_offsets_are_the_means_of_both_ways() {
+        let command = Command { places: vec![0.0, 1.0], numbers: vec![1, 2], changes: vec![1.0, 3.0, 5.0, 9.0] };
+        let found = OneContour::common(&command, |command| Ok(command.changes.clone())).unwrap();
+        assert_eq!((found.contour, found.offsets), (vec![3.0, 6.0], vec![(1, -2.5), (2, 2.5)]));
+        assert_eq!(found.left, [0.5, 3.5, 5.5, 8.5]);
+    }
+}
