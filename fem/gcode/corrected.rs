@@ -6,7 +6,7 @@ use super::fit::{Holds, changes};
 use super::plan::{Finish, Foreign, between};
 use super::program::Program;
 use super::steps::{Centre, Shape, Step};
-use super::surface::{Sample, Surface, samples};
+use super::surface::{GAUSS, Sample, Surface, samples};
 use super::wanted::{SAME, Wanted};
 use super::workpiece::Workpiece;
 use super::write::rewritten;
@@ -53,7 +53,7 @@ pub struct Corrected {
     pub left: Left,
     /// Blocks that were left as they are.
     pub others: Vec<Other>,
-    /// Lengths of the pass that no block finishes, m.
+    /// Lengths of the pass that no block cuts, m.
     pub unfinished: Vec<[f64; 2]>,
     /// The finishing block whose own radius lies farthest off that of the part, and by how much, m.
     pub off: Option<(String, f64)>,
@@ -119,7 +119,7 @@ pub fn corrected(
         could_add: is_short && !adds && has_more,
         left: kept.left,
         others: finish.foreign.iter().map(other).collect(),
-        unfinished: unfinished(&samples, &before, &finish),
+        unfinished: unfinished(&samples, &before),
         off: finish.off.map(|(step, off)| (name(step), off)),
         carried,
         bytes: again.bytes,
@@ -168,15 +168,16 @@ fn nudged(places: &[f64], work: &Workpiece) -> Vec<f64> {
     places.iter().map(|x| if *x > end - nudge { x - nudge } else { x + nudge }).collect()
 }
 
-/// Lengths that no finishing block makes.
-fn unfinished(samples: &[Sample], surface: &Surface, finish: &Finish) -> Vec<[f64; 2]> {
-    let is_finished = |at: usize| surface.made[at].is_some_and(|(step, _)| finish.owned.contains_key(&step));
+/// Lengths that no block cuts.
+fn unfinished(samples: &[Sample], surface: &Surface) -> Vec<[f64; 2]> {
+    // Both places of an interval stand so far from its nearer end.
+    let margin = |sample: &Sample| 2.0 * GAUSS[0] * sample.weight;
     let mut all: Vec<[f64; 2]> = Vec::new();
-    for (at, sample) in samples.iter().enumerate().filter(|(at, _)| !is_finished(*at)) {
-        let ends = [sample.x - sample.weight, sample.x + sample.weight];
-        match all.last_mut().filter(|_| at > 0 && !is_finished(at - 1)) {
-            Some(last) => last[1] = ends[1],
-            None => all.push(ends),
+    for (at, sample) in samples.iter().enumerate().filter(|(at, _)| surface.made[*at].is_none()) {
+        let end = sample.x + margin(sample);
+        match all.last_mut().filter(|_| at > 0 && surface.made[at - 1].is_none()) {
+            Some(last) => last[1] = end,
+            None => all.push([sample.x - margin(sample), end]),
         }
     }
     all

@@ -81,10 +81,13 @@ impl<'a> Control<'a> {
         }
         // The number of the program stands at its head.
         let is_head = !self.has_begun && block.words.iter().all(|word| matches!(word.letter, b'O' | b'N'));
-        if block.words.is_empty() || is_head {
+        if block.problem.is_none() && (block.words.is_empty() || is_head) {
             return Ok(None);
         }
         self.has_begun = true;
+        if let Some(problem) = &block.problem {
+            return Err(problem.clone());
+        }
         let orders = Orders::of(block)?;
         self.has_ended = orders.ends;
         let had_place = self.place != [None; 2];

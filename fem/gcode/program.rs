@@ -48,7 +48,7 @@ impl Program {
         };
         let source = Source::new(name, text);
         let fail = |problems| InputError::new(source.clone(), problems);
-        let blocks = blocks(&bytes).map_err(fail)?;
+        let blocks = blocks(&bytes);
         let steps = steps(&blocks, work).map_err(fail)?;
         Ok(Self { source, bytes, blocks, steps })
     }

@@ -9,7 +9,7 @@ const EQUAL: f64 = 0.2e-6;
 /// Places at least over the pass.
 const LEAST: usize = 400;
 /// Where in an interval its two places stand, by which straight lines and parabolas are weighed exactly.
-const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+pub const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
 
 /// A place at which surfaces are looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]

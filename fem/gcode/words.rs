@@ -43,6 +43,8 @@ pub struct Block {
     pub is_mark: bool,
     /// The words.
     pub words: Vec<Word>,
+    /// What is no word in it; of no account behind the end of the program.
+    pub problem: Option<Problem>,
 }
 
 impl Block {
@@ -61,63 +63,62 @@ impl Block {
 const PLAIN: &str = "write plain blocks of letters and numbers, as CAM systems do";
 
 /// The lines of a program with their words.
-///
-/// # Errors
-/// What is no word, line by line.
-pub fn blocks(bytes: &[u8]) -> Result<Vec<Block>, Vec<Problem>> {
+pub fn blocks(bytes: &[u8]) -> Vec<Block> {
     let mark = if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
-    let (mut blocks, mut problems) = (Vec::new(), Vec::new());
+    let mut blocks = Vec::new();
     let (mut start, mut number) = (mark, 1);
     while start < bytes.len() {
         let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
         let end = bytes[start..].iter().position(is_end).map_or(bytes.len(), |length| start + length);
-        match block(bytes, start..end, number) {
-            Ok(own) => blocks.push(own),
-            Err(problem) => problems.push(problem),
-        }
+        let mut block =
+            Block { line: start..end, number, skip: None, is_mark: false, words: Vec::new(), problem: None };
+        block.problem = block.read(bytes).err();
+        blocks.push(block);
         start = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
         number += 1;
     }
-    if problems.is_empty() { Ok(blocks) } else { Err(problems) }
+    blocks
 }
 
-fn block(bytes: &[u8], line: Range<usize>, number: usize) -> Result<Block, Problem> {
-    let mut block = Block { line: line.clone(), number, skip: None, is_mark: false, words: Vec::new() };
-    let mut at = line.start;
-    let end = line.end;
-    while at < end {
-        let wrong = |length: usize, message: &str, help: &str| {
-            Err(Problem::new(message).help(help).at(Some(at..(at + length).min(end))))
-        };
-        match bytes[at] {
-            b' ' | b'\t' => at += 1,
-            b';' => break,
-            b'(' => match bytes[at..end].iter().position(|byte| *byte == b')') {
-                Some(length) => at += length + 1,
-                None => return wrong(end - at, "the comment does not end on its line", "close it with `)`"),
-            },
-            b'%' if block.words.is_empty() && block.skip.is_none() => {
-                block.is_mark = true;
-                break;
+impl Block {
+    /// Finds the words of the line.
+    fn read(&mut self, bytes: &[u8]) -> Result<(), Problem> {
+        let mut at = self.line.start;
+        let end = self.line.end;
+        while at < end {
+            let wrong = |length: usize, message: &str, help: &str| {
+                Err(Problem::new(message).help(help).at(Some(at..(at + length).min(end))))
+            };
+            match bytes[at] {
+                b' ' | b'\t' => at += 1,
+                b';' => break,
+                b'(' => match bytes[at..end].iter().position(|byte| *byte == b')') {
+                    Some(length) => at += length + 1,
+                    None => return wrong(end - at, "the comment does not end on its line", "close it with `)`"),
+                },
+                b'%' if self.words.is_empty() && self.skip.is_none() => {
+                    self.is_mark = true;
+                    break;
+                }
+                b'/' if self.skip.is_none() && self.words.iter().all(|word| word.letter == b'N') => {
+                    let digits = bytes[at + 1..end].iter().take_while(|byte| byte.is_ascii_digit()).count();
+                    self.skip = Some(at..at + 1 + digits);
+                    at += 1 + digits;
+                }
+                letter if letter.is_ascii_alphabetic() => {
+                    let word = word(bytes, at, end)?;
+                    at = word.span.end;
+                    self.words.push(word);
+                }
+                b'#' | b'[' | b']' | b'=' | b'<' | b'*' => {
+                    return wrong(end - at, "variables and expressions are computed by the control alone", PLAIN);
+                }
+                b',' => return wrong(end - at, "a corner after a comma is computed by the control", CORNER),
+                _ => return wrong(1, "this is no word of a program", PLAIN),
             }
-            b'/' if block.skip.is_none() && block.words.iter().all(|word| word.letter == b'N') => {
-                let digits = bytes[at + 1..end].iter().take_while(|byte| byte.is_ascii_digit()).count();
-                block.skip = Some(at..at + 1 + digits);
-                at += 1 + digits;
-            }
-            letter if letter.is_ascii_alphabetic() => {
-                let word = word(bytes, at, end)?;
-                at = word.span.end;
-                block.words.push(word);
-            }
-            b'#' | b'[' | b']' | b'=' | b'<' | b'*' => {
-                return wrong(end - at, "variables and expressions are computed by the control alone", PLAIN);
-            }
-            b',' => return wrong(end - at, "a corner after a comma is computed by the control", CORNER),
-            _ => return wrong(1, "this is no word of a program", PLAIN),
         }
+        Ok(())
     }
-    Ok(block)
 }
 
 /// Remedy for corners that a control rounds.
@@ -158,13 +159,12 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> String {
-        match blocks(text.as_bytes()) {
-            Ok(all) => {
-                let one = |own: &Block| own.words.iter().map(Word::shown).collect::<Vec<_>>().join(" ");
-                all.iter().map(one).collect::<Vec<_>>().join("|")
-            }
-            Err(problems) => format!("! {}", problems[0].message),
+        let all = blocks(text.as_bytes());
+        if let Some(problem) = all.iter().find_map(|own| own.problem.as_ref()) {
+            return format!("! {}", problem.message);
         }
+        let one = |own: &Block| own.words.iter().map(Word::shown).collect::<Vec<_>>().join(" ");
+        all.iter().map(one).collect::<Vec<_>>().join("|")
     }
 
     #[test]
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn a_word_knows_its_bytes() {
         let text = "\u{feff}G1 X 40.5Z-1";
-        let all = blocks(text.as_bytes()).unwrap();
+        let all = blocks(text.as_bytes());
         let x = all[0].word(b'X').unwrap();
         assert_eq!((&text[x.span.clone()], &text[x.number.clone()]), ("X 40.5", "40.5"));
     }

@@ -42,7 +42,7 @@ pub fn blocks(programmed: &Programmed) -> Vec<Block> {
     let more = corrected.others.len().saturating_sub(MOST_NAMED);
     lines.extend((more > 0).then(|| format!("{more} more blocks are left as they are for that")));
     lines.extend(corrected.unfinished.iter().take(MOST_NAMED).map(|[from, to]| {
-        format!("no block finishes the part from x = {} to {} mm", number::mm(*from, 1), number::mm(*to, 1))
+        format!("no block cuts the part from x = {} to {} mm", number::mm(*from, 1), number::mm(*to, 1))
     }));
     vec![Block::Heading(format!("program {name}")), Block::List(lines)]
 }
