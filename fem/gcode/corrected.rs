@@ -12,6 +12,8 @@ use super::workpiece::Workpiece;
 use super::write::rewritten;
 use crate::input::{InputError, Problem};
 
+/// Shorter lengths that nothing cuts come from rounded words, m.
+const SHORTEST: f64 = 0.05e-3;
 /// Changes below this are none, m.
 const NONE: f64 = 1e-9;
 
@@ -180,6 +182,7 @@ fn unfinished(samples: &[Sample], surface: &Surface) -> Vec<[f64; 2]> {
             None => all.push([sample.x - margin(sample), end]),
         }
     }
+    all.retain(|ends| ends[1] - ends[0] > SHORTEST);
     all
 }
 

@@ -37,15 +37,16 @@ impl Finish {
                 made.entry(*step).or_default().push(sample);
             }
         }
-        let radii = |sample: usize| {
+        // Its own radius, and that which the part has there.
+        let radii = |sample: usize, of: &dyn Fn(f64, f64) -> Option<f64>| {
             let is = surface.made[sample].map_or(f64::NAN, |(_, r)| r);
-            [is, work.radius(samples[sample].x).unwrap_or(f64::NAN)]
+            [is, of(samples[sample].x, is).unwrap_or(f64::NAN)]
         };
         let off = |radii: &[f64; 2]| (radii[0] - radii[1]).abs();
         let mut finish = Self { owned: BTreeMap::new(), foreign: Vec::new(), off: None };
-        for (step, own) in made {
-            let farthest = own.iter().map(|sample| radii(*sample)).max_by(|a, b| off(a).total_cmp(&off(b)));
-            let Some(farthest) = farthest else { continue };
+        for (step, mut own) in made {
+            let all = own.iter().map(|sample| radii(*sample, &|x, r| work.radius_near(x, r)));
+            let Some(farthest) = all.max_by(|a, b| off(a).total_cmp(&off(b))) else { continue };
             if off(&farthest) > work.agreement {
                 finish.foreign.push(Foreign { step, radii: farthest });
                 continue;
@@ -53,7 +54,11 @@ impl Finish {
             if finish.off.is_none_or(|(_, other)| off(&farthest) > other.abs()) {
                 finish.off = Some((step, farthest[0] - farthest[1]));
             }
-            finish.owned.insert(step, own);
+            // Beyond a step of the model the change is that of the other side.
+            own.retain(|sample| off(&radii(*sample, &|x, _| work.radius(x))) <= work.agreement);
+            if !own.is_empty() {
+                finish.owned.insert(step, own);
+            }
         }
         finish
     }

@@ -81,6 +81,8 @@ pub const MM: f64 = 1e-3;
 pub const INCH: f64 = 25.4e-3;
 /// Least increment of controls in millimetres and in inches (increment system IS-B), in those units.
 const USUAL: [f64; 2] = [1e-3, 1e-4];
+/// How far a step of a program may lie off that of the model, m: lengths are rounded, and have tolerances of their own.
+const STEP_OFF: f64 = 0.2e-3;
 /// Most decimals that are written.
 const MOST_DECIMALS: f64 = 7.0;
 
@@ -101,6 +103,12 @@ impl Workpiece {
     pub fn radius(&self, x: f64) -> Option<f64> {
         let at = self.stretches.partition_point(|own| own.to <= x).min(self.stretches.len().checked_sub(1)?);
         Some(self.stretches[at].radius)
+    }
+
+    /// The nominal radius next to a given one at a place, m, where a step may stand a little elsewhere than in the model.
+    pub fn radius_near(&self, x: f64, r: f64) -> Option<f64> {
+        let near = self.stretches.iter().filter(|own| own.from - STEP_OFF <= x && x <= own.to + STEP_OFF);
+        near.map(|own| own.radius).min_by(|a, b| (a - r).abs().total_cmp(&(b - r).abs()))
     }
 
     /// Smallest and largest place of the pass, m.

@@ -29,6 +29,7 @@ mod next;
 mod odds;
 mod pages;
 mod passes;
+mod program;
 mod recorded;
 mod records;
 mod report;

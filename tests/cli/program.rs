@@ -27,7 +27,10 @@ fn the_program_of_the_page_is_written_as_the_page_says() {
     assert_eq!(place.read("out/part.ngc"), shown("text", "--add-blocks -o blocks"));
     let found: Json = serde_json::from_str(&answer.out).unwrap();
     let program = &found["program"];
-    assert_eq!((&program["file"], program["words_changed"].as_u64(), program["added"].as_u64()), (&"part.ngc".into(), Some(3), Some(6)));
+    assert_eq!(
+        (&program["file"], program["words_changed"].as_u64(), program["added"].as_u64()),
+        (&"part.ngc".into(), Some(3), Some(6))
+    );
     assert!(program["left"]["worst"].as_f64().unwrap() < 1.3e-6 && program["could_add_blocks"] == false);
     // Places of the contour are those of the correction; offsets beside it add up to nothing.
     let (contour, all) = (found["contour"].as_array().unwrap(), found["correction"].as_array().unwrap());
@@ -50,14 +53,20 @@ fn the_contour_is_a_program() {
     let place = place();
     assert_eq!(place.fem(&["correct", "shaft.toml", "-o", "out"]).status, 0);
     let contour = place.read("out/contour.ngc");
-    assert!(contour.starts_with("(SHAFT.TOML: CORRECTED FINISHING CONTOUR)\n(X AS A DIAMETER, MM, ABSOLUTE, Z0 AT 500 MM"), "{contour}");
+    assert!(
+        contour.starts_with("(SHAFT.TOML: CORRECTED FINISHING CONTOUR)\n(X AS A DIAMETER, MM, ABSOLUTE, Z0 AT 500 MM"),
+        "{contour}"
+    );
     assert!(contour.is_ascii() && contour.contains("\nG1 X39.9") && contour.contains("F0.150\n"), "{contour}");
     // The tool stands before it somewhere beyond the end of the shaft.
     place.write("own.ngc", contour.replace("G1 X", "G0 X39.9 Z1\nG1 X"));
     let again = place.fem(&["correct", "shaft.toml", "--program", "own.ngc"]);
     assert!(again.status == 0 && again.out.contains("smaller than that of the model"), "{}{}", again.out, again.err);
     // Another zero and radii, as the model says.
-    let other = format!("{}\n[program]\nzero = \"0 mm\"\nx = \"radius\"\nincrement = \"0.0001 mm\"\n", model("correction/shaft.toml"));
+    let other = format!(
+        "{}\n[program]\nzero = \"0 mm\"\nx = \"radius\"\nincrement = \"0.0001 mm\"\n",
+        model("correction/shaft.toml")
+    );
     place.write("other.toml", other);
     assert_eq!(place.fem(&["correct", "other.toml", "-o", "radius"]).status, 0);
     let radius = place.read("radius/contour.ngc");
@@ -77,7 +86,12 @@ fn what_cannot_be_done_with_a_program_is_said_and_nothing_is_written() {
         ("shaft.toml", "contour.ngc", "has a file of this name itself", "another name"),
         ("shaft.toml", "none.ngc", "none.ngc: the file cannot be read", "check the path"),
         ("shaft.toml", "cycle.ngc", "cycle.ngc:2:4: `G71` is a cycle", "plain G1, G2 and G3"),
-        ("shaft.toml", "rough.ngc", "rough.ngc:2:1: no block finishes the part; nearest, this one cuts at 41.000 mm", "[program]"),
+        (
+            "shaft.toml",
+            "rough.ngc",
+            "rough.ngc:2:1: no block finishes the part; nearest, this one cuts at 41.000 mm",
+            "[program]",
+        ),
         ("wrong.toml", "part.ngc", "both", "radius"),
     ] {
         let answer = place.fem(&["correct", model, "--program", program, "-o", "out"]);
