@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::steps::Spot;
+use super::spot::Spot;
 
 /// How far straight pieces lie off an arc, m.
 const OFF: f64 = 1e-8;

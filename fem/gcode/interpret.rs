@@ -2,7 +2,8 @@
 
 use super::arc;
 use super::codes::{Motion, Once, Orders, Setting, check_letters};
-use super::steps::{Centre, Cut, Shape, Spot, Step};
+use super::spot::Spot;
+use super::steps::{Centre, Cut, Shape, Step};
 use super::words::{Block, Word};
 use super::workpiece::{Across, Axes, MM, Workpiece};
 use crate::input::Problem;

@@ -15,6 +15,7 @@ mod knots;
 mod number;
 mod plan;
 mod program;
+mod spot;
 mod steps;
 mod surface;
 mod wanted;

@@ -1,15 +1,7 @@
 //! A program as steps of its tool: where each ends on the part, which word says so, and what is cut on the way.
 
 use super::arc;
-
-/// A place of the tool on the part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
-    /// Along the part, m.
-    pub x: f64,
-    /// Radius, m.
-    pub r: f64,
-}
+use super::spot::Spot;
 
 /// A way through the material.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! Which cut makes the surface at a place: that with the smallest radius there, of equal ones the last.
 
-use super::steps::{Cut, Spot, Step};
+use super::spot::Spot;
+use super::steps::{Cut, Step};
 use super::wanted::{SAME, Wanted};
 use super::workpiece::Workpiece;
 

@@ -46,7 +46,8 @@ impl Wanted {
 
     /// Places and changes on the way from one place to another that lies beyond it, both among them, rising.
     pub fn between(&self, low: f64, high: f64) -> Vec<(f64, f64)> {
-        let inside = self.nodes.iter().copied().filter(|node| node.0 > low + SAME && node.0 < high - SAME);
+        let first = self.nodes.partition_point(|node| node.0 <= low + SAME);
+        let inside = self.nodes[first..].iter().copied().take_while(|node| node.0 < high - SAME);
         let ends = [low + SAME, high - SAME].map(|x| self.at(x));
         std::iter::once((low, ends[0])).chain(inside).chain([(high, ends[1])]).collect()
     }

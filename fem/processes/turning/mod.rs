@@ -114,7 +114,7 @@ impl Definition for Turning {
     }
 
     fn program(setup: &Setup) -> Option<Workpiece> {
-        Some(program::workpiece(setup))
+        Some(setup.programs.workpiece(&setup.segments, setup.schedule.pass, setup.cut.depth))
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {

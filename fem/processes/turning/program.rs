@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::setup::Setup;
+use super::schedule::Pass;
 use crate::gcode::{Across, LATHE, Stretch, Workpiece};
 use crate::input::Reader;
+use crate::process::Segment;
 use crate::units::{LENGTH, MICRO};
 
 /// Chord tolerance where a model does not say, m.
@@ -41,27 +42,25 @@ impl Programs {
         let absent = Self { zero: length, across: Across::Diameter, chord_tolerance: CHORD, increment: None };
         model.optional_table("program", "where the lathe program lies on the shaft", read).unwrap_or(absent)
     }
-}
 
-/// The shaft as its program sees it.
-pub fn workpiece(setup: &Setup) -> Workpiece {
-    let Programs { zero, across, chord_tolerance, increment } = setup.programs;
-    let pass = setup.schedule.pass;
-    let mut from = 0.0;
-    let stretch = |segment: &crate::process::Segment| {
-        let own = Stretch { from, to: from + segment.length, radius: 0.5 * segment.section.diameter };
-        from = own.to;
-        own
-    };
-    Workpiece {
-        axes: LATHE,
-        zero,
-        across,
-        chord_tolerance,
-        increment,
-        agreement: (0.5 * setup.cut.depth).clamp(AGREEMENT.0, AGREEMENT.1),
-        stretches: setup.segments.iter().map(stretch).collect(),
-        pass: [pass.from, pass.to],
-        feed: TAU * pass.feed,
+    /// The shaft as its program sees it, given the pass and the depth (m) of the last cut.
+    pub fn workpiece(&self, segments: &[Segment], pass: Pass, depth: f64) -> Workpiece {
+        let mut from = 0.0;
+        let stretch = |segment: &Segment| {
+            let own = Stretch { from, to: from + segment.length, radius: 0.5 * segment.section.diameter };
+            from = own.to;
+            own
+        };
+        Workpiece {
+            axes: LATHE,
+            zero: self.zero,
+            across: self.across,
+            chord_tolerance: self.chord_tolerance,
+            increment: self.increment,
+            agreement: (0.5 * depth).clamp(AGREEMENT.0, AGREEMENT.1),
+            stretches: segments.iter().map(stretch).collect(),
+            pass: [pass.from, pass.to],
+            feed: TAU * pass.feed,
+        }
     }
 }

@@ -5,6 +5,7 @@ use fem::gcode::{Across, Workpiece};
 use super::interpreter::{Motion, mm, motions, surface};
 use super::styles::STYLES;
 use super::{LENGTH, STEP, carry, shaft, wanted};
+use crate::random::Random;
 
 /// A program without the numbers of its words across: what must not change.
 fn others(text: &[u8]) -> Vec<u8> {
@@ -247,4 +248,28 @@ fn what_cannot_be_followed_is_refused_where_it_stands() {
     // Only rough sizes are refused with the nearest block.
     let error = carry(&shaft(), good.replace("X30.", "X31.").replace("X40.", "X41.2").as_bytes(), false).unwrap_err();
     assert!(error.contains("no block finishes the part; nearest, this one cuts at 31.000 mm of diameter"), "{error}");
+}
+
+/// Whatever bytes a file has, it is read or refused, and what is written of it is read again.
+#[test]
+fn spoilt_programs_are_read_or_refused() {
+    let mut random = Random(7);
+    let mut read = 0;
+    for _ in 0..1500 {
+        let mut text = WHOLE.as_bytes().to_vec();
+        for _ in 0..1 + random.between(0.0, 3.0) as usize {
+            let at = random.between(0.0, text.len() as f64) as usize;
+            match random.between(0.0, 3.0) as usize {
+                0 => text[at] = random.between(0.0, 256.0) as u8,
+                1 => drop(text.remove(at)),
+                _ => text.insert(at, b"0123456789.-+GXZUWIKRF /(;%\r\n"[random.between(0.0, 29.0) as usize]),
+            }
+        }
+        let adds = random.between(0.0, 1.0) < 0.5;
+        if let Ok(found) = carry(&shaft(), &text, adds) {
+            read += 1;
+            assert!(adds || others(&text) == others(&found.bytes), "{}", String::from_utf8_lossy(&text));
+        }
+    }
+    assert!((200..1400).contains(&read), "{read}");
 }
