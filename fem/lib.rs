@@ -75,6 +75,7 @@
 //     solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat; plane bodies
 //     positioning           positioning tests by ISO 230-2, compensation tables
 //     tolerance             limits that a drawing sets: ISO 286-1, either way, both
+//     gcode                 programs of machines: what they command, and with other words
 //     process               the frame of a process: its definition, coordinates, effects, reports
 //     processes             turning, ring, …: each with its effects
 //     measure               measurement files
@@ -115,6 +116,8 @@ pub mod element;
 pub mod fit;
 #[doc(hidden)]
 pub mod formula;
+#[doc(hidden)]
+pub mod gcode;
 #[doc(hidden)]
 pub mod input;
 #[doc(hidden)]

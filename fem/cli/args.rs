@@ -305,11 +305,18 @@ model says what the drawing asks.
 
 Examples:
   fem correct models/lathe.toml
-  fem correct models/lathe.toml -o correction"
+  fem correct models/lathe.toml -o correction
+  fem correct models/lathe.toml --program part.ngc -o correction"
 )]
 pub struct Correct {
     /// The model file, whose values are known
     pub model: PathBuf,
+    /// Your own lathe program: written with other X words in its finishing pass, and nothing else changed
+    #[arg(long, value_name = "PART.ngc")]
+    pub program: Option<PathBuf>,
+    /// Put blocks before those that are too long for the contour to be straight over them
+    #[arg(long, requires = "program")]
+    pub add_blocks: bool,
     /// Where to write the corrected contour of every part; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,

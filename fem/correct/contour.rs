@@ -1,158 +1,109 @@
-//! The rows of a correction: every place of every contour, as the model's own programme has them.
+//! One contour for all that is made one after another, and an offset for each: what a program and a wear constant can do.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::{Correction, Offset};
+use crate::gcode::Corrected;
 use crate::model::Model;
-use crate::process::{Absent, Command, Commanded, Rows, Values, on_lines};
+use crate::process::{Command, Failure};
 
-/// What sets a contour apart, in an order.
+/// One contour, an offset for each number, and what they leave. SI.
 #[derive(Clone, Debug, PartialEq)]
-struct Apart(Vec<f64>);
-
-impl Eq for Apart {}
-
-impl PartialOrd for Apart {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
+pub struct OneContour {
+    /// The change at every place of the contours of one number.
+    pub contour: Vec<f64>,
+    /// The offset beside it for each number.
+    pub offsets: Vec<Offset>,
+    /// What is left at every row.
+    pub left: Vec<f64>,
 }
 
-impl Ord for Apart {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        let order = std::cmp::Ordering::Equal;
-        self.0.iter().zip(&other.0).fold(order, |order, (a, b)| order.then(a.total_cmp(b)))
-    }
-}
-
-/// Contours of a programme: what sets each apart, and its rows, rising along it.
-pub struct Programme {
-    rows: Rows,
-    contours: Vec<(Vec<f64>, Vec<usize>)>,
-}
-
-impl Programme {
-    /// That of a model.
-    pub fn of(model: &Model, commanded: &Commanded) -> Self {
-        let rows = model.system.programme();
-        let mut contours: BTreeMap<Apart, Vec<usize>> = BTreeMap::new();
-        let along = &rows.columns[commanded.along];
-        let is_own = |row: &usize| rows.observable[*row] == commanded.observable && along[*row].is_finite();
-        for row in (0..rows.len()).filter(is_own) {
-            let apart = commanded.apart().map(|column| rows.columns[column][row]).collect();
-            contours.entry(Apart(apart)).or_default().push(row);
+impl OneContour {
+    /// The contour that comes nearest to those of all numbers: their mean; `None` where nothing is numbered, or they have other
+    /// places.
+    ///
+    /// # Errors
+    /// What is made cannot be computed.
+    pub fn common(
+        command: &Command,
+        made: impl Fn(&Arc<Command>) -> Result<Vec<f64>, Failure>,
+    ) -> Result<Option<Self>, Failure> {
+        let Some(numbers) = numbers(command).filter(|all| !all.is_empty()) else { return Ok(None) };
+        let places = command.places().len() / numbers.len();
+        if command.places().chunks(places).any(|own| own != &command.places()[..places]) {
+            return Ok(None);
         }
-        let sorted = |(apart, mut own): (Apart, Vec<usize>)| {
-            own.sort_by(|a, b| along[*a].total_cmp(&along[*b]));
-            own.dedup_by(|a, b| along[*a] == along[*b]);
-            (apart.0, own)
+        let mean = |place: usize| {
+            let own = command.changes().iter().skip(place).step_by(places);
+            own.sum::<f64>() / numbers.len() as f64
         };
-        Self { contours: contours.into_iter().map(sorted).collect(), rows: rows.clone() }
+        Self::given(command, (0..places).map(mean).collect(), made).map(Some)
     }
 
-    /// A command that changes nothing, at the programme's own places of every contour, or at `least` evenly spaced ones where
-    /// it has fewer; and whether all are the programme's own.
-    pub fn command(&self, commanded: &Commanded, least: usize) -> Command {
-        let places = |own: &[usize]| -> Vec<f64> {
-            let own: Vec<f64> = own.iter().map(|row| self.rows.columns[commanded.along][*row]).collect();
-            match own[..] {
-                [low, .., high] if own.len() < least => {
-                    (0..least).map(|i| low + (high - low) * i as f64 / (least - 1) as f64).collect()
-                }
-                _ => own,
-            }
+    /// A contour with the offsets that come nearest to the command beside it.
+    ///
+    /// # Errors
+    /// What is made cannot be computed.
+    pub fn given(
+        command: &Command,
+        contour: Vec<f64>,
+        made: impl Fn(&Arc<Command>) -> Result<Vec<f64>, Failure>,
+    ) -> Result<Self, Failure> {
+        let offset = |own: &[f64]| {
+            let beside = own.iter().zip(&contour).map(|(change, common)| change - common);
+            beside.sum::<f64>() / contour.len().max(1) as f64
         };
-        let contours = self.contours.iter().map(|(apart, own)| (apart.clone(), places(own)));
-        Command::new(contours, commanded.period)
-    }
-
-    /// The rows at places of the contours, given contour by contour; what the model cannot fill in is as in the programme,
-    /// between two of its rows on a straight line.
-    pub fn rows(&self, model: &Model, commanded: &Commanded, places: &[Vec<f64>]) -> Rows {
-        let mut columns: Vec<Vec<f64>> = vec![Vec::new(); self.rows.columns.len()];
-        let coordinates = model.process.coordinates();
-        for ((apart, own), places) in self.contours.iter().zip(places) {
-            let along: Vec<f64> = own.iter().map(|row| self.rows.columns[commanded.along][*row]).collect();
-            for (column, values) in columns.iter_mut().enumerate() {
-                if column == commanded.along {
-                    values.extend(places);
-                } else if let Some(i) = commanded.apart().position(|own| own == column) {
-                    values.extend(places.iter().map(|_| apart[i]));
-                } else if matches!(coordinates.get(column).map(|own| own.absent), Some(Absent::Value(_))) {
-                    let of = &self.rows.columns[column];
-                    values.extend(places.iter().map(|place| {
-                        let next = along.partition_point(|own| own <= place);
-                        on_lines(next, own.len(), |i| (along[i], of[own[i]]), *place)
-                    }));
-                } else {
-                    values.extend(places.iter().map(|_| f64::NAN));
-                }
-            }
-        }
-        let count = places.iter().map(Vec::len).sum();
-        let columns = columns.into_iter().map(Values::from).collect();
-        model.system.resolved(&Rows { columns, observable: Values::shared(commanded.observable, count) })
+        let own = command.changes().chunks(contour.len().max(1)).map(offset);
+        let numbers = numbers(command).unwrap_or_default();
+        let offsets: Vec<Offset> = numbers.into_iter().map(Some).zip(own).collect();
+        let changes = offsets.iter().flat_map(|(_, offset)| contour.iter().map(move |change| change + offset));
+        let changes = changes.collect();
+        let left = made(&Arc::new(command.with(changes)))?;
+        Ok(Self { contour, offsets, left })
     }
 }
 
-/// Places of every contour of a command.
-pub fn places(command: &Command) -> Vec<Vec<f64>> {
-    command.contours().iter().map(|(_, own)| command.places()[own.clone()].to_vec()).collect()
+/// The numbers of what has contours of its own, rising; `None` where nothing is numbered.
+fn numbers(command: &Command) -> Option<Vec<usize>> {
+    let all = command.contours().iter().map(|(apart, _)| Some(*apart.first()? as usize));
+    let mut all: Vec<usize> = all.collect::<Option<_>>()?;
+    all.dedup();
+    Some(all)
 }
 
-/// The middles between them.
-pub fn middles(command: &Command) -> Vec<Vec<f64>> {
-    let middles = |own: Vec<f64>| own.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
-    places(command).into_iter().map(middles).collect()
+/// A program of the user's with the words of a correction.
+#[derive(Clone, Debug)]
+pub struct Programmed {
+    /// Name of its file, without its folder.
+    pub name: String,
+    /// It, and what it does not carry.
+    pub corrected: Corrected,
+    /// What is left with it and an offset for each number.
+    pub with: OneContour,
 }
 
-/// The mean change of each number: what an offset alone can do; one for all where nothing is numbered.
-pub fn offsets(command: &Command, commanded: &Commanded) -> Vec<(Option<usize>, f64)> {
-    let mut all: Vec<(Option<usize>, f64, usize)> = Vec::new();
-    for (apart, own) in command.contours() {
-        let number = commanded.number.map(|_| apart[0] as usize);
-        let sum: f64 = command.changes()[own.clone()].iter().sum();
-        match all.last_mut() {
-            Some((last, total, count)) if *last == number => (*total, *count) = (*total + sum, *count + own.len()),
-            _ => all.push((number, sum, own.len())),
-        }
+impl Correction {
+    /// What is left with a contour that is given, and an offset for each number.
+    ///
+    /// # Errors
+    /// What is made cannot be computed.
+    pub fn with_contour(&self, model: &Model, contour: &[f64]) -> Result<OneContour, Failure> {
+        let values: Vec<f64> = model.parameters.iter().map(|own| own.quantity.value).collect();
+        let made = |command: &Arc<Command>| model.commanded_at(&values, command)?.observe(&self.rows);
+        OneContour::given(&self.command, contour.to_vec(), made)
     }
-    all.into_iter().map(|(number, sum, count)| (number, sum / count.max(1) as f64)).collect()
 }
 
-/// The command of these offsets alone.
-pub fn of_offsets(command: &Command, commanded: &Commanded, offsets: &[(Option<usize>, f64)]) -> Arc<Command> {
-    let of = |apart: &[f64]| {
-        let number = commanded.number.map(|_| apart[0] as usize);
-        offsets.iter().find(|(own, _)| *own == number).map_or(0.0, |(_, change)| *change)
-    };
-    let changes = command.contours().iter().flat_map(|(apart, own)| std::iter::repeat_n(of(apart), own.len()));
-    Arc::new(command.with(changes.collect()))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The command in which all numbers have the mean contour, and each an offset beside it; `None` where there is one number.
-pub fn of_one_contour(command: &Command, commanded: &Commanded) -> Option<Arc<Command>> {
-    commanded.number?;
-    let contours = command.contours();
-    let alike = |apart: &[f64]| -> Vec<usize> {
-        (0..contours.len()).filter(|other| contours[*other].0[1..] == apart[1..]).collect()
-    };
-    let mean: Vec<f64> = contours
-        .iter()
-        .flat_map(|(apart, own)| {
-            let others = alike(apart);
-            command.places()[own.clone()]
-                .iter()
-                .map(|place| {
-                    others.iter().map(|other| command.at(*place, &contours[*other].0)).sum::<f64>()
-                        / others.len() as f64
-                })
-                .collect::<Vec<_>>()
-        })
-        .collect();
-    let rest = command.with(command.changes().iter().zip(&mean).map(|(own, mean)| own - mean).collect());
-    let offsets = offsets(&rest, commanded);
-    let shifts = of_offsets(&rest, commanded, &offsets);
-    let both = mean.iter().zip(shifts.changes()).map(|(mean, shift)| mean + shift).collect();
-    (offsets.len() > 1).then(|| Arc::new(command.with(both)))
+    #[test]
+    fn a_contour_and_offsets_are_the_means_of_both_ways() {
+        let contours = [1.0, 2.0].map(|number| (vec![number], vec![0.0, 1.0]));
+        let command = Command::new(contours, None).with(vec![1.0, 3.0, 5.0, 9.0]);
+        let found = OneContour::common(&command, |command| Ok(command.changes().to_vec())).unwrap().unwrap();
+        assert_eq!((found.contour, found.offsets), (vec![3.0, 6.0], vec![(Some(1), -2.5), (Some(2), 2.5)]));
+        assert_eq!(found.left, [0.5, 3.5, 5.5, 8.5]);
+    }
 }

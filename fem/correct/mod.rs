@@ -2,6 +2,7 @@
 //! and contacts answer to the correction as they answer to the cut.
 
 mod contour;
+mod course;
 mod knowledge;
 mod solve;
 
@@ -14,7 +15,9 @@ use rayon::prelude::*;
 use crate::model::Model;
 use crate::process::{Advice, Command, Commanded, Failure, Rows, Standing};
 use crate::progress::Progress;
-use contour::Programme;
+pub use contour::{OneContour, Programmed};
+pub use course::Offset;
+use course::Programme;
 use solve::Solved;
 
 /// Fewest places of a contour, and the most to which it is divided further.
@@ -50,10 +53,10 @@ pub struct Correction {
     /// The largest distance from where it should be half way between two places.
     pub between: f64,
     /// The offset that comes nearest to the change, for each number, and what is left with offsets alone.
-    pub offsets: Vec<(Option<usize>, f64)>,
+    pub offsets: Vec<Offset>,
     pub left_by_offsets: Vec<f64>,
-    /// What is left where all numbers have one contour, and each an offset; none where there is one number.
-    pub left_by_one: Option<Vec<f64>>,
+    /// One contour for all numbers, with an offset for each; none where nothing is numbered.
+    pub common: Option<OneContour>,
     /// How parts stand against the drawing before and with the correction.
     pub standings: [Vec<Standing>; 2],
     /// Probability that each part is within all that is asked, and that all are, with the correction; none where nothing is.
@@ -91,9 +94,12 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         spread(&knowledge, (&rows, &solved.left), draw, of)
     })?;
     let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&rows, &before)?;
-    let offsets = contour::offsets(&solved.command, &commanded);
-    let left_by_offsets = made(&contour::of_offsets(&solved.command, &commanded, &offsets))?;
-    let one = contour::of_one_contour(&solved.command, &commanded);
+    let offsets = course::offsets(&solved.command, &commanded);
+    let left_by_offsets = made(&course::of_offsets(&solved.command, &commanded, &offsets))?;
+    let common = match commanded.number {
+        Some(_) => OneContour::common(&solved.command, made)?,
+        None => None,
+    };
     Ok(Some(Correction {
         commanded,
         command: solved.command,
@@ -104,7 +110,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         between,
         offsets,
         left_by_offsets,
-        left_by_one: one.map(|command| made(&command)).transpose()?,
+        common,
         standings,
         probability,
         uncertain: knowledge.uncertain(),
@@ -127,12 +133,12 @@ fn course(model: &Model, commanded: &Commanded, values: &[f64]) -> Result<Course
     let mut least = LEAST_PLACES;
     loop {
         let nothing = programme.command(commanded, least);
-        let rows = programme.rows(model, commanded, &contour::places(&nothing));
+        let rows = programme.rows(model, commanded, &course::places(&nothing));
         let aims = model.system.aims(&rows);
         let made = |command: &Arc<Command>| model.commanded_at(values, command)?.observe(&rows);
         let before = made(&Arc::new(nothing.clone()))?;
         let solved = solve::solve(&nothing, (&before, &aims), commanded, made)?;
-        let middles = programme.rows(model, commanded, &contour::middles(&nothing));
+        let middles = programme.rows(model, commanded, &course::middles(&nothing));
         let aimed = model.system.aims(&middles);
         let made = model.commanded_at(values, &solved.command)?.observe(&middles)?;
         let worst = |made: &[f64], aims: &[f64]| {

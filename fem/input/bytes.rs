@@ -60,7 +60,10 @@ impl Source {
 }
 
 /// Reads at most `limit` bytes.
-pub(super) fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
+///
+/// # Errors
+/// The file cannot be read, or is larger.
+pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
     let io = |e: std::io::Error| Problem::new(format!("the file cannot be read: {e}")).help(unreadable(&e));
     let metadata = std::fs::metadata(path).map_err(io)?;
     if metadata.is_dir() {

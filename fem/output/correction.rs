@@ -8,9 +8,10 @@ use super::block::{Block, Cell, Column, Table};
 use super::json::{finite, json as document};
 use super::staged::Staged;
 use super::text::titled;
-use super::{csv, number, tolerance};
+use super::{csv, number, program, tolerance};
 use crate::compare::rms;
-use crate::correct::Correction;
+use crate::correct::{Correction, Offset, Probability, Programmed};
+use crate::gcode;
 use crate::model::Model;
 use crate::process::{Advice, Column as Cells, Holds, Table as Sheet, range};
 use crate::units::{MICRO, TIME};
@@ -20,69 +21,25 @@ const NONE: f64 = 1e-9;
 /// Part of the largest error of which it is said that it is left between places.
 const BETWEEN: f64 = 0.1;
 
-/// The correction of a model.
-pub struct CorrectionAnswer<'a>(pub &'a Model, pub &'a Correction);
+/// The correction of a model, and the program that carries it, if one is given.
+pub struct CorrectionAnswer<'a>(pub &'a Model, pub &'a Correction, pub Option<&'a Programmed>);
 
 impl Answer for CorrectionAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
-        let Self(model, found) = *self;
-        let observable = &model.process.observables()[found.commanded.observable];
+        let Self(model, found, programmed) = *self;
         let title = titled(model.title.as_deref(), &model.source.name);
         let mut blocks = vec![Block::Sentence(format!("{title}: what to add to the {}", found.commanded.words))];
-        let row = |name: &str, values: &[f64], band: Option<f64>| {
-            let (low, high) = range(values.iter().copied());
-            let [rms, low, high] = [rms(values), low, high].map(|si| MICRO.from_si(si));
-            let band = band.map_or(Cell::Missing, |si| Cell::number(MICRO.from_si(si)));
-            vec![Cell::Text(name.into()), Cell::number(rms), Cell::signed(low), Cell::signed(high), band]
+        blocks.push(self.errors());
+        blocks.extend(cautions(found).into_iter().map(Block::Caution));
+        blocks.extend(programmed.map(program::blocks).into_iter().flatten());
+        let beside = match programmed {
+            Some(own) => Some((&own.with.offsets, " beside the program")),
+            None => found.common.as_ref().map(|common| (&common.offsets, " beside one contour")),
         };
-        let band = (found.uncertain > 0).then(|| widest(found));
-        let first = Column::new(&*observable.words, 42);
-        let numbers = ["rms", "from", "to", "95 % ±"].map(|name| Column::new(name, 10));
-        let columns = [first].into_iter().chain(numbers).chain([Column::remark(MICRO.unit.to_string(), 0)]);
-        let each = numbered(model, found).map_or_else(String::new, |number| format!(" for each {number}"));
-        let one = found.left_by_one.as_ref().map(|left| {
-            let name = format!("with one {} and an offset{each}", found.commanded.course);
-            row(&name, left, band)
-        });
-        let rows =
-            [row("as it is", &found.before, None), row(&format!("with an offset{each}"), &found.left_by_offsets, band)];
-        let last = row(&format!("with a {}{each}", found.commanded.course), &found.left, band);
-        blocks.push(Block::Table(Table::new(columns, rows.into_iter().chain(one).chain([last]))));
-        let worst = |all: &[f64]| all.iter().fold(0.0f64, |worst, value| worst.max(value.abs()));
-        if found.between > BETWEEN * worst(&found.before) {
-            blocks.push(Block::Caution(format!(
-                "between the places up to {:.2} {} are left: what is there changes faster than {} places follow",
-                MICRO.from_si(found.between),
-                MICRO.unit,
-                found.command.contours().iter().map(|(_, own)| own.len()).max().unwrap_or(0)
-            )));
+        for (offsets, beside) in [(&found.offsets, "")].into_iter().chain(beside) {
+            blocks.push(Block::Heading(format!("offset of the {}{beside}", found.commanded.words)));
+            blocks.push(Block::List(self.offset_lines(offsets)));
         }
-        if found.unreached > 0 {
-            blocks.push(Block::Caution(format!(
-                "{} of {} places cannot be brought to size: the tool does not reach there what it should",
-                found.unreached,
-                found.left.len()
-            )));
-        }
-        if found.uncertain == 0 {
-            blocks.push(Block::Caution(
-                "the model knows all its values exactly, so nothing is said of how far they may be off".into(),
-            ));
-        }
-        blocks.push(Block::Heading(format!("offset of the {}", found.commanded.words)));
-        let steps = changes(found);
-        // Of a batch of which only the ends are predicted, the offset goes from the one to the other.
-        let is_sampled = found.offsets.windows(2).any(|pair| pair[1].0 > pair[0].0.map(|number| number + 1));
-        let line = |(after, change): &(usize, f64)| {
-            let number = numbered(model, found).unwrap_or_default();
-            let when = match *after {
-                0 => "now".to_string(),
-                after if is_sampled => format!("at {number} {}", after + 1),
-                after => format!("after {number} {after}"),
-            };
-            format!("{when}: {} {}", number::signed(MICRO.from_si(*change), 2), MICRO.unit)
-        };
-        blocks.push(Block::List(steps.iter().map(line).collect()));
         if !found.advice.is_empty() {
             blocks.push(Block::Heading("beside the command".into()));
             blocks.push(Block::List(found.advice.iter().map(|advice| advice.text.clone()).collect()));
@@ -91,65 +48,68 @@ impl Answer for CorrectionAnswer<'_> {
         if !before.is_empty() {
             blocks.push(Block::Heading("tolerance, as it is".into()));
             blocks.push(Block::List(tolerance::lines(before)));
-            blocks.push(Block::Heading(format!("tolerance, with a {}{each}", found.commanded.course)));
+            blocks.push(Block::Heading(format!("tolerance, with a {}{}", found.commanded.course, self.each())));
             blocks.push(Block::List(tolerance::lines(after)));
         }
-        if let Some(probability) = &found.probability {
-            let least = probability.of_parts.iter().min_by(|a, b| a.1.total_cmp(&b.1));
-            let of_least = least.and_then(|(part, p)| Some(format!("; part {} with {:.0} %", (*part)?, 100.0 * p)));
-            blocks.push(Block::Sentence(format!(
-                "{} within with a probability of {:.0} %{}",
-                if probability.of_parts.len() > 1 { "all parts are" } else { "it is" },
-                100.0 * probability.of_all,
-                of_least.unwrap_or_default()
-            )));
-        }
+        blocks.extend(found.probability.as_ref().map(|own| Block::Sentence(probability(own))));
         blocks
     }
 
     /// `fem correct --json`: `fem-correction/1`; SI.
     fn json(&self) -> Json {
-        let Self(model, found) = *self;
+        let Self(model, found, programmed) = *self;
         let coordinates = model.process.coordinates();
-        let at = |row: usize| -> Map<String, Json> {
-            let one = |column: usize| {
-                let value = found.rows.columns[column][row];
-                let shown = match &coordinates[column].holds {
+        let at = |row: usize, columns: &[usize]| -> Map<String, Json> {
+            let one = |column: &usize| {
+                let value = found.rows.columns[*column][row];
+                let shown = match &coordinates[*column].holds {
                     Holds::Quantity(_) => finite(value),
                     Holds::Number(_) => json!(value as usize),
                     Holds::Word(words) => json!(words.of_value(value)),
                 };
-                (coordinates[column].name.to_string(), shown)
+                (coordinates[*column].name.to_string(), shown)
             };
-            shown(found).map(one).collect()
+            columns.iter().map(one).collect()
         };
-        let correction = found.command.changes().iter().enumerate().map(|(row, change)| {
-            let mut entry = at(row);
-            entry.insert(found.commanded.key.into(), finite(*change));
-            Json::Object(entry)
-        });
+        let (key, shown): (_, Vec<usize>) = (found.commanded.key, shown(found).collect());
+        let changed = |columns: &[usize], changes: &[f64]| -> Json {
+            let one = |(row, change): (usize, &f64)| {
+                let mut entry = at(row, columns);
+                entry.insert(key.into(), finite(*change));
+                Json::Object(entry)
+            };
+            changes.iter().enumerate().map(one).collect()
+        };
         let left = found.left.iter().enumerate().map(|(row, value)| {
-            let mut entry = at(row);
+            let mut entry = at(row, &shown);
             entry.insert("value".into(), finite(*value));
             entry.insert("interval95".into(), found.interval[row].map(finite).into_iter().collect());
             Json::Object(entry)
         });
-        let key = found.commanded.key;
-        let after_number = format!("after_{}", numbered(model, found).unwrap_or("part"));
+        let after = format!("after_{}", self.numbered().unwrap_or("part"));
+        let offsets = |all: &[Offset]| {
+            let one = |(number, change): (usize, f64)| json!({ after.as_str(): number, key: change });
+            changes(all).into_iter().map(one).collect::<Json>()
+        };
+        // Rows of the first number stand for its contours.
+        let of_one: Vec<usize> = shown.iter().copied().filter(|own| Some(*own) != found.commanded.number).collect();
         let probability = found.probability.as_ref();
         json!({
             "schema": "fem-correction/1",
             "model": &*model.source.name,
             "process": model.process.name(),
-            "correction": correction.collect::<Vec<_>>(),
+            "correction": changed(&shown, found.command.changes()),
             "left": left.collect::<Vec<_>>(),
             "unreached": found.unreached,
             "between": finite(found.between),
-            "offsets": changes(found).iter().map(|(after, change)| json!({ after_number.as_str(): after, key: change })).collect::<Vec<_>>(),
+            "offsets": offsets(&found.offsets),
+            "contour": found.common.as_ref().map(|common| changed(&of_one, &common.contour)),
+            "contour_offsets": found.common.as_ref().map(|common| offsets(&common.offsets)),
+            "program": programmed.map(|own| program::json(own, key, offsets)),
             "rms": {
                 "before": rms(&found.before),
                 "with_offsets": rms(&found.left_by_offsets),
-                "with_one_contour": found.left_by_one.as_deref().map(rms),
+                "with_contour_and_offsets": found.common.as_ref().map(|common| rms(&common.left)),
                 "left": rms(&found.left),
             },
             "actions": found.advice.iter().map(action).collect::<Vec<_>>(),
@@ -163,9 +123,9 @@ impl Answer for CorrectionAnswer<'_> {
         })
     }
 
-    /// `correction.csv` and `correction.json`.
+    /// `correction.csv` and `correction.json`; of a process with programs `contour.ngc` and the user's own.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
-        let Self(model, found) = *self;
+        let Self(model, found, programmed) = *self;
         let coordinates = model.process.coordinates();
         let of = |column: usize| Cells::coordinate(&coordinates[column], &found.rows.columns[column]);
         let change = Cells::quantities(found.commanded.key, MICRO, found.command.changes());
@@ -175,8 +135,106 @@ impl Answer for CorrectionAnswer<'_> {
         let high = Cells::quantities("left_to", MICRO, &end(1));
         let columns = shown(found).map(of).chain([change, left, low, high]).collect();
         files.text("correction.csv", &csv::table(&Sheet { columns }))?;
+        if let Some((work, common)) = model.system.program().zip(found.common.as_ref()) {
+            let about = format!("{}: corrected finishing contour", model.source.name);
+            let places = &found.command.places()[..common.contour.len()];
+            files.text("contour.ngc", &gcode::contour(&work, (places, &common.contour), &about))?;
+        }
+        if let Some(own) = programmed {
+            files.bytes(&*own.name, &own.corrected.bytes)?;
+        }
         files.text("correction.json", &document(self))
     }
+}
+
+impl CorrectionAnswer<'_> {
+    /// What is left of the errors by each way of correcting them.
+    fn errors(&self) -> Block {
+        let Self(model, found, programmed) = *self;
+        let band = (found.uncertain > 0).then(|| widest(found));
+        let row = |name: String, values: &[f64], band: Option<f64>| {
+            let (low, high) = range(values.iter().copied());
+            let [rms, low, high] = [rms(values), low, high].map(|si| MICRO.from_si(si));
+            let band = band.map_or(Cell::Missing, |si| Cell::number(MICRO.from_si(si)));
+            vec![Cell::Text(name), Cell::number(rms), Cell::signed(low), Cell::signed(high), band]
+        };
+        let first = Column::new(&*model.process.observables()[found.commanded.observable].words, 46);
+        let numbers = ["rms", "from", "to", "95 % ±"].map(|name| Column::new(name, 10));
+        let columns = [first].into_iter().chain(numbers).chain([Column::remark(MICRO.unit.to_string(), 0)]);
+        let (each, course) = (self.each(), found.commanded.course);
+        let mut rows = vec![
+            row("as it is".into(), &found.before, None),
+            row(format!("with an offset{each}"), &found.left_by_offsets, band),
+        ];
+        // The same where there is one number.
+        let common = found.common.as_ref().filter(|common| common.offsets.len() > 1);
+        rows.extend(common.map(|own| row(format!("with one {course} and an offset{each}"), &own.left, band)));
+        rows.push(row(format!("with a {course}{each}"), &found.left, band));
+        rows.extend(programmed.map(|own| row(format!("with the program and an offset{each}"), &own.with.left, band)));
+        Block::Table(Table::new(columns, rows))
+    }
+
+    /// Name of what is numbered, if anything is.
+    fn numbered(&self) -> Option<&str> {
+        Some(&*self.0.process.coordinates()[self.1.commanded.number?].name)
+    }
+
+    fn each(&self) -> String {
+        self.numbered().map_or_else(String::new, |number| format!(" for each {number}"))
+    }
+
+    /// The offsets as people enter them.
+    fn offset_lines(&self, offsets: &[Offset]) -> Vec<String> {
+        // Of a batch of which only the ends are predicted, the offset goes from the one to the other.
+        let is_sampled = offsets.windows(2).any(|pair| pair[1].0 > pair[0].0.map(|number| number + 1));
+        let number = self.numbered().unwrap_or_default();
+        let line = |(after, change): (usize, f64)| {
+            let when = match after {
+                0 => "now".to_string(),
+                after if is_sampled => format!("at {number} {}", after + 1),
+                after => format!("after {number} {after}"),
+            };
+            format!("{when}: {} {}", number::signed(MICRO.from_si(change), 2), MICRO.unit)
+        };
+        changes(offsets).into_iter().map(line).collect()
+    }
+}
+
+/// What a correction cannot do, or does not know.
+fn cautions(found: &Correction) -> Vec<String> {
+    let mut all = Vec::new();
+    let worst = found.before.iter().fold(0.0f64, |worst, value| worst.max(value.abs()));
+    if found.between > BETWEEN * worst {
+        all.push(format!(
+            "between the places up to {:.2} {} are left: what is there changes faster than {} places follow",
+            MICRO.from_si(found.between),
+            MICRO.unit,
+            found.command.contours().iter().map(|(_, own)| own.len()).max().unwrap_or(0)
+        ));
+    }
+    if found.unreached > 0 {
+        all.push(format!(
+            "{} of {} places cannot be brought to size: the tool does not reach there what it should",
+            found.unreached,
+            found.left.len()
+        ));
+    }
+    if found.uncertain == 0 {
+        all.push("the model knows all its values exactly, so nothing is said of how far they may be off".into());
+    }
+    all
+}
+
+/// With which probability everything is within.
+fn probability(own: &Probability) -> String {
+    let least = own.of_parts.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    let of_least = least.and_then(|(part, p)| Some(format!("; part {} with {:.0} %", (*part)?, 100.0 * p)));
+    format!(
+        "{} within with a probability of {:.0} %{}",
+        if own.of_parts.len() > 1 { "all parts are" } else { "it is" },
+        100.0 * own.of_all,
+        of_least.unwrap_or_default()
+    )
 }
 
 /// A piece of advice, SI but for minutes.
@@ -192,15 +250,10 @@ fn shown(found: &Correction) -> impl Iterator<Item = usize> {
     found.commanded.apart().chain([found.commanded.along])
 }
 
-/// Name of what is numbered, if anything is.
-fn numbered<'a>(model: &'a Model, found: &Correction) -> Option<&'a str> {
-    Some(&*model.process.coordinates()[found.commanded.number?].name)
-}
-
 /// The offsets, each where it differs from the one before, with the number after which it is set.
-fn changes(found: &Correction) -> Vec<(usize, f64)> {
+fn changes(offsets: &[Offset]) -> Vec<(usize, f64)> {
     let mut all: Vec<(usize, f64)> = Vec::new();
-    for (number, change) in &found.offsets {
+    for (number, change) in offsets {
         if all.last().is_none_or(|(_, last)| (last - change).abs() > NONE) {
             all.push((number.map_or(0, |number| number.saturating_sub(1)), *change));
         }

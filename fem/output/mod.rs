@@ -31,6 +31,7 @@ mod page;
 mod plan;
 mod plot;
 mod plots;
+mod program;
 mod run;
 mod sketch;
 mod staged;

@@ -34,8 +34,13 @@ impl<'a> Staged<'a> {
 
     /// Writes a text.
     pub fn text(&mut self, path: impl Into<PathBuf>, text: &str) -> Result<(), OutputError> {
+        self.bytes(path, text.as_bytes())
+    }
+
+    /// Writes a file as it is, in whatever code page it may be.
+    pub fn bytes(&mut self, path: impl Into<PathBuf>, bytes: &[u8]) -> Result<(), OutputError> {
         let path = path.into();
-        self.stage.write(&path, text.as_bytes())?;
+        self.stage.write(&path, bytes)?;
         self.written.push(path);
         Ok(())
     }

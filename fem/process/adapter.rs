@@ -7,6 +7,7 @@ use super::{
     Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning,
     Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
 };
+use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
 
@@ -109,6 +110,10 @@ impl<D: Definition> System for Ready<D> {
 
     fn commanded(&self) -> Option<Commanded> {
         D::COMMANDED
+    }
+
+    fn program(&self) -> Option<Workpiece> {
+        D::program(&self.setup)
     }
 
     fn characteristics(&self, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {

@@ -7,6 +7,7 @@ use super::{
     Coordinate, DatumDirection, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport,
     Spot, UnitRole,
 };
+use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
 
@@ -144,6 +145,11 @@ pub trait Definition: Sync + Sized + 'static {
 
     /// The unit of a machine that is tested, where the model names one.
     fn unit(_setup: &Self::Setup) -> Option<&str> {
+        None
+    }
+
+    /// The part as a program of the machine sees it, if programs of it are corrected.
+    fn program(_setup: &Self::Setup) -> Option<Workpiece> {
         None
     }
 

@@ -7,6 +7,7 @@ use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
     Description, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
 };
+use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
 
@@ -89,6 +90,9 @@ pub trait System: Send + Sync {
 
     /// How its command is corrected, if it has one.
     fn commanded(&self) -> Option<Commanded>;
+
+    /// The part as a program of the machine sees it, if programs of it are corrected.
+    fn program(&self) -> Option<Workpiece>;
 
     /// What rows show of each part of that, given the observable of every row, SI.
     fn characteristics(&self, rows: &Rows, values: &[f64]) -> Vec<Characteristic>;

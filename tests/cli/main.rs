@@ -30,6 +30,7 @@ mod next_part;
 mod odds;
 mod pages;
 mod passes;
+mod program;
 mod recorded;
 mod records;
 mod report;

@@ -11,6 +11,7 @@ mod axis;
 mod beckhoff;
 mod fanuc;
 mod heidenhain;
+mod lathe;
 mod linuxcnc;
 mod mach4;
 mod mitsubishi;

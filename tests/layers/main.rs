@@ -21,6 +21,7 @@ const LAYERS: &[&str] = &[
     "solve",
     "positioning",
     "tolerance",
+    "gcode",
     "process",
     "processes",
     "measure",

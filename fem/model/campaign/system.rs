@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::forward::Together;
 use super::test::{Campaign, Test};
+use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::process::{
     Active, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
@@ -157,6 +158,10 @@ impl System for Whole {
     }
 
     fn commanded(&self) -> Option<Commanded> {
+        None
+    }
+
+    fn program(&self) -> Option<Workpiece> {
         None
     }
 

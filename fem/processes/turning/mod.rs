@@ -17,6 +17,7 @@ mod lift_off;
 mod log;
 mod machine;
 mod passes;
+mod program;
 pub(crate) mod refinement;
 pub(crate) mod report;
 mod requirements;
@@ -32,6 +33,7 @@ pub use setup::Setup;
 use std::sync::Arc;
 
 use self::lift_off::LiftOff;
+use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::process::{
     Active, Advice, Answers, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction,
@@ -119,6 +121,10 @@ impl Definition for Turning {
 
     fn characteristics(setup: &Setup, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
         requirements::characteristics(setup, rows, values)
+    }
+
+    fn program(setup: &Setup) -> Option<Workpiece> {
+        Some(setup.programs.workpiece(&setup.segments, setup.schedule.pass, setup.cut.depth))
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {

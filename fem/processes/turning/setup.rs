@@ -7,6 +7,7 @@ use super::cut::{Conditions, Cut};
 use super::edge::Edge;
 use super::heating::HeatedRods;
 use super::passes::{Blank, EarlierPass};
+use super::program::Programs;
 use super::schedule::Schedule;
 use super::tolerance::Tolerance;
 use crate::element::{BeamPiece, Rectangle, Round};
@@ -75,6 +76,8 @@ pub struct Setup {
     pub edge: Option<Edge>,
     /// What the drawing asks of every part.
     pub tolerance: Tolerance,
+    /// Where its lathe program lies.
+    pub programs: Programs,
     /// Positions at which the profile is predicted.
     pub positions: usize,
     /// Longest beam element that is shown, m.
@@ -138,6 +141,7 @@ impl Setup {
         }
         let edge = Edge::read(model, &schedule);
         let tolerance = Tolerance::read(model, &segments);
+        let programs = Programs::read(model, length);
         let ends = segments.iter().scan(0.0, |x, s| {
             *x += s.length;
             Some(*x)
@@ -157,6 +161,7 @@ impl Setup {
             schedule,
             edge,
             tolerance,
+            programs,
             positions,
             element_size,
             beam,
