@@ -302,11 +302,18 @@ model says what the drawing asks.
 
 Examples:
   fem correct models/lathe.toml
-  fem correct models/lathe.toml -o correction"
+  fem correct models/lathe.toml -o correction
+  fem correct lathe.toml --remedies --minutes 10"
 )]
 pub struct Correct {
     /// The model file, whose values are known
     pub model: PathBuf,
+    /// Ask which of its [[setting]]s to change: what each gains, what it costs, and which few do best together
+    #[arg(long)]
+    pub remedies: bool,
+    /// Most minutes that remedies may cost beside what is made now, of all parts
+    #[arg(long, value_name = "N", requires = "remedies", allow_negative_numbers = true)]
+    pub minutes: Option<f64>,
     /// Where to write the corrected contour of every part; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,

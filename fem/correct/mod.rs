@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::model::Model;
 use crate::process::{Command, Commanded, Failure, Rows, Standing, Values};
 use crate::progress::Progress;
-use knowledge::Knowledge;
+pub(crate) use knowledge::Knowledge;
 
 /// Fewest places of a contour.
 const LEAST_PLACES: usize = 51;
@@ -99,7 +99,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
 }
 
 /// The rows of a contour: every place of every number, and the command that changes none of them.
-fn contour(model: &Model, commanded: &Commanded) -> (Rows, Command) {
+pub(crate) fn contour(model: &Model, commanded: &Commanded) -> (Rows, Command) {
     let programme = model.system.programme();
     let own = |column: usize| programme.columns[column].iter().copied().filter(|value| value.is_finite());
     let mut places: Vec<f64> = own(commanded.along).collect();

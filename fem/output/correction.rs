@@ -133,6 +133,14 @@ impl Answer for CorrectionAnswer<'_> {
 
     /// `correction.csv` and `correction.json`.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
+        self.stage_contour(files)?;
+        files.text("correction.json", &document(self))
+    }
+}
+
+impl CorrectionAnswer<'_> {
+    /// `correction.csv`.
+    pub(super) fn stage_contour(&self, files: &mut Staged) -> Result<(), OutputError> {
         let Self(model, found) = *self;
         let coordinates = model.process.coordinates();
         let of = |column: usize| Cells::coordinate(&coordinates[column], &found.rows.columns[column]);
@@ -142,8 +150,7 @@ impl Answer for CorrectionAnswer<'_> {
         let low = Cells::quantities("left_from", MICRO, &end(0));
         let high = Cells::quantities("left_to", MICRO, &end(1));
         let columns = vec![of(found.commanded.number), of(found.commanded.along), change, left, low, high];
-        files.text("correction.csv", &csv::table(&Sheet { columns }))?;
-        files.text("correction.json", &document(self))
+        files.text("correction.csv", &csv::table(&Sheet { columns }))
     }
 }
 

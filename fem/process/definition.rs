@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Coordinate, DatumDirection,
-    Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
+    Failure, Making, Misplaced, NoLaw, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
 };
 use crate::input::Reader;
 use crate::progress::Progress;
@@ -97,6 +97,16 @@ pub trait Definition: Sync + Sized + 'static {
     /// What rows show of each part of that, part by part, given the observable of every row, SI.
     fn characteristics(_setup: &Self::Setup, _rows: &Rows, _values: &[f64]) -> Vec<Characteristic> {
         Vec::new()
+    }
+
+    /// How long its parts take, where it knows.
+    fn making(_setup: &Self::Setup) -> Option<Making> {
+        None
+    }
+
+    /// Why it cannot say what a change of a quantity does, by its path. As a rule it can, or nothing changes.
+    fn no_law(_setup: &Self::Setup, _path: &str) -> Option<NoLaw> {
+        None
     }
 
     /// Contradiction between the written values of an effect and the tables, if any: a model that says one thing twice,

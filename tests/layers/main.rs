@@ -34,6 +34,7 @@ const LAYERS: &[&str] = &[
     "budget",
     "correct",
     "study",
+    "remedy",
     "validation",
     "output",
     "ask",

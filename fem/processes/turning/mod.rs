@@ -34,7 +34,7 @@ use self::lift_off::LiftOff;
 use crate::input::Reader;
 use crate::process::{
     Active, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction, Coordinate,
-    Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Requirement, Rows, RunReport,
+    Definition, Failure, Forward, Limit, Making, Misplaced, NoLaw, Observable, Places, Requirement, Rows, RunReport,
 };
 use crate::progress::Progress;
 
@@ -109,6 +109,14 @@ impl Definition for Turning {
 
     fn characteristics(setup: &Setup, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
         requirements::characteristics(setup, rows, values)
+    }
+
+    fn making(setup: &Setup) -> Option<Making> {
+        Some(setup.making())
+    }
+
+    fn no_law(setup: &Setup, path: &str) -> Option<NoLaw> {
+        cut::no_law(&setup.cut, path)
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {

@@ -1,0 +1,311 @@
+//! The answer of `fem correct --remedies`: which settings to change, what each gains, and what it costs.
+
+use std::path::Path;
+
+use serde_json::{Value as Json, json};
+
+use super::OutputError;
+use super::answer::Answer;
+use super::block::{Block, Cell, Column, Table};
+use super::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, draw};
+use super::correction::CorrectionAnswer;
+use super::json::{finite, json as document};
+use super::number;
+use super::staged::Staged;
+use super::text::titled;
+use crate::correct::Correction;
+use crate::model::Model;
+use crate::remedy::{Change, Remedies, Remedy};
+use crate::units::{MICRO, TIME};
+
+/// The remedies of a model.
+pub struct RemedyAnswer<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// What was found.
+    pub found: &'a Remedies,
+    /// What to command now, where the process has a command that is corrected and it was asked for.
+    pub correction: Option<&'a Correction>,
+    /// Folder into which files are written.
+    pub directory: Option<&'a Path>,
+}
+
+impl Answer for RemedyAnswer<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        let found = self.found;
+        let title = titled(self.model.title.as_deref(), &self.model.source.name);
+        let offsets = if found.by_offsets { ", with an offset for each part in any case" } else { "" };
+        let of_parts = if found.parts > 1 { format!(" of all {} parts", found.parts) } else { String::new() };
+        let mut blocks = vec![
+            Block::Sentence(format!("{title}: what to change{offsets}")),
+            Block::Sentence(format!("errors in {}, minutes{of_parts} beside what they take now", MICRO.unit)),
+        ];
+        let now = Remedy { changes: Vec::new(), ..found.now.clone() };
+        let own = [("as it is", "", "", &now)].into_iter().map(|(a, b, c, r)| self.row(&[a, b, c], r));
+        let each = found.alone.iter().flat_map(|remedy| {
+            remedy
+                .changes
+                .iter()
+                .map(move |own| self.row(&[&own.setting, own.from.as_deref().unwrap_or("-"), &own.to], remedy))
+        });
+        blocks.push(self.table(&["setting", "now", "to"], own.chain(each)));
+        if found.alone.is_empty() {
+            blocks.push(Block::Sentence("no setting alone makes it better".into()));
+        }
+        if !found.together.is_empty() {
+            blocks.push(Block::Heading("the best few together".into()));
+            blocks.push(self.changed(&found.together));
+        }
+        if found.front.len() > 1 {
+            blocks.push(Block::Heading("what minutes buy: no other that was tried leaves less in less time".into()));
+            blocks.push(self.changed(&found.front));
+        }
+        if !found.refused.is_empty() {
+            blocks.push(Block::Heading("left out".into()));
+            let line = |own: &crate::remedy::Refused| {
+                let help = own.help.as_ref().map_or(String::new(), |help| format!("; {help}"));
+                (own.name.clone(), format!("{}{help}", own.reason))
+            };
+            blocks.push(Block::Entries(found.refused.iter().map(line).collect()));
+        }
+        blocks.extend(self.cautions().into_iter().map(Block::Caution));
+        blocks
+    }
+
+    /// `fem correct --remedies --json`: `fem-correction/1` with `actions`, `together` and `pareto`; SI, but minutes.
+    fn json(&self) -> Json {
+        let found = self.found;
+        let mut all = match self.correction {
+            Some(own) => CorrectionAnswer(self.model, own).json(),
+            None => json!({
+                "schema": "fem-correction/1",
+                "model": &*self.model.source.name,
+                "process": self.model.process.name(),
+                "correction": [],
+                "left": [],
+                "offsets": [],
+                "tolerance": { "probability_in": found.now.probability },
+            }),
+        };
+        let of = |own: &Remedy| -> Json {
+            let mut entry = self.judged(own);
+            entry["settings"] = own.changes.iter().map(changed).collect();
+            entry["text"] = sentence(own).into();
+            entry
+        };
+        let action = |own: &Remedy| -> Json {
+            let mut entry = self.judged(own);
+            if let Some(change) = own.changes.first() {
+                let one = changed(change);
+                for key in ["setting", "from", "to", "at_limit", "beyond_measured"] {
+                    entry[key] = one[key].clone();
+                }
+            }
+            entry["text"] = sentence(own).into();
+            entry
+        };
+        all["now"] = self.judged(&found.now);
+        all["actions"] = found.alone.iter().map(action).collect();
+        all["together"] = found.together.iter().map(of).collect();
+        all["pareto"] = found.front.iter().map(of).collect();
+        let refused =
+            |own: &crate::remedy::Refused| json!({ "setting": own.name, "reason": own.reason, "help": own.help });
+        all["refused"] = found.refused.iter().map(refused).collect();
+        all["parts"] = found.parts.into();
+        all["most_minutes"] = found.limit.map(|limit| TIME.from_si(limit)).into();
+        all["evaluations"] = found.evaluations.into();
+        all
+    }
+
+    fn figures(&self) -> Vec<(String, Svg)> {
+        let chart = self.chart();
+        vec![(chart.name.clone(), draw(&chart))]
+    }
+
+    /// `remedies.csv`, `remedies.svg`, `remedied.toml` with the best, `correction.json`; `correction.csv` where there is one.
+    fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
+        if let Some(own) = self.correction {
+            CorrectionAnswer(self.model, own).stage_contour(files)?;
+        }
+        files.text("remedies.csv", &self.csv())?;
+        files.figures(self.figures())?;
+        let best = self.found.best().and_then(|own| self.model.edited(&own.edits).ok());
+        if let (Some(best), Some(directory)) = (best, self.directory) {
+            files.text("remedied.toml", &best.text_at(&directory.join("remedied.toml")))?;
+        }
+        files.text("correction.json", &document(self))
+    }
+}
+
+impl RemedyAnswer<'_> {
+    /// Whether the drawing asks anything.
+    fn is_asked(&self) -> bool {
+        self.found.now.left.used.is_some()
+    }
+
+    /// A table with what is left and what it costs behind some columns of words.
+    fn table(&self, words: &[&str], rows: impl Iterator<Item = Vec<Cell>>) -> Block {
+        let words = words.iter().map(|name| Column::wide(*name));
+        let numbers = ["rms", "worst", "gain"].map(|name| Column::new(name, 8)).into_iter();
+        let asked = ["tolerance", "in %"].map(|name| Column::new(name, 9)).into_iter().filter(|_| self.is_asked());
+        let minutes = [Column::new("minutes", 9)];
+        Block::Table(Table::new(words.chain(numbers).chain(minutes).chain(asked), rows))
+    }
+
+    fn row(&self, words: &[&str], own: &Remedy) -> Vec<Cell> {
+        let um = |si: f64| {
+            let value = MICRO.from_si(si);
+            Cell::Number(number::fixed(value, 2), value)
+        };
+        let minutes = TIME.from_si(own.time);
+        let is_now = own.changes.is_empty();
+        let gain = MICRO.from_si(self.gain(own));
+        let percent = |part: f64| Cell::Number(format!("{} %", number::fixed(100.0 * part, 0)), part);
+        let words = words.iter().map(|own| Cell::Text((*own).into()));
+        let [gain, minutes] = [(gain, 2), (minutes, 1)].map(|(value, decimals)| match is_now {
+            true => Cell::Missing,
+            false => Cell::Number(number::signed(value, decimals), value),
+        });
+        let asked = own.left.used.map(|used| [percent(used), own.probability.map_or(Cell::Missing, percent)]);
+        let numbers = [um(own.left.rms), um(own.left.worst), gain, minutes];
+        words.chain(numbers).chain(asked.into_iter().flatten()).collect()
+    }
+
+    /// Rows of several settings each.
+    fn changed(&self, all: &[Remedy]) -> Block {
+        let rows = all.iter().map(|own| self.row(&[&list(own)], own));
+        self.table(&["change"], rows)
+    }
+
+    /// What is gained: by how much the root mean square of the error falls.
+    fn gain(&self, own: &Remedy) -> f64 {
+        self.found.now.left.rms - own.left.rms
+    }
+
+    fn cautions(&self) -> Vec<String> {
+        let found = self.found;
+        let told = || found.alone.iter().chain(&found.together).chain(&found.front).flat_map(|own| &own.changes);
+        let named = |is: &dyn Fn(&&Change) -> bool| {
+            let mut names: Vec<String> = told().filter(is).map(|own| format!("{} {}", own.setting, own.to)).collect();
+            names.sort_unstable();
+            names.dedup();
+            names.join(", ")
+        };
+        let mut all = Vec::new();
+        let ends = named(&|own| own.is_end);
+        if !ends.is_empty() {
+            all.push(format!("at the limit that the model states: {ends}; beyond it there may be more"));
+        }
+        let beyond = named(&|own| own.is_beyond);
+        if !beyond.is_empty() {
+            all.push(format!("beyond what the model was held against measurements at: {beyond}; measure there first"));
+        }
+        let is_said = self.model.settings.iter().any(|own| own.measured.is_some());
+        if !is_said && told().next().is_some() {
+            all.push(
+                "the model does not say where it was held against measurements (`measured` of a setting): whatever is changed \
+                 is predicted, and the first part shows whether it holds"
+                    .into(),
+            );
+        }
+        if found.uncertain == 0 && self.is_asked() {
+            all.push("the model knows all its values exactly, so that a part is in or out, and nothing between".into());
+        }
+        all
+    }
+
+    fn judged(&self, own: &Remedy) -> Json {
+        json!({
+            "gain": finite(self.gain(own)),
+            "minutes": finite(TIME.from_si(own.time)),
+            "rms": finite(own.left.rms),
+            "worst": finite(own.left.worst),
+            "tolerance_used": own.left.used.map(finite),
+            "probability_in": own.probability,
+        })
+    }
+
+    fn csv(&self) -> String {
+        let header =
+            ["list", "change", "rms [um]", "worst [um]", "gain [um]", "minutes", "tolerance used", "probability in"];
+        let found = self.found;
+        let lists = [
+            ("now", std::slice::from_ref(&found.now)),
+            ("alone", &found.alone[..]),
+            ("together", &found.together[..]),
+            ("front", &found.front[..]),
+        ];
+        let cell = |value: Option<f64>| value.map_or(String::new(), |value| format!("{}", value + 0.0));
+        let mut text = header.join(",") + "\n";
+        for (name, all) in lists {
+            for own in all {
+                let um = [own.left.rms, own.left.worst, self.gain(own)].map(|si| cell(Some(MICRO.from_si(si))));
+                let further = [Some(TIME.from_si(own.time)), own.left.used, own.probability].map(cell);
+                let change = list(own).replace('"', "\"\"");
+                text += &format!("{name},\"{change}\",{},{}\n", um.join(","), further.join(","));
+            }
+        }
+        text
+    }
+
+    /// What is left over minutes: the front, every setting alone, and what is made now.
+    fn chart(&self) -> Chart {
+        let is_asked = self.is_asked();
+        let point = |own: &Remedy| {
+            let left = own.left.used.map_or(MICRO.from_si(own.left.rms), |used| 100.0 * used);
+            Point::new(TIME.from_si(own.time), left)
+        };
+        let points = |all: &[Remedy]| all.iter().map(point).collect::<Vec<Point>>();
+        let front = points(&self.found.front);
+        let mut series = vec![
+            Series::new("front", 0, Form::Line, front.clone()),
+            Series::new("", 0, Form::Dots, front.clone()),
+            Series::new("one setting", 1, Form::Dots, points(&self.found.alone)),
+            Series::new("now", 2, Form::Dots, vec![point(&self.found.now)]),
+        ];
+        if is_asked {
+            let all = || series.iter().flat_map(|own| &own.points).map(|own| own.x);
+            let [low, high] = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
+            series
+                .insert(0, Series::new("within", 3, Form::Dashed, [low, high].map(|x| Point::new(x, 100.0)).to_vec()));
+        }
+        let y = match is_asked {
+            true => Axis::new("part of the tolerance that is used", "%"),
+            false => Axis::new("root mean square of the error", MICRO.unit),
+        };
+        Chart {
+            name: "remedies".into(),
+            title: "what minutes buy".into(),
+            note: "nothing that was tried lies below the line; one setting changed, and what is made now".into(),
+            plane: Plane::Curves { x: Axis::new("minutes beside what the parts take now", TIME.unit), y, series },
+        }
+    }
+}
+
+/// Changes as people read them.
+fn list(own: &Remedy) -> String {
+    let change = |own: &Change| format!("{} {}", own.setting, own.to);
+    match own.changes.is_empty() {
+        true => "as it is".into(),
+        false => own.changes.iter().map(change).collect::<Vec<_>>().join(", "),
+    }
+}
+
+/// What to do, in a sentence.
+fn sentence(own: &Remedy) -> String {
+    let one = |own: &Change| match &own.from {
+        Some(from) => format!("set {} from {from} to {}", own.setting, own.to),
+        None => format!("{}: {}", own.setting, own.to),
+    };
+    own.changes.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+fn changed(own: &Change) -> Json {
+    json!({
+        "setting": own.setting,
+        "from": own.from,
+        "to": own.to,
+        "at_limit": own.is_end,
+        "beyond_measured": own.is_beyond,
+    })
+}
