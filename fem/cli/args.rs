@@ -312,7 +312,7 @@ pub struct Correct {
     #[arg(long)]
     pub remedies: bool,
     /// Most minutes that remedies may cost beside what is made now, of all parts
-    #[arg(long, value_name = "N", requires = "remedies", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", requires = "remedies", allow_negative_numbers = true, value_parser = finite)]
     pub minutes: Option<f64>,
     /// Where to write the corrected contour of every part; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
@@ -328,6 +328,12 @@ pub struct Correct {
 /// The controls that can be named, with what they are.
 fn controls() -> PossibleValuesParser {
     PossibleValuesParser::new(CONTROLS.iter().map(|control| PossibleValue::new(control.name).help(control.about)))
+}
+
+/// A number that is one.
+fn finite(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+    number.ok_or_else(|| "write a number, as 10".into())
 }
 
 /// The name of an axis: what stands in files of controls between brackets and blanks.

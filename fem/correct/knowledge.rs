@@ -47,12 +47,25 @@ impl Knowledge {
     /// Values as they may be: draw of a number, always the same.
     pub fn drawn(&self, number: usize) -> Vec<f64> {
         let stream = Stream::new(SEED, number as u64);
-        let independent = (0..self.values.len()).map(|i| FIELD * Law::Normal.draw(&stream, i as u32, 0));
-        let together = &self.root * DVector::from_iterator(self.values.len(), independent);
+        self.with(|i| FIELD * Law::Normal.draw(&stream, i as u32, 0))
+    }
+
+    /// The values one standard deviation away in each of the directions in which they are independent of each other; nothing
+    /// of those in which they are known.
+    pub fn shifted(&self) -> impl Iterator<Item = Vec<f64>> {
+        let all = (0..self.values.len()).map(|own| self.with(|i| f64::from(u8::from(i == own))));
+        all.filter(|shifted| *shifted != self.values)
+    }
+
+    /// The values with independent numbers of their spread, in standard deviations.
+    fn with(&self, independent: impl Fn(usize) -> f64) -> Vec<f64> {
+        let count = self.values.len();
+        let together = &self.root * DVector::from_iterator(count, (0..count).map(independent));
         let all = self.values.iter().zip(&self.deviations).zip(&self.is_positive).zip(together.iter());
         all.map(|(((value, deviation), is_positive), drawn)| {
             let by = deviation * drawn;
-            if *is_positive { value * (by / value).exp() } else { value + by }
+            // Without the round-off of a logarithm and back.
+            if *is_positive && by != 0.0 { value * (by / value).exp() } else { value + by }
         })
         .collect()
     }

@@ -30,6 +30,7 @@ mod page;
 mod plan;
 mod plot;
 mod plots;
+mod remedied;
 mod remedy;
 mod run;
 mod sketch;

@@ -7,10 +7,11 @@ use serde_json::{Value as Json, json};
 use super::OutputError;
 use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
-use super::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, draw};
+use super::chart::{Svg, draw};
 use super::correction::CorrectionAnswer;
 use super::json::{finite, json as document};
 use super::number;
+use super::remedied::{chart, list, table, words};
 use super::staged::Staged;
 use super::text::titled;
 use crate::correct::Correction;
@@ -43,10 +44,11 @@ impl Answer for RemedyAnswer<'_> {
         let now = Remedy { changes: Vec::new(), ..found.now.clone() };
         let own = [("as it is", "", "", &now)].into_iter().map(|(a, b, c, r)| self.row(&[a, b, c], r));
         let each = found.alone.iter().flat_map(|remedy| {
-            remedy
-                .changes
-                .iter()
-                .map(move |own| self.row(&[&own.setting, own.from.as_deref().unwrap_or("-"), &own.to], remedy))
+            let row = move |own: &Change| {
+                let words = [own.from.as_deref().unwrap_or("-"), own.to.as_deref().unwrap_or("as written")];
+                self.row(&[&own.setting, words[0], words[1]], remedy)
+            };
+            remedy.changes.iter().map(row)
         });
         blocks.push(self.table(&["setting", "now", "to"], own.chain(each)));
         if found.alone.is_empty() {
@@ -97,7 +99,7 @@ impl Answer for RemedyAnswer<'_> {
             let mut entry = self.judged(own);
             if let Some(change) = own.changes.first() {
                 let one = changed(change);
-                for key in ["setting", "from", "to", "at_limit", "beyond_measured"] {
+                for key in ["setting", "from", "to", "at_limit", "measured"] {
                     entry[key] = one[key].clone();
                 }
             }
@@ -118,7 +120,7 @@ impl Answer for RemedyAnswer<'_> {
     }
 
     fn figures(&self) -> Vec<(String, Svg)> {
-        let chart = self.chart();
+        let chart = chart(self.found);
         vec![(chart.name.clone(), draw(&chart))]
     }
 
@@ -127,7 +129,7 @@ impl Answer for RemedyAnswer<'_> {
         if let Some(own) = self.correction {
             CorrectionAnswer(self.model, own).stage_contour(files)?;
         }
-        files.text("remedies.csv", &self.csv())?;
+        files.text("remedies.csv", &table(self.found))?;
         files.figures(self.figures())?;
         let best = self.found.best().and_then(|own| self.model.edited(&own.edits).ok());
         if let (Some(best), Some(directory)) = (best, self.directory) {
@@ -147,7 +149,7 @@ impl RemedyAnswer<'_> {
     fn table(&self, words: &[&str], rows: impl Iterator<Item = Vec<Cell>>) -> Block {
         let words = words.iter().map(|name| Column::wide(*name));
         let numbers = ["rms", "worst", "gain"].map(|name| Column::new(name, 8)).into_iter();
-        let asked = ["tolerance", "in %"].map(|name| Column::new(name, 9)).into_iter().filter(|_| self.is_asked());
+        let asked = ["tolerance", "in"].map(|name| Column::new(name, 9)).into_iter().filter(|_| self.is_asked());
         let minutes = [Column::new("minutes", 9)];
         Block::Table(Table::new(words.chain(numbers).chain(minutes).chain(asked), rows))
     }
@@ -159,14 +161,14 @@ impl RemedyAnswer<'_> {
         };
         let minutes = TIME.from_si(own.time);
         let is_now = own.changes.is_empty();
-        let gain = MICRO.from_si(self.gain(own));
+        let gain = MICRO.from_si(self.found.gain(own));
         let percent = |part: f64| Cell::Number(format!("{} %", number::fixed(100.0 * part, 0)), part);
         let words = words.iter().map(|own| Cell::Text((*own).into()));
         let [gain, minutes] = [(gain, 2), (minutes, 1)].map(|(value, decimals)| match is_now {
             true => Cell::Missing,
             false => Cell::Number(number::signed(value, decimals), value),
         });
-        let asked = own.left.used.map(|used| [percent(used), own.probability.map_or(Cell::Missing, percent)]);
+        let asked = own.left.surely_used.map(|used| [percent(used), own.probability.map_or(Cell::Missing, percent)]);
         let numbers = [um(own.left.rms), um(own.left.worst), gain, minutes];
         words.chain(numbers).chain(asked.into_iter().flatten()).collect()
     }
@@ -177,16 +179,11 @@ impl RemedyAnswer<'_> {
         self.table(&["change"], rows)
     }
 
-    /// What is gained: by how much the root mean square of the error falls.
-    fn gain(&self, own: &Remedy) -> f64 {
-        self.found.now.left.rms - own.left.rms
-    }
-
     fn cautions(&self) -> Vec<String> {
         let found = self.found;
         let told = || found.alone.iter().chain(&found.together).chain(&found.front).flat_map(|own| &own.changes);
         let named = |is: &dyn Fn(&&Change) -> bool| {
-            let mut names: Vec<String> = told().filter(is).map(|own| format!("{} {}", own.setting, own.to)).collect();
+            let mut names: Vec<String> = told().filter(is).map(words).collect();
             names.sort_unstable();
             names.dedup();
             names.join(", ")
@@ -196,17 +193,19 @@ impl RemedyAnswer<'_> {
         if !ends.is_empty() {
             all.push(format!("at the limit that the model states: {ends}; beyond it there may be more"));
         }
-        let beyond = named(&|own| own.is_beyond);
+        let beyond = named(&|own| own.is_measured == Some(false));
         if !beyond.is_empty() {
             all.push(format!("beyond what the model was held against measurements at: {beyond}; measure there first"));
         }
-        let is_said = self.model.settings.iter().any(|own| own.measured.is_some());
-        if !is_said && told().next().is_some() {
-            all.push(
-                "the model does not say where it was held against measurements (`measured` of a setting): whatever is changed \
-                 is predicted, and the first part shows whether it holds"
-                    .into(),
-            );
+        let mut unsaid: Vec<&str> = told().filter(|own| own.is_measured.is_none()).map(|own| &*own.setting).collect();
+        unsaid.sort_unstable();
+        unsaid.dedup();
+        if !unsaid.is_empty() {
+            all.push(format!(
+                "it is not said where the model was held against measurements (`measured` of a setting) of {}: what they \
+                 gain is predicted, and the first part shows whether it holds",
+                unsaid.join(", ")
+            ));
         }
         if found.uncertain == 0 && self.is_asked() {
             all.push("the model knows all its values exactly, so that a part is in or out, and nothing between".into());
@@ -216,86 +215,23 @@ impl RemedyAnswer<'_> {
 
     fn judged(&self, own: &Remedy) -> Json {
         json!({
-            "gain": finite(self.gain(own)),
+            "gain": finite(self.found.gain(own)),
             "minutes": finite(TIME.from_si(own.time)),
             "rms": finite(own.left.rms),
             "worst": finite(own.left.worst),
             "tolerance_used": own.left.used.map(finite),
+            "tolerance_used_95": own.left.surely_used.map(finite),
             "probability_in": own.probability,
         })
-    }
-
-    fn csv(&self) -> String {
-        let header =
-            ["list", "change", "rms [um]", "worst [um]", "gain [um]", "minutes", "tolerance used", "probability in"];
-        let found = self.found;
-        let lists = [
-            ("now", std::slice::from_ref(&found.now)),
-            ("alone", &found.alone[..]),
-            ("together", &found.together[..]),
-            ("front", &found.front[..]),
-        ];
-        let cell = |value: Option<f64>| value.map_or(String::new(), |value| format!("{}", value + 0.0));
-        let mut text = header.join(",") + "\n";
-        for (name, all) in lists {
-            for own in all {
-                let um = [own.left.rms, own.left.worst, self.gain(own)].map(|si| cell(Some(MICRO.from_si(si))));
-                let further = [Some(TIME.from_si(own.time)), own.left.used, own.probability].map(cell);
-                let change = list(own).replace('"', "\"\"");
-                text += &format!("{name},\"{change}\",{},{}\n", um.join(","), further.join(","));
-            }
-        }
-        text
-    }
-
-    /// What is left over minutes: the front, every setting alone, and what is made now.
-    fn chart(&self) -> Chart {
-        let is_asked = self.is_asked();
-        let point = |own: &Remedy| {
-            let left = own.left.used.map_or(MICRO.from_si(own.left.rms), |used| 100.0 * used);
-            Point::new(TIME.from_si(own.time), left)
-        };
-        let points = |all: &[Remedy]| all.iter().map(point).collect::<Vec<Point>>();
-        let front = points(&self.found.front);
-        let mut series = vec![
-            Series::new("front", 0, Form::Line, front.clone()),
-            Series::new("", 0, Form::Dots, front.clone()),
-            Series::new("one setting", 1, Form::Dots, points(&self.found.alone)),
-            Series::new("now", 2, Form::Dots, vec![point(&self.found.now)]),
-        ];
-        if is_asked {
-            let all = || series.iter().flat_map(|own| &own.points).map(|own| own.x);
-            let [low, high] = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
-            series
-                .insert(0, Series::new("within", 3, Form::Dashed, [low, high].map(|x| Point::new(x, 100.0)).to_vec()));
-        }
-        let y = match is_asked {
-            true => Axis::new("part of the tolerance that is used", "%"),
-            false => Axis::new("root mean square of the error", MICRO.unit),
-        };
-        Chart {
-            name: "remedies".into(),
-            title: "what minutes buy".into(),
-            note: "nothing that was tried lies below the line; one setting changed, and what is made now".into(),
-            plane: Plane::Curves { x: Axis::new("minutes beside what the parts take now", TIME.unit), y, series },
-        }
-    }
-}
-
-/// Changes as people read them.
-fn list(own: &Remedy) -> String {
-    let change = |own: &Change| format!("{} {}", own.setting, own.to);
-    match own.changes.is_empty() {
-        true => "as it is".into(),
-        false => own.changes.iter().map(change).collect::<Vec<_>>().join(", "),
     }
 }
 
 /// What to do, in a sentence.
 fn sentence(own: &Remedy) -> String {
-    let one = |own: &Change| match &own.from {
-        Some(from) => format!("set {} from {from} to {}", own.setting, own.to),
-        None => format!("{}: {}", own.setting, own.to),
+    let one = |own: &Change| match (&own.from, &own.to) {
+        (Some(from), Some(to)) => format!("set {} from {from} to {to}", own.setting),
+        (None, Some(to)) => format!("{}: {to}", own.setting),
+        (_, None) => own.setting.clone(),
     };
     own.changes.iter().map(one).collect::<Vec<_>>().join("; ")
 }
@@ -306,6 +242,6 @@ fn changed(own: &Change) -> Json {
         "from": own.from,
         "to": own.to,
         "at_limit": own.is_end,
-        "beyond_measured": own.is_beyond,
+        "measured": own.is_measured,
     })
 }

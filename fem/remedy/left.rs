@@ -16,6 +16,8 @@ const MOST_STEPS: usize = 8;
 const NONE: f64 = 1e-10;
 /// Range of what an offset does, in terms of what it does where nothing gives way.
 const ANSWERS: (f64, f64) = (0.05, 3.0);
+/// Standard deviations below which a normal value lies with a probability of 95 %.
+const SURE: f64 = 1.645;
 /// Draws of what is known roughly.
 const DRAWS: usize = 200;
 
@@ -28,17 +30,19 @@ pub struct Left {
     pub worst: f64,
     /// The largest part of a tolerance that is used up: within all of them up to 1. None where nothing is asked.
     pub used: Option<f64>,
+    /// The part that is not exceeded with a probability of 95 %, by how what is known roughly moves it.
+    pub surely_used: Option<f64>,
 }
 
 impl Left {
-    /// Whether all parts are within what is asked.
+    /// Whether all parts are within what is asked, with a probability of some 95 %.
     pub fn is_within(&self) -> bool {
-        self.used.is_some_and(|used| used <= 1.0)
+        self.surely_used.is_some_and(|used| used <= 1.0)
     }
 
     /// What is to become small: the part of the tolerance that is used, or the error where nothing is asked.
     pub fn cost(&self) -> f64 {
-        self.used.unwrap_or(self.rms)
+        self.surely_used.unwrap_or(self.rms)
     }
 }
 
@@ -58,20 +62,29 @@ impl Made {
     /// # Errors
     /// The model cannot be computed.
     pub fn of(model: &Model) -> Result<Self, Failure> {
-        let values = Knowledge::of(model).values;
+        let knowledge = Knowledge::of(model);
         let commanded = model.system.commanded();
         let (rows, nothing) = match &commanded {
             Some(own) => contour(model, own),
             None => (lengths(model), Command::default()),
         };
-        let made = |command: &Arc<Command>| observed(model, &values, command, &rows);
+        let made = |command: &Arc<Command>| observed(model, &knowledge.values, command, &rows);
         let mut command = Arc::new(nothing);
         let mut now = made(&command)?;
         let aims = model.system.aims(&rows);
         if let Some(own) = commanded {
             (command, now) = offset(command, now, &aims, own.gain, made)?;
         }
-        let left = left(&*model.system, &rows, &now, &aims);
+        let mut left = left(&*model.system, &rows, &now, &aims);
+        if let Some(used) = left.used {
+            // Values one standard deviation off that make no model say nothing.
+            let moved = |values: Vec<f64>| {
+                let now = observed(model, &values, &command, &rows).ok()?;
+                Some(used_of(&*model.system, &rows, &now)? - used)
+            };
+            let square: f64 = knowledge.shifted().filter_map(moved).map(|own| own * own).sum();
+            left.surely_used = Some(used + SURE * square.sqrt());
+        }
         Ok(Self { rows, command, left, values: now })
     }
 
@@ -81,18 +94,21 @@ impl Made {
         self.left.used?;
         let knowledge = Knowledge::of(model);
         if knowledge.uncertain() == 0 {
-            return Some(f64::from(u8::from(self.left.is_within())));
+            return Some(f64::from(u8::from(is_in(self.left.used))));
         }
-        let aims = model.system.aims(&self.rows);
         let is_within = |number: usize| {
             let now = observed(model, &knowledge.drawn(number), &self.command, &self.rows).ok()?;
-            Some(left(&*model.system, &self.rows, &now, &aims).is_within())
+            Some(is_in(used_of(&*model.system, &self.rows, &now)))
         };
         // The first is what is known best; values that make no model are none.
         let further: Vec<bool> = (1..DRAWS).into_par_iter().filter_map(is_within).collect();
-        let within = further.iter().filter(|own| **own).count() + usize::from(self.left.is_within());
+        let within = further.iter().filter(|own| **own).count() + usize::from(is_in(self.left.used));
         Some(within as f64 / (further.len() + 1) as f64)
     }
+}
+
+fn is_in(used: Option<f64>) -> bool {
+    used.is_some_and(|used| used <= 1.0)
 }
 
 /// What rows show of parts made at some values, what the way of measuring sets to zero taken out.
@@ -151,9 +167,14 @@ fn offset(
 
 fn left(system: &dyn System, rows: &Rows, now: &[f64], aims: &[f64]) -> Left {
     let off: Vec<f64> = now.iter().zip(aims).map(|(now, aim)| now - aim).collect();
-    let standings = Standing::all(system, rows, now);
-    let used = standings.iter().map(used).reduce(f64::max);
-    Left { rms: rms(&off), worst: off.iter().fold(0.0, |worst, own| worst.max(own.abs())), used }
+    let worst = off.iter().fold(0.0f64, |worst, own| worst.max(own.abs()));
+    let used = used_of(system, rows, now);
+    Left { rms: rms(&off), worst, used, surely_used: used }
+}
+
+/// The largest part of a tolerance that parts use; none where nothing is asked.
+fn used_of(system: &dyn System, rows: &Rows, now: &[f64]) -> Option<f64> {
+    Standing::all(system, rows, now).iter().map(used).reduce(f64::max)
 }
 
 /// The part of the limits of a requirement that parts use: 1 for one that lies on a limit, 0 for one in the middle.

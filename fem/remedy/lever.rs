@@ -138,12 +138,12 @@ impl<'m> Lever<'m> {
         edits
     }
 
-    /// A place as people read it.
-    pub fn shown(&self, at: f64) -> String {
+    /// A place as people read it; none where there is one alone.
+    pub fn shown(&self, at: f64) -> Option<String> {
         match &self.ways {
-            Ways::Between { quantity, .. } => quantity.kind.format(at),
-            Ways::Among(values, _) => values.get(at as usize).map(Raw::to_string).unwrap_or_default(),
-            Ways::Alone => "as written".into(),
+            Ways::Between { quantity, .. } => Some(quantity.kind.format(at)),
+            Ways::Among(values, _) => values.get(at as usize).map(Raw::to_string),
+            Ways::Alone => None,
         }
     }
 
@@ -169,15 +169,15 @@ impl<'m> Lever<'m> {
         self.is_continuous() && (at - low).min(high - at) <= AT_END * (high - low)
     }
 
-    /// Whether the model was not held against measurements at a place, as far as it is said where it was.
-    pub fn is_beyond(&self, at: f64) -> bool {
+    /// Whether the model was held against measurements at a place; none where it is not said where it was.
+    pub fn is_measured(&self, at: f64) -> Option<bool> {
         let si = match &self.ways {
             Ways::Between { .. } => Some(at),
             Ways::Among(values, Some(quantity)) => values.get(at as usize).and_then(|raw| value(quantity, raw).ok()),
             Ways::Among(..) | Ways::Alone => None,
         };
-        let beyond = |([low, high], si): ([f64; 2], f64)| si < low || si > high;
-        self.measured.zip(si).is_some_and(beyond)
+        let is_inside = |([low, high], si): ([f64; 2], f64)| (low..=high).contains(&si);
+        self.measured.zip(si).map(is_inside)
     }
 
     /// Whether it can be changed together with another one: neither writes what the other does.

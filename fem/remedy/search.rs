@@ -17,6 +17,8 @@ const AIMED: f64 = 0.99;
 const MOST_COMBINED: usize = 12;
 /// Part of what is left that is no change.
 const NONE: f64 = 1e-9;
+/// Part of a range of time within which two times are the same.
+const SAME: f64 = 2e-3;
 /// Time that is none, s.
 const NO_TIME: f64 = 1e-3;
 /// How often worse than what is there a model that fails counts.
@@ -49,22 +51,26 @@ pub fn best<'t>(trials: impl IntoIterator<Item = &'t Trial>, limit: f64) -> Opti
     allowed.reduce(|best, trial| if is_better(trial, best) { trial } else { best })
 }
 
-/// The best place of one setting within a limit of time, s.
+/// The best place of one setting within a limit of time, s; what makes no model of all that was tried is added to `failed`.
 ///
 /// # Errors
-/// It changes nothing, or makes no model.
-pub fn alone(bench: &Bench, lever: usize, limit: f64) -> Result<Trial, Refused> {
+/// It changes nothing, or makes no model anywhere.
+pub fn alone(bench: &Bench, lever: usize, limit: f64, failed: &mut Vec<Refused>) -> Result<Trial, Refused> {
     let name = bench.levers[lever].setting.name.clone();
     let refused = |reason: String, help: Option<&str>| {
         Err(Refused { name: name.clone(), reason, help: help.map(str::to_string) })
     };
     let places = tried_places(bench, lever);
     let found = bench.all(places.iter().map(|at| bench.with(lever, *at)).collect());
-    let failed = found.iter().find_map(|own| own.as_ref().err());
+    let why = |own: &String| format!("makes no model: {own}");
     let made: Vec<&(Trial, Made)> = found.iter().flatten().collect();
     if made.is_empty() {
-        return refused(format!("makes no model: {}", failed.map_or("", String::as_str)), None);
+        let first = found.iter().find_map(|own| own.as_ref().err());
+        return refused(first.map_or_else(String::new, why), None);
     }
+    let wrong =
+        places.iter().zip(&found).filter_map(|(at, own)| Some((bench.levers[lever].shown(*at)?, own.as_ref().err()?)));
+    failed.extend(wrong.map(|(at, own)| Refused { name: format!("{name} {at}"), reason: why(own), help: None }));
     if made.iter().all(|(_, own)| is_same(own, &bench.now)) {
         let help = "leave it out, or write the law or the effect by which it acts";
         return refused("changes nothing of what is made here: the model has no law for it".into(), Some(help));
@@ -138,7 +144,7 @@ fn judged_cost(trial: Option<&Trial>, bench: &Bench, limit: f64) -> (f64, Vec<f6
 
 /// Time as a part of its range, and by how much more of a tolerance is used than is aimed at, and time beyond a limit.
 fn judged_time(trial: Option<&Trial>, range: f64, limit: f64) -> (f64, Vec<f64>) {
-    let used = |own: &Trial| own.left.used.unwrap_or(0.0) - AIMED;
+    let used = |own: &Trial| own.left.surely_used.unwrap_or(0.0) - AIMED;
     trial.map_or((FAILED, vec![1.0; 2]), |own| (own.time / range, vec![used(own), over(own.time, limit)]))
 }
 
@@ -181,6 +187,12 @@ pub fn together(bench: &Bench, levers: &[usize], alone: &Places, limit: f64, lev
                 - times().into_iter().fold(f64::INFINITY, f64::min);
             if range > NO_TIME {
                 in_cube(|unit| judged_time(at(unit).as_ref(), range, limit), 2, &start, most);
+                // Of all that take as long, the one that leaves least.
+                let soonest = best(trials.borrow().iter(), limit).map(|own| (own.time, unit_of(&own.places)));
+                if let Some((time, start)) = soonest {
+                    let most_time = time + SAME * range;
+                    in_cube(|unit| judged_cost(at(unit).as_ref(), bench, most_time), 1, &start, most);
+                }
             }
         }
     }

@@ -31,6 +31,7 @@ mod pages;
 mod passes;
 mod recorded;
 mod records;
+mod remedies;
 mod report;
 mod ring;
 mod set;
