@@ -2,6 +2,7 @@
 //! when they are put into another place.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use serde_json::json;
 use toml_edit::{Item, Value};
@@ -12,7 +13,7 @@ use super::{Problem, Reader};
 #[derive(Clone, Debug)]
 pub struct Raw {
     /// The value, without the blanks and comments around it.
-    value: Value,
+    value: Arc<Value>,
     /// Bytes of it in the file.
     pub span: Option<Range<usize>>,
 }
@@ -26,7 +27,7 @@ impl PartialEq for Raw {
 
 impl From<i64> for Raw {
     fn from(number: i64) -> Self {
-        Self { value: Value::from(number), span: None }
+        Self::of(Value::from(number), None)
     }
 }
 
@@ -35,7 +36,7 @@ impl Raw {
     pub fn of(value: Value, span: Option<Range<usize>>) -> Self {
         let mut value = value;
         value.decor_mut().clear();
-        Self { value, span }
+        Self { value: Arc::new(value), span }
     }
 
     /// The value itself.
@@ -45,7 +46,7 @@ impl Raw {
 
     /// A text, or a number as a text.
     pub fn text(&self) -> Option<String> {
-        super::written::text_of(&Item::Value(self.value.clone()))
+        super::written::text_of(&Item::Value((*self.value).clone()))
     }
 
     /// A whole number.

@@ -99,8 +99,9 @@ fn levels(bench: &Bench, set: &[usize], places: &Places, best: &Trial) {
     }
 }
 
-/// Trials of some settings than which no other leaves less in less time, by rising time.
-pub fn front(bench: &Bench, levers: &[usize], limit: f64) -> Vec<Trial> {
+/// Trials of some settings than which no other leaves less in less time, by rising time; those that are told anyway are not left
+/// out for want of room.
+pub fn front(bench: &Bench, levers: &[usize], limit: f64, chosen: &[Trial]) -> Vec<Trial> {
     let least = |mut trials: Vec<Trial>| {
         trials.push(bench.nothing());
         let is_of_them =
@@ -125,5 +126,6 @@ pub fn front(bench: &Bench, levers: &[usize], limit: f64) -> Vec<Trial> {
     // What is told can be set.
     let set = |trial: &Trial| search::best(&search::settable(bench, trial), f64::INFINITY).cloned();
     let is_nothing = |trial: &Trial| trial.places.iter().all(Option::is_none);
-    least(thinned.iter().filter(|own| !is_nothing(own)).filter_map(set).collect())
+    let all = thinned.iter().filter(|own| !is_nothing(own)).filter_map(set);
+    least(all.chain(chosen.iter().cloned()).collect())
 }

@@ -52,13 +52,16 @@ pub fn on_interval(value: impl Fn(f64) -> f64, [low, high]: [f64; 2], start: f64
     drop(Executor::new(problem, solver, PointState::new(start)).max_cost_evals(most).run());
 }
 
+/// A place, the value there, and the constraints.
+type Judged = (Vec<f64>, f64, Vec<f64>);
+
 /// A value and constraints, which hold where they are zero or below, of numbers from 0 to 1.
 struct InCube<F> {
     count: usize,
     constraints: usize,
     judged: F,
     /// The last place and what was found there: value and constraints are asked for one after the other.
-    last: RefCell<Option<(Vec<f64>, f64, Vec<f64>)>>,
+    last: RefCell<Option<Judged>>,
 }
 
 impl<F: Fn(&[f64]) -> (f64, Vec<f64>)> InCube<F> {

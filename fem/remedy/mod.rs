@@ -150,7 +150,8 @@ pub fn remedies(model: &Model, limit: Option<f64>, progress: &Progress) -> Resul
         help: None,
     }));
     let heard: Vec<usize> = numbers.into_iter().filter(|own| !silent.contains(own)).collect();
-    let front = progress.stretch("front", || combine::front(&bench, &heard, most));
+    let chosen: Vec<Trial> = gains.iter().map(|(_, trial)| trial).chain(&together).cloned().collect();
+    let front = progress.stretch("front", || combine::front(&bench, &heard, most, &chosen));
     let told = |trials: Vec<Trial>| progress.stretch("probabilities", || told(&bench, trials));
     let (alone, together) = (told(gains.into_iter().map(|(_, trial)| trial).collect()), told(together));
     let front = told(front);
