@@ -114,6 +114,7 @@ impl Answer for RemedyAnswer<'_> {
             |own: &crate::remedy::Refused| json!({ "setting": own.name, "reason": own.reason, "help": own.help });
         all["refused"] = found.refused.iter().map(refused).collect();
         all["parts"] = found.parts.into();
+        all["parts_looked_at"] = found.looked_at.into();
         all["most_minutes"] = found.limit.map(|limit| TIME.from_si(limit)).into();
         all["evaluations"] = found.evaluations.into();
         all
@@ -189,6 +190,10 @@ impl RemedyAnswer<'_> {
             names.join(", ")
         };
         let mut all = Vec::new();
+        if found.looked_at < found.parts {
+            let parts = (found.looked_at, found.parts);
+            all.push(format!("{} of {} parts were looked at, evenly from the first to the last", parts.0, parts.1));
+        }
         let ends = named(&|own| own.is_end);
         if !ends.is_empty() {
             all.push(format!("at the limit that the model states: {ends}; beyond it there may be more"));

@@ -16,6 +16,8 @@ const MOST_STEPS: usize = 8;
 const NONE: f64 = 1e-10;
 /// Range of what an offset does, in terms of what it does where nothing gives way.
 const ANSWERS: (f64, f64) = (0.05, 3.0);
+/// Most parts that are looked at.
+pub const MOST_PARTS: usize = 16;
 /// Standard deviations below which a normal value lies with a probability of 95 %.
 const SURE: f64 = 1.645;
 /// Draws of what is known roughly.
@@ -65,7 +67,7 @@ impl Made {
         let knowledge = Knowledge::of(model);
         let commanded = model.system.commanded();
         let (rows, nothing) = match &commanded {
-            Some(own) => contour(model, own),
+            Some(own) => thinned(contour(model, own)),
             None => (lengths(model), Command::default()),
         };
         let made = |command: &Arc<Command>| observed(model, &knowledge.values, command, &rows);
@@ -116,6 +118,18 @@ fn observed(model: &Model, values: &[f64], command: &Arc<Command>, rows: &Rows) 
     let mut now = model.commanded_at(values, command)?.observe(rows)?;
     model.system.datum_directions(rows).iter().for_each(|direction| direction.take_out(&mut now));
     Ok(now)
+}
+
+/// Some parts of many, the first and the last among them: a trial is not to cost what a whole batch does.
+fn thinned((rows, command): (Rows, Command)) -> (Rows, Command) {
+    let (count, places) = (command.numbers.len(), command.places.len());
+    if count <= MOST_PARTS {
+        return (rows, command);
+    }
+    let kept: Vec<usize> = (0..MOST_PARTS).map(|i| i * (count - 1) / (MOST_PARTS - 1)).collect();
+    let own: Vec<usize> = kept.iter().flat_map(|part| part * places..(part + 1) * places).collect();
+    let numbers = kept.iter().map(|part| command.numbers[*part]).collect();
+    (rows.some(&own), Command { numbers, changes: vec![0.0; own.len()], ..command })
 }
 
 /// The rows of a model's programme that are errors of a length; all of them where there are none.

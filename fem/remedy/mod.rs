@@ -41,6 +41,8 @@ pub struct Remedies {
     pub refused: Vec<Refused>,
     /// How many parts the minutes are of.
     pub parts: usize,
+    /// How many of them are looked at, evenly from the first to the last.
+    pub looked_at: usize,
     /// Whether an offset for each part is set in any case.
     pub by_offsets: bool,
     /// Most time more than now that was asked for, s.
@@ -162,6 +164,7 @@ pub fn remedies(model: &Model, limit: Option<f64>, progress: &Progress) -> Resul
         front,
         refused,
         parts: bench.parts,
+        looked_at: if model.system.commanded().is_some() { bench.parts.min(left::MOST_PARTS) } else { bench.parts },
         by_offsets: model.system.commanded().is_some(),
         limit,
         uncertain: crate::correct::Knowledge::of(model).uncertain(),

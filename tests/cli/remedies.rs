@@ -222,6 +222,21 @@ to = "400 N/um"
     );
 }
 
+/// Of a long batch some parts are looked at, which is said; a shaft that is the same on every part leaves the same.
+#[test]
+fn of_many_parts_some_are_looked_at() {
+    let place = Place::new();
+    let left = |parts: usize| {
+        place.write("shaft.toml", format!("{SHAFT}batch.parts = {parts}\n{FEED}"));
+        let found = parsed(&place.fem(&["correct", "shaft.toml", "--remedies", "--minutes", "60", "--json"]));
+        (number(&found["now"]["rms"]), found["parts"].clone(), found["parts_looked_at"].clone())
+    };
+    let (few, many) = (left(3), left(90));
+    assert!((few.0 / many.0 - 1.0).abs() < 1e-9, "{few:?} {many:?}");
+    assert_eq!((few.1, few.2, many.1, many.2), (3.into(), 3.into(), 90.into(), 16.into()));
+    assert!(place.fem(&["correct", "shaft.toml", "--remedies"]).out.contains("16 of 90 parts were looked at"));
+}
+
 const MISTAKES: &[Mistake] = &[
     ("cut.feed", "cut.fed", "has no quantity `cut.fed`", "did you mean `cut.feed`?"),
     ("0.05 mm/rev", "0.05 mm", "`cut.feed`: `mm` measures", "write it in mm/rev"),
