@@ -90,6 +90,7 @@
 //     correct               what to command so that the part comes out as the drawing asks
 //     next                  the next part of a machine, from its own history
 //     study                 many jobs with one model: points, rows, yield, worst case, sensitivity
+//     remedy                which settings to change, what it gains and what it costs
 //     validation            what handbooks, closed forms and benchmarks say, and what is computed
 //     output                text, CSV, JSON, VTK; files that appear whole
 //     ask                   what can be asked of models and measurements: questions in, answers out
@@ -144,6 +145,8 @@ pub mod process;
 pub mod processes;
 #[doc(hidden)]
 pub mod progress;
+#[doc(hidden)]
+pub mod remedy;
 #[doc(hidden)]
 pub mod series;
 #[doc(hidden)]

@@ -306,7 +306,8 @@ model says what the drawing asks.
 Examples:
   fem correct models/lathe.toml
   fem correct models/lathe.toml -o correction
-  fem correct models/lathe.toml --program part.ngc -o correction"
+  fem correct models/lathe.toml --program part.ngc -o correction
+  fem correct lathe.toml --remedies --minutes 10"
 )]
 pub struct Correct {
     /// The model file, whose values are known
@@ -317,6 +318,12 @@ pub struct Correct {
     /// Put blocks before those that are too long for the contour to be straight over them
     #[arg(long, requires = "program")]
     pub add_blocks: bool,
+    /// Ask which of its [[setting]]s to change: what each gains, what it costs, and which few do best together
+    #[arg(long)]
+    pub remedies: bool,
+    /// Most minutes that remedies may cost beside what is made now, of all parts
+    #[arg(long, value_name = "N", requires = "remedies", allow_negative_numbers = true, value_parser = finite)]
+    pub minutes: Option<f64>,
     /// Where to write the corrected contour of every part; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -393,6 +400,12 @@ fn rest(text: &str) -> Result<f64, String> {
 /// The controls that can be named, with what they are.
 fn controls() -> PossibleValuesParser {
     PossibleValuesParser::new(CONTROLS.iter().map(|control| PossibleValue::new(control.name).help(control.about)))
+}
+
+/// A number that is one.
+fn finite(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+    number.ok_or_else(|| "write a number, as 10".into())
 }
 
 /// The name of an axis: what stands in files of controls between brackets and blanks.

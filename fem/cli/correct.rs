@@ -6,16 +6,20 @@ use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
 use super::watch::watched;
-use crate::ask::{correct, program, programmed};
+use crate::ask::{correct, program, programmed, remedies};
 use crate::model::Model;
 use crate::output::files::Guard;
-use crate::output::{CorrectionAnswer, Folder};
+use crate::output::{CorrectionAnswer, Folder, RemedyAnswer};
 use crate::progress::Progress;
+use crate::units::TIME;
 
 pub fn run(args: &args::Correct) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     let read = args.program.as_ref().map(|path| program(&model, path)).transpose()?;
     let progress = Arc::new(Progress::default());
+    if args.remedies {
+        return remedied(args, &model, &progress);
+    }
     let found = watched(&progress, || correct(&model, &progress))?;
     let own = read.map(|read| programmed(&model, &found, &read, args.add_blocks)).transpose()?;
     let answer = CorrectionAnswer(&model, &found, own.as_ref());
@@ -25,6 +29,24 @@ pub fn run(args: &args::Correct) -> Result<(), Error> {
         reads.extend(args.program.clone());
         let guard = Guard { reads: &reads, force: args.force };
         written = Folder { directory, guard }.write("correct", &answer, &progress)?;
+    }
+    let list = if args.json { "" } else { &written };
+    print(&(page(&answer, args.json) + list))
+}
+
+/// What to change, beside what to command where the process has a command that is corrected.
+fn remedied(args: &args::Correct, model: &Model, progress: &Arc<Progress>) -> Result<(), Error> {
+    let limit = args.minutes.map(|minutes| TIME.to_si(minutes));
+    let found = watched(progress, || remedies(model, limit, progress))?;
+    let is_corrected = model.system.commanded().is_some() && (args.json || args.output.is_some());
+    let correction = is_corrected.then(|| watched(progress, || correct(model, progress))).transpose()?;
+    let answer =
+        RemedyAnswer { model, found: &found, correction: correction.as_ref(), directory: args.output.as_deref() };
+    let mut written = String::new();
+    if let Some(directory) = &args.output {
+        let reads = model.paths();
+        let guard = Guard { reads: &reads, force: args.force };
+        written = Folder { directory, guard }.write("correct", &answer, progress)?;
     }
     let list = if args.json { "" } else { &written };
     print(&(page(&answer, args.json) + list))

@@ -54,9 +54,17 @@ impl Knowledge {
         let all = self.values.iter().zip(&self.deviations).zip(&self.is_positive).zip(by);
         all.map(|(((value, deviation), is_positive), away)| {
             let by = deviation * away;
-            if *is_positive { value * (by / value).exp() } else { value + by }
+            // Without the round-off of a logarithm and back.
+            if *is_positive && by != 0.0 { value * (by / value).exp() } else { value + by }
         })
         .collect()
+    }
+
+    /// The values one standard deviation away in each of the directions in which they are independent of each other; nothing
+    /// of those in which they are known.
+    pub fn shifted(&self) -> impl Iterator<Item = Vec<f64>> {
+        let all = (0..self.values.len()).map(|own| self.away(self.root.column(own).iter()));
+        all.filter(|shifted| *shifted != self.values)
     }
 
     /// Values as they may be: draw of a number, always the same.

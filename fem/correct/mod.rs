@@ -119,6 +119,13 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     }))
 }
 
+/// The rows of every contour of a model's programme, and a command that changes none of them.
+pub fn contours(model: &Model, commanded: &Commanded) -> (Rows, Command) {
+    let programme = Programme::of(model, commanded);
+    let nothing = programme.command(commanded, LEAST_PLACES);
+    (programme.rows(model, commanded, &course::places(&nothing)), nothing)
+}
+
 /// A correction along its course.
 struct Course {
     rows: Rows,

@@ -256,6 +256,14 @@ impl<'a> Reader<'a> {
         self.is_open.set(true);
     }
 
+    /// Bytes of this table in the file.
+    pub fn span(&self) -> Option<Range<usize>> {
+        match &self.ground {
+            Ground::Given(_, span) => span.clone(),
+            Ground::Absent | Ground::Described => None,
+        }
+    }
+
     /// Whether there is no file, and what is asked is only recorded.
     pub fn is_described(&self) -> bool {
         matches!(self.ground, Ground::Described)

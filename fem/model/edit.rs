@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Model;
 use super::tables::{Edit, Entry, Tables};
-use crate::input::{Problem, seen_from};
+use crate::input::{Problem, Raw, seen_from};
 use crate::process::Coordinate;
 
 impl Model {
@@ -36,6 +36,13 @@ impl Model {
     /// number stands there.
     pub fn written(&self, path: &str) -> Option<&str> {
         self.tables.value(path)?.as_str()
+    }
+
+    /// The value behind a key, if the model has it.
+    #[doc(hidden)]
+    pub fn raw(&self, path: &str) -> Option<Raw> {
+        let item = self.tables.value(path)?;
+        item.clone().into_value().ok().map(|value| Raw::of(value, item.span()))
     }
 
     /// The model of these tables, of rows with these further columns.

@@ -15,10 +15,12 @@ mod recorded;
 mod require;
 mod run;
 mod schema;
+mod shop;
 mod tables;
 mod terms;
 mod together;
 mod trial;
+mod way;
 
 pub use add::{Setting, add_effect};
 pub use campaign::{Acting, Campaign, Shared, Test};
@@ -29,6 +31,7 @@ pub use odds::{OwnOdds, VALUES};
 pub use process::ModelProcess;
 pub use run::{Contribution, Run};
 pub use schema::schema;
+pub use shop::{Reach, ShopSetting};
 pub use tables::{Edit, Entry};
 pub use together::Together;
 
@@ -81,6 +84,9 @@ pub struct Model {
     /// Correlations of its values, as far as they were fitted together.
     #[doc(hidden)]
     pub together: Together,
+    /// What a shop can change, as far as it says.
+    #[doc(hidden)]
+    pub settings: Vec<ShopSetting>,
     /// Machine that it names.
     #[doc(hidden)]
     pub machine: Option<Machine>,
@@ -162,7 +168,7 @@ impl Model {
     /// Reads a model from its tables, with what was kept from readings before.
     fn of_tables(source: Source, tables: Tables, kept: Kept, recorded: &[Coordinate]) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
-        let ((process, (title, machine, system, effects, measurement, (odds, together))), found) =
+        let ((process, (title, machine, system, effects, measurement, (odds, together, settings))), found) =
             Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| {
                 let process = ModelProcess::of(process, recorded, recorded::read(model, process, recorded));
                 (process.clone(), read(model, &*process))
@@ -181,6 +187,7 @@ impl Model {
             quantities: quantities.into(),
             odds,
             together,
+            settings,
             machine,
             entered: HashMap::new(),
             files,
@@ -288,7 +295,14 @@ fn find_process(document: &Table) -> Result<&'static dyn Process, Problem> {
 fn read(
     model: &Reader,
     process: &dyn Process,
-) -> (Option<String>, Option<Machine>, Option<Arc<dyn System>>, Vec<Active>, Vec<Term>, (OwnOdds, Together)) {
+) -> (
+    Option<String>,
+    Option<Machine>,
+    Option<Arc<dyn System>>,
+    Vec<Active>,
+    Vec<Term>,
+    (OwnOdds, Together, Vec<ShopSetting>),
+) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
     model.part("measurement");
@@ -296,7 +310,8 @@ fn read(
     let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
     let odds = OwnOdds::read(model, process);
-    (title, machine, system, effects, noise::read(model, process), (odds, Together::read(model)))
+    let further = (odds, Together::read(model), ShopSetting::all(model));
+    (title, machine, system, effects, noise::read(model, process), further)
 }
 
 fn read_effects(model: &Reader, process: &dyn Process, system: Option<&dyn System>) -> Vec<Active> {

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use toml_edit::{Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use crate::input::{InputError, ParameterId, Problem, Source};
+use super::way::{entry_of, erase, set, way, write};
+use crate::input::{InputError, ParameterId, Problem, Raw, Source};
 
 /// A change of a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,16 @@ pub enum Edit {
         /// Its name there.
         name: String,
     },
+    /// Whatever stands at a path, which may be new: keys of a table are put into the one that is there, all else takes the
+    /// place of what is there.
+    Write {
+        /// The key.
+        path: ParameterId,
+        /// A value, a list or a table.
+        value: Raw,
+    },
+    /// What stands at a path is left out, if it is there.
+    Erase(ParameterId),
     /// A comment at the top.
     Remark(String),
 }
@@ -247,48 +258,6 @@ fn at_position(table: &mut Table, position: isize) -> Option<&mut Table> {
     })
 }
 
-/// A key on the way to another, and the number of an entry, from 0, where a list of tables stands behind it.
-type Step = (String, Option<usize>);
-
-/// The way to the value, or else to the table, at a path such as `workpiece.segments[1].diameter`. Keys may have dots
-/// themselves: every one is tried that the path begins with.
-fn way(table: &dyn TableLike, path: &str, is_table: bool) -> Option<Vec<Step>> {
-    table.iter().find_map(|(key, item)| {
-        let rest = path.strip_prefix(key)?;
-        let (entry, rest) = match rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
-            Some((number, rest)) => (Some(number.parse().ok()?), rest),
-            None => (None, rest),
-        };
-        let mut steps = vec![(key.to_string(), entry)];
-        let within = entry_of(item, entry);
-        if rest.is_empty() {
-            return (within.is_some() == is_table && (is_table || entry.is_none())).then_some(steps);
-        }
-        steps.extend(way(within?, rest.strip_prefix('.')?, is_table)?);
-        Some(steps)
-    })
-}
-
-/// A table, or one of a list of tables.
-fn entry_of(item: &Item, number: Option<usize>) -> Option<&dyn TableLike> {
-    match (item, number) {
-        (item, None) => item.as_table_like(),
-        (Item::ArrayOfTables(list), Some(number)) => list.get(number).map(|table| table as &dyn TableLike),
-        (item, Some(number)) => item.as_array()?.get(number)?.as_inline_table().map(|table| table as &dyn TableLike),
-    }
-}
-
-/// The same, to be changed.
-fn entry_of_mut(item: &mut Item, number: Option<usize>) -> Option<&mut dyn TableLike> {
-    match (item, number) {
-        (item, None) => item.as_table_like_mut(),
-        (Item::ArrayOfTables(list), Some(number)) => list.get_mut(number).map(|table| table as &mut dyn TableLike),
-        (item, Some(number)) => {
-            item.as_array_mut()?.get_mut(number)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)
-        }
-    }
-}
-
 /// The table of which another one is a part, if it is one, and its name there: the change of an effect stands within
 /// the effect's table. Names may have dots themselves.
 fn owned<'n>(tables: &dyn TableLike, name: &'n str) -> (Option<&'n str>, &'n str) {
@@ -310,7 +279,7 @@ fn table_of<'t>(document: &'t DocumentMut, parent: &str, name: &str) -> Option<&
 /// Makes one of a model's edits, by its number.
 fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> {
     match edit {
-        Edit::Set { path, entry } => set(tables, path, entry).ok_or_else(|| {
+        Edit::Set { path, entry } => set(tables, path, Value::from(entry)).ok_or_else(|| {
             Problem::new(format!("the model has no table for `{path}`"))
                 .help("name a key of a table that stands there, or of an entry of a list, from 0: `segments[0].length`")
         }),
@@ -349,36 +318,14 @@ fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> 
             });
             removed.map(drop).ok_or_else(|| Problem::new(format!("the model has no table [{parent}.{name}]")))
         }
+        Edit::Write { path, value } => write(tables, path, value.value()).ok_or_else(|| {
+            Problem::new(format!("`{path}` is no place in a model"))
+                .help("name tables from the top of the file, and entries of lists that are there: `cut.feed`, `pass[0].depth`")
+        }),
+        Edit::Erase(path) => {
+            erase(tables, path);
+            Ok(())
+        }
         Edit::Remark(_) => Ok(()),
     }
-}
-
-/// Puts a value behind a key, which may be new; `None` where its table is missing.
-fn set(tables: &mut Table, path: &str, entry: &Entry) -> Option<()> {
-    let new = || {
-        let (above, key) = path.rsplit_once('.').unwrap_or(("", path));
-        if key.is_empty() || key.contains(['[', ']']) {
-            return None;
-        }
-        let mut steps = if above.is_empty() { Vec::new() } else { way(tables, above, true)? };
-        steps.push((key.to_string(), None));
-        Some(steps)
-    };
-    let steps = way(tables, path, false).or_else(new)?;
-    let ((key, _), above) = steps.split_last()?;
-    let mut table: &mut dyn TableLike = tables;
-    for (key, entry) in above {
-        table = entry_of_mut(table.get_mut(key)?, *entry)?;
-    }
-    let mut value = Value::from(entry);
-    match table.get_mut(key) {
-        Some(item) => {
-            if let Some(old) = item.as_value() {
-                value.decor_mut().clone_from(old.decor());
-            }
-            *item = Item::Value(value);
-        }
-        None => drop(table.insert(key, Item::Value(value))),
-    }
-    Some(())
 }

@@ -125,7 +125,23 @@ impl Answer for CorrectionAnswer<'_> {
 
     /// `correction.csv` and `correction.json`; of a process with programs `contour.ngc` and the user's own.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
-        let Self(model, found, programmed) = *self;
+        self.stage_changes(files)?;
+        if let Some((work, common)) = self.0.system.program().zip(self.1.common.as_ref()) {
+            let about = format!("{}: corrected finishing contour", self.0.source.name);
+            let places = &self.1.command.places()[..common.contour.len()];
+            files.text("contour.ngc", &gcode::contour(&work, (places, &common.contour), &about))?;
+        }
+        if let Some(own) = self.2 {
+            files.bytes(&*own.name, &own.corrected.bytes)?;
+        }
+        files.text("correction.json", &document(self))
+    }
+}
+
+impl CorrectionAnswer<'_> {
+    /// `correction.csv`.
+    pub(super) fn stage_changes(&self, files: &mut Staged) -> Result<(), OutputError> {
+        let Self(model, found, _) = *self;
         let coordinates = model.process.coordinates();
         let of = |column: usize| Cells::coordinate(&coordinates[column], &found.rows.columns[column]);
         let change = Cells::quantities(found.commanded.key, MICRO, found.command.changes());
@@ -134,20 +150,9 @@ impl Answer for CorrectionAnswer<'_> {
         let low = Cells::quantities("left_from", MICRO, &end(0));
         let high = Cells::quantities("left_to", MICRO, &end(1));
         let columns = shown(found).map(of).chain([change, left, low, high]).collect();
-        files.text("correction.csv", &csv::table(&Sheet { columns }))?;
-        if let Some((work, common)) = model.system.program().zip(found.common.as_ref()) {
-            let about = format!("{}: corrected finishing contour", model.source.name);
-            let places = &found.command.places()[..common.contour.len()];
-            files.text("contour.ngc", &gcode::contour(&work, (places, &common.contour), &about))?;
-        }
-        if let Some(own) = programmed {
-            files.bytes(&*own.name, &own.corrected.bytes)?;
-        }
-        files.text("correction.json", &document(self))
+        files.text("correction.csv", &csv::table(&Sheet { columns }))
     }
-}
 
-impl CorrectionAnswer<'_> {
     /// What is left of the errors by each way of correcting them.
     fn errors(&self) -> Block {
         let Self(model, found, programmed) = *self;

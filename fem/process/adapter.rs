@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
-    Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Misplaced, Observable, Places, Positioning,
-    Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
+    Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Making, Misplaced, NoLaw, Observable, Places,
+    Positioning, Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -118,6 +118,14 @@ impl<D: Definition> System for Ready<D> {
 
     fn characteristics(&self, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {
         D::characteristics(&self.setup, rows, values)
+    }
+
+    fn making(&self) -> Option<Making> {
+        D::making(&self.setup)
+    }
+
+    fn no_law(&self, path: &str) -> Option<NoLaw> {
+        D::no_law(&self.setup, path)
     }
 
     fn reach(&self, coordinate: &str) -> Option<(f64, f64)> {

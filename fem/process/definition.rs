@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::{
     Active, Advice, Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded,
-    Coordinate, DatumDirection, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport,
-    Spot, UnitRole,
+    Coordinate, DatumDirection, Failure, Making, Misplaced, NoLaw, Observable, Places, Positioning, Requirement, Rows,
+    RunReport, Spot, UnitRole,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -116,6 +116,16 @@ pub trait Definition: Sync + Sized + 'static {
     /// The machine cannot be computed.
     fn advice(_machine: &Self::Machine, _rows: &Rows, _values: &[f64]) -> Result<Vec<Advice>, Failure> {
         Ok(Vec::new())
+    }
+
+    /// How long its parts take, where it knows.
+    fn making(_setup: &Self::Setup) -> Option<Making> {
+        None
+    }
+
+    /// Why it cannot say what a change of a quantity does, by its path. As a rule it can, or nothing changes.
+    fn no_law(_setup: &Self::Setup, _path: &str) -> Option<NoLaw> {
+        None
     }
 
     /// Contradiction between the written values of an effect and the tables, if any: a model that says one thing twice,

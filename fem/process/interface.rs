@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
-    Description, Failure, Misplaced, Observable, Places, Positioning, Requirement, Rows, RunReport, Spot, UnitRole,
+    Description, Failure, Making, Misplaced, NoLaw, Observable, Places, Positioning, Requirement, Rows, RunReport,
+    Spot, UnitRole,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -96,6 +97,16 @@ pub trait System: Send + Sync {
 
     /// What rows show of each part of that, given the observable of every row, SI.
     fn characteristics(&self, rows: &Rows, values: &[f64]) -> Vec<Characteristic>;
+
+    /// How long its parts take, where it knows.
+    fn making(&self) -> Option<Making> {
+        None
+    }
+
+    /// Why it cannot say what a change of a quantity does, by its path.
+    fn no_law(&self, _path: &str) -> Option<NoLaw> {
+        None
+    }
 
     /// Where along a coordinate a cause may stand though no row is measured there: on the body, where its
     /// warmth is felt. `None` where a cause shows only where it is measured.

@@ -20,6 +20,7 @@ mod figure;
 pub mod formula_effect;
 mod grid;
 mod interface;
+mod making;
 mod nut;
 mod observation;
 mod polyline;
@@ -52,6 +53,7 @@ pub use figure::{Datum, Figure, extremes, first_extreme, range, spread};
 pub use formula_effect::{FormulaLaw, Meaning};
 pub use grid::{Cell, Field, Grid};
 pub use interface::{ForwardModel, Process, System};
+pub use making::{Making, NoLaw};
 pub use nut::Nut;
 pub use observation::{
     Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,

@@ -26,6 +26,7 @@ pub use in_order::in_order;
 pub use indices::{Index, Indices};
 pub use layout::{Layout, Nature, ResultColumn, Shard};
 pub use plan::{Offered, StudyPlan, Task, Wanted};
+pub(crate) use quantity::no_quantity;
 pub use read::schema;
 pub use summary::{Cell, Extreme, Found, Numbers, Row, Summary, Summing};
 

@@ -33,6 +33,7 @@ mod passes;
 mod program;
 mod recorded;
 mod records;
+mod remedies;
 mod report;
 mod ring;
 mod set;

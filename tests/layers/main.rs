@@ -36,6 +36,7 @@ const LAYERS: &[&str] = &[
     "correct",
     "next",
     "study",
+    "remedy",
     "validation",
     "output",
     "ask",

@@ -2,6 +2,7 @@
 
 use super::schedule::Pass;
 use crate::input::{Along, Reader, Varying};
+use crate::process::NoLaw;
 use crate::process::estimates::CUTTING_FORCE;
 use crate::units::{FEED, FORCE, LENGTH, NUMBER, SPINDLE_SPEED};
 
@@ -89,6 +90,17 @@ impl Cut {
             (Self { depth, force }, Pass { from, to, feed, spindle_speed: speed })
         })
     }
+}
+
+/// Why nobody can say what another depth or feed does: where the force is given, it is that of the depth and the feed that
+/// stand there.
+pub fn no_law(cut: &Cut, path: &str) -> Option<NoLaw> {
+    let is_of_pass = path.starts_with("pass[") && (path.ends_with("].depth") || path.ends_with("].feed"));
+    let is_one = matches!(path, "cut.depth" | "cut.feed") || is_of_pass;
+    (is_one && matches!(cut.force, Force::Given(_))).then_some(NoLaw {
+        reason: "`radial_force` stays what it is, whatever depth and feed are",
+        help: "write force = { C = 1250.0, x = 0.9, y = 0.75 } in [cut], with the values of your material, instead of it",
+    })
 }
 
 /// Reads the force of a cut over a stretch of the shaft, m.

@@ -37,8 +37,8 @@ use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::process::{
     Active, Advice, Answers, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction,
-    Coordinate, Definition, Failure, Forward, Limit, Misplaced, Observable, Places, RADIUS_CHANGE, Requirement, Rows,
-    RunReport,
+    Coordinate, Definition, Failure, Forward, Limit, Making, Misplaced, NoLaw, Observable, Places, RADIUS_CHANGE,
+    Requirement, Rows, RunReport,
 };
 use crate::progress::Progress;
 
@@ -125,6 +125,14 @@ impl Definition for Turning {
 
     fn program(setup: &Setup) -> Option<Workpiece> {
         Some(setup.programs.workpiece(&setup.segments, setup.schedule.pass, setup.cut.depth))
+    }
+
+    fn making(setup: &Setup) -> Option<Making> {
+        Some(setup.making())
+    }
+
+    fn no_law(setup: &Setup, path: &str) -> Option<NoLaw> {
+        cut::no_law(&setup.cut, path)
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {

@@ -87,6 +87,12 @@ impl Schedule {
         known + number.saturating_sub(last) as f64 * self.cycle_time
     }
 
+    /// How long the batch takes with all pauses, s.
+    pub fn duration(&self) -> f64 {
+        let pauses: f64 = self.events.pauses.iter().map(|pause| pause.duration).sum();
+        self.parts as f64 * self.cycle_time + pauses
+    }
+
     /// When the tool is at `x` on `part`, s since the start of the batch.
     pub fn time(&self, part: usize, x: f64) -> f64 {
         self.start(part) + (x - self.pass.from).abs() / self.pass.speed()

@@ -13,7 +13,7 @@ use super::tolerance::Tolerance;
 use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
 use crate::material::Material;
-use crate::process::{Segment, estimates};
+use crate::process::{Making, Segment, estimates};
 use crate::solve::{Hold, Rest, Shaft};
 use crate::units::{LENGTH, STIFFNESS};
 
@@ -167,6 +167,13 @@ impl Setup {
             beam,
             heated: model.kept(),
         }
+    }
+
+    /// How long the batch takes.
+    pub fn making(&self) -> Making {
+        let Schedule { pass, .. } = &self.schedule;
+        let earlier: f64 = self.passes.iter().map(|own| own.duration((pass.to - pass.from).abs())).sum();
+        Making { whole: self.schedule.duration(), part: earlier + pass.duration(), cycle: "batch.cycle_time" }
     }
 
     /// Length of the shaft, m.
