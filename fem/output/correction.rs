@@ -127,8 +127,8 @@ impl Answer for CorrectionAnswer<'_> {
             "left": left.collect::<Vec<_>>(),
             "unreached": found.unreached,
             "offsets": offsets(&found.offsets),
-            "contour": contour.map(|(x, change)| json!({ along: x, key: change })).collect::<Vec<_>>(),
-            "contour_offsets": offsets(&found.common.offsets),
+            "common_contour": contour.map(|(x, change)| json!({ along: x, key: change })).collect::<Vec<_>>(),
+            "common_offsets": offsets(&found.common.offsets),
             "program": programmed.map(|own| program::json(own, key, offsets)),
             "rms": {
                 "before": rms(&found.before),
