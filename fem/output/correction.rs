@@ -103,8 +103,8 @@ impl Answer for CorrectionAnswer<'_> {
             "unreached": found.unreached,
             "between": finite(found.between),
             "offsets": offsets(&found.offsets),
-            "contour": found.common.as_ref().map(|common| changed(&of_one, &common.contour)),
-            "contour_offsets": found.common.as_ref().map(|common| offsets(&common.offsets)),
+            "common_contour": found.common.as_ref().map(|common| changed(&of_one, &common.contour)),
+            "common_offsets": found.common.as_ref().map(|common| offsets(&common.offsets)),
             "program": programmed.map(|own| program::json(own, key, offsets)),
             "rms": {
                 "before": rms(&found.before),

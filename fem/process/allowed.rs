@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use super::observation::Rows;
 use super::{Characteristic, Requirement, range};
 use crate::input::Reader;
 use crate::tolerance::Limits;
@@ -65,14 +64,13 @@ impl Allowed {
     /// row of what is asked.
     pub fn characteristics(
         &self,
-        rows: &Rows,
         values: &[f64],
         part: impl Fn(usize) -> Option<Option<usize>>,
     ) -> Vec<Characteristic> {
         let mut parts: BTreeMap<Option<usize>, Vec<f64>> = BTreeMap::new();
-        for row in 0..rows.len() {
+        for (row, value) in values.iter().enumerate() {
             if let Some(part) = part(row) {
-                parts.entry(part).or_default().push(values[row]);
+                parts.entry(part).or_default().push(*value);
             }
         }
         let of = |(part, own): (Option<usize>, Vec<f64>)| {

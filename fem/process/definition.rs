@@ -107,7 +107,7 @@ pub trait Definition: Sync + Sized + 'static {
         let numbered = Self::IN_ORDER.and_then(|name| Self::COORDINATES.iter().position(|own| own.name == name));
         let number = |row: usize| Some(rows.get(numbered?, row)? as usize);
         let part = |row: usize| (rows.observable[row] == 0).then(|| number(row));
-        Self::allowed(setup).map(|(allowed, _)| allowed.characteristics(rows, values, part)).unwrap_or_default()
+        Self::allowed(setup).map(|(allowed, _)| allowed.characteristics(values, part)).unwrap_or_default()
     }
 
     /// What to do beside the command, given the observable of rows of the commanded kind, SI.

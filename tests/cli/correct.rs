@@ -85,11 +85,45 @@ fn a_correction_brings_every_part_to_the_middle_of_its_limits() {
 fn what_cannot_be_corrected_is_said() {
     let place = Place::new();
     place.write("open.toml", SHAFT.replace("40 +- 4", "?"));
-    place.write("ring.toml", model("ring.toml"));
+    place.write("cam.toml", model("cam.toml"));
     let open = place.fem(&["correct", "open.toml"]);
     assert!(open.status == 2 && open.err.contains("is unknown (`?`)") && open.err.contains("fem fit"), "{}", open.err);
-    let ring = place.fem(&["correct", "ring.toml"]);
-    assert!(ring.status == 2 && ring.err.contains("corrections are known of turned contours"), "{}", ring.err);
+    let cam = place.fem(&["correct", "cam.toml"]);
+    assert!(cam.status == 2 && cam.err.contains("it has no command that is corrected"), "{}", cam.err);
+}
+
+/// What a process knows to do beside the command.
+#[test]
+fn what_to_do_beside_the_command_is_said() {
+    let place = Place::new();
+    let ring = model("ring.toml").replace("jaws = 3\n", "jaws = 3\nfriction = 0.15\n");
+    place.write("ring.toml", ring.replace("force_per_depth", "cutting_force = \"300 N\"\nforce_per_depth"));
+    let thermal = model("thermal.toml").replace("[[source]]", "[tolerance]\nlength = \"±8 um\"\n[[source]]");
+    place.write("thermal.toml", thermal.replace("[[\"0 min\", \"90 min\"]]", "[[\"0 min\", \"180 min\"]]"));
+    place.write("axis.toml", model("axis.toml"));
+    place.write("contour.toml", model("contour.toml"));
+    place.write("shaft.toml", SHAFT.replace("30 mm", "60 mm"));
+    for (name, said) in [
+        ("ring", "still hold the cut with a margin of 2.0, not 3000 N"),
+        ("thermal", "before the size is set"),
+        ("axis", "reversal compensation of"),
+        ("contour", "the contour is within what is allowed"),
+        ("shaft", "move the tailstock by"),
+    ] {
+        let found = parsed(&place.fem(&["correct", &format!("{name}.toml"), "--json"]).out);
+        let actions = found["actions"].as_array().unwrap();
+        assert!(actions.iter().any(|own| own["text"].as_str().unwrap().contains(said)), "{name}: {actions:?}");
+    }
+    // n·mu·F·Ro = S·Fc·Ri at the speed of the cut: 2·300 N·42 mm/(3·0.15·50 mm), and what turning takes off the jaws.
+    let found = parsed(&place.fem(&["correct", "ring.toml", "--json"]).out);
+    let speed = 400.0 * std::f64::consts::TAU / 60.0;
+    let least = 2.0 * 300.0 * 42.0 / (3.0 * 0.15 * 50.0) + 0.06 * speed * speed;
+    let to = found["actions"][0]["to"].as_f64().unwrap();
+    assert!((to / least - 1.0).abs() < 1e-9, "{to} {least}");
+    // The growth of a rod that is heated on and on settles: half of what is left after a time is left after some more.
+    let found = parsed(&place.fem(&["correct", "thermal.toml", "--json"]).out);
+    let minutes = found["actions"][0]["minutes"].as_f64().unwrap();
+    assert!((20.0..180.0).contains(&minutes), "{minutes}");
 }
 
 /// Two springs of which the measurements know the sum: together they say what will be made, each for itself they do not.

@@ -33,14 +33,14 @@ fn the_program_of_the_page_is_written_as_the_page_says() {
     );
     assert!(program["left"]["worst"].as_f64().unwrap() < 1.3e-6 && program["could_add_blocks"] == false);
     // Places of the contour are those of the correction; offsets beside it add up to nothing.
-    let (contour, all) = (found["contour"].as_array().unwrap(), found["correction"].as_array().unwrap());
+    let (contour, all) = (found["common_contour"].as_array().unwrap(), found["correction"].as_array().unwrap());
     assert_eq!(8 * contour.len(), all.len());
     let mean = |x: &Json| {
         let own = all.iter().filter(|own| own["x"] == *x).map(|own| own["radius_change"].as_f64().unwrap());
         own.sum::<f64>() / 8.0
     };
     assert!(contour.iter().all(|own| (own["radius_change"].as_f64().unwrap() - mean(&own["x"])).abs() < 1e-12));
-    let offsets = found["contour_offsets"].as_array().unwrap();
+    let offsets = found["common_offsets"].as_array().unwrap();
     let sum: f64 = offsets.iter().map(|own| own["radius_change"].as_f64().unwrap()).sum();
     assert!(offsets.len() == 8 && sum.abs() < 1e-12, "{sum}");
     let rms = |key: &str| found["rms"][key].as_f64().unwrap();

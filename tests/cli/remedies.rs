@@ -103,7 +103,6 @@ fn the_jaw_force_that_makes_up_for_another_cause_is_found() {
     let found = parsed(&place.fem(&["correct", "lobed.toml", "--remedies", "--json"]));
     let action = &found["actions"][0];
     assert!((value(&action["to"]) / 1800.0 - 1.0).abs() < 0.01, "{action}");
-    assert_eq!(found["correction"], serde_json::json!([]));
 }
 
 /// Counts, words, what is written, and what makes no model or changes nothing.
@@ -210,7 +209,9 @@ to = "400 N/um"
     let found = parsed(&place.fem(&["correct", "shaft.toml", "--remedies", "--json", "-o", "out"]));
     let now = &found["now"];
     assert!(number(&now["tolerance_used_95"]) > number(&now["tolerance_used"]), "{now}");
-    for own in found["actions"].as_array().unwrap().iter().chain([now]) {
+    // What a process knows to do beside its settings has no such numbers.
+    let judged = found["actions"].as_array().unwrap().iter().filter(|own| !own["tolerance_used_95"].is_null());
+    for own in judged.chain([now]) {
         let (surely, probability) = (number(&own["tolerance_used_95"]), number(&own["probability_in"]));
         assert!(surely > 1.0 || probability > 0.9, "{own}");
         assert!(surely < 1.0 || probability < 0.99, "{own}");

@@ -5,6 +5,7 @@
 //! by whatever the slide's friction asks of it [seed 000, fig. 2].
 
 mod advice;
+mod allowed;
 mod controller;
 mod drag;
 mod effects;
@@ -72,7 +73,7 @@ impl Definition for Axis {
     }
 
     fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
-        Some((&setup.allowed, &rows::ALLOWED))
+        Some((&setup.allowed, &allowed::ALLOWED))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -3,21 +3,12 @@
 use super::setup::Setup;
 use crate::positioning::{Approach, Direction, Steps, Table, Tolerance};
 use crate::process::{
-    Absent, AllowedWords, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows,
-    Values,
+    Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values,
 };
 use crate::units::{FORCE, LENGTH, MICRO, TIME};
 
 /// Actual less commanded position.
 pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the position", MICRO)];
-
-/// What a drawing allows it.
-pub const ALLOWED: AllowedWords = AllowedWords {
-    within: "position",
-    about: "limits of the deviation at every target: ±10 um",
-    form: None,
-    kind: MICRO,
-};
 
 /// Positions in [`COORDINATES`]: the commanded position.
 pub const POSITION: usize = 0;

@@ -1,8 +1,8 @@
 //! The tables of an axis model.
 
+use super::allowed::ALLOWED;
 use super::controller::Controller;
 use super::drag::Drag;
-use super::rows::ALLOWED;
 use crate::element::Round;
 use crate::input::{Along, Reader, Varying};
 use crate::material::Material;

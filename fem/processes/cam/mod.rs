@@ -7,6 +7,7 @@
 //! polar angle of the profile's point, counter-clockwise from +x. The wheel goes along the profile in the
 //! order in which it is drawn.
 
+mod allowed;
 mod before;
 pub(crate) mod cartesian;
 mod course;
@@ -60,7 +61,7 @@ impl Definition for CamGrinding {
     }
 
     fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
-        Some((&setup.allowed, &rows::ALLOWED))
+        Some((&setup.allowed, &allowed::ALLOWED))
     }
 
     fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

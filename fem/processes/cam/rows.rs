@@ -2,21 +2,11 @@
 
 use super::program::Pass;
 use super::setup::Setup;
-use crate::process::{
-    Absent, AllowedWords, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values,
-};
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
 use crate::units::{ANGLE, MICRO, SPINDLE_SPEED};
 
 /// The deviation along the normal of the profile, positive outwards.
 pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the cam", MICRO)];
-
-/// What a drawing allows it.
-pub const ALLOWED: AllowedWords = AllowedWords {
-    within: "deviation",
-    about: "limits of the deviation from the profile: ±10 um",
-    form: None,
-    kind: MICRO,
-};
 
 /// Positions in [`COORDINATES`]: the polar angle of the point.
 pub const ANGLE_OF_ROW: usize = 0;

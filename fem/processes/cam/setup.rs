@@ -1,11 +1,11 @@
 //! The tables of a cam model.
 
+use super::allowed::ALLOWED;
 use super::before::Before;
 use super::division::{Division, Speed};
 use super::guide::wheel_rate;
 use super::profile::{self, Drawn, Profile, Segment, turn};
 use super::program::Program;
-use super::rows::ALLOWED;
 use crate::input::Reader;
 use crate::process::estimates::CUTTING_FORCE;
 use crate::process::{Allowed, Spot};

@@ -1,15 +1,10 @@
 //! What the axes make of a corrected path: what is added to it goes through their servos as the path itself does, and the slides
 //! are dragged along, wherever their drives turn round now.
 
-use std::f64::consts::TAU;
-
-use super::forward::Lap;
-use super::machine::Machine;
-use super::path::Point;
-use crate::process::Command;
+use super::play::Play;
 
 /// Steps of a lap, and laps until one is as the one before: once round takes a play up wherever it is taken up at all.
-const STEPS: usize = 7200;
+pub const STEPS: usize = 7200;
 const LAPS: usize = 2;
 
 /// Where the slides stand over a lap, in the steady state, from where their drives stand on the path as it was.
@@ -23,34 +18,31 @@ pub struct Followed {
 }
 
 impl Followed {
-    /// That of a command on a lap.
-    pub fn new(machine: &Machine, lap: &Lap, command: &Command) -> Self {
-        let angle = |point: &Point| point.at[1].atan2(point.at[0]).rem_euclid(TAU);
-        let one = |i: usize| {
-            let point = machine.setup.path.at(TAU * i as f64 / STEPS as f64);
-            let change = command.at(angle(&point), &[lap.apart()]);
-            (lap.time(&point), point.outward.map(|outward| change * outward))
-        };
-        let mut commanded: Vec<(f64, [f64; 2])> = (0..STEPS).map(one).collect();
-        commanded.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let period = lap.axes[0].motion.period();
-        let times: Vec<f64> = commanded.iter().map(|(time, _)| *time).collect();
+    /// That of what is added to the command of both axes (m) at times within a lap (s, rising), of drives with these gains (1/s) and
+    /// plays, without it at a place on the `path` (m), and `late` by so much (m).
+    pub fn new(
+        commanded: &[(f64, [f64; 2])],
+        period: f64,
+        axes: [(f64, &Play); 2],
+        path: impl Fn(usize, f64) -> f64,
+        late: impl Fn(usize, f64) -> f64,
+    ) -> Self {
         let off = [0, 1].map(|axis| {
-            let added = behind(&commanded, period, machine.gains[axis], axis);
-            let base = |i: usize| lap.axes[axis].motion.position(times[i]);
-            let mut slide = base(0);
+            let (gain, play) = axes[axis];
+            let added = behind(commanded, period, gain, axis);
+            let mut slide = commanded.first().map_or(0.0, |(time, _)| path(axis, *time));
             let mut off = Vec::new();
             for _ in 0..LAPS {
                 off.clear();
-                for (i, added) in added.iter().enumerate() {
-                    let drive = base(i) - lap.further_lag(axis, times[i]) + added;
-                    slide = machine.plays[axis].carry(slide, drive);
-                    off.push(slide - base(i));
+                for ((time, _), added) in commanded.iter().zip(&added) {
+                    let stands = path(axis, *time);
+                    slide = play.carry(slide, stands - late(axis, *time) + added);
+                    off.push(slide - stands);
                 }
             }
             off
         });
-        Self { times, off, period }
+        Self { times: commanded.iter().map(|(time, _)| *time).collect(), off, period }
     }
 
     /// How far the slides are off at a time within the lap, m.

@@ -3,13 +3,13 @@
 
 use std::f64::consts::TAU;
 
-use super::followed::Followed;
+use super::followed::{Followed, STEPS};
 use super::machine::{Cyclic, Machine, Spike};
 use super::motion::{Motion, Turn};
 use super::path::{AXES, Direction, Path, Point, dot};
 use super::play::Play;
 use super::rows::{ANGLE_OF_ROW, way};
-use crate::process::{Failure, Rows};
+use crate::process::{Command, Failure, Rows};
 
 /// The deviation of every row, m.
 ///
@@ -130,13 +130,29 @@ impl<'m> Lap<'m> {
         let motion = |axis| Motion::of(&machine.setup.path, axis, machine.gains[axis], feed, direction);
         let axes = [0, 1].map(|axis| Axis::new(motion(axis), machine.plays[axis].clone()));
         let mut lap = Self { machine, direction, feed, axes, followed: None };
-        lap.followed = machine.command.as_ref().map(|command| Followed::new(machine, &lap, command));
+        lap.followed = machine.command.as_ref().map(|command| lap.following(command));
         lap
     }
 
-    /// What sets its contour apart in a command.
-    pub fn apart(&self) -> f64 {
-        f64::from(self.direction as u8)
+    /// Where the slides go by a corrected path.
+    fn following(&self, command: &Command) -> Followed {
+        let apart = [f64::from(self.direction as u8)];
+        let one = |i: usize| {
+            let angle = TAU * i as f64 / STEPS as f64;
+            let point = self.machine.setup.path.at(angle);
+            let change = command.at(angle, &apart);
+            (self.time(&point), point.outward.map(|outward| change * outward))
+        };
+        let mut commanded: Vec<(f64, [f64; 2])> = (0..STEPS).map(one).collect();
+        commanded.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let Machine { gains, plays, .. } = self.machine;
+        Followed::new(
+            &commanded,
+            self.axes[0].motion.period(),
+            [0, 1].map(|axis| (gains[axis], &plays[axis])),
+            |axis, time| self.axes[axis].motion.position(time),
+            |axis, time| self.further_lag(axis, time),
+        )
     }
 
     /// s within the lap at which a point is commanded.
@@ -180,7 +196,7 @@ impl<'m> Lap<'m> {
     }
 
     /// Lag of an axis whose gain follows its speed, beyond that at a gain which does not, m.
-    pub fn further_lag(&self, axis: usize, time: f64) -> f64 {
+    fn further_lag(&self, axis: usize, time: f64) -> f64 {
         let machine = self.machine;
         if machine.gain_changes[axis] == 0.0 {
             return 0.0;

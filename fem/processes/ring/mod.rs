@@ -5,6 +5,7 @@
 //! Clamped and not yet bored it is +u_r. Errors of the cut itself add to the released bore.
 
 mod advice;
+mod allowed;
 pub(crate) mod circle;
 mod drawn;
 mod effects;
@@ -74,7 +75,7 @@ impl Definition for Ring {
     }
 
     fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
-        Some((&setup.allowed, &rows::ALLOWED))
+        Some((&setup.allowed, &allowed::ALLOWED))
     }
 
     fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

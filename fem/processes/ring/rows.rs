@@ -6,21 +6,12 @@ use std::collections::HashMap;
 use super::circle::{self, evenly};
 use super::setup::{Reference, Setup};
 use crate::process::{
-    Absent, AllowedWords, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
-    Values,
+    Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows, Values,
 };
 use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
 
 /// The radial deviation of the bore, positive outwards.
 pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the bore", MICRO)];
-
-/// What a drawing allows it.
-pub const ALLOWED: AllowedWords = AllowedWords {
-    within: "radius",
-    about: "limits of the radial deviation: ±10 um, 0 um to 20 um",
-    form: Some(("roundness", "largest less smallest radius of the bore")),
-    kind: MICRO,
-};
 
 /// Positions in [`COORDINATES`]: the angle from jaw 1.
 pub const ANGLE_OF_ROW: usize = 0;

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use super::allowed::ALLOWED;
 use super::circle::evenly;
 use super::drawn::{Drawn, Held};
 use super::response::{MeshSize, Proportions, Response};
-use super::rows::ALLOWED;
 use crate::input::{Cache, Reader};
 use crate::material::Material;
 use crate::mesh::Mesh;

@@ -3,6 +3,7 @@
 //! The ideal one is a spring, y = F/k. Clearance, contact, friction and preload bend its curve, and where
 //! loading and unloading part, the area between them is the work of friction [seed 000, fig. 5].
 
+mod allowed;
 pub(crate) mod curve;
 mod effects;
 mod forward;
@@ -47,7 +48,7 @@ impl Definition for Stiffness {
     }
 
     fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
-        Some((&setup.allowed, &rows::ALLOWED))
+        Some((&setup.allowed, &allowed::ALLOWED))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -2,21 +2,11 @@
 
 use super::curve::Branch;
 use super::setup::{Loading, Setup};
-use crate::process::{
-    Absent, AllowedWords, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Rows, Values,
-};
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Rows, Values};
 use crate::units::{FORCE, MICRO};
 
 /// The displacement by which the joint gives way.
 pub const OBSERVABLES: &[Observable] = &[Observable::new("displacement", "the displacement", MICRO)];
-
-/// What a drawing allows it.
-pub const ALLOWED: AllowedWords = AllowedWords {
-    within: "displacement",
-    about: "limits of the displacement at every force: ±10 um",
-    form: None,
-    kind: MICRO,
-};
 
 /// Positions in [`COORDINATES`]: the force.
 pub const FORCE_OF_ROW: usize = 0;

@@ -1,6 +1,6 @@
 //! The tables of a stiffness model.
 
-use super::rows::ALLOWED;
+use super::allowed::ALLOWED;
 use crate::input::Reader;
 use crate::process::{Allowed, estimates};
 use crate::units::{FORCE, STIFFNESS};

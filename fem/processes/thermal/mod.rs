@@ -8,6 +8,7 @@
 //! may be records.
 
 mod advice;
+mod allowed;
 mod body;
 pub(crate) mod boundary;
 mod effects;
@@ -77,7 +78,7 @@ impl Definition for Thermal {
     }
 
     fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
-        Some((&setup.allowed, &rows::ALLOWED))
+        Some((&setup.allowed, &allowed::ALLOWED))
     }
 
     fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -1,9 +1,7 @@
 //! Measurements of a heated body: how far its end has moved, and temperatures at places, over time.
 
 use super::setup::Setup;
-use crate::process::{
-    Absent, AllowedWords, CandidateExperiment, Coordinate, Holds, Limit, Misplaced, Observable, Rows, Values,
-};
+use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Limit, Misplaced, Observable, Rows, Values};
 use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
 
 /// Growth first, for it is what a workpiece feels.
@@ -11,10 +9,6 @@ pub const OBSERVABLES: &[Observable] = &[
     Observable::new("elongation", "the elongation", MICRO),
     Observable::new("temperature", "temperatures", TEMPERATURE),
 ];
-
-/// What a drawing allows it.
-pub const ALLOWED: AllowedWords =
-    AllowedWords { within: "length", about: "limits of the growth: ±10 um, 0 um to 20 um", form: None, kind: MICRO };
 
 /// Positions in [`OBSERVABLES`].
 pub const ELONGATION: usize = 0;

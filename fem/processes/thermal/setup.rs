@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use super::allowed::ALLOWED;
 use super::body::{Body, MOST_CELLS};
 use super::boundary::{self, Boundary, refuse_impossible};
-use super::rows::ALLOWED;
 use super::source;
 use super::steps::Steps;
 use crate::input::{Along, Reader};
