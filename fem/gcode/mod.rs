@@ -1,9 +1,9 @@
 //! Programs of numerically controlled machines (ISO 6983-1, RS-274/NGC) as text and numbers: what the finishing pass of one
 //! commands, and the same program with other words across the part. Everything else in it stays as it is, to the byte.
 //!
-//! [`words`] finds letters and numbers with their bytes, [`codes`] says what they order, [`interpret`] follows them as a control
-//! does. What is not understood is refused where it stands. [`surface`] and [`plan`] find the blocks that finish the part, [`fit`]
-//! the values of their words, [`write`] puts them in. SI units; radii across, places along the part.
+//! `words` finds letters and numbers with their bytes, `codes` says what they order, `interpret` follows them as a control
+//! does. What is not understood is refused where it stands. `surface` and `plan` find the blocks that finish the part, `fit`
+//! the values of their words, `write` puts them in. SI units; radii across, places along the part.
 
 mod arc;
 mod codes;
