@@ -30,6 +30,8 @@ pub struct Commanded {
     pub answers: Answers,
     /// Length after which a contour comes back to where it began, if it does.
     pub period: Option<f64>,
+    /// What a machine must be able to do that not every one can, as a sentence.
+    pub takes: Option<&'static str>,
 }
 
 /// To what of a command a row answers.

@@ -51,6 +51,7 @@ impl Definition for Axis {
         gain: 1.0,
         answers: Answers::Here,
         period: None,
+        takes: Some("a table for each run takes a control that follows time or temperature; one table takes none"),
     });
     const IN_ORDER: Option<&'static str> = Some("run");
     const CARRIED_OVER: &'static [(&'static str, &'static str)] =

@@ -54,6 +54,7 @@ impl Definition for Contour {
         gain: 1.0,
         answers: Answers::Along,
         period: Some(std::f64::consts::TAU),
+        takes: None,
     });
 
     fn read(model: &Reader) -> Option<Setup> {

@@ -55,6 +55,9 @@ impl Definition for Ring {
         gain: 1.0,
         answers: Answers::Here,
         period: Some(std::f64::consts::TAU),
+        takes: Some(
+            "a bore cut out of round takes a tool that follows the angle; where there is none, the force of the jaws can be changed",
+        ),
     });
     const IN_ORDER: Option<&'static str> = Some("run");
 

@@ -59,6 +59,7 @@ impl Definition for Thermal {
         gain: 1.0,
         answers: Answers::Here,
         period: None,
+        takes: Some("a length that follows time takes a control that compensates over time or temperature"),
     });
 
     fn read(model: &Reader) -> Option<Setup> {

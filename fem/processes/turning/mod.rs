@@ -77,6 +77,7 @@ impl Definition for Turning {
         gain: 2.0,
         answers: Answers::Here,
         period: None,
+        takes: None,
     });
 
     fn read(model: &Reader) -> Option<Setup> {
