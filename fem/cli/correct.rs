@@ -9,7 +9,7 @@ use super::watch::watched;
 use crate::ask::{correct, program, programmed, remedies};
 use crate::model::Model;
 use crate::output::files::Guard;
-use crate::output::{CorrectionAnswer, Folder, RemedyAnswer};
+use crate::output::{Answer, CorrectionAnswer, Folder, RemedyAnswer};
 use crate::progress::Progress;
 use crate::units::TIME;
 
@@ -23,15 +23,7 @@ pub fn run(args: &args::Correct) -> Result<(), Error> {
     let found = watched(&progress, || correct(&model, &progress))?;
     let own = read.map(|read| programmed(&model, &found, &read, args.add_blocks)).transpose()?;
     let answer = CorrectionAnswer(&model, &found, own.as_ref());
-    let mut written = String::new();
-    if let Some(directory) = &args.output {
-        let mut reads = model.paths();
-        reads.extend(args.program.clone());
-        let guard = Guard { reads: &reads, force: args.force };
-        written = Folder { directory, guard }.write("correct", &answer, &progress)?;
-    }
-    let list = if args.json { "" } else { &written };
-    print(&(page(&answer, args.json) + list))
+    tell(args, &model, &answer, &progress)
 }
 
 /// What to change, beside what to command where the process has a command that is corrected.
@@ -42,12 +34,18 @@ fn remedied(args: &args::Correct, model: &Model, progress: &Arc<Progress>) -> Re
     let correction = is_corrected.then(|| watched(progress, || correct(model, progress))).transpose()?;
     let answer =
         RemedyAnswer { model, found: &found, correction: correction.as_ref(), directory: args.output.as_deref() };
+    tell(args, model, &answer, progress)
+}
+
+/// Writes an answer where it is wanted, and prints it.
+fn tell(args: &args::Correct, model: &Model, answer: &impl Answer, progress: &Progress) -> Result<(), Error> {
     let mut written = String::new();
     if let Some(directory) = &args.output {
-        let reads = model.paths();
+        let mut reads = model.paths();
+        reads.extend(args.program.clone());
         let guard = Guard { reads: &reads, force: args.force };
-        written = Folder { directory, guard }.write("correct", &answer, progress)?;
+        written = Folder { directory, guard }.write("correct", answer, progress)?;
     }
     let list = if args.json { "" } else { &written };
-    print(&(page(&answer, args.json) + list))
+    print(&(page(answer, args.json) + list))
 }

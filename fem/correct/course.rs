@@ -1,29 +1,9 @@
 //! The rows of a correction: every place of every contour, as the model's own programme has them.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::model::Model;
-use crate::process::{Absent, Command, Commanded, Rows, Values, on_lines};
-
-/// What sets a contour apart, in an order.
-#[derive(Clone, Debug, PartialEq)]
-struct Apart(Vec<f64>);
-
-impl Eq for Apart {}
-
-impl PartialOrd for Apart {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Apart {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        let order = std::cmp::Ordering::Equal;
-        self.0.iter().zip(&other.0).fold(order, |order, (a, b)| order.then(a.total_cmp(b)))
-    }
-}
+use crate::process::{Absent, Command, Commanded, Rows, Values, on_lines, order};
 
 /// Contours of a programme: what sets each apart, and its rows, rising along it.
 pub struct Programme {
@@ -35,23 +15,22 @@ impl Programme {
     /// That of a model.
     pub fn of(model: &Model, commanded: &Commanded) -> Self {
         let rows = model.system.programme();
-        let mut contours: BTreeMap<Apart, Vec<usize>> = BTreeMap::new();
         let along = &rows.columns[commanded.along];
         let is_own = |row: &usize| rows.observable[*row] == commanded.observable && along[*row].is_finite();
-        for row in (0..rows.len()).filter(is_own) {
-            let apart = commanded.apart().map(|column| rows.columns[column][row]).collect();
-            contours.entry(Apart(apart)).or_default().push(row);
-        }
-        let sorted = |(apart, mut own): (Apart, Vec<usize>)| {
-            own.sort_by(|a, b| along[*a].total_cmp(&along[*b]));
-            own.dedup_by(|a, b| along[*a] == along[*b]);
-            (apart.0, own)
+        let apart = |row: usize| commanded.apart().map(|column| rows.columns[column][row]).collect::<Vec<f64>>();
+        let mut all: Vec<(Vec<f64>, usize)> = (0..rows.len()).filter(is_own).map(|row| (apart(row), row)).collect();
+        all.sort_by(|(a, one), (b, other)| order(a, b).then(along[*one].total_cmp(&along[*other])));
+        let contour = |own: &[(Vec<f64>, usize)]| {
+            let mut rows: Vec<usize> = own.iter().map(|(_, row)| *row).collect();
+            rows.dedup_by(|a, b| along[*a] == along[*b]);
+            (own[0].0.clone(), rows)
         };
-        Self { contours: contours.into_iter().map(sorted).collect(), rows: rows.clone() }
+        let contours = all.chunk_by(|(a, _), (b, _)| order(a, b).is_eq()).map(contour).collect();
+        Self { contours, rows }
     }
 
     /// A command that changes nothing, at the programme's own places of every contour, or at `least` evenly spaced ones where
-    /// it has fewer; and whether all are the programme's own.
+    /// it has fewer.
     pub fn command(&self, commanded: &Commanded, least: usize) -> Command {
         let places = |own: &[usize]| -> Vec<f64> {
             let own: Vec<f64> = own.iter().map(|row| self.rows.columns[commanded.along][*row]).collect();

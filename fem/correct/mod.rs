@@ -19,6 +19,7 @@ pub use contour::{OneContour, Programmed};
 pub use course::Offset;
 use course::Programme;
 use solve::Solved;
+pub use solve::{NONE, Secants};
 
 /// Fewest places of a contour, and the most to which it is divided further.
 const LEAST_PLACES: usize = 51;

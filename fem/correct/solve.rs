@@ -11,11 +11,38 @@ const MOST_STEPS_ALONG: usize = 100;
 /// drives them on makes them swing.
 const LEAST_STEP: f64 = 0.9;
 /// Errors below this are none, m.
-const NONE: f64 = 1e-10;
+pub const NONE: f64 = 1e-10;
 /// Part of the largest error that is as good as none where rows do not answer to their own place alone.
 const GOOD: f64 = 1e-3;
 /// Range of what a change of the command does, in terms of what it does where nothing gives way.
 const ANSWERS: (f64, f64) = (0.05, 3.0);
+
+/// A secant in each of some values that answer to a change of their own alone.
+pub struct Secants {
+    gain: f64,
+    slopes: Vec<f64>,
+}
+
+impl Secants {
+    /// Those of so many values that answer by `gain` where nothing gives way.
+    pub fn new(count: usize, gain: f64) -> Self {
+        Self { gain, slopes: vec![gain; count] }
+    }
+
+    /// The changes that bring values to what is aimed at.
+    pub fn steps(&self, now: &[f64], aims: &[f64]) -> Vec<f64> {
+        now.iter().zip(aims).zip(&self.slopes).map(|((now, aim), slope)| (aim - now) / slope).collect()
+    }
+
+    /// Learns from what changes made of values.
+    pub fn learn(&mut self, steps: &[f64], was: &[f64], now: &[f64]) {
+        for (((slope, step), now), was) in self.slopes.iter_mut().zip(steps).zip(now).zip(was) {
+            if step.abs() > NONE {
+                *slope = ((now - was) / step / self.gain).clamp(ANSWERS.0, ANSWERS.1) * self.gain;
+            }
+        }
+    }
+}
 
 /// A command, and what is made with it.
 pub struct Solved {
@@ -41,29 +68,23 @@ pub fn solve(
     made: impl Fn(&Arc<Command>) -> Result<Vec<f64>, Failure>,
 ) -> Result<Solved, Failure> {
     let worst = |made: &[f64]| made.iter().zip(aims).fold(0.0f64, |worst, (made, aim)| worst.max((made - aim).abs()));
-    let gain = commanded.gain;
     let (steps, good) = match commanded.answers {
         Answers::Here => (MOST_STEPS, NONE),
         Answers::Along => (MOST_STEPS_ALONG, NONE.max(GOOD * worst(before))),
     };
-    let mut slopes = vec![gain; before.len()];
+    let mut secants = Secants::new(before.len(), commanded.gain);
     let mut command = Arc::new(nothing.clone());
     let mut left = before.to_vec();
     for _ in 0..steps {
         if worst(&left) < good {
             break;
         }
-        let steps: Vec<f64> =
-            left.iter().zip(aims).zip(&slopes).map(|((left, aim), slope)| (aim - left) / slope).collect();
+        let steps = secants.steps(&left, aims);
         let changes = command.changes().iter().zip(&steps).map(|(change, step)| change + step).collect();
         let next = Arc::new(command.with(changes));
         let now = made(&next)?;
         if commanded.answers == Answers::Here {
-            for (((slope, step), now), was) in slopes.iter_mut().zip(&steps).zip(&now).zip(&left) {
-                if step.abs() > NONE {
-                    *slope = ((now - was) / step / gain).clamp(ANSWERS.0, ANSWERS.1) * gain;
-                }
-            }
+            secants.learn(&steps, &left, &now);
         }
         let missing = |made: &[f64]| made.iter().zip(aims).map(|(made, aim)| (made - aim).powi(2)).sum::<f64>().sqrt();
         let is_last = commanded.answers == Answers::Along && missing(&now) > LEAST_STEP * missing(&left);

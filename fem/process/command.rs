@@ -1,5 +1,6 @@
 //! What is added to the command of a machine: corrected contours.
 
+use std::cmp::Ordering;
 use std::ops::Range;
 
 use super::polyline::on_lines;
@@ -105,9 +106,7 @@ impl Command {
     /// The change at a place of the contour that these values set apart; beyond its ends that of the end, or straight on to where
     /// it begins anew; of contours that there are not none.
     pub fn at(&self, place: f64, apart: &[f64]) -> f64 {
-        let order =
-            |own: &[f64]| own.iter().zip(apart).fold(std::cmp::Ordering::Equal, |o, (a, b)| o.then(a.total_cmp(b)));
-        let Ok(found) = self.contours.binary_search_by(|(own, _)| order(own)) else { return 0.0 };
+        let Ok(found) = self.contours.binary_search_by(|(own, _)| order(own, apart)) else { return 0.0 };
         let own = self.contours[found].1.clone();
         let (places, changes) = (&self.places[own.clone()], &self.changes[own]);
         let next = places.partition_point(|own| *own <= place);
@@ -121,6 +120,11 @@ impl Command {
             _ => on_lines(next, places.len(), |i| (places[i], changes[i]), place),
         }
     }
+}
+
+/// The order of what sets contours apart.
+pub fn order(one: &[f64], other: &[f64]) -> Ordering {
+    one.iter().zip(other).fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(b)))
 }
 
 #[cfg(test)]

@@ -44,7 +44,7 @@ pub(crate) use bench::assembled;
 pub(crate) use bench::with_effect;
 pub(crate) use blank::{BlankProfile, BlankWords, Wave};
 pub use change::{CHANGED, change_of, is_size, name_of_change};
-pub use command::{Answers, Command, Commanded, RADIUS_CHANGE};
+pub use command::{Answers, Command, Commanded, RADIUS_CHANGE, order};
 pub use definition::{Contradiction, Definition, Forward, Limit};
 pub use drawing::{Curve, Drawing, Spot, round_below};
 pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing};

@@ -5,17 +5,13 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::compare::rms;
-use crate::correct::{Knowledge, contours};
+use crate::correct::{Knowledge, NONE, Secants, contours};
 use crate::model::Model;
 use crate::process::{Command, Commanded, Failure, Rows, Standing, System};
 use crate::units::MICRO;
 
 /// Steps after which an offset that is not there yet will not come.
 const MOST_STEPS: usize = 8;
-/// Means below this are none, m.
-const NONE: f64 = 1e-10;
-/// Range of what an offset does, in terms of what it does where nothing gives way.
-const ANSWERS: (f64, f64) = (0.05, 3.0);
 /// Most parts that are looked at.
 pub const MOST_PARTS: usize = 16;
 /// Standard deviations below which a normal value lies with a probability of 95 %.
@@ -113,11 +109,9 @@ fn is_in(used: Option<f64>) -> bool {
     used.is_some_and(|used| used <= 1.0)
 }
 
-/// What rows show of parts made at some values, what the way of measuring sets to zero taken out.
+/// What rows show of parts made at some values.
 fn observed(model: &Model, values: &[f64], command: &Arc<Command>, rows: &Rows) -> Result<Vec<f64>, Failure> {
-    let mut now = model.commanded_at(values, command)?.observe(rows)?;
-    model.system.datum_directions(rows).iter().for_each(|direction| direction.take_out(&mut now));
-    Ok(now)
+    model.commanded_at(values, command)?.observe(rows)
 }
 
 /// Some parts of many, the first and the last among them: a trial is not to cost what a whole batch does.
@@ -158,22 +152,19 @@ fn offset(
     };
     let (mut command, mut now) = (nothing, before);
     let mut off = means(&now);
-    let (mut offsets, mut slopes) = (vec![0.0; off.len()], vec![gain; off.len()]);
+    let (mut offsets, mut secants) = (vec![0.0; off.len()], Secants::new(off.len(), gain));
+    let nothing = vec![0.0; off.len()];
     for _ in 0..MOST_STEPS {
         if off.iter().all(|own| own.abs() < NONE) {
             break;
         }
-        let steps: Vec<f64> = off.iter().zip(&slopes).map(|(off, slope)| -off / slope).collect();
+        let steps = secants.steps(&off, &nothing);
         offsets.iter_mut().zip(&steps).for_each(|(offset, step)| *offset += step);
         let changes = offsets.iter().flat_map(|change| std::iter::repeat_n(*change, places)).collect();
         command = Arc::new(command.with(changes));
         now = made(&command)?;
         let is = means(&now);
-        for (((slope, step), is), was) in slopes.iter_mut().zip(&steps).zip(&is).zip(&off) {
-            if step.abs() > NONE {
-                *slope = ((is - was) / step / gain).clamp(ANSWERS.0, ANSWERS.1) * gain;
-            }
-        }
+        secants.learn(&steps, &off, &is);
         off = is;
     }
     Ok((command, now))

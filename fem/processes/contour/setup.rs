@@ -32,9 +32,7 @@ pub struct Setup {
     pub frequency: Option<f64>,
     /// Force of the cut on the tool: across the path, outwards positive, and against the travel, N.
     pub force: [f64; 2],
-    /// Largest deviation that is allowed, m.
-    pub tolerance: Option<f64>,
-    /// The same as limits at every place.
+    /// Limits of the deviation, as wide to either side.
     pub allowed: Allowed,
     /// Evenly spaced points of the contour at which it is predicted.
     pub points: usize,
@@ -97,7 +95,6 @@ impl Setup {
             feedback,
             frequency,
             force: force.unwrap_or_default(),
-            tolerance,
             allowed,
             points: points.unwrap_or(360),
         };

@@ -97,7 +97,7 @@ fn contraction(radius: f64, feed: f64, gain: f64) -> f64 {
 /// which the gains as they are would keep it.
 fn tolerance(machine: &Machine, deviations: &[f64]) -> Option<Figure> {
     let setup = &machine.setup;
-    let allowed = setup.tolerance?;
+    let allowed = setup.allowed.within.as_ref()?.0.upper;
     // The part of δ = (v/2)·(1/Kvy − 1/Kvx)·sin 2α that shows: all of it on a circle.
     let shows = match setup.path {
         Path::Circle { .. } => 1.0,
