@@ -87,6 +87,7 @@
 //     diagnose              which effect is missing
 //     discover              laws that are in no catalogue: found in what a model leaves, written as formulas
 //     budget                errors added up by rules and by drawing
+//     knowledge             what is known of the values of a model, and how far a prediction may be off
 //     correct               what to command so that the part comes out as the drawing asks
 //     next                  the next part of a machine, from its own history
 //     study                 many jobs with one model: points, rows, yield, worst case, sensitivity
@@ -123,6 +124,8 @@ pub mod gcode;
 pub mod input;
 #[doc(hidden)]
 pub mod joint;
+#[doc(hidden)]
+pub mod knowledge;
 #[doc(hidden)]
 pub mod material;
 #[doc(hidden)]

@@ -36,7 +36,7 @@ fn page(process: &dyn Process, model: &Model) -> Result<Vec<Made>, Box<dyn Error
     let path = PathBuf::from(format!("docs/processes/{name}.md"));
     let run = model.run(&Progress::default())?;
     let file = |stem: &str| format!("{name}-{stem}.svg");
-    let pictures = figures(&RunAnswer(model, &run));
+    let pictures = figures(&RunAnswer(model, &run, None));
     let shown: String = pictures.iter().map(|(stem, _)| format!("![{name}: {stem}]({})\n\n", file(stem))).collect();
     let effects = process.effects();
     let text = [

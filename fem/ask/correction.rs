@@ -1,7 +1,7 @@
 //! What to command so that the part comes out as the drawing asks.
 
 use super::Error;
-use crate::correct::Correction;
+use crate::correct::{Advised, Correction};
 use crate::input::Problem;
 use crate::model::Model;
 use crate::progress::Progress;
@@ -19,6 +19,16 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Correction, Error> 
         let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
         problem.help("it has no command that is corrected: corrections are known of turning, ring, fixture, thermal, axis and contour").into()
     })
+}
+
+/// What to change at a model whose values are known, where no command of its process is corrected.
+///
+/// # Errors
+/// Values are unknown, or the model cannot be computed.
+pub fn advise(model: &Model, progress: &Progress) -> Result<Advised, Error> {
+    model.require_part()?;
+    // On a thread of the pool, as above.
+    Ok(rayon::scope(|_| crate::correct::advise(model, progress))?)
 }
 
 /// What a shop should change: remedies of a model whose values are known, of at most `limit` (s) more than what is made now.

@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::{Error, compare_all, completed, refuse_mixed};
+use super::{Error, compare_all, completed, refuse_mixed, run};
 use crate::diagnose::{Diagnosis, thinned};
 use crate::discover::diagnose;
+use crate::knowledge::Band;
 use crate::measure::Measurements;
 use crate::model::{Data, Model, Run};
-use crate::output::{Evidence, Subject, page};
+use crate::output::{Evidence, RunAnswer, Subject, page};
 use crate::progress::Progress;
 
 /// How far a page goes.
@@ -63,8 +64,8 @@ impl Page<'_> {
         let files = named.iter().map(|path| (path.display().to_string(), hash(path))).collect();
         let Some(measurements) = measurements else {
             model.require_part()?;
-            let run = model.run(progress)?;
-            let subject = Subject { models, run: Some(&run), evidence: None, files };
+            let (found, band) = run(model, progress)?;
+            let subject = Subject { models, run: Some(RunAnswer(model, &found, band.as_ref())), evidence: None, files };
             return Ok(Made { html: page(&subject, live), notes: Vec::new(), files: named });
         };
         let (comparisons, measurements) = match is_known {
@@ -83,21 +84,27 @@ impl Page<'_> {
         let diagnosis = if is_deep { Some(diagnose(data, most_effects, progress)?) } else { None };
         let better = diagnosis.as_ref().and_then(|d| complete(data, d, &mut notes, progress));
         let is_best = better.is_none() && model.require_values().is_ok();
-        let run = if is_best { Some(model.run(progress)?) } else { None };
+        let own = if is_best { Some(run(model, progress)?) } else { None };
         let evidence = Evidence {
             all: &all,
             data,
             comparisons: &comparisons,
             diagnosis: diagnosis.as_ref(),
-            completed: better.as_ref().map(|(model, run)| (model, run)),
+            completed: better.as_ref().map(|(model, (run, band))| RunAnswer(model, run, band.as_ref())),
         };
-        let subject = Subject { models, run: run.as_ref(), evidence: Some(evidence), files };
+        let best = own.as_ref().map(|(run, band)| RunAnswer(model, run, band.as_ref()));
+        let subject = Subject { models, run: best, evidence: Some(evidence), files };
         Ok(Made { html: page(&subject, live), notes, files: named })
     }
 }
 
 /// The model with what was missing, and its run; `None` where values stay open or nothing was found.
-fn complete(data: &Data, diagnosis: &Diagnosis, notes: &mut Vec<String>, progress: &Progress) -> Option<(Model, Run)> {
+fn complete(
+    data: &Data,
+    diagnosis: &Diagnosis,
+    notes: &mut Vec<String>,
+    progress: &Progress,
+) -> Option<(Model, (Run, Option<Band>))> {
     if diagnosis.missing.is_empty() && diagnosis.fit.estimates.is_empty() {
         return None;
     }
@@ -109,8 +116,8 @@ fn complete(data: &Data, diagnosis: &Diagnosis, notes: &mut Vec<String>, progres
         }
     };
     better.require_values().ok()?;
-    let run = better.run(progress).ok()?;
-    Some((better, run))
+    let own = run(&better, progress).ok()?;
+    Some((better, own))
 }
 
 /// SHA-256 of a file as `sha256sum` prints it.

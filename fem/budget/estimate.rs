@@ -2,6 +2,7 @@
 
 use super::monte_carlo::{self, Drawn};
 use super::part::Swing;
+use super::purchase::{Purchase, purchases};
 use super::{Budget, Contribution, Kind, Law, ModelPart, rules};
 use crate::process::Failure;
 use crate::progress::Progress;
@@ -49,6 +50,9 @@ pub struct Estimate {
     /// Shares of the errors, the largest swing first.
     #[doc(hidden)]
     pub shares: Vec<Share>,
+    /// What less of each term does, the one that does most first.
+    #[doc(hidden)]
+    pub purchases: Vec<Purchase>,
 }
 
 impl Budget {
@@ -71,8 +75,9 @@ impl Budget {
         let figures: Vec<f64> = models.parts.iter().zip(&figures).zip(&signs).map(figure).collect();
         let handbook = by_rules(self, &errors, &figures, &swings);
         let shares = shares(self, &errors, &figures, &swings);
+        let purchases = purchases(self, &errors, &figures, &swings);
         let monte_carlo = monte_carlo::draw(self, &errors, &signs, progress)?;
-        Ok(Some(Estimate { handbook, monte_carlo, shares }))
+        Ok(Some(Estimate { handbook, monte_carlo, shares, purchases }))
     }
 }
 
@@ -96,7 +101,7 @@ fn with_signs(budget: &Budget, figures: &[f64]) -> (Vec<Contribution>, Vec<f64>)
 }
 
 /// Adds up errors, figures of models (with their signs, or halves of their fields) and changes by their inputs.
-fn by_rules(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Handbook {
+pub(super) fn by_rules(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Handbook {
     let sum_of = |errors: &[&Contribution]| {
         let of = |kind: Kind| errors.iter().filter(move |e| e.kind == kind);
         let systematic: Vec<f64> = of(Kind::Systematic).map(|e| e.value).collect();

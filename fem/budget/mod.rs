@@ -11,6 +11,7 @@ mod estimate;
 mod law;
 mod monte_carlo;
 mod part;
+mod purchase;
 mod random;
 mod read;
 pub mod rules;
@@ -22,6 +23,7 @@ pub use estimate::{Estimate, Handbook, Share};
 pub use law::Law;
 pub use monte_carlo::{Drawn, Measured, Rejects};
 pub use part::{Figure, Input, ModelPart, Models, Target};
+pub use purchase::Purchase;
 pub use random::Stream;
 
 use crate::input::Source as File;

@@ -6,10 +6,10 @@ use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
 use super::watch::watched;
-use crate::ask::{correct, program, programmed, remedies};
+use crate::ask::{advise, correct, program, programmed, remedies};
 use crate::model::Model;
 use crate::output::files::Guard;
-use crate::output::{Answer, CorrectionAnswer, Folder, RemedyAnswer};
+use crate::output::{AdvisedAnswer, Answer, CorrectionAnswer, Folder, RemedyAnswer};
 use crate::progress::Progress;
 use crate::units::TIME;
 
@@ -19,6 +19,10 @@ pub fn run(args: &args::Correct) -> Result<(), Error> {
     let progress = Arc::new(Progress::default());
     if args.remedies {
         return remedied(args, &model, &progress);
+    }
+    if model.system.commanded().is_none() && read.is_none() {
+        let found = watched(&progress, || advise(&model, &progress))?;
+        return tell(args, &model, &AdvisedAnswer(&model, &found), &progress);
     }
     let found = watched(&progress, || correct(&model, &progress))?;
     let own = read.map(|read| programmed(&model, &found, &read, args.add_blocks)).transpose()?;

@@ -9,7 +9,7 @@ use super::watch::watched;
 use crate::ask::{Change, Log};
 use crate::measure::Measurements;
 use crate::output::NextAnswer;
-use crate::output::files::Appended;
+use crate::output::files::{self, Appended, Guard};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Next) -> Result<(), Error> {
@@ -29,6 +29,10 @@ pub fn run(args: &args::Next) -> Result<(), Error> {
         pause: args.pause.unwrap_or(0.0),
         job: args.next_job.clone(),
     };
+    let reads = [std::slice::from_ref(&args.log), &args.with].concat();
+    if let Some(page) = &args.page {
+        Guard { reads: &reads, force: args.force || files::is_sealed(page) }.check(page)?;
+    }
     let progress = Arc::new(Progress::default());
     let own = measured.as_ref().map(|measured| (job, measured));
     let (next, added) = watched(&progress, || log.next(own, args.applied, &change, &progress))?;
@@ -37,5 +41,12 @@ pub fn run(args: &args::Next) -> Result<(), Error> {
     }
     notes(&log.notes);
     notes(measured.as_ref().map_or(&[], |measured| &measured.notes));
-    print(&page(&NextAnswer(&log.history, &next), args.json))
+    let answer = NextAnswer(&log.history, &next);
+    let mut written = String::new();
+    if let Some(page) = &args.page {
+        let guard = Guard { reads: &reads, force: args.force || files::is_sealed(page) };
+        files::write(page, files::sealed(&answer.page()).as_bytes(), guard)?;
+        written = if args.json { written } else { format!("\nwritten {}\n", page.display()) };
+    }
+    print(&(page(&answer, args.json) + &written))
 }

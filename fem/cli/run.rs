@@ -8,6 +8,7 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{page, print};
 use super::watch::watched;
+use crate::ask;
 use crate::model::Model;
 use crate::output::files::Guard;
 use crate::output::{Folder, RunAnswer};
@@ -17,8 +18,8 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     model.require_part()?;
     let progress = Arc::new(Progress::default());
-    let run = watched(&progress, || model.run(&progress))?;
-    let answer = RunAnswer(&model, &run);
+    let (run, band) = watched(&progress, || ask::run(&model, &progress))?;
+    let answer = RunAnswer(&model, &run, band.as_ref());
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model, "model"));
     let reads = model.paths();
     let guard = Guard { reads: &reads, force: args.force };

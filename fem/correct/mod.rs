@@ -1,23 +1,23 @@
 //! What to command so that the part comes out as the drawing asks: solved through the model, so that force feedback, copying
 //! and contacts answer to the correction as they answer to the cut.
 
+mod advised;
 mod contour;
 mod course;
-mod knowledge;
+mod masked;
 mod solve;
-
-pub use knowledge::Knowledge;
 
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
+use crate::knowledge::{Band, Knowledge};
 use crate::model::Model;
 use crate::process::{Advice, Command, Commanded, Failure, Rows, Standing};
 use crate::progress::Progress;
+pub use advised::{Advised, advise};
 pub use contour::{OneContour, Programmed};
 pub use course::Offset;
 use course::Programme;
+pub use masked::Masked;
 use solve::Solved;
 pub use solve::{NONE, Secants};
 
@@ -27,11 +27,6 @@ const MOST_PLACES: usize = 801;
 /// What may be left between places, as a part of the largest error there was, and whatever that is, m.
 const CLOSE: f64 = 0.02;
 const NEGLIGIBLE: f64 = 1e-8;
-/// Rows that draws of the values may cost together, and the fewest and the most draws.
-const MOST_DRAWN: usize = 2_000_000;
-const DRAWS: (usize, usize) = (100, 400);
-/// Part of the draws below and above an interval that holds 95 % of them.
-const BEYOND: f64 = 0.025;
 
 /// A correction, and what is left with it. SI.
 #[derive(Clone, Debug)]
@@ -47,8 +42,8 @@ pub struct Correction {
     pub before: Vec<f64>,
     /// What it makes with the correction.
     pub left: Vec<f64>,
-    /// The interval that holds that with 95 %, from what is known of the values of the model.
-    pub interval: Vec<[f64; 2]>,
+    /// How far that may be off, and the probability that parts are within what is asked.
+    pub band: Band,
     /// Rows that no change of the command brings to where they should be.
     pub unreached: usize,
     /// The largest distance from where it should be half way between two places.
@@ -60,21 +55,10 @@ pub struct Correction {
     pub common: Option<OneContour>,
     /// How parts stand against the drawing before and with the correction.
     pub standings: [Vec<Standing>; 2],
-    /// Probability that each part is within all that is asked, and that all are, with the correction; none where nothing is.
-    pub probability: Option<Probability>,
-    /// Values of the model that are known roughly.
-    pub uncertain: usize,
+    /// What it only masks.
+    pub masked: Vec<Masked>,
     /// What to do beside the command.
     pub advice: Vec<Advice>,
-}
-
-/// Probabilities of being within what is asked.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Probability {
-    /// Of each part, by its number.
-    pub of_parts: Vec<(Option<usize>, f64)>,
-    /// Of all together.
-    pub of_all: f64,
 }
 
 /// Solves for the correction of a model whose values are known; `None` where its process has no command that is corrected.
@@ -89,12 +73,12 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     let made = |command: &Arc<Command>| model.commanded_at(&knowledge.values, command)?.observe(&rows);
     let of = |left: &[f64]| Standing::all(&*model.system, &rows, left);
     let standings = [of(&before), of(&solved.left)];
-    let (interval, probability) = progress.stretch("what is known of it", || {
-        let command = &solved.command;
-        let draw = |values: &[f64]| model.commanded_at(values, command)?.observe(&rows);
-        spread(&knowledge, (&rows, &solved.left), draw, of)
+    let band = progress.stretch("what is known of it", || {
+        let draw = |values: &[f64]| model.commanded_at(values, &solved.command)?.observe(&rows);
+        Band::of((model, &knowledge), (&rows, &solved.left), draw)
     })?;
     let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&rows, &before)?;
+    let masked = masked::masked(model, &rows, &before)?;
     let offsets = course::offsets(&solved.command, &commanded);
     let left_by_offsets = made(&course::of_offsets(&solved.command, &commanded, &offsets))?;
     let common = match commanded.number {
@@ -106,15 +90,14 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         command: solved.command,
         before,
         left: solved.left,
-        interval,
+        band,
         unreached: solved.unreached,
         between,
         offsets,
         left_by_offsets,
         common,
         standings,
-        probability,
-        uncertain: knowledge.uncertain(),
+        masked,
         advice,
         rows,
     }))
@@ -159,59 +142,4 @@ fn course(model: &Model, commanded: &Commanded, values: &[f64]) -> Result<Course
         }
         least = 2 * least - 1;
     }
-}
-
-/// What is left at every row with 95 %, and the probability that parts are within what is asked.
-type Spread = (Vec<[f64; 2]>, Option<Probability>);
-
-/// How far what is left may be off, by drawing the values; those that make no model are none.
-fn spread(
-    knowledge: &Knowledge,
-    (rows, left): (&Rows, &[f64]),
-    draw: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync,
-    of: impl Fn(&[f64]) -> Vec<Standing>,
-) -> Result<Spread, Failure> {
-    let parts: Vec<Option<usize>> = {
-        let mut all: Vec<_> = of(left).iter().flat_map(|own| own.parts.iter().map(|(part, _)| *part)).collect();
-        all.sort_unstable();
-        all.dedup();
-        all
-    };
-    let draws = match knowledge.uncertain() {
-        0 => 1,
-        _ => (MOST_DRAWN / rows.len().max(1)).clamp(DRAWS.0, DRAWS.1),
-    };
-    // The first is what is known best.
-    let further: Vec<Vec<f64>> =
-        (1..draws).into_par_iter().filter_map(|number| draw(&knowledge.drawn(number)).ok()).collect();
-    if 2 * further.len() + 1 < draws {
-        return Err(Failure {
-            message: "the values of the model are known so roughly that most of what they may be makes no model".into(),
-            help: "fit them to measurements first: `fem fit MODEL --with DATA --add-to BETTER`".into(),
-        });
-    }
-    let all: Vec<&[f64]> = std::iter::once(left).chain(further.iter().map(Vec::as_slice)).collect();
-    let interval = (0..rows.len()).map(|row| interval(all.iter().map(|made| made[row]).collect())).collect();
-    let (mut within, mut all_within) = (vec![0usize; parts.len()], 0usize);
-    for made in &all {
-        let out: Vec<Option<usize>> = of(made).iter().flat_map(|own| own.out().collect::<Vec<_>>()).collect();
-        parts.iter().zip(&mut within).for_each(|(part, count)| *count += usize::from(!out.contains(part)));
-        all_within += usize::from(out.is_empty());
-    }
-    let share = |count: usize| count as f64 / all.len() as f64;
-    let of_parts: Vec<_> = parts.into_iter().zip(within.into_iter().map(share)).collect();
-    let probability = (!of_parts.is_empty()).then(|| Probability { of_parts, of_all: share(all_within) });
-    Ok((interval, probability))
-}
-
-/// The interval that holds 95 % of some values.
-fn interval(mut values: Vec<f64>) -> [f64; 2] {
-    values.sort_unstable_by(f64::total_cmp);
-    let last = (values.len() - 1) as f64;
-    [BEYOND, 1.0 - BEYOND].map(|part| {
-        let at = part * last;
-        let (below, share) = (at as usize, at.fract());
-        let above = values[(below + 1).min(values.len() - 1)];
-        values[below] + share * (above - values[below])
-    })
 }

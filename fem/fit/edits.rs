@@ -4,7 +4,7 @@ use super::sizes::EstimatedSize;
 use crate::fit::Fit;
 use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry};
-use crate::units::unit_text;
+use crate::units::{MICRO, unit_text};
 
 /// Edits that put what was fitted into the model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the
 /// unit that stood there. A parameter that the data leave open stays as it was, for a value would look better known
@@ -28,10 +28,23 @@ pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
     // Tests of one machine have no file in which they could stand.
     let correlations = match data.model.campaign() {
         Some(_) => Vec::new(),
-        None => data.model.together.edits(&of, &fit.known.correlation, &std),
+        None => data.model.together.edits(&of, &fit.known.correlation, &std, unexplained(data, fit)),
     };
     let sizes = fit.sizes.iter().filter(|size| size.is_told()).map(|size| sized(data, size));
     std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).chain(correlations).collect()
+}
+
+/// What the noise does not explain of lengths that were measured, as a standard deviation, m.
+fn unexplained(data: &Data, fit: &Fit) -> f64 {
+    if fit.birge_ratio() == 1.0 {
+        return 0.0;
+    }
+    let is_length =
+        |row: &usize| data.model.process.observables()[data.rows.observable[*row]].error_kind().unit == MICRO.unit;
+    let left = data.residuals(&fit.predicted);
+    let squares: Vec<f64> =
+        (0..left.len()).filter(is_length).map(|row| left[row].powi(2) - fit.noise.sigma[row].powi(2)).collect();
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).max(0.0).sqrt()
 }
 
 /// The size of an effect of the measurement, in the unit that stood there, or in the usual one where it was left out.

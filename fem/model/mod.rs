@@ -276,6 +276,10 @@ fn find_process(document: &Table) -> Result<&'static dyn Process, Problem> {
     let names = || processes::ALL.iter().map(|p| p.name());
     let listed = || names().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
     let Some(item) = document.get("process") else {
+        if document.contains_key("budget") || document.contains_key("error") {
+            let problem = Problem::new("this is a budget of errors, and no model");
+            return Err(problem.help("`fem budget` adds it up, and says which term to buy down").at(Some(0..0)));
+        }
         let example = names().next().unwrap_or_default();
         let problem = Problem::new("the model does not say which process it models");
         return Err(problem

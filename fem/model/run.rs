@@ -94,6 +94,15 @@ impl Model {
         Ok(predicted.iter().zip(&without).map(|(a, b)| a - b).collect())
     }
 
+    /// What is made of rows without one of its effects, SI, before no instrument.
+    ///
+    /// # Errors
+    /// The computation failed.
+    #[doc(hidden)]
+    pub fn made_without(&self, effect: &Active, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        self.without(effect).observe(rows)
+    }
+
     /// Contribution of an effect to every observation, SI: the prediction less that without the effect.
     fn changes(&self, effect: &Active, prediction: &[f64], progress: &Progress) -> Result<Vec<f64>, Failure> {
         let without = self.without(effect).predict(progress)?;

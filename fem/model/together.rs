@@ -5,11 +5,13 @@ use nalgebra::{Cholesky, DMatrix, Dyn};
 
 use super::{Edit, Entry};
 use crate::input::{Parameter, ParameterId, Reader};
-use crate::units::Knowledge;
+use crate::units::{Knowledge, MICRO};
 
 /// Its place in a model.
 const PARENT: &str = "known";
 const NAME: &str = "together";
+/// Key of what stays unexplained.
+const UNEXPLAINED: &str = "unexplained";
 /// Correlations below this are none.
 const NONE: f64 = 1e-3;
 /// What is added to a variance of one, for numbers that are written to six decimals may make a matrix that is none of a
@@ -25,15 +27,23 @@ pub struct Together {
     correlation: DMatrix<f64>,
     /// Their standard uncertainties as written, in the usual units of their kinds; empty where none are.
     std: Vec<String>,
+    /// What stays unexplained of the measurements that they were fitted to, m.
+    unexplained: f64,
 }
 
 impl Together {
     /// Reads the table, if the model has it.
     pub fn read(model: &Reader) -> Self {
         let read = |t: &Reader| {
+            let left = "what stays unexplained of the measurements, as a standard deviation";
+            let left = t.quantity(UNEXPLAINED, MICRO, left).chosen().not_negative().optional();
+            let unexplained = left.unwrap_or(0.0);
             let of = t.text("of", "the quantities, as `effects.tool-wear.rate`");
             let rows =
                 t.text("correlation", "of each but the first with those before it: a row each, parted by semicolons");
+            if of.is_none() && rows.is_none() {
+                return Self { unexplained, ..Self::default() };
+            }
             let of: Vec<ParameterId> =
                 of.unwrap_or_default().split(',').map(|path| ParameterId::from(path.trim())).collect();
             let std = t.text("std", "standard uncertainty of each beside the others, those of `+-` if left out");
@@ -44,7 +54,7 @@ impl Together {
                 t.problem("std", message, "write a number with its unit for each, parted by commas");
             }
             match triangle(&rows.unwrap_or_default(), of.len()) {
-                Some(correlation) => Self { of, correlation, std },
+                Some(correlation) => Self { of, correlation, std, unexplained },
                 None => {
                     let message = format!("`correlation` is none of {} quantities", of.len());
                     t.problem("correlation", message, "leave the table out: values are known each for itself then");
@@ -89,29 +99,42 @@ impl Together {
         cholesky(all).map_or_else(|| DMatrix::identity(parameters.len(), parameters.len()), |own| own.l())
     }
 
-    /// Edits that put what is known of these quantities into a model, with their standard uncertainties (SI), in the place of what it
-    /// has; none where nothing is correlated.
-    pub fn edits(&self, of: &[Parameter], correlation: &DMatrix<f64>, std: &[f64]) -> Vec<Edit> {
-        let had = (!self.of.is_empty()).then(|| Edit::Remove { parent: PARENT, name: NAME.into() });
+    /// What stays unexplained of the measurements, as a standard deviation, m.
+    pub fn unexplained(&self) -> f64 {
+        self.unexplained
+    }
+
+    /// Edits that put what is known of these quantities into a model, with their standard uncertainties (SI) and what stays
+    /// unexplained (m), in the place of what it has; none where nothing is correlated and all is explained.
+    pub fn edits(&self, of: &[Parameter], correlation: &DMatrix<f64>, std: &[f64], unexplained: f64) -> Vec<Edit> {
+        let had = (*self != Self::default()).then(|| Edit::Remove { parent: PARENT, name: NAME.into() });
         let is_any = (0..of.len()).any(|i| (0..i).any(|j| correlation[(i, j)].abs() > NONE));
-        let own = is_any.then(|| {
-            let row = |i: usize| (0..i).map(|j| decimals(correlation[(i, j)])).collect::<Vec<_>>().join(" ");
-            let rows: Vec<String> = (1..of.len()).map(row).collect();
-            let names: Vec<&str> = of.iter().map(|own| &*own.path).collect();
-            let one = |(own, std): (&Parameter, &f64)| {
-                let text = format!("{:.4e} {}", std / own.kind.canonical().factor, own.kind.unit);
-                text.trim_end().to_string()
-            };
-            let written: Vec<String> = of.iter().zip(std).map(one).collect();
-            let text = |key: &str, text: String| (key.to_string(), Entry::Text(text));
-            let mut keys = vec![text("of", names.join(", ")), text("correlation", rows.join("; "))];
-            // Of what the data leave open there is no more than stands behind its `+-`.
-            if std.iter().all(|own| own.is_finite()) {
-                keys.insert(1, text("std", written.join(", ")));
-            }
-            Edit::Add { parent: PARENT, name: NAME.into(), keys }
-        });
+        let mut keys = if is_any { Self::correlated(of, correlation, std) } else { Vec::new() };
+        if unexplained > 0.0 {
+            let text = format!("{:.3} {}", MICRO.from_si(unexplained), MICRO.unit);
+            keys.push((UNEXPLAINED.to_string(), Entry::Text(text)));
+        }
+        let own = (!keys.is_empty()).then(|| Edit::Add { parent: PARENT, name: NAME.into(), keys });
         had.into_iter().chain(own).collect()
+    }
+
+    /// Keys of what is correlated.
+    fn correlated(of: &[Parameter], correlation: &DMatrix<f64>, std: &[f64]) -> Vec<(String, Entry)> {
+        let row = |i: usize| (0..i).map(|j| decimals(correlation[(i, j)])).collect::<Vec<_>>().join(" ");
+        let rows: Vec<String> = (1..of.len()).map(row).collect();
+        let names: Vec<&str> = of.iter().map(|own| &*own.path).collect();
+        let one = |(own, std): (&Parameter, &f64)| {
+            let text = format!("{:.4e} {}", std / own.kind.canonical().factor, own.kind.unit);
+            text.trim_end().to_string()
+        };
+        let written: Vec<String> = of.iter().zip(std).map(one).collect();
+        let text = |key: &str, text: String| (key.to_string(), Entry::Text(text));
+        let mut keys = vec![text("of", names.join(", ")), text("correlation", rows.join("; "))];
+        // Of what the data leave open there is no more than stands behind its `+-`.
+        if std.iter().all(|own| own.is_finite()) {
+            keys.insert(1, text("std", written.join(", ")));
+        }
+        keys
     }
 }
 

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::history::{History, Part};
 use super::visit::Visit;
-use crate::correct::Knowledge;
+use crate::knowledge::Knowledge;
 use crate::process::Failure;
 
 /// Nodes of the profile that no law of the model makes, along the work.

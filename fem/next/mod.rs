@@ -69,6 +69,8 @@ pub struct Next {
     pub noise: f64,
     /// Parts that were measured.
     pub measured: usize,
+    /// Their numbers.
+    pub numbers: Vec<usize>,
     /// Parts that stand far off: the number, by how much, and whether something changed there.
     pub suspects: Vec<(usize, Suspect)>,
     /// Mean error that would have been left of each measured part, from the second on, one part ahead.
@@ -88,6 +90,7 @@ pub fn next(history: &History, plan: &Part, progress: &Progress) -> Result<Next,
     let none = DVector::zeros(layout.values().len());
     let first = progress.stretch("history", || Line::new(history, layout.clone(), none))?;
     let told = progress.stretch("one part ahead", || record::told(&first));
+    let numbers = first.steps.iter().filter(|step| !step.readings.is_empty()).map(|step| step.part.number).collect();
     let (line, sizes, state, suspects) = progress.stretch("state of the machine", || known(history, first))?;
     let mut ahead = Ahead::new(history, plan, &line, (&state, &sizes), None)?;
     let rivals = rivals::of(&line, (history.jobs[plan.job].commanded.gain, ahead.answer()));
@@ -113,6 +116,7 @@ pub fn next(history: &History, plan: &Part, progress: &Progress) -> Result<Next,
         insert: when::insert(&ahead),
         noise: noise(&line, &sizes),
         measured: told.len(),
+        numbers,
         suspects: suspects.iter().map(|own| (line.steps[own.step].part.number, *own)).collect(),
         left,
         rivals,

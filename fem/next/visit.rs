@@ -5,8 +5,8 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::history::{History, Job, Part};
-use crate::correct::Knowledge;
 use crate::input::ParameterId;
+use crate::knowledge::Knowledge;
 use crate::model::{Edit, Entry, Model};
 use crate::process::{Command, Failure, Rows, Values};
 use crate::units::{Kind, TIME};

@@ -8,7 +8,7 @@ use super::answer::Answer;
 use super::block::Block;
 use super::text::titled;
 use crate::budget::{
-    Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, ModelPart, Share, Source, Unknown, rules,
+    Budget, Drawn, Drill, Estimate, Handbook, Kind, Measured, ModelPart, Purchase, Share, Source, Unknown, rules,
 };
 
 /// Unit of all lengths.
@@ -37,6 +37,7 @@ impl Answer for BudgetAnswer<'_> {
                 line(&mut text, "handbook over drawn", &format!("{pessimism:.3}"));
             }
             tornado(&mut text, &estimate.shares);
+            to_buy(&mut text, budget, &estimate.purchases);
         }
         if let Some(drill) = &budget.drill {
             if estimate.is_some() {
@@ -64,6 +65,7 @@ impl Answer for BudgetAnswer<'_> {
             "monte_carlo": estimate.map(|e| drawn_json(budget, &e.monte_carlo)),
             "pessimism": estimate.and_then(pessimism),
             "contributions": estimate.map(|e| e.shares.iter().map(share_json).collect::<Vec<_>>()),
+            "to_buy_down": estimate.map(|e| e.purchases.iter().map(purchase_json).collect::<Vec<_>>()),
             "drill": budget.drill.as_ref().map(drill_json),
             "warnings": self.warnings(),
         })
@@ -278,6 +280,39 @@ fn tornado(text: &mut String, shares: &[Share]) {
             bar.trim_end()
         );
     }
+}
+
+/// Most terms of which it is said what less of them does.
+const MOST_BOUGHT: usize = 5;
+
+/// What less of the terms does to the total, and with how little of one alone it keeps the tolerance.
+fn to_buy(text: &mut String, budget: &Budget, all: &[Purchase]) {
+    // Of one term alone it is plain.
+    if all.len() < 2 {
+        return;
+    }
+    let told = &all[..all.len().min(MOST_BOUGHT)];
+    let width = told.iter().map(|own| own.name.chars().count()).max().unwrap_or(0).max(24);
+    let is_kept = all.iter().all(|own| own.may_stay == Some(1.0));
+    let heading = if budget.tolerance.is_none() || is_kept { "" } else { "  for the tolerance" };
+    let _ = writeln!(text, "\n  {:<width$} {:>12} {:>12}{heading}", "total by the handbook", "with half of", "without");
+    for own in told {
+        let needed = match own.may_stay {
+            _ if heading.is_empty() => String::new(),
+            Some(part) => format!("  at most {:.0} % of it", 100.0 * part),
+            None => "  not by it alone".to_string(),
+        };
+        let _ = writeln!(text, "  {:<width$} {:>9.3} um {:>9.3} um{needed}", own.name, um(own.halved), um(own.without));
+    }
+}
+
+fn purchase_json(own: &Purchase) -> Json {
+    json!({
+        "name": own.name,
+        "total_with_half": um(own.halved),
+        "total_without": um(own.without),
+        "may_stay": own.may_stay,
+    })
 }
 
 fn drill_text(text: &mut String, drill: &Drill) {

@@ -5,12 +5,14 @@ use serde_json::{Map, Value as Json, json};
 use super::OutputError;
 use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
+use super::chart::{Svg, named};
 use super::json::{finite, json as document};
+use super::page::{Head, answered};
 use super::staged::Staged;
 use super::text::titled;
-use super::{csv, number, program, tolerance};
+use super::{csv, number, plots, program, tolerance};
 use crate::compare::rms;
-use crate::correct::{Correction, Offset, Probability, Programmed};
+use crate::correct::{Correction, Masked, Offset, Programmed};
 use crate::gcode;
 use crate::model::Model;
 use crate::process::{Advice, Column as Cells, Holds, Table as Sheet, range};
@@ -44,6 +46,14 @@ impl Answer for CorrectionAnswer<'_> {
             blocks.push(Block::Heading("beside the command".into()));
             blocks.push(Block::List(found.advice.iter().map(|advice| advice.text.clone()).collect()));
         }
+        if !found.masked.is_empty() {
+            blocks.push(Block::Heading("masked, not mended".into()));
+            let line = |own: &Masked| {
+                let largest = number::fixed(MICRO.from_si(own.largest), 1);
+                (format!("{}, up to {largest} {}", own.effect, MICRO.unit), own.why.to_string())
+            };
+            blocks.push(Block::Entries(found.masked.iter().map(line).collect()));
+        }
         let [before, after] = &found.standings;
         if !before.is_empty() {
             blocks.push(Block::Heading("tolerance, as it is".into()));
@@ -51,7 +61,7 @@ impl Answer for CorrectionAnswer<'_> {
             blocks.push(Block::Heading(format!("tolerance, with a {}{}", found.commanded.course, self.each())));
             blocks.push(Block::List(tolerance::lines(after)));
         }
-        blocks.extend(found.probability.as_ref().map(|own| Block::Sentence(probability(own))));
+        blocks.extend(found.band.probability.as_ref().map(|own| Block::Sentence(tolerance::probability(own))));
         blocks
     }
 
@@ -83,7 +93,7 @@ impl Answer for CorrectionAnswer<'_> {
         let left = found.left.iter().enumerate().map(|(row, value)| {
             let mut entry = at(row, &shown);
             entry.insert("value".into(), finite(*value));
-            entry.insert("interval95".into(), found.interval[row].map(finite).into_iter().collect());
+            entry.insert("interval95".into(), found.band.interval[row].map(finite).into_iter().collect());
             Json::Object(entry)
         });
         let after = format!("after_{}", self.numbered().unwrap_or("part"));
@@ -93,7 +103,7 @@ impl Answer for CorrectionAnswer<'_> {
         };
         // Rows of the first number stand for its contours.
         let of_one: Vec<usize> = shown.iter().copied().filter(|own| Some(*own) != found.commanded.number).collect();
-        let probability = found.probability.as_ref();
+        let probability = found.band.probability.as_ref();
         json!({
             "schema": "fem-correction/1",
             "model": &*model.source.name,
@@ -113,17 +123,23 @@ impl Answer for CorrectionAnswer<'_> {
                 "left": rms(&found.left),
             },
             "actions": found.advice.iter().map(action).collect::<Vec<_>>(),
-            "uncertain_values": found.uncertain,
+            "masked": found.masked.iter().map(|own| json!({ "effect": own.effect, "largest": finite(own.largest), "why": own.why })).collect::<Vec<_>>(),
+            "uncertain_values": found.band.uncertain,
+            "unexplained": finite(found.band.unexplained),
             "tolerance": {
                 "probability_in": probability.map(|own| own.of_all),
-                "parts": probability.map(|own| own.of_parts.iter().map(|(part, p)| json!({ "part": part, "probability_in": p })).collect::<Vec<_>>()),
+                "parts": tolerance::parts(probability),
                 "before": tolerance::json(&found.standings[0]),
                 "after": tolerance::json(&found.standings[1]),
             },
         })
     }
 
-    /// `correction.csv` and `correction.json`; of a process with programs `contour.ngc` and the user's own.
+    fn figures(&self) -> Vec<(String, Svg)> {
+        plots::corrected(self.0, self.1).iter().map(named).collect()
+    }
+
+    /// `correction.csv` and `correction.json`, `correction.html` and its figures; of a process with programs `contour.ngc` and the user's own.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
         self.stage_changes(files)?;
         if let Some((work, common)) = self.0.system.program().zip(self.1.common.as_ref()) {
@@ -134,6 +150,13 @@ impl Answer for CorrectionAnswer<'_> {
         if let Some(own) = self.2 {
             files.bytes(&*own.name, &own.corrected.bytes)?;
         }
+        files.figures(self.figures())?;
+        let head = Head {
+            kicker: format!("{} \u{b7} fem correct", self.0.source.name),
+            title: titled(self.0.title.as_deref(), &self.0.source.name),
+            verdict: self.verdict(),
+        };
+        files.text("correction.html", &answered(head, self))?;
         files.text("correction.json", &document(self))
     }
 }
@@ -141,22 +164,40 @@ impl Answer for CorrectionAnswer<'_> {
 impl CorrectionAnswer<'_> {
     /// `correction.csv`.
     pub(super) fn stage_changes(&self, files: &mut Staged) -> Result<(), OutputError> {
+        files.text("correction.csv", &csv::table(&self.table()))
+    }
+
+    /// The change at every place of every part, what is left there, and its interval.
+    pub fn table(&self) -> Sheet {
         let Self(model, found, _) = *self;
         let coordinates = model.process.coordinates();
         let of = |column: usize| Cells::coordinate(&coordinates[column], &found.rows.columns[column]);
         let change = Cells::quantities(found.commanded.key, MICRO, found.command.changes());
         let left = Cells::quantities("left", MICRO, &found.left);
-        let end = |which: usize| found.interval.iter().map(|own| own[which]).collect::<Vec<f64>>();
+        let end = |which: usize| found.band.interval.iter().map(|own| own[which]).collect::<Vec<f64>>();
         let low = Cells::quantities("left_from", MICRO, &end(0));
         let high = Cells::quantities("left_to", MICRO, &end(1));
         let columns = shown(found).map(of).chain([change, left, low, high]).collect();
-        files.text("correction.csv", &csv::table(&Sheet { columns }))
+        Sheet { columns }
+    }
+
+    /// What is to be done, and what it comes to.
+    fn verdict(&self) -> String {
+        let Correction { commanded, before, left, band, .. } = self.1;
+        let [before, left] = [before, left].map(|own| number::fixed(MICRO.from_si(rms(own)), 2));
+        let within = band.probability.as_ref().map(|own| format!("; {}", tolerance::probability(own)));
+        format!(
+            "with a corrected {} {left} {unit} rms are left of {before} {unit}{}",
+            commanded.course,
+            within.unwrap_or_default(),
+            unit = MICRO.unit
+        )
     }
 
     /// What is left of the errors by each way of correcting them.
     fn errors(&self) -> Block {
         let Self(model, found, programmed) = *self;
-        let band = (found.uncertain > 0).then(|| widest(found));
+        let band = (!found.band.is_exact()).then(|| found.band.widest(0..found.rows.len()));
         let row = |name: String, values: &[f64], band: Option<f64>| {
             let (low, high) = range(values.iter().copied());
             let [rms, low, high] = [rms(values), low, high].map(|si| MICRO.from_si(si));
@@ -224,26 +265,14 @@ fn cautions(found: &Correction) -> Vec<String> {
             found.left.len()
         ));
     }
-    if found.uncertain == 0 {
+    if found.band.is_exact() {
         all.push("the model knows all its values exactly, so nothing is said of how far they may be off".into());
     }
     all
 }
 
-/// With which probability everything is within.
-fn probability(own: &Probability) -> String {
-    let least = own.of_parts.iter().min_by(|a, b| a.1.total_cmp(&b.1));
-    let of_least = least.and_then(|(part, p)| Some(format!("; part {} with {:.0} %", (*part)?, 100.0 * p)));
-    format!(
-        "{} within with a probability of {:.0} %{}",
-        if own.of_parts.len() > 1 { "all parts are" } else { "it is" },
-        100.0 * own.of_all,
-        of_least.unwrap_or_default()
-    )
-}
-
 /// A piece of advice, SI but for minutes.
-fn action(advice: &Advice) -> Json {
+pub(super) fn action(advice: &Advice) -> Json {
     let (setting, from, to) =
         advice.setting.map_or((None, None, None), |(path, from, to)| (Some(path), Some(from), Some(to)));
     let minutes = advice.time.map(|seconds| TIME.from_si(seconds));
@@ -264,9 +293,4 @@ fn changes(offsets: &[Offset]) -> Vec<(usize, f64)> {
         }
     }
     all
-}
-
-/// The widest half of an interval that holds what is left with 95 %.
-fn widest(found: &Correction) -> f64 {
-    found.interval.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max)
 }

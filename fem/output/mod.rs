@@ -1,8 +1,11 @@
 //! Writing results: for people, for programs, for ParaView. Each command has one [`Answer`], which [`text()`], [`json()`],
 //! [`figures`] and a [`Folder`] take. Files appear whole or not at all.
 
+mod advised;
+mod allowed;
 mod answer;
 mod apart;
+mod bands;
 mod block;
 mod budget;
 mod catalogue;
@@ -39,11 +42,14 @@ mod sketch;
 mod staged;
 pub mod study;
 mod text;
+mod thread;
 mod tolerance;
 mod validation;
 pub mod vtk;
 
+pub use advised::AdvisedAnswer;
 pub use answer::{Answer, figures};
+pub use bands::tables as tables_of_band;
 pub use budget::BudgetAnswer;
 pub use catalogue::CatalogueAnswer;
 pub use columns::{columns, commented};

@@ -4,8 +4,10 @@ use serde_json::{Value as Json, json};
 
 use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
+use super::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, named};
 use super::json::finite;
 use super::number;
+use super::page::{Head, answered};
 use super::text::titled;
 use crate::compare::rms;
 use crate::next::{History, Insert, Measure, Next};
@@ -35,6 +37,35 @@ impl Answer for NextAnswer<'_> {
         ]));
         blocks.extend(self.record());
         blocks
+    }
+
+    /// What was left of each part, one part ahead and by what shops do instead, and what is expected of the next.
+    fn figures(&self) -> Vec<(String, Svg)> {
+        let Self(_, next) = *self;
+        if next.measured < FEW {
+            return Vec::new();
+        }
+        let point = |(number, left): (&usize, &f64)| Point::new(*number as f64, um(*left));
+        let points = |left: &[f64]| next.numbers[1..].iter().zip(left).map(point).collect::<Vec<_>>();
+        let rivals = next.rivals.iter().enumerate();
+        let rivals = rivals.map(|(i, own)| Series::new(own.words.clone(), i + 1, Form::Dashed, points(&own.left[1..])));
+        let [low, high] = next.interval.map(|end| um(end - next.aim));
+        let coming = Point { x: next.part.number as f64, y: 0.5 * (low + high), u: 0.5 * (high - low) };
+        let own = [
+            Series::new("this model", 0, Form::Line, points(&next.left)),
+            Series::new("", 0, Form::Dots, vec![coming]),
+        ];
+        let chart = Chart {
+            name: "left".into(),
+            title: "mean error left, one part ahead".into(),
+            note: "dot with bar: what is expected of the next part, 95 %".into(),
+            plane: Plane::Curves {
+                x: Axis::new("part", ""),
+                y: Axis::new("mean error", MICRO.unit),
+                series: rivals.chain(own).collect(),
+            },
+        };
+        vec![named(&chart)]
     }
 
     /// `fem next --json`: `fem-next/1`; SI.
@@ -73,6 +104,17 @@ impl Answer for NextAnswer<'_> {
 }
 
 impl NextAnswer<'_> {
+    /// The answer as a page of its own.
+    pub fn page(&self) -> String {
+        let Self(history, next) = *self;
+        let head = Head {
+            kicker: format!("{} \u{b7} fem next", history.source.name),
+            title: titled(history.title.as_deref(), &history.source.name),
+            verdict: format!("part {}: {}", next.part.number, self.offset(&history.jobs[next.part.job].name)),
+        };
+        answered(head, self)
+    }
+
     fn cautions(&self) -> Vec<String> {
         let Self(_, next) = *self;
         let mut all = Vec::new();

@@ -7,10 +7,11 @@ use serde_json::{Value as Json, json};
 use super::OutputError;
 use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
-use super::chart::{Svg, draw};
+use super::chart::{Svg, named};
 use super::correction::CorrectionAnswer;
 use super::json::{finite, json as document};
 use super::number;
+use super::page::{Head, answered};
 use super::remedied::{chart, list, table, words};
 use super::staged::Staged;
 use super::text::titled;
@@ -123,11 +124,11 @@ impl Answer for RemedyAnswer<'_> {
     }
 
     fn figures(&self) -> Vec<(String, Svg)> {
-        let chart = chart(self.found);
-        vec![(chart.name.clone(), draw(&chart))]
+        let corrected = self.correction.map(|own| CorrectionAnswer(self.model, own, None).figures());
+        [named(&chart(self.found))].into_iter().chain(corrected.into_iter().flatten()).collect()
     }
 
-    /// `remedies.csv`, `remedies.svg`, `remedied.toml` with the best, `correction.json`; `correction.csv` where there is one.
+    /// `remedies.csv`, `remedies.svg`, `correction.html`, `remedied.toml` with the best, `correction.json`; `correction.csv` where there is one.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
         if let Some(own) = self.correction {
             CorrectionAnswer(self.model, own, None).stage_changes(files)?;
@@ -138,6 +139,12 @@ impl Answer for RemedyAnswer<'_> {
         if let (Some(best), Some(directory)) = (best, self.directory) {
             files.text("remedied.toml", &best.text_at(&directory.join("remedied.toml")))?;
         }
+        let head = Head {
+            kicker: format!("{} \u{b7} fem correct --remedies", self.model.source.name),
+            title: titled(self.model.title.as_deref(), &self.model.source.name),
+            verdict: self.found.best().map_or("no setting makes it better".into(), sentence),
+        };
+        files.text("correction.html", &answered(head, self))?;
         files.text("correction.json", &document(self))
     }
 }

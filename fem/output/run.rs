@@ -11,17 +11,19 @@ use super::chart::{Svg, named};
 use super::json::{finite, json as document};
 use super::staged::Staged;
 use super::text::titled;
-use super::{csv, drawing, measurement, plots, sketch, tolerance};
+use super::{allowed, bands, csv, drawing, measurement, plots, sketch, tolerance};
+use crate::knowledge::Band;
 use crate::model::{Contribution, Model, Run};
 use crate::process::{Datum, Figure, Observable};
 use crate::units::{Kind, UnitSymbol};
 
-/// The prediction of a model.
-pub struct RunAnswer<'a>(pub &'a Model, pub &'a Run);
+/// The prediction of a model, and how far it may be off where the model knows its values only roughly.
+#[derive(Clone, Copy)]
+pub struct RunAnswer<'a>(pub &'a Model, pub &'a Run, pub Option<&'a Band>);
 
 impl Answer for RunAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
-        let Self(model, run) = *self;
+        let Self(model, run, band) = *self;
         let title = titled(model.title.as_deref(), &model.source.name);
         let mut text = format!("{title}\n{}: {}\n\n", model.process.name(), model.process.about());
         for figure in &run.report.figures {
@@ -29,6 +31,9 @@ impl Answer for RunAnswer<'_> {
         }
         if !run.standings.is_empty() {
             text += &labelled("tolerance", &tolerance::lines(&run.standings));
+        }
+        if let Some(band) = band {
+            text += &labelled("95 % band", &bands::lines(model, band));
         }
         let own = measurement::at_work(&model.source.name, &model.measurement, &*model.process, None);
         if !own.is_empty() {
@@ -43,7 +48,7 @@ impl Answer for RunAnswer<'_> {
 
     /// `summary.json`, and what `fem run --json` prints: `fem-run/1`.
     fn json(&self) -> Value {
-        let Self(model, run) = *self;
+        let Self(model, run, band) = *self;
         let findings: Map<String, Value> = run.report.figures.iter().map(|f| (f.key.to_string(), figure(f))).collect();
         let observables = model.process.observables();
         let share = |s: &Contribution| {
@@ -60,6 +65,7 @@ impl Answer for RunAnswer<'_> {
             "measurement": measurement::json(&model.measurement, &*model.process, None),
             "findings": findings,
             "tolerance": tolerance::json(&run.standings),
+            "band": band.map(|band| bands::json(model, band)),
             "shares": run.contributions.iter().map(share).collect::<Vec<_>>(),
             "warnings": run.report.warnings,
         })
@@ -67,20 +73,30 @@ impl Answer for RunAnswer<'_> {
 
     /// Machine and contours, then curves and maps.
     fn figures(&self) -> Vec<(String, Svg)> {
-        drawings(self.1).into_iter().chain(plots::predicted(self.0, self.1).iter().map(named)).collect()
+        drawings(self.1).into_iter().chain(plots::predicted(self).iter().map(named)).collect()
     }
 
-    /// `profile.csv`, further tables as `NAME.csv`, the animation as `NAME.pvd` with its frames in `NAME/`, figures as
+    /// `profile.csv`, further tables as `NAME.csv`, `bands.csv` where values are known roughly, the animation as `NAME.pvd` with its frames in `NAME/`, figures as
     /// `NAME.svg`, and `summary.json`.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
-        let Self(model, run) = *self;
+        let Self(model, run, band) = *self;
         let found = &run.report;
         let tables = [("profile", &found.profile)].into_iter().chain(found.tables.iter().map(|(name, t)| (*name, t)));
         for (name, table) in tables {
             files.text(format!("{name}.csv"), &csv::table(table))?;
         }
+        for (name, table) in band
+            .map(|band| bands::tables(model, &model.system.programme(), &run.prediction, band))
+            .into_iter()
+            .flatten()
+        {
+            files.text(format!("{name}.csv"), &csv::table(&table))?;
+        }
         if let Some(animation) = &found.animation {
             files.animation(animation, "view.py", model, Path::new(""))?;
+        }
+        if let Some(animation) = allowed::animation(self) {
+            files.animation(&animation, "view-allowed.py", model, Path::new(""))?;
         }
         files.figures(self.figures())?;
         files.text("summary.json", &document(self))

@@ -10,6 +10,7 @@ use super::{
 use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
+use crate::tolerance::Limits;
 
 /// How many times beyond what is believable of the model's own programme a prediction of measured rows may be: what is
 /// measured is there, however coarse.
@@ -104,8 +105,8 @@ impl<D: Definition> System for Ready<D> {
         D::requirements(&self.setup)
     }
 
-    fn aims(&self, rows: &Rows) -> Vec<f64> {
-        D::aims(&self.setup, rows)
+    fn limits(&self, rows: &Rows) -> Vec<Option<Limits>> {
+        D::limits(&self.setup, rows)
     }
 
     fn commanded(&self) -> Option<Commanded> {

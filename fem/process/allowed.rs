@@ -55,11 +55,6 @@ impl Allowed {
         within.into_iter().chain(form).collect()
     }
 
-    /// The middle of the limits; nothing where there are none.
-    pub fn aim(&self) -> f64 {
-        self.within.as_ref().and_then(|(limits, _)| limits.middle()).unwrap_or(0.0)
-    }
-
     /// What rows show of each part, given the observable of every row and the part that it belongs to; `None` where it is no
     /// row of what is asked.
     pub fn characteristics(

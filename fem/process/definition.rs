@@ -10,6 +10,7 @@ use super::{
 use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
+use crate::tolerance::Limits;
 
 /// A process. Its set-up is what the tables of a model file say, its machine what effects make of the
 /// set-up, its forward function what every row would show. Formula effects, checks of what is believable
@@ -96,10 +97,10 @@ pub trait Definition: Sync + Sized + 'static {
         Self::allowed(setup).map(|(allowed, words)| allowed.requirements(words)).unwrap_or_default()
     }
 
-    /// The error at which the maker of each row aims, SI: the middle of its limits; none where there are none.
-    fn aims(setup: &Self::Setup, rows: &Rows) -> Vec<f64> {
-        let aim = Self::allowed(setup).map_or(0.0, |(allowed, _)| allowed.aim());
-        (0..rows.len()).map(|row| if rows.observable[row] == 0 { aim } else { 0.0 }).collect()
+    /// The limits that a drawing sets to each row, SI; none to rows of which it asks nothing.
+    fn limits(setup: &Self::Setup, rows: &Rows) -> Vec<Option<Limits>> {
+        let limits = Self::allowed(setup).and_then(|(allowed, _)| Some(allowed.within.as_ref()?.0));
+        (0..rows.len()).map(|row| limits.filter(|_| rows.observable[row] == 0)).collect()
     }
 
     /// What rows show of each part of that, part by part, given the observable of every row, SI.

@@ -11,6 +11,7 @@ use super::{
 use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
+use crate::tolerance::Limits;
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {
@@ -86,8 +87,14 @@ pub trait System: Send + Sync {
     /// What a drawing asks of what is made, as far as the model says.
     fn requirements(&self) -> Vec<Requirement>;
 
-    /// The error at which the maker of each row aims, SI.
-    fn aims(&self, rows: &Rows) -> Vec<f64>;
+    /// The limits that a drawing sets to each row, SI; none to rows of which it asks nothing.
+    fn limits(&self, rows: &Rows) -> Vec<Option<Limits>>;
+
+    /// The value at which the maker of each row aims, SI: the middle of its limits; nothing where there are none.
+    fn aims(&self, rows: &Rows) -> Vec<f64> {
+        let middle = |limits: Option<Limits>| limits.and_then(|limits| limits.middle()).unwrap_or(0.0);
+        self.limits(rows).into_iter().map(middle).collect()
+    }
 
     /// How its command is corrected, if it has one.
     fn commanded(&self) -> Option<Commanded>;

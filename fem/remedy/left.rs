@@ -5,7 +5,8 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::compare::rms;
-use crate::correct::{Knowledge, NONE, Secants, contours};
+use crate::correct::{NONE, Secants, contours};
+use crate::knowledge::Knowledge;
 use crate::model::Model;
 use crate::process::{Command, Commanded, Failure, Rows, Standing, System};
 use crate::units::MICRO;

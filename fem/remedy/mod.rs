@@ -171,7 +171,7 @@ pub fn remedies(model: &Model, limit: Option<f64>, progress: &Progress) -> Resul
         },
         by_offsets: model.system.commanded().is_some(),
         limit,
-        uncertain: crate::correct::Knowledge::of(model).uncertain(),
+        uncertain: crate::knowledge::Knowledge::of(model).uncertain(),
         evaluations: bench.tried().len(),
     })
 }

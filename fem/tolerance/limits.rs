@@ -20,6 +20,12 @@ impl Limits {
         self.lower <= low && high <= self.upper
     }
 
+    /// The same limits about a size.
+    #[must_use]
+    pub fn about(&self, size: f64) -> Self {
+        Self { lower: self.lower + size, upper: self.upper + size }
+    }
+
     /// The deviation that is farthest from both limits; none of one limit alone.
     pub fn middle(&self) -> Option<f64> {
         Some(0.5 * (self.lower + self.upper)).filter(|middle| middle.is_finite())

@@ -34,6 +34,17 @@ def bare(json: str, text: str, notes: list[str]) -> Answer:
     )
 
 
+class Planned(TypedDict):
+    """What happens before the next part, and how the measured ones were made."""
+
+    new_insert: bool
+    new_set_up: bool
+    pause: float
+    next_job: Optional[str]
+    applied: Optional[float]
+    dry_run: bool
+
+
 class Asked(TypedDict):
     """Measurements: files, and tables as CSV, each with its name; how they are to be read."""
 

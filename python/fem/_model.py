@@ -13,15 +13,15 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 from fem import _fem
 from fem._data import Columns, Data, asked
-from fem._results import Comparison, Compensation, Listing, Plan, Report, Run, estimated, tables_of
+from fem._results import Comparison, Compensation, Correction, Listing, Plan, Report, Run, estimated, tables_of
 from fem._study import Study, Watch, of_model
+from fem._table import Table
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
     from fem._answer import Answer
-    from fem._table import Table
 
 _Path = Union[str, "os.PathLike[str]"]
 
@@ -200,6 +200,62 @@ class Model:
         """Predicts."""
         return Run(self._core().run())
 
+    def predict(
+        self,
+        design: Optional[Data] = None,
+        *,
+        bands: bool = False,
+        columns: Columns = (),
+        decimal: Optional[str] = None,
+    ) -> Table:
+        """The prediction of rows: of a design, which is measurements without what is observed, or of its own programme.
+
+        With ``bands``, ``from`` and ``to`` hold the truth with 95 %: values known roughly are drawn together.
+        """
+        return self.predictions(design, bands=bands, columns=columns, decimal=decimal)[0]
+
+    def predictions(
+        self,
+        design: Optional[Data] = None,
+        *,
+        bands: bool = False,
+        columns: Columns = (),
+        decimal: Optional[str] = None,
+    ) -> list[Table]:
+        """The same of each observable, where rows have several."""
+        rows = None if design is None else asked(design, columns, decimal)
+        answer = self._core().predict(rows)
+        (tables,) = answer["tables"]
+        left_out = () if bands else ("from", "to")
+        return [
+            Table([column for column in table if column[0] not in left_out], answer["coordinates"])
+            for table in tables.values()
+        ]
+
+    def correct(
+        self,
+        program: Optional[_Path] = None,
+        *,
+        add_blocks: bool = False,
+        output: Optional[_Path] = None,
+        overwrite: bool = False,
+    ) -> Correction:
+        """What to command so that the part comes out as the drawing asks, and what will be left.
+
+        A lathe ``program`` is written with other X words into the folder ``output``, with all that the command writes.
+        """
+        own = None if program is None else Path(program)
+        folder = None if output is None else Path(output)
+        return Correction(self._core().correct(own, add_blocks, folder, overwrite))
+
+    def remedies(
+        self, minutes: Optional[float] = None, *, output: Optional[_Path] = None, overwrite: bool = False
+    ) -> Remedies:
+        """Which of its ``[[setting]]``s to change: what each gains, what it costs, and which few do best together."""
+        folder = None if output is None else Path(output)
+        answer = self._core().remedies(minutes, folder, overwrite)
+        return Remedies(answer, Model._of(answer["model"]) if answer["model"] else None)
+
     def compare(self, data: Data, *, columns: Columns = (), decimal: Optional[str] = None) -> Comparison:
         """How well it agrees with measurements, and where it fails."""
         return Comparison(_fem.compare([self._core()], asked(data, columns, decimal)))
@@ -372,6 +428,23 @@ class Fit(Listing):
         from fem import _plot
 
         return _plot.points(self.rows, "residual", ax)
+
+
+class Remedies(Listing):
+    """Which settings to change."""
+
+    def __init__(self, answer: Answer, model: Optional[Model]) -> None:
+        super().__init__(answer)
+        self.model: Optional[Model] = model
+        """The model with the best settings; None where none makes it better."""
+
+    def _records(self) -> list[dict[str, Any]]:
+        keys = ("setting", "from", "to", "gain", "minutes", "rms", "worst", "probability_in")
+        return [{key: one.to_dict().get(key) for key in keys} for one in self.document["actions"] if one["setting"]]
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A row for each setting alone: what to change, what it gains (m) and costs (minutes)."""
+        return super().to_pandas()
 
 
 class Laws(Listing):

@@ -105,6 +105,39 @@ class Run(Result):
         return _plot.lines(self.profile, self.profile.values_of[0], ax)
 
 
+class Correction(Result):
+    """What to command, and what will be left."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        (tables,) = answer["tables"]
+        self.rows: Table = tables_of(tables, answer["coordinates"])["correction"]
+        """The change at every place of every part, what is left there, and the interval that holds it with 95 %."""
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The rows."""
+        return self.rows.to_pandas()
+
+    def to_xarray(self) -> xr.Dataset:
+        """The rows."""
+        return self.rows.to_xarray()
+
+    def plot(self, ax: Optional[Axes] = None) -> Axes:
+        """Draws what is left along its longest coordinate, a line for each part, run or direction."""
+        from fem import _plot
+
+        return _plot.lines(self.rows, "left", ax)
+
+
+class NextPart(Result):
+    """The offset of the next part, and what to expect of it."""
+
+    def __init__(self, document: str, text: str, page: str, notes: list[str]) -> None:
+        super().__init__(bare(document, text, notes))
+        self.page: Report = Report(page, notes)
+        """The same as a page for a browser."""
+
+
 class Comparison(Result):
     """Models against measurements."""
 

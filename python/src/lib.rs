@@ -8,6 +8,7 @@ mod document;
 mod error;
 mod handle;
 mod model;
+mod next;
 mod study;
 
 use std::ffi::OsString;
@@ -93,5 +94,6 @@ fn _fem(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(document::without, module)?)?;
     module.add_function(wrap_pyfunction!(study::study_jobs, module)?)?;
     module.add_function(wrap_pyfunction!(model::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(next::next_part, module)?)?;
     module.add_function(wrap_pyfunction!(model::report, module)?)
 }

@@ -8,11 +8,14 @@ use fem::discover::{diagnose, discover, read_candidates};
 use fem::input::{Parameter, Source};
 use fem::measure::Measurements;
 use fem::model::{self, Data, Entry, Setting, add_effect};
+use fem::output::files::Guard;
 use fem::output::{
-    ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, LawsAnswer, PlanAnswer, RunAnswer, text,
+    AdvisedAnswer, ComparisonAnswer, CompensationAnswer, CorrectionAnswer, DiagnosisAnswer, FitAnswer, Folder,
+    LawsAnswer, PlanAnswer, RemedyAnswer, RunAnswer, tables_of_band, text,
 };
+use fem::process::Table;
 use fem::progress::Progress;
-use fem::units::Knowledge;
+use fem::units::{Knowledge, TIME};
 use pyo3::prelude::*;
 
 use crate::answer::{Answer, tables_of_comparison, tables_of_rows, tables_of_run};
@@ -98,10 +101,86 @@ impl Model {
         let model = self.0.clone();
         compute(py, &Arc::default(), move |progress| {
             model.require_part()?;
-            let mut run = model.run(progress)?;
-            let answer = Answer::of(&RunAnswer(&model, &run), &model);
+            let (mut run, band) = ask::run(&model, progress)?;
+            let answer = Answer::of(&RunAnswer(&model, &run, band.as_ref()), &model);
             let notes = run.report.warnings.clone();
             Ok(Answer { tables: vec![tables_of_run(&model, &mut run)], notes, ..answer })
+        })
+    }
+
+    /// Predicts rows, those of its own programme or of a design, with the bands that hold the truth about them with 95 %.
+    fn predict(&self, py: Python, design: Option<Asked>) -> PyResult<Answer> {
+        let model = self.0.clone();
+        compute(py, &Arc::default(), move |progress| {
+            model.require_part()?;
+            let asked = design.map(|asked| asked.bound(&model, true)).transpose()?;
+            let asked = asked.as_ref().map(|(model, rows)| data_of(model, rows.clone())).transpose()?;
+            let (model, rows) = match &asked {
+                Some(data) => (data.model, model.system.resolved(&data.rows)),
+                None => (&*model, model.system.programme()),
+            };
+            let (predicted, band) = ask::predict(model, &rows, progress)?;
+            let coordinates = model.process.coordinates().iter().map(|c| c.name.to_string()).collect();
+            let tables = vec![tables_of_band(model, &rows, &predicted, &band)];
+            Ok(Answer { tables, coordinates, ..Answer::default() })
+        })
+    }
+
+    /// What to command so that the part comes out as the drawing asks; files go into a folder, if one is named.
+    fn correct(
+        &self,
+        py: Python,
+        program: Option<PathBuf>,
+        add_blocks: bool,
+        output: Option<PathBuf>,
+        overwrite: bool,
+    ) -> PyResult<Answer> {
+        let model = self.0.clone();
+        compute(py, &Arc::default(), move |progress| {
+            let read = program.as_ref().map(|path| ask::program(&model, path)).transpose()?;
+            if model.system.commanded().is_none() && read.is_none() {
+                let found = ask::advise(&model, progress)?;
+                let answer = AdvisedAnswer(&model, &found);
+                if let Some(directory) = &output {
+                    let guard = Guard { reads: &model.paths(), force: overwrite };
+                    Folder { directory, guard }.write("correct", &answer, progress)?;
+                }
+                let nothing = Table { columns: Vec::new() };
+                return Ok(Answer {
+                    tables: vec![vec![("correction".to_string(), nothing)]],
+                    ..Answer::of(&answer, &model)
+                });
+            }
+            let found = ask::correct(&model, progress)?;
+            let own = read.map(|read| ask::programmed(&model, &found, &read, add_blocks)).transpose()?;
+            let answer = CorrectionAnswer(&model, &found, own.as_ref());
+            if let Some(directory) = &output {
+                let reads = [model.paths(), program.iter().cloned().collect()].concat();
+                Folder { directory, guard: Guard { reads: &reads, force: overwrite } }
+                    .write("correct", &answer, progress)?;
+            }
+            let tables = vec![vec![("correction".to_string(), answer.table())]];
+            Ok(Answer { tables, ..Answer::of(&answer, &model) })
+        })
+    }
+
+    /// Which of its settings a shop should change.
+    fn remedies(&self, py: Python, minutes: Option<f64>, output: Option<PathBuf>, overwrite: bool) -> PyResult<Answer> {
+        let model = self.0.clone();
+        compute(py, &Arc::default(), move |progress| {
+            let found = ask::remedies(&model, minutes.map(|minutes| TIME.to_si(minutes)), progress)?;
+            let correction = match model.system.commanded() {
+                Some(_) => Some(ask::correct(&model, progress)?),
+                None => None,
+            };
+            let directory = output.as_deref();
+            let answer = RemedyAnswer { model: &model, found: &found, correction: correction.as_ref(), directory };
+            if let Some(directory) = directory {
+                let guard = Guard { reads: &model.paths(), force: overwrite };
+                Folder { directory, guard }.write("correct", &answer, progress)?;
+            }
+            let best = found.best().and_then(|own| model.edited(&own.edits).ok());
+            Ok(Answer { model: best.map(|better| marked(better, "remedied")), ..Answer::of(&answer, &model) })
         })
     }
 

@@ -281,3 +281,26 @@ fn a_spread_follows_what_the_model_knows_roughly() {
     let [spread, random] = ["systematic", "random"].map(|key| found["handbook"][key].as_f64().unwrap());
     assert!(spread > 1.0 && (random / spread - 0.3).abs() < 1e-6, "{random} of {spread}");
 }
+
+/// Three terms under the root, 3, 4 and 12 um of normal laws: without the last 5 um are left, and it alone may stay as √(10² − 5²) of
+/// its 12 for the total to keep 10 um.
+#[test]
+fn what_to_buy_down_is_told() {
+    let place = Place::new();
+    let term = |name: &str, value: f64| {
+        format!("[[error]]\nname = \"{name}\"\nkind = \"random\"\ndistribution = \"normal\"\nvalue = \"{value} um\"\n")
+    };
+    let terms = term("a", 3.0) + &term("b", 4.0) + &term("c", 12.0);
+    place.write("b.toml", format!("[budget]\nt = 3\ntolerance = {{ lower = \"-10 um\", upper = \"10 um\" }}\n{terms}"));
+    let found = json(&place, "b.toml");
+    let bought = found["to_buy_down"].as_array().unwrap();
+    let of = |i: usize, key: &str| bought[i][key].as_f64().unwrap();
+    assert_eq!((bought[0]["name"].as_str(), bought[1]["name"].as_str()), (Some("c"), Some("b")));
+    assert!((of(0, "total_without") - 5.0).abs() < 1e-9 && (of(0, "total_with_half") - 61f64.sqrt()).abs() < 1e-9);
+    assert!((of(0, "may_stay") - 75f64.sqrt() / 12.0).abs() < 1e-9 && bought[1]["may_stay"].is_null(), "{bought:?}");
+    let page = place.fem(&["budget", "b.toml"]).out;
+    assert!(page.contains("at most 72 % of it") && page.contains("not by it alone"), "{page}");
+    // Whoever asks for a correction of a budget is shown the way.
+    let wrong = place.fem(&["correct", "b.toml"]);
+    assert!(wrong.status == 2 && wrong.err.contains("`fem budget` adds it up"), "{}", wrong.err);
+}

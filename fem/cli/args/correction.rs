@@ -26,7 +26,7 @@ pub struct Correct {
     #[arg(long, requires = "program")]
     pub add_blocks: bool,
     /// Ask which of its [[setting]]s to change: what each gains, what it costs, and which few do best together
-    #[arg(long)]
+    #[arg(long, conflicts_with = "program")]
     pub remedies: bool,
     /// Most minutes that remedies may cost beside what is made now, of all parts
     #[arg(long, value_name = "N", requires = "remedies", allow_negative_numbers = true, value_parser = finite)]
@@ -81,6 +81,12 @@ pub struct Next {
     /// Tell, and add nothing to the log
     #[arg(long)]
     pub dry_run: bool,
+    /// Write the answer as a page too
+    #[arg(long, value_name = "FILE.html")]
+    pub page: Option<PathBuf>,
+    /// Replace a page that this program did not write
+    #[arg(long, requires = "page")]
+    pub force: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

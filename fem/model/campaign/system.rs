@@ -11,6 +11,7 @@ use crate::process::{
     Description, ForwardModel, Misplaced, Observable, Places, Positioning, Process, Requirement, Rows, Spot, System,
     UnitRole,
 };
+use crate::tolerance::Limits;
 
 impl Process for Campaign {
     fn name(&self) -> &'static str {
@@ -153,8 +154,8 @@ impl System for Whole {
         Vec::new()
     }
 
-    fn aims(&self, rows: &Rows) -> Vec<f64> {
-        vec![0.0; rows.len()]
+    fn limits(&self, rows: &Rows) -> Vec<Option<Limits>> {
+        vec![None; rows.len()]
     }
 
     fn commanded(&self) -> Option<Commanded> {

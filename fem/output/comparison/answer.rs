@@ -14,7 +14,7 @@ use crate::output::block::Block;
 use crate::output::chart::{Svg, named};
 use crate::output::plots::Judged;
 use crate::output::staged::Staged;
-use crate::output::{OutputError, measurement, plots};
+use crate::output::{OutputError, measurement, plots, tolerance};
 use crate::process::Process;
 
 /// Models of one process against one file, each with its comparison.
@@ -66,6 +66,7 @@ impl Answer for ComparisonAnswer<'_> {
                 "chi2_per_dof": c.reduced_chi2,
                 "p_value": c.p_value,
                 "adequate": c.adequacy(),
+                "tolerance": { "measured": tolerance::json(&c.standings[0]), "predicted": tolerance::json(&c.standings[1]) },
                 "features": c.features.iter().map(feature).collect::<Vec<_>>(),
                 "observables": observables(measurements, |s| c.agreement(measurements, s)),
                 "measurement": terms(c),

@@ -1,7 +1,7 @@
 //! Draws measured and predicted deviations on the contour, magnified.
 
-use super::shapes::{BENT, goes_around};
 use crate::output::plots::{Judged, Rows};
+use crate::output::thread::{BENT, goes_around};
 use crate::process::{self, Coordinate, Curve, Drawing, Holds, Spot};
 
 /// Most frames that can be told apart in one picture.

@@ -8,7 +8,7 @@ mod text;
 
 pub use answer::ComparisonAnswer;
 pub use drawing::drawing;
-pub(super) use text::{compared, features, noise as noise_text, residual_curve, verdict};
+pub(super) use text::{allowed, compared, features, noise as noise_text, residual_curve, verdict};
 
 use serde_json::{Value as Json, json};
 

@@ -1,24 +1,15 @@
 //! Animates the measured and the predicted shape.
 
 use crate::output::plots::Judged;
-use crate::process::{Animation, Body, Cell, Ends, Field, Frame, Grid, Observable, Places, Role, Rows, Skin, View};
+use crate::output::thread::{goes_around, radius, thread};
+use crate::process::{Animation, Body, Cell, Field, Frame, Grid, Observable, Places, Role, Rows, Skin, View};
 use crate::units::{Kind, LENGTH, NUMBER};
 
 /// Most rows of a frame that are marked, evenly chosen: more are not told apart on any screen.
 const MOST_MARKS: usize = 2000;
 
-/// Half of the size of a mark, as a part of the size of the shape.
-const MARK: f64 = 0.006;
-
-/// Smallest cosine between the outward directions of rows that belong to one line.
-pub const BENT: f64 = 0.8;
-
-/// Whether places in their order, by their outward directions, go all around, and not only there and back again.
-pub fn goes_around<const N: usize>(outward: &[[f64; N]]) -> bool {
-    let [first, .., last] = outward else { return false };
-    let near = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > BENT;
-    outward.len() > 8 && near(first, last) && !near(first, &outward[outward.len() / 2])
-}
+/// Half of the size of a mark, in radii of a thread.
+const MARK: f64 = 2.0;
 
 /// Makes a frame for each value that rows have in common. Points are the measured rows, joined by a line in
 /// the order of their places, which closes where they go all around; `measured`, `predicted` and `residual` are
@@ -89,25 +80,12 @@ fn frame(all: &[usize], [error, kind]: [Kind; 2], places: &Places, judged: &Judg
 
 /// A mark for every measured row, and a thread through what is predicted of them.
 fn bodies(points: &[[f64; 3]], is_closed: bool) -> Vec<Body> {
-    let extent = |c: usize| {
-        let [low, high] = [f64::min, f64::max].map(|pick| points.iter().map(|p| p[c]).reduce(pick).unwrap_or(0.0));
-        high - low
-    };
-    let half = MARK * extent(0).max(extent(1)).max(extent(2)).max(1e-6);
+    let half = MARK * radius(points);
     let count = points.len() as u32;
     let marks = (0..count).fold(Skin::default(), |all, i| all.and(&Skin::block(Some(i), [0.0; 3], [half; 3])));
     let mut bodies = vec![Body::thickened("measured", marks)];
     if count > 1 {
-        let next = |i: usize| points[(i + 1) % points.len()];
-        let ring = |i: usize| {
-            // Across the way to the next point, the last of an open line that it came.
-            let (a, b) =
-                if i + 1 < points.len() || is_closed { (points[i], next(i)) } else { (points[i - 1], points[i]) };
-            Skin::ring(Some(count + i as u32), [0, 1, 2].map(|c| b[c] - a[c]), 0.5 * half)
-        };
-        let rings: Vec<_> = (0..points.len()).map(ring).collect();
-        let ends = if is_closed { Ends::Joined } else { Ends::Capped };
-        let thread = Body::new("predicted", Role::Nominal, Skin::lofted(&rings, ends));
+        let thread = Body::new("predicted", Role::Nominal, thread(points, count, is_closed));
         bodies.push(Body { is_computed: true, ..thread });
     }
     bodies

@@ -8,6 +8,7 @@ use crate::input::Name;
 use crate::output::block::{Block, Cell, Column, Table};
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series, Svg, escaped, named};
 use crate::output::fit::Short;
+use crate::output::run::RunAnswer;
 use crate::output::{apart, diagnosis, plots};
 
 /// Rise of χ² at the ends of a 95 % interval: 95 % point of χ² with one degree of freedom.
@@ -19,14 +20,15 @@ const BETWEEN: usize = 12;
 
 /// The missing effects.
 pub fn section(subject: &Subject, found: &Evidence, d: &Diagnosis) -> Section {
-    let curves = found.completed.map_or(Vec::new(), |(model, run)| plots::changes(model, &run.contributions));
+    let curves =
+        found.completed.map_or(Vec::new(), |RunAnswer(model, run, _)| plots::changes(model, &run.contributions));
     let card = |(number, missing): (usize, &Missing)| {
         // As the command numbers them.
         let number = if missing.describes() { format!("described {number}") } else { number.to_string() };
         card(&number, missing, &curves, (subject, found))
     };
     let cards = (1..).zip(&d.missing).map(card).collect();
-    Section { id: "causes", title: "The causes", blocks: cards }
+    Section { id: "causes".into(), title: "The causes".into(), blocks: cards }
 }
 
 fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, found): (&Subject, &Evidence)) -> String {
@@ -97,7 +99,7 @@ fn card(number: &str, missing: &Missing, curves: &[(Name, Chart)], (subject, fou
 /// A law over its variables, with what every row leaves without it.
 fn over_rows(name: &Name, law: &FreeLaw, found: &Evidence) -> Vec<Chart> {
     let charts = || {
-        let (model, _) = found.completed?;
+        let RunAnswer(model, ..) = found.completed?;
         let effect = model.effects.iter().find(|own| own.description.name == *name)?;
         let rows = &found.data.rows;
         let predicted = model.forward().observe(rows).ok()?;
@@ -191,7 +193,7 @@ pub fn next(d: &Diagnosis) -> Section {
     if blocks.is_empty() {
         blocks.push(html::block(&diagnosis::separations(&diagnosis::separated_pairs(d))));
     }
-    Section { id: "next", title: "Measure next", blocks }
+    Section { id: "next".into(), title: "Measure next".into(), blocks }
 }
 
 /// Rows that are wrong by themselves.
@@ -213,7 +215,7 @@ pub fn outliers(found: &Evidence, d: &Diagnosis) -> Section {
     let caption = "Rows that lie far outside of what the others scatter; they count by their weight".into();
     let table = Table { caption, is_sortable: true, ..Table::new(head.map(Column::wide), d.outliers.iter().map(row)) };
     let blocks = if d.outliers.is_empty() { Vec::new() } else { vec![html::table(&table)] };
-    Section { id: "outliers", title: "Outlying rows", blocks }
+    Section { id: "outliers".into(), title: "Outlying rows".into(), blocks }
 }
 
 /// Every effect that was on trial.
@@ -251,5 +253,5 @@ pub fn candidates(found: &Evidence, d: &Diagnosis) -> Section {
         blocks.push(html::heading("What the model leaves open, re-fitted"));
         blocks.push(estimates("Values with their 95 % intervals", &own));
     }
-    Section { id: "trial", title: "Every effect on trial", blocks }
+    Section { id: "trial".into(), title: "Every effect on trial".into(), blocks }
 }

@@ -102,6 +102,9 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
     if !found.comparisons.is_empty() {
         blocks.push(html::table(&comparison::compared(found.all, found.comparisons)));
     }
+    if let Some(last) = found.comparisons.last() {
+        blocks.extend(comparison::allowed(last, false).iter().map(html::block));
+    }
     let list = html::block(&comparison::features(features));
     if !list.is_empty() {
         blocks.extend([html::heading("Where the model fails"), list]);
@@ -110,7 +113,8 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
         blocks.push(html::heading("What each step leaves"));
         blocks.push(slider(rows, steps));
     }
-    Section { id: "error", title: if steps.len() > 1 { "The error falling" } else { "The error" }, blocks }
+    let title = if steps.len() > 1 { "The error falling" } else { "The error" };
+    Section { id: "error".into(), title: title.into(), blocks }
 }
 
 /// Residuals after each step, all on the scale of the largest.
@@ -135,7 +139,7 @@ fn measured(rows: &Rows, last: &Step) -> Section {
         blocks.push(html::figures([("compared".into(), drawing::drawing(&drawn))]));
     }
     blocks.push(charts(&[plots::measured(rows, &judged), plots::agreement(rows, &judged)].concat()));
-    Section { id: "measured", title: "Measured and predicted", blocks }
+    Section { id: "measured".into(), title: "Measured and predicted".into(), blocks }
 }
 
 fn left(rows: &Rows, found: &Evidence, last: &Step) -> Section {
@@ -163,5 +167,5 @@ fn left(rows: &Rows, found: &Evidence, last: &Step) -> Section {
         );
         blocks.push(html::paragraph("note", &told));
     }
-    Section { id: "left", title: "What is left", blocks }
+    Section { id: "left".into(), title: "What is left".into(), blocks }
 }

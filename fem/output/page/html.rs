@@ -1,5 +1,7 @@
 //! Pieces of a page: figures, tables, lists. Every text of a user is escaped here.
 
+use std::borrow::Cow;
+
 use serde_json::json;
 
 use crate::output::block::{Block, Cell, Table};
@@ -9,9 +11,9 @@ use crate::output::json::finite;
 /// A part of the page, with a place in its table of contents.
 pub struct Section {
     /// Name by which links lead to it.
-    pub id: &'static str,
+    pub id: Cow<'static, str>,
     /// Heading.
-    pub title: &'static str,
+    pub title: Cow<'static, str>,
     /// Pieces of HTML.
     pub blocks: Vec<String>,
 }

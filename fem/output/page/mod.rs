@@ -1,6 +1,7 @@
 //! One self-contained page: the prediction of a model, and what measurements say of it. It computes nothing: it
 //! reads the same reports that text and JSON are written from.
 
+mod answered;
 mod causes;
 mod evidence;
 mod html;
@@ -9,12 +10,14 @@ mod provenance;
 mod step;
 mod subject;
 
+pub use answered::{Head, answered};
 pub use subject::{Evidence, Subject};
 
 use askama::Template;
 use html::Section;
 
 use super::chart::sheet;
+use super::run::RunAnswer;
 use super::{comparison, diagnosis};
 use crate::diagnose::Verdict;
 
@@ -117,7 +120,7 @@ fn verdict(subject: &Subject) -> (String, &'static str) {
             None => (String::new(), ""),
         },
         None => {
-            let first = subject.run.and_then(|run| run.report.figures.first());
+            let first = subject.run.and_then(|RunAnswer(_, run, _)| run.report.figures.first());
             let told = first.map(|f| format!("predicted: {}: {}", f.label.trim(), f.lines.join("; ")));
             (told.unwrap_or_default(), "")
         }

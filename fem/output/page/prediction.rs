@@ -5,24 +5,28 @@ use super::subject::Subject;
 use crate::model::Contribution;
 use crate::output::block::{Cell, Column, Table};
 use crate::output::chart::named;
-use crate::output::plots;
-use crate::output::run::{change_of, drawings};
+use crate::output::run::{RunAnswer, change_of, drawings};
+use crate::output::{bands, plots, tolerance};
 
 /// The sections of the best model that is known.
 pub fn sections(subject: &Subject) -> Vec<Section> {
-    let Some((model, run)) = subject.best() else { return Vec::new() };
+    let Some(best) = subject.best() else { return Vec::new() };
+    let RunAnswer(model, run, band) = best;
     let is_completed = subject.evidence.as_ref().is_some_and(|found| found.completed.is_some());
     let of =
         if is_completed { "Of the completed model, every value re-fitted." } else { "Of the model as it is written." };
     let drawn = drawings(run);
     let has_drawing = !drawn.is_empty();
     let machine = vec![html::paragraph("note", of), html::figures(drawn)];
-    let findings = run.report.figures.iter();
-    let findings = findings.map(|f| vec![Cell::Text(f.label.trim().into()), Cell::Text(f.lines.join("; "))]);
+    let figure = |label: &str, lines: &[String]| vec![Cell::Text(label.trim().into()), Cell::Text(lines.join("; "))];
+    let tolerance = tolerance::lines(&run.standings);
+    let tolerance = tolerance.iter().map(|line| figure("tolerance", std::slice::from_ref(line)));
+    let band = band.map(|band| figure("95 % band", &bands::lines(model, band)));
+    let findings = run.report.figures.iter().map(|f| figure(&f.label, &f.lines)).chain(tolerance).chain(band);
     let findings = Table::new(["figure", "value"].map(Column::wide), findings);
     let mut prediction = vec![html::paragraph("note", of)];
     prediction.extend(run.report.warnings.iter().map(|w| html::paragraph("caution", &format!("Warning: {w}"))));
-    prediction.push(html::figures(plots::predicted(model, run).iter().map(named)));
+    prediction.push(html::figures(plots::predicted(&best).iter().map(named)));
     prediction.push(html::table(&Table { caption: "What a run finds".into(), ..findings }));
     let observables = model.process.observables();
     let share = |s: &Contribution| {
@@ -39,8 +43,12 @@ pub fn sections(subject: &Subject) -> Vec<Section> {
         changes.push(html::figures(plots::changes(model, &run.contributions).iter().map(|(_, c)| named(c))));
     }
     vec![
-        Section { id: "machine", title: "The machine", blocks: if has_drawing { machine } else { Vec::new() } },
-        Section { id: "prediction", title: "The prediction", blocks: prediction },
-        Section { id: "effects", title: "What each effect changes", blocks: changes },
+        Section {
+            id: "machine".into(),
+            title: "The machine".into(),
+            blocks: if has_drawing { machine } else { Vec::new() },
+        },
+        Section { id: "prediction".into(), title: "The prediction".into(), blocks: prediction },
+        Section { id: "effects".into(), title: "What each effect changes".into(), blocks: changes },
     ]
 }

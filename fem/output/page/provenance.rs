@@ -36,5 +36,5 @@ pub fn section(subject: &Subject) -> Section {
         let notes = found.data.notes_of_fit();
         blocks.push(html::list(&notes));
     }
-    Section { id: "provenance", title: "Where this comes from", blocks }
+    Section { id: "provenance".into(), title: "Where this comes from".into(), blocks }
 }

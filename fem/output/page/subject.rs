@@ -2,14 +2,15 @@
 
 use crate::compare::Comparison;
 use crate::diagnose::Diagnosis;
-use crate::model::{Data, Model, Run};
+use crate::model::{Data, Model};
+use crate::output::run::RunAnswer;
 
 /// Models, their prediction, and what measurements say of them.
 pub struct Subject<'a> {
     /// In the order in which they were named; there is at least one.
     pub models: &'a [Model],
     /// The run of the last of them; `None` where it leaves values open, or a completed one takes its place.
-    pub run: Option<&'a Run>,
+    pub run: Option<RunAnswer<'a>>,
     /// Evidence of measurements, where there are any.
     pub evidence: Option<Evidence<'a>>,
     /// Names of the files that were read, with the SHA-256 of each.
@@ -27,7 +28,7 @@ pub struct Evidence<'a> {
     /// Of the last model.
     pub diagnosis: Option<&'a Diagnosis>,
     /// The last model with what was missing and all fitted values, and its run.
-    pub completed: Option<(&'a Model, &'a Run)>,
+    pub completed: Option<RunAnswer<'a>>,
 }
 
 impl<'a> Subject<'a> {
@@ -37,8 +38,7 @@ impl<'a> Subject<'a> {
     }
 
     /// The best that is known of the machine: the completed model, or else the model as it is written.
-    pub fn best(&self) -> Option<(&'a Model, &'a Run)> {
-        let completed = self.evidence.as_ref().and_then(|found| found.completed);
-        completed.or_else(|| Some((self.model(), self.run?)))
+    pub fn best(&self) -> Option<RunAnswer<'a>> {
+        self.evidence.as_ref().and_then(|found| found.completed).or(self.run)
     }
 }

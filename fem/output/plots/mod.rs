@@ -1,5 +1,7 @@
 //! Charts of a prediction, a comparison, a cause: chosen by what the coordinates are, whatever the process.
 
+mod about;
+mod corrected;
 mod law;
 mod layout;
 mod measured;
@@ -7,6 +9,7 @@ mod positioning;
 mod predicted;
 mod residuals;
 
+pub use corrected::corrected;
 pub use law::{Said, law};
 pub use measured::{Judged, Rows, agreement, measured};
 pub use predicted::{changes, predicted, signatures};

@@ -1,10 +1,12 @@
 //! Charts of a prediction.
 
+use super::about::About;
 use super::layout::Layout;
 use super::positioning;
 use crate::input::Name;
-use crate::model::{Contribution, Model, Run};
+use crate::model::{Contribution, Model};
 use crate::output::chart::{Axis, Chart, Form, Plane, Series, draw};
+use crate::output::run::RunAnswer;
 use crate::process::Rows;
 use crate::units::Kind;
 
@@ -15,29 +17,41 @@ fn layouts(model: &Model, rows: &Rows) -> Vec<Layout> {
     Layout::each(&*model.process, rows, &all, &seen)
 }
 
-/// The prediction along its coordinates, around its circle, over its pairs, as its standard draws it.
-pub fn predicted(model: &Model, run: &Run) -> Vec<Chart> {
+/// The prediction along its coordinates, around its circle, over its pairs, as its standard draws it; with its band and what
+/// a drawing allows.
+pub fn predicted(answer: &RunAnswer) -> Vec<Chart> {
+    let RunAnswer(model, run, band) = *answer;
     let rows = model.system.programme();
     if let Some(test) = model.system.positioning() {
         return vec![positioning::chart(&test.approaches(&rows), &run.prediction, "predicted", None)];
     }
+    let limits = model.system.limits(&rows);
     let charts = |layout: &Layout| {
         let kind = model.process.observables()[layout.observable].kind;
-        of_one(layout, &|row: usize| kind.from_si(run.prediction[layout.rows[row]]))
+        let value = |row: usize| kind.from_si(run.prediction[layout.rows[row]]);
+        let ends = |own: [f64; 2]| own.map(|si| kind.from_si(si));
+        let interval = |row: usize| band.map(|band| ends(band.interval[layout.rows[row]]));
+        let limits = |row: usize| limits[layout.rows[row]].map(|own| ends([own.lower, own.upper]));
+        of_one(layout, &value, &About { interval: &interval, limits: &limits })
     };
     layouts(model, &rows).iter().flat_map(charts).collect()
 }
 
-fn of_one(layout: &Layout, value: &dyn Fn(usize) -> f64) -> Vec<Chart> {
+fn of_one(layout: &Layout, value: &dyn Fn(usize) -> f64, about: &About) -> Vec<Chart> {
     let (x, y) = layout.axes();
     let title = format!("predicted {} over {}", y.name, x.name);
     let named = |name: &str| format!("{name}{}", layout.end);
-    let series = layout.lines(value);
+    let lines = layout.lines(value);
     let chosen = layout.chosen().len();
-    let note = match layout.labels.len() {
-        all if all > chosen => format!("{chosen} of {all} curves in colour, the others in grey"),
-        _ => String::new(),
+    let (limits, of_limits) = about.limits(layout, &lines);
+    let bands = about.bands(layout);
+    let of_bands = if bands.is_empty() { None } else { Some("areas hold 95 %".to_string()) };
+    let of_colours = match layout.labels.len() {
+        all if all > chosen => Some(format!("{chosen} of {all} curves in colour, the others in grey")),
+        _ => None,
     };
+    let note = of_colours.into_iter().chain(of_bands).chain(of_limits).collect::<Vec<_>>().join("; ");
+    let series: Vec<Series> = bands.into_iter().chain(limits).chain(lines).collect();
     let mut charts = Vec::new();
     if layout.is_around() {
         let plane =

@@ -11,6 +11,9 @@ use super::search::peak;
 
 /// A block is as long as it can be to this part of its length.
 pub const PRECISION: f64 = 1e-5;
+/// Blocks of a programme that is compared with others: of more the search for the fewest takes longer than
+/// the run.
+pub const MOST_BLOCKS: usize = 200;
 /// Places at which the error of a block is looked at first.
 pub const SAMPLES: usize = 9;
 

@@ -7,6 +7,7 @@
 //! polar angle of the profile's point, counter-clockwise from +x. The wheel goes along the profile in the
 //! order in which it is drawn.
 
+mod advice;
 mod allowed;
 mod before;
 pub(crate) mod cartesian;
@@ -33,8 +34,8 @@ use std::sync::Arc;
 
 use crate::input::Reader;
 use crate::process::{
-    Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit,
-    Misplaced, Observable, Places, Rows, RunReport, Spot,
+    Advice, Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward,
+    Limit, Misplaced, Observable, Places, Rows, RunReport, Spot,
 };
 use crate::progress::Progress;
 
@@ -62,6 +63,10 @@ impl Definition for CamGrinding {
 
     fn allowed(setup: &Setup) -> Option<(&Allowed, &'static AllowedWords)> {
         Some((&setup.allowed, &allowed::ALLOWED))
+    }
+
+    fn advice(machine: &Machine, _rows: &Rows, _values: &[f64]) -> Result<Vec<Advice>, Failure> {
+        advice::advice(machine)
     }
 
     fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {

@@ -41,6 +41,7 @@ use crate::process::{
     Requirement, Rows, RunReport,
 };
 use crate::progress::Progress;
+use crate::tolerance::Limits;
 
 /// The process `turning`.
 pub struct Turning;
@@ -116,8 +117,8 @@ impl Definition for Turning {
         requirements::requirements(setup)
     }
 
-    fn aims(setup: &Setup, rows: &Rows) -> Vec<f64> {
-        requirements::aims(setup, rows)
+    fn limits(setup: &Setup, rows: &Rows) -> Vec<Option<Limits>> {
+        requirements::limits(setup, rows)
     }
 
     fn characteristics(setup: &Setup, rows: &Rows, values: &[f64]) -> Vec<Characteristic> {

@@ -27,14 +27,14 @@ pub fn requirements(setup: &Setup) -> Vec<Requirement> {
     diameters.chain(form("taper", taper)).chain(form("cylindricity", cylindricity)).collect()
 }
 
-/// The middle of the limits of the diameter at each row, m; nothing where there are none.
-pub fn aims(setup: &Setup, rows: &Rows) -> Vec<f64> {
-    let aim = |row: usize| {
-        let section = setup.segment(rows.get(X, row).unwrap_or(0.0));
-        let limits = setup.tolerance.diameters.get(section).and_then(Option::as_ref);
-        limits.and_then(|(limits, _)| limits.middle()).unwrap_or(0.0)
+/// The limits of the diameter, or of its error, at each row, m.
+pub fn limits(setup: &Setup, rows: &Rows) -> Vec<Option<Limits>> {
+    let of = |row: usize| {
+        let x = rows.get(X, row).unwrap_or(0.0);
+        let (limits, _) = setup.tolerance.diameters.get(setup.segment(x))?.as_ref()?;
+        Some(limits.about(if rows.observable[row] == DIAMETER { setup.diameter(x) } else { 0.0 }))
     };
-    (0..rows.len()).map(aim).collect()
+    (0..rows.len()).map(of).collect()
 }
 
 /// What rows show of each part, section by section.

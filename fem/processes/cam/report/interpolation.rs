@@ -4,16 +4,13 @@ use rayon::prelude::*;
 
 use super::super::cartesian::{self, Block};
 use super::super::division::{By, Division, Ends};
-use super::super::fewest::error;
+use super::super::fewest::{MOST_BLOCKS, error};
 use super::super::guide::Guide;
 use super::super::program::points;
 use super::super::setup::Setup;
 use crate::process::{Datum, Figure};
 use crate::units::MICRO;
 
-/// Blocks of a programme that is compared with others: of more the search for the fewest takes longer than
-/// the run.
-const MOST_BLOCKS: usize = 200;
 /// Errors below this are none, m.
 const NONE: f64 = 1e-10;
 

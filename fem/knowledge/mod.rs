@@ -1,4 +1,8 @@
-//! What is known of the values of a model, and draws from that.
+//! What is known of the values of a model, draws from that, and how far they take a prediction to be off.
+
+mod band;
+
+pub use band::{Band, Probability};
 
 use nalgebra::{DMatrix, DVector};
 
@@ -21,6 +25,8 @@ pub struct Knowledge {
     root: DMatrix<f64>,
     /// Whether each is a positive quantity, whose logarithm is spread.
     is_positive: Vec<bool>,
+    /// What stays unexplained of the measurements that the values were fitted to, SI.
+    unexplained: f64,
 }
 
 impl Knowledge {
@@ -31,12 +37,18 @@ impl Knowledge {
             deviations: model.together.deviations(&model.parameters),
             root: model.together.root(&model.parameters),
             is_positive: model.parameters.iter().map(|own| own.bounds == Bounds::Positive).collect(),
+            unexplained: model.together.unexplained(),
         }
     }
 
     /// How many values are not exactly known.
     pub fn uncertain(&self) -> usize {
         self.deviations.iter().filter(|deviation| **deviation > 0.0).count()
+    }
+
+    /// Whether nothing of a prediction is open.
+    pub fn is_exact(&self) -> bool {
+        self.uncertain() == 0 && self.unexplained == 0.0
     }
 
     /// Whether each value is known roughly.

@@ -1,0 +1,172 @@
+//! How far a prediction may be off, and with which probability parts are within what is asked.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::Knowledge;
+use crate::budget::{Law, Stream};
+use crate::model::Model;
+use crate::process::{Failure, Rows, Standing};
+
+/// Rows that draws of the values may cost together, and the fewest and the most draws.
+const MOST_DRAWN: usize = 2_000_000;
+const DRAWS: (usize, usize) = (100, 400);
+/// Part of the draws below and above an interval that holds 95 % of them.
+const BEYOND: f64 = 0.025;
+/// Seed of what stays unexplained: that of the values is another.
+const SEED: u64 = 2;
+/// Half-field of a normal law in standard deviations.
+const FIELD: f64 = 3.0;
+
+/// What is known of a prediction, with the values known together. SI.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Band {
+    /// The interval that holds the true value of each row with 95 %.
+    pub interval: Vec<[f64; 2]>,
+    /// Probability that parts are within what is asked; none where nothing is.
+    pub probability: Option<Probability>,
+    /// Values of the model that are known roughly.
+    pub uncertain: usize,
+    /// What stays unexplained of the measurements that the model was fitted to, as a standard deviation.
+    pub unexplained: f64,
+}
+
+/// Probabilities of being within what is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Probability {
+    /// Of each part, by its number.
+    pub of_parts: Vec<(Option<usize>, f64)>,
+    /// Of all together.
+    pub of_all: f64,
+}
+
+impl Band {
+    /// The band about the best prediction of rows of a model, by drawing its values; those that make no model are none.
+    ///
+    /// # Errors
+    /// Most of what the values may be makes no model.
+    pub fn of(
+        (model, knowledge): (&Model, &Knowledge),
+        (rows, best): (&Rows, &[f64]),
+        draw: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync,
+    ) -> Result<Self, Failure> {
+        let draws = match knowledge.is_exact() {
+            true => 1,
+            false => (MOST_DRAWN / rows.len().max(1)).clamp(DRAWS.0, DRAWS.1),
+        };
+        let parts = parts(model, rows);
+        // The first is what is known best.
+        let further = (1..draws).into_par_iter().filter_map(|number| {
+            let mut own =
+                if knowledge.uncertain() == 0 { best.to_vec() } else { draw(&knowledge.drawn(number)).ok()? };
+            shift(&mut own, &parts, knowledge.unexplained, number);
+            Some(own)
+        });
+        let further: Vec<Vec<f64>> = further.collect();
+        if 2 * further.len() + 1 < draws {
+            return Err(Failure {
+                message: "the values of the model are known so roughly that most of what they may be makes no model"
+                    .into(),
+                help: "fit them to measurements first: `fem fit MODEL --with DATA --add-to BETTER`".into(),
+            });
+        }
+        let all: Vec<&[f64]> = std::iter::once(best).chain(further.iter().map(Vec::as_slice)).collect();
+        let interval = (0..rows.len()).into_par_iter().map(|row| interval(all.iter().map(|made| made[row]).collect()));
+        Ok(Self {
+            interval: interval.collect(),
+            probability: Probability::of(&all, |made| Standing::all(&*model.system, rows, made)),
+            uncertain: knowledge.uncertain(),
+            unexplained: knowledge.unexplained,
+        })
+    }
+
+    /// The band about a prediction of rows with nothing corrected.
+    ///
+    /// # Errors
+    /// As those of [`Band::of`].
+    pub fn about(model: &Model, rows: &Rows, best: &[f64]) -> Result<Self, Failure> {
+        let nothing = Arc::default();
+        let draw = |values: &[f64]| model.commanded_at(values, &nothing)?.observe(rows);
+        Self::of((model, &Knowledge::of(model)), (rows, best), draw)
+    }
+
+    /// The widest half of the intervals of some rows.
+    pub fn widest(&self, rows: impl IntoIterator<Item = usize>) -> f64 {
+        let half = |row: usize| 0.5 * (self.interval[row][1] - self.interval[row][0]);
+        rows.into_iter().map(half).fold(0.0, f64::max)
+    }
+
+    /// Whether everything is known exactly.
+    pub fn is_exact(&self) -> bool {
+        self.uncertain == 0 && self.unexplained == 0.0
+    }
+}
+
+impl Probability {
+    /// The part of the draws, the best first, in which parts are within; none where nothing is asked.
+    fn of(all: &[&[f64]], standings: impl Fn(&[f64]) -> Vec<Standing>) -> Option<Self> {
+        let of = |made: &[f64]| -> Vec<(Option<usize>, bool)> {
+            let mut parts: Vec<(Option<usize>, bool)> = Vec::new();
+            for own in &standings(made) {
+                let is_in = |range: &[f64; 2]| own.requirement.limits.hold(*range);
+                parts.extend(own.parts.iter().map(|(part, range)| (*part, is_in(range))));
+            }
+            // Of each part the worst, which sorts first.
+            parts.sort_unstable();
+            parts.dedup_by_key(|(part, _)| *part);
+            parts
+        };
+        let mut within: Vec<(Option<usize>, usize)> = of(all[0]).into_iter().map(|(part, _)| (part, 0)).collect();
+        if within.is_empty() {
+            return None;
+        }
+        let mut all_within = 0;
+        for made in all {
+            let own = of(made);
+            within.iter_mut().zip(&own).for_each(|((_, count), (_, is_in))| *count += usize::from(*is_in));
+            all_within += usize::from(own.iter().all(|(_, is_in)| *is_in));
+        }
+        let share = |count: usize| count as f64 / all.len() as f64;
+        let of_parts = within.into_iter().map(|(part, count)| (part, share(count))).collect();
+        Some(Self { of_parts, of_all: share(all_within) })
+    }
+}
+
+/// The number of the part of each row; all are of one part where none are numbered.
+fn parts(model: &Model, rows: &Rows) -> Vec<u32> {
+    let numbered =
+        model.process.in_order().and_then(|name| model.process.coordinates().iter().position(|own| own.name == name));
+    let number = |row: usize| numbered.and_then(|along| rows.get(along, row)).map_or(0, |number| number as u32);
+    (0..rows.len()).map(number).collect()
+}
+
+/// Moves each part by what stays unexplained: nobody knows its form, and what effects leave is smooth on a part.
+fn shift(values: &mut [f64], parts: &[u32], deviation: f64, number: usize) {
+    if deviation == 0.0 {
+        return;
+    }
+    let stream = Stream::new(SEED, number as u64);
+    let mut last = None;
+    for (value, part) in values.iter_mut().zip(parts) {
+        let by = match last {
+            Some((own, by)) if own == part => by,
+            _ => deviation * FIELD * Law::Normal.draw(&stream, *part, 0),
+        };
+        last = Some((part, by));
+        *value += by;
+    }
+}
+
+/// The interval that holds 95 % of some values.
+fn interval(mut values: Vec<f64>) -> [f64; 2] {
+    values.sort_unstable_by(f64::total_cmp);
+    let last = (values.len() - 1) as f64;
+    [BEYOND, 1.0 - BEYOND].map(|part| {
+        let at = part * last;
+        let (below, share) = (at as usize, at.fract());
+        let above = values[(below + 1).min(values.len() - 1)];
+        values[below] + share * (above - values[below])
+    })
+}
