@@ -87,14 +87,15 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     let Course { rows, before, solved, between } =
         progress.stretch("correction", || course(model, &commanded, &knowledge.values))?;
     let made = |command: &Arc<Command>| model.commanded_at(&knowledge.values, command)?.observe(&rows);
-    let of = |left: &[f64]| Standing::all(&*model.system, &rows, left);
+    let told = model.system.resolved(&rows);
+    let of = |left: &[f64]| Standing::all(&*model.system, &told, left);
     let standings = [of(&before), of(&solved.left)];
     let (interval, probability) = progress.stretch("what is known of it", || {
         let command = &solved.command;
         let draw = |values: &[f64]| model.commanded_at(values, command)?.observe(&rows);
         spread(&knowledge, (&rows, &solved.left), draw, of)
     })?;
-    let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&rows, &before)?;
+    let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&told, &before)?;
     let offsets = course::offsets(&solved.command, &commanded);
     let left_by_offsets = made(&course::of_offsets(&solved.command, &commanded, &offsets))?;
     let common = match commanded.number {
@@ -116,7 +117,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         probability,
         uncertain: knowledge.uncertain(),
         advice,
-        rows,
+        rows: told,
     }))
 }
 

@@ -81,6 +81,29 @@ fn a_correction_brings_every_part_to_the_middle_of_its_limits() {
     assert_eq!(place.fem(&["correct", "shaft.toml", "--json"]).out, answer.out);
 }
 
+/// What a correction adds and leaves is a measurement file, which the model foretells: also where the force answers, and a pass
+/// went before.
+#[test]
+fn rows_tell_what_was_added_to_the_radius() {
+    let place = Place::new();
+    let passes = "[[pass]]\ndepth = \"1 mm\"\nradial_force = \"500 N\"\n[effects.force-feedback]\nexponent = 0.8\n";
+    let shaft = SHAFT.replace("4 min", "6 min");
+    place.write("shaft.toml", format!("{shaft}[tolerance]\ndiameter = \"h6\"\n{passes}"));
+    assert_eq!(place.fem(&["correct", "shaft.toml", "-o", "out"]).status, 0);
+    let with = ["compare", "shaft.toml", "--with", "out/correction.csv", "--json", "--columns"];
+    let compared = |columns: &str| {
+        let answer = place.fem(&[&with[..], &[columns]].concat());
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        parsed(&answer.out)
+    };
+    let told = compared("left=diameter_error,left_from=-,left_to=-");
+    assert!(told["models"][0]["rms"].as_f64().unwrap() < 1e-4, "{}", told["models"][0]["rms"]);
+    assert_eq!(told["tolerance"][0]["within"], serde_json::json!(true), "{}", told["tolerance"]);
+    assert!(told["rms_from_middle"]["value"].as_f64().unwrap() < 1e-4, "{}", told["rms_from_middle"]);
+    let untold = compared("left=diameter_error,left_from=-,left_to=-,radius_change=-");
+    assert!(untold["models"][0]["rms"].as_f64().unwrap() > 10.0, "{}", untold["models"][0]["rms"]);
+}
+
 #[test]
 fn what_cannot_be_corrected_is_said() {
     let place = Place::new();
