@@ -15,7 +15,7 @@ mod csv;
 mod diagnosis;
 mod drawing;
 mod error;
-mod falling;
+pub mod falling;
 pub mod files;
 mod fit;
 mod folder;

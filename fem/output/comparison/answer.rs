@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde_json::{Value as Json, json};
 
+use super::asked::Asked;
 use super::{drawing, feature, noise, observables, place, residuals, shapes, text};
 use crate::compare::Comparison;
 use crate::measure::Measurements;
@@ -36,11 +37,19 @@ impl ComparisonAnswer<'_> {
         let each = self.models.iter().zip(self.comparisons);
         each.map(move |(model, found)| (model, found, Path::new(if is_one { "".as_ref() } else { model.stem() })))
     }
+
+    /// How the measured parts stand against the drawing: that of the first model that asks something.
+    fn asked(&self) -> Option<Asked> {
+        let of = |model: &Model| Asked::of(model, self.measurements, &observed(model, self.measurements));
+        self.models.iter().find_map(of)
+    }
 }
 
 impl Answer for ComparisonAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
-        text::blocks(self.process, self.measurements, self.comparisons)
+        let asked = self.asked().map(|asked| asked.blocks());
+        let compared = text::blocks(self.process, self.measurements, self.comparisons);
+        compared.into_iter().chain(asked.into_iter().flatten()).collect()
     }
 
     /// `fem compare --json`: `fem-comparison/1`.
@@ -73,6 +82,7 @@ impl Answer for ComparisonAnswer<'_> {
                 "suspects": measurement::json(&c.suspects, process, Some(measurements)),
             })
         };
+        let [tolerance, rms_from_middle] = Asked::json(self.asked().as_ref());
         json!({
             "schema": "fem-comparison/1",
             "data": measurements.name,
@@ -81,6 +91,8 @@ impl Answer for ComparisonAnswer<'_> {
             "noise": noise,
             "measurement": first.map(terms),
             "models": comparisons.iter().map(model).collect::<Vec<_>>(),
+            "tolerance": tolerance,
+            "rms_from_middle": rms_from_middle,
             "notes": measurements.notes,
         })
     }

@@ -7,6 +7,7 @@ use super::subject::{Evidence, Subject};
 use crate::output::answer::left_undone;
 use crate::output::block::Block;
 use crate::output::chart::{Chart, named, number};
+use crate::output::comparison::Asked;
 use crate::output::falling::Falling;
 use crate::output::plots::Rows;
 use crate::output::{comparison, diagnosis, drawing, plots};
@@ -90,10 +91,15 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
     let mut blocks: Vec<String> = cautions.iter().map(|c| html::block(&Block::Caution(c.clone()))).collect();
     let undone = left_undone(found.diagnosis.map(|_| &*found.data.progress));
     blocks.extend(undone.iter().map(|u| html::paragraph("caution", &format!("Left undone for want of time: {u}"))));
+    let asked = steps.last().and_then(|last| Asked::of(rows.model, rows.measurements, last.judged().measured));
     if steps.len() > 1 {
         let title = format!("root mean square error of {}", subject.model().stem().display());
         let stem = |s: &Step| s.label.rsplit('/').next().unwrap_or(&s.label).to_string();
-        let fallen = Falling { title, steps: steps.iter().map(|s| (stem(s), s.rms)).collect(), noise, unit: kind.unit };
+        let steps = steps.iter().map(|s| (stem(s), s.rms)).collect();
+        let apart = asked.as_ref().and_then(Asked::off).map(|(_, off)| {
+            ("error of the parts against the drawing".to_string(), vec![("as measured".to_string(), kind.from_si(off))])
+        });
+        let fallen = Falling { title, steps, apart, noise, unit: kind.unit };
         blocks.push(html::figures([("falling-error".into(), fallen.svg())]));
     }
     if let Some(d) = found.diagnosis.filter(|_| subject.models.len() < 2) {
@@ -102,6 +108,7 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
     if !found.comparisons.is_empty() {
         blocks.push(html::table(&comparison::compared(found.all, found.comparisons)));
     }
+    blocks.extend(asked.iter().flat_map(Asked::blocks).map(|block| html::block(&block)));
     let list = html::block(&comparison::features(features));
     if !list.is_empty() {
         blocks.extend([html::heading("Where the model fails"), list]);
