@@ -6,10 +6,12 @@ use crate::output::commented;
 use crate::process::Process;
 use crate::{budget, next, processes, study};
 
-/// The files of a story to try everything on, a model and what was measured: name and text.
-pub const STORY: [(&str, &str); 2] = [
+/// The files of a story to try everything on, a model, what was measured, and what was measured of the same job when it was
+/// made again with a correction: name and text.
+pub const STORY: [(&str, &str); 3] = [
     ("rigid.toml", include_str!("../../models/story/rigid.toml")),
     ("measured.csv", include_str!("../../models/story/measured.csv")),
+    ("corrected.csv", include_str!("../../models/story/corrected.csv")),
 ];
 
 /// A file to start from.

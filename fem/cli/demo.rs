@@ -18,13 +18,16 @@ pub fn demo(args: &args::Demo) -> Result<(), Error> {
     }
     let folder = directory.display();
     print(&format!(
-        "written {folder}/rigid.toml, a lathe that is believed to be rigid, and {folder}/measured.csv, twelve shafts that it turned
+        "written {folder}/rigid.toml, a lathe that is believed to be rigid, {folder}/measured.csv, twelve shafts that it turned,
+and {folder}/corrected.csv, the same job made again as the fifth command says
 
   cd {folder}
   fem run rigid.toml                                                what the model predicts
   fem compare rigid.toml --with measured.csv                        how far off it is, and where
   fem diagnose rigid.toml --with measured.csv --add-to better.toml  what is missing
   fem compare rigid.toml better.toml --with measured.csv            the error before and after
+  fem correct better.toml -o correction                             what to command
+  fem compare better.toml --with corrected.csv                      what is left on the parts then
   fem report rigid.toml --with measured.csv -o report.html          all of it as a page for a browser
 "
     ))

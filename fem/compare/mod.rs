@@ -20,7 +20,7 @@ use nalgebra::DMatrix;
 use crate::measure::{MeasuredObservable, Measurements, Repeats};
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource, Term, beyond_chi2, beyond_f, suspects};
-use crate::process::{Failure, Standing};
+use crate::process::Failure;
 
 /// Comparison of one model with one file of measurements. SI units.
 #[derive(Clone, Debug)]
@@ -55,9 +55,6 @@ pub struct Comparison {
     /// that differ from run to run are no noise.
     #[doc(hidden)]
     pub suspects: Vec<Term>,
-    /// How parts stand against what the drawing asks, as measured and as predicted in the same rows; empty where it
-    /// asks nothing.
-    pub standings: [Vec<Standing>; 2],
     /// Cautions about the effects of the measurement that the model states, and about what its prediction asks of the
     /// machine.
     pub cautions: Vec<String>,
@@ -132,8 +129,6 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
     let features = features::find(&*model.process, measurements, &residuals, &noise);
     let is_explained = p_value.is_none_or(|p| p >= SIGNIFICANCE) && features.is_empty();
     let suspects = if is_explained { suspects(&evidence) } else { Vec::new() };
-    let standing = |values: &[f64]| Standing::all(&*model.system, &measurements.rows, values);
-    let standings = [&measurements.observed, &predicted].map(|values| standing(values));
     Comparison {
         model: model.source.name.to_string(),
         rms: rms(&errors),
@@ -144,7 +139,6 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
         p_value,
         features,
         suspects,
-        standings,
         cautions: data.cautions.clone(),
         predicted,
         residuals,

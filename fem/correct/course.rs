@@ -46,7 +46,8 @@ impl Programme {
     }
 
     /// The rows at places of the contours, given contour by contour; what the model cannot fill in is as in the programme,
-    /// between two of its rows on a straight line.
+    /// between two of its rows on a straight line. What it can is left to it: a blank that were named would be what the last pass
+    /// meets, whatever earlier ones leave.
     pub fn rows(&self, model: &Model, commanded: &Commanded, places: &[Vec<f64>]) -> Rows {
         let mut columns: Vec<Vec<f64>> = vec![Vec::new(); self.rows.columns.len()];
         let coordinates = model.process.coordinates();
@@ -70,7 +71,7 @@ impl Programme {
         }
         let count = places.iter().map(Vec::len).sum();
         let columns = columns.into_iter().map(Values::from).collect();
-        model.system.resolved(&Rows { columns, observable: Values::shared(commanded.observable, count) })
+        Rows { columns, observable: Values::shared(commanded.observable, count) }
     }
 }
 

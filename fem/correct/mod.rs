@@ -71,13 +71,14 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     let Course { rows, before, solved, between } =
         progress.stretch("correction", || course(model, &commanded, &knowledge.values))?;
     let made = |command: &Arc<Command>| model.commanded_at(&knowledge.values, command)?.observe(&rows);
-    let of = |left: &[f64]| Standing::all(&*model.system, &rows, left);
+    let told = model.system.resolved(&rows);
+    let of = |left: &[f64]| Standing::all(&*model.system, &told, left);
     let standings = [of(&before), of(&solved.left)];
     let band = progress.stretch("what is known of it", || {
         let draw = |values: &[f64]| model.commanded_at(values, &solved.command)?.observe(&rows);
-        Band::of((model, &knowledge), (&rows, &solved.left), draw)
+        Band::of((model, &knowledge), (&told, &solved.left), draw)
     })?;
-    let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&rows, &before)?;
+    let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&told, &before)?;
     let masked = masked::masked(model, &rows, &before)?;
     let offsets = course::offsets(&solved.command, &commanded);
     let left_by_offsets = made(&course::of_offsets(&solved.command, &commanded, &offsets))?;
@@ -99,7 +100,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
         standings,
         masked,
         advice,
-        rows,
+        rows: told,
     }))
 }
 

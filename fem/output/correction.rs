@@ -34,11 +34,12 @@ impl Answer for CorrectionAnswer<'_> {
         blocks.push(self.errors());
         blocks.extend(cautions(found).into_iter().map(Block::Caution));
         blocks.extend(programmed.map(program::blocks).into_iter().flatten());
+        let course = found.commanded.course;
         let beside = match programmed {
-            Some(own) => Some((&own.with.offsets, " beside the program")),
-            None => found.common.as_ref().map(|common| (&common.offsets, " beside one contour")),
+            Some(own) => Some((&own.with.offsets, " beside the program".to_string())),
+            None => found.common.as_ref().map(|common| (&common.offsets, format!(" beside one {course}"))),
         };
-        for (offsets, beside) in [(&found.offsets, "")].into_iter().chain(beside) {
+        for (offsets, beside) in [(&found.offsets, String::new())].into_iter().chain(beside) {
             blocks.push(Block::Heading(format!("offset of the {}{beside}", found.commanded.words)));
             blocks.push(Block::List(self.offset_lines(offsets)));
         }
@@ -58,7 +59,7 @@ impl Answer for CorrectionAnswer<'_> {
         if !before.is_empty() {
             blocks.push(Block::Heading("tolerance, as it is".into()));
             blocks.push(Block::List(tolerance::lines(before)));
-            blocks.push(Block::Heading(format!("tolerance, with a {}{}", found.commanded.course, self.each())));
+            blocks.push(Block::Heading(format!("tolerance, with a {course}{}", self.each())));
             blocks.push(Block::List(tolerance::lines(after)));
         }
         blocks.extend(found.band.probability.as_ref().map(|own| Block::Sentence(tolerance::probability(own))));

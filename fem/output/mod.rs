@@ -18,7 +18,7 @@ mod csv;
 mod diagnosis;
 mod drawing;
 mod error;
-mod falling;
+pub mod falling;
 pub mod files;
 mod fit;
 mod folder;

@@ -39,7 +39,7 @@ fn starting_model(py: Python, process: String) -> PyResult<String> {
 /// A model and what was measured, to try everything on: the texts of their files.
 #[pyfunction]
 fn demo() -> (&'static str, &'static str) {
-    let [(_, model), (_, measured)] = ask::STORY;
+    let [(_, model), (_, measured), _] = ask::STORY;
     (model, measured)
 }
 

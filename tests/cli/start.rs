@@ -29,23 +29,28 @@ fn new_without_a_process_explains() {
 }
 
 #[test]
-fn the_five_commands_of_the_demo_tell_the_story() {
+fn the_commands_of_the_demo_tell_the_story() {
     let place = Place::new();
     let told = place.fem(&["demo", "here"]);
     assert_eq!(told.status, 0, "{}", told.err);
     let commands: Vec<&str> = told.out.lines().filter_map(|l| l.strip_prefix("  fem ")).collect();
-    assert_eq!(commands.len(), 5, "{}", told.out);
-    let mut last = String::new();
+    assert_eq!(commands.len(), 7, "{}", told.out);
+    let (mut explained, mut corrected) = (String::new(), String::new());
     for command in commands {
         let words: Vec<&str> = command.split("  ").next().unwrap().split_whitespace().collect();
         let mut fem = place.command(&words);
         let output = fem.current_dir(place.path("here")).output().unwrap();
         assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+        let out = String::from_utf8(output.stdout).unwrap();
         if command.starts_with("compare rigid.toml better.toml") {
-            last = String::from_utf8(output.stdout).unwrap();
+            explained = out;
+        } else if command.contains("corrected.csv") {
+            corrected = out;
         }
     }
-    assert!(last.contains("adequate: nothing is left but the noise"), "{last}");
+    assert!(explained.contains("adequate: nothing is left but the noise"), "{explained}");
+    assert!(corrected.contains("adequate: nothing is left but the noise"), "{corrected}");
+    assert!(corrected.contains("um, within"), "{corrected}");
     assert!(place.read("here/report.html").contains("headstock-compliance"));
     // A second time nothing is written over.
     let again = place.fem(&["demo", "here"]);

@@ -1,5 +1,9 @@
 //! The story of `models/story`: from a machine believed to be rigid, by what the diagnosis says, to the
-//! noise.
+//! noise, and on to the same job made again as the correction says.
+
+use fem::output::falling::Falling;
+use fem::units::MICRO;
+use serde_json::Value as Json;
 
 use super::fem::{Place, model, words};
 
@@ -106,6 +110,86 @@ fn the_completed_model_comes_down_to_the_noise() {
         }
     }
     assert_eq!(place.read(DATA), model("story/measured.csv"));
+}
+
+fn parsed(text: &str) -> Json {
+    serde_json::from_str(text).unwrap()
+}
+
+/// The story up to the corrected job: a place with the model that the diagnosis arrives at, and the correction.
+fn corrected() -> (Place, Json) {
+    let place = place();
+    assert_eq!(place.fem(&["diagnose", RIGID, "--with", DATA, "--add-to", "better.toml"]).status, 0);
+    let answer = place.fem(&["correct", "better.toml", "-o", "correction", "--json"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    place.write("corrected.csv", model("story/corrected.csv"));
+    (place, parsed(&answer.out))
+}
+
+#[test]
+fn the_corrected_shafts_are_made_by_what_the_correction_says() {
+    let (place, correction) = corrected();
+    // An offset holds until the next one.
+    let told = correction["common_offsets"].as_array().unwrap();
+    let number = |own: &Json, key: &str| own[key].as_f64().unwrap();
+    let before = |part: usize| told.iter().rev().find(|own| number(own, "after_part") < part as f64).unwrap();
+    let offsets: Vec<f64> = (1..=12).map(|part| 1e6 * number(before(part), "radius_change")).collect();
+    let made = generator::story::corrected(&place.read("correction/contour.ngc"), &offsets);
+    assert_eq!(model("story/corrected.csv"), made);
+}
+
+/// Measured against the drawing, by hand: every row within ±8 um, js6 of 50 mm; and the model foretells what is left.
+#[test]
+fn the_corrected_shafts_are_in_tolerance() {
+    let (place, correction) = corrected();
+    let errors: Vec<f64> = model("story/corrected.csv")
+        .lines()
+        .skip(2)
+        .map(|line| line.split(',').nth(3).unwrap().parse().unwrap())
+        .collect();
+    assert!(errors.len() == 108 && errors.iter().all(|error| error.abs() < 8.0), "{errors:?}");
+    let rms = (errors.iter().map(|error| error * error).sum::<f64>() / 108.0).sqrt();
+    let compared = parsed(&place.fem(&["compare", "better.toml", "--with", "corrected.csv", "--json"]).out);
+    assert_eq!((&compared["models"][0]["adequate"], &compared["tolerance"][0]["within"]), (&true.into(), &true.into()));
+    let off = &compared["rms_from_middle"];
+    assert!((off["value"].as_f64().unwrap() / rms - 1.0).abs() < 1e-9 && off["unit"] == "um", "{off} {rms}");
+    // Forty times less than before, and not because the rows are told what was commanded.
+    assert!(rms < 1e6 * correction["rms"]["before"].as_f64().unwrap() / 40.0, "{rms}");
+    let uncorrected = parsed(&place.fem(&["compare", "better.toml", "--with", DATA, "--json"]).out);
+    assert_eq!(uncorrected["tolerance"][0]["out"].as_array().unwrap().len(), 12, "{}", uncorrected["tolerance"]);
+    // The same rows without what was commanded: the model foretells the job as it was.
+    let untold = model("story/corrected.csv").replace("radius_change [um]", "remark");
+    place.write("untold.csv", untold);
+    let untold = parsed(&place.fem(&["compare", "better.toml", "--with", "untold.csv", "--json"]).out);
+    assert!(untold["models"][0]["rms"].as_f64().unwrap() > 50.0, "{}", untold["models"][0]["rms"]);
+    assert_eq!(untold["rms_from_middle"], compared["rms_from_middle"]);
+}
+
+/// `docs/story.svg`: the bars of the diagnosis, and what `fem compare` says of the corrected shafts. `SNAPSHOTS=overwrite` writes
+/// it.
+#[test]
+fn the_picture_is_what_the_commands_say() {
+    let (place, _) = corrected();
+    let found = parsed(&place.fem(&["diagnose", RIGID, "--with", DATA, "--json"]).out);
+    let compared = parsed(&place.fem(&["compare", "better.toml", "--with", "corrected.csv", "--json"]).out);
+    let number = |value: &Json| value.as_f64().unwrap();
+    let first = ("a rigid lathe".to_string(), number(&found["before"]["rms"]));
+    let added = found["missing"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|missing| (format!("+ {}", missing["effect"].as_str().unwrap()), number(&missing["rms_after"])));
+    let left = ("the corrected job".to_string(), number(&compared["rms_from_middle"]["value"]));
+    let picture = Falling {
+        title: "error of the model against the measurements, root mean square".into(),
+        steps: std::iter::once(first).chain(added).collect(),
+        apart: Some(("error of the parts against the drawing, made again with the correction".into(), vec![left])),
+        noise: number(&found["noise"]["sigma"]),
+        unit: MICRO.unit,
+    };
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/story.svg");
+    let kept = snapbox::Data::read_from(&path, Some(snapbox::data::DataFormat::Text));
+    snapbox::Assert::new().action_env("SNAPSHOTS").eq(picture.svg().file(), kept);
 }
 
 #[test]

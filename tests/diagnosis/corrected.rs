@@ -125,7 +125,7 @@ fn corrected(process: &Process, seed: u64) -> Option<Corrected> {
         rms(all.iter().filter(|(row, _)| number(*row) == part).map(|(_, value)| *value))
     };
     let is_held = |(row, value): &&(usize, f64)| {
-        let [low, high] = found.interval[*row].map(|si| 1e6 * si);
+        let [low, high] = found.band.interval[*row].map(|si| 1e6 * si);
         (low..=high).contains(value)
     };
     Some(Corrected {
@@ -137,7 +137,7 @@ fn corrected(process: &Process, seed: u64) -> Option<Corrected> {
         held: is.iter().filter(is_held).count(),
         places: is.len(),
         of_promised: rms(is.iter().map(|(row, value)| {
-            let [low, high] = found.interval[*row].map(|si| 1e6 * si);
+            let [low, high] = found.band.interval[*row].map(|si| 1e6 * si);
             (value - 1e6 * found.left[*row]) / (0.5 * (high - low) / 1.96)
         })),
     })

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde_json::{Value as Json, json};
 
+use super::asked::Asked;
 use super::{drawing, feature, noise, observables, place, residuals, shapes, text};
 use crate::compare::Comparison;
 use crate::measure::Measurements;
@@ -14,8 +15,8 @@ use crate::output::block::Block;
 use crate::output::chart::{Svg, named};
 use crate::output::plots::Judged;
 use crate::output::staged::Staged;
-use crate::output::{OutputError, measurement, plots, tolerance};
-use crate::process::Process;
+use crate::output::{OutputError, measurement, plots};
+use crate::process::{Process, range};
 
 /// Models of one process against one file, each with its comparison.
 pub struct ComparisonAnswer<'a> {
@@ -36,11 +37,22 @@ impl ComparisonAnswer<'_> {
         let each = self.models.iter().zip(self.comparisons);
         each.map(move |(model, found)| (model, found, Path::new(if is_one { "".as_ref() } else { model.stem() })))
     }
+
+    /// How the measured parts stand against the drawing: that of the first model that asks something.
+    fn asked(&self) -> Option<Asked> {
+        let of = |(model, found): (&Model, &Comparison)| {
+            let sigma = range(found.noise.sigma.iter().copied()).1;
+            Asked::of(model, self.measurements, (&observed(model, self.measurements), sigma))
+        };
+        self.models.iter().zip(self.comparisons).find_map(of)
+    }
 }
 
 impl Answer for ComparisonAnswer<'_> {
     fn blocks(&self) -> Vec<Block> {
-        text::blocks(self.process, self.measurements, self.comparisons)
+        let asked = self.asked().map(|asked| asked.blocks());
+        let compared = text::blocks(self.process, self.measurements, self.comparisons);
+        compared.into_iter().chain(asked.into_iter().flatten()).collect()
     }
 
     /// `fem compare --json`: `fem-comparison/1`.
@@ -66,7 +78,6 @@ impl Answer for ComparisonAnswer<'_> {
                 "chi2_per_dof": c.reduced_chi2,
                 "p_value": c.p_value,
                 "adequate": c.adequacy(),
-                "tolerance": { "measured": tolerance::json(&c.standings[0]), "predicted": tolerance::json(&c.standings[1]) },
                 "features": c.features.iter().map(feature).collect::<Vec<_>>(),
                 "observables": observables(measurements, |s| c.agreement(measurements, s)),
                 "measurement": terms(c),
@@ -74,6 +85,7 @@ impl Answer for ComparisonAnswer<'_> {
                 "suspects": measurement::json(&c.suspects, process, Some(measurements)),
             })
         };
+        let [tolerance, rms_from_middle] = Asked::json(self.asked().as_ref());
         json!({
             "schema": "fem-comparison/1",
             "data": measurements.name,
@@ -82,6 +94,8 @@ impl Answer for ComparisonAnswer<'_> {
             "noise": noise,
             "measurement": first.map(terms),
             "models": comparisons.iter().map(model).collect::<Vec<_>>(),
+            "tolerance": tolerance,
+            "rms_from_middle": rms_from_middle,
             "notes": measurements.notes,
         })
     }

@@ -1,14 +1,16 @@
 //! The answer of `fem compare`: models held against measurements.
 
 mod answer;
+mod asked;
 mod drawing;
 mod residuals;
 mod shapes;
 mod text;
 
 pub use answer::ComparisonAnswer;
+pub use asked::Asked;
 pub use drawing::drawing;
-pub(super) use text::{allowed, compared, features, noise as noise_text, residual_curve, verdict};
+pub(super) use text::{compared, features, noise as noise_text, residual_curve, verdict};
 
 use serde_json::{Value as Json, json};
 

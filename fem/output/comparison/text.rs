@@ -5,8 +5,8 @@ use crate::compare::{Comparison, Feature};
 use crate::measure::{MeasuredObservable, Measurements};
 use crate::noise::{NoiseLevel, NoiseSource};
 use crate::output::block::{Block, Cell, Column, Table};
-use crate::output::{measurement, tolerance};
-use crate::process::{Plot, Process, Standing};
+use crate::output::measurement;
+use crate::process::{Plot, Process};
 
 /// The models side by side, and where each fails.
 pub fn blocks(process: &dyn Process, measurements: &Measurements, comparisons: &[Comparison]) -> Vec<Block> {
@@ -22,26 +22,9 @@ pub fn blocks(process: &dyn Process, measurements: &Measurements, comparisons: &
     blocks.push(Block::Table(compared(measurements, comparisons)));
     let unit = measurements.kind().unit;
     blocks.push(Block::Sentence(format!("rms, bias and worst in {unit}, measured less predicted")));
-    blocks.extend(comparisons.iter().flat_map(|c| allowed(c, comparisons.len() > 1)));
     let failed = comparisons.iter().filter(|c| c.adequacy() == Some(false));
     blocks.extend(failed.flat_map(|c| where_it_fails(process, measurements, c)));
     blocks
-}
-
-/// How parts stand against what a drawing asks, as they were measured and as they are predicted.
-pub(in crate::output) fn allowed(c: &Comparison, is_one_of_several: bool) -> Vec<Block> {
-    let of = if is_one_of_several { format!(", {}", c.model) } else { String::new() };
-    let one = |(how, standings): (&str, &Vec<Standing>)| {
-        [Block::Heading(format!("tolerance{of}, as {how}")), Block::List(tolerance::lines(standings))]
-    };
-    let [measured, predicted] = &c.standings;
-    if measured.is_empty() {
-        return Vec::new();
-    }
-    let noise = c.noise.sigma.iter().copied().fold(0.0, f64::max);
-    let open = tolerance::open(measured, noise).map(Block::Sentence);
-    let [measured, predicted] = [("measured", measured), ("predicted", predicted)].map(one);
-    measured.into_iter().chain(open).chain(predicted).collect()
 }
 
 /// The models with their errors and the verdicts on them.

@@ -51,6 +51,7 @@ fn falling(data: &Data, diagnosis: &Diagnosis) -> Falling {
     Falling {
         title: format!("root mean square error of {}", data.model.stem().display()),
         steps: std::iter::once(first).chain(added).map(|(label, rms)| (label, kind.from_si(rms))).collect(),
+        apart: None,
         noise: kind.from_si(diagnosis.noise.together()),
         unit: kind.unit,
     }

@@ -7,9 +7,11 @@ use super::subject::{Evidence, Subject};
 use crate::output::answer::left_undone;
 use crate::output::block::Block;
 use crate::output::chart::{Chart, named, number};
+use crate::output::comparison::Asked;
 use crate::output::falling::Falling;
 use crate::output::plots::Rows;
 use crate::output::{comparison, diagnosis, drawing, plots};
+use crate::process::range;
 
 /// Most coordinates along which the residuals of every step are drawn.
 const MOST_ALONG: usize = 3;
@@ -90,10 +92,19 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
     let mut blocks: Vec<String> = cautions.iter().map(|c| html::block(&Block::Caution(c.clone()))).collect();
     let undone = left_undone(found.diagnosis.map(|_| &*found.data.progress));
     blocks.extend(undone.iter().map(|u| html::paragraph("caution", &format!("Left undone for want of time: {u}"))));
+    let asked = steps.last().and_then(|last| {
+        let judged = last.judged();
+        let sigma = range(judged.noise.sigma.iter().copied()).1;
+        Asked::of(rows.model, rows.measurements, (judged.measured, sigma))
+    });
     if steps.len() > 1 {
         let title = format!("root mean square error of {}", subject.model().stem().display());
         let stem = |s: &Step| s.label.rsplit('/').next().unwrap_or(&s.label).to_string();
-        let fallen = Falling { title, steps: steps.iter().map(|s| (stem(s), s.rms)).collect(), noise, unit: kind.unit };
+        let steps = steps.iter().map(|s| (stem(s), s.rms)).collect();
+        let apart = asked.as_ref().and_then(Asked::off).map(|(_, off)| {
+            ("error of the parts against the drawing".to_string(), vec![("as measured".to_string(), kind.from_si(off))])
+        });
+        let fallen = Falling { title, steps, apart, noise, unit: kind.unit };
         blocks.push(html::figures([("falling-error".into(), fallen.svg())]));
     }
     if let Some(d) = found.diagnosis.filter(|_| subject.models.len() < 2) {
@@ -102,9 +113,7 @@ fn falling(subject: &Subject, found: &Evidence, steps: &[Step], rows: &Rows) -> 
     if !found.comparisons.is_empty() {
         blocks.push(html::table(&comparison::compared(found.all, found.comparisons)));
     }
-    if let Some(last) = found.comparisons.last() {
-        blocks.extend(comparison::allowed(last, false).iter().map(html::block));
-    }
+    blocks.extend(asked.iter().flat_map(Asked::blocks).map(|block| html::block(&block)));
     let list = html::block(&comparison::features(features));
     if !list.is_empty() {
         blocks.extend([html::heading("Where the model fails"), list]);

@@ -22,7 +22,8 @@ pub fn least_force(machine: &Machine) -> Option<f64> {
 pub fn advice(machine: &Machine, deviation: &[f64]) -> Vec<Advice> {
     let Some(least) = least_force(machine) else { return Vec::new() };
     let (force, margin) = (machine.setup.jaw_force, machine.setup.margin);
-    let [asked, now] = [least, force].map(|force| FORCE.shown(force));
+    // Of whole newtons the next above still hold.
+    let [asked, now] = [least.ceil(), force].map(|force| FORCE.shown(force));
     if force < least {
         let text = format!(
             "the jaws do not hold the cut with a margin of {margin:.1}: each needs {asked:.0} at standstill and presses with {now:.0}"

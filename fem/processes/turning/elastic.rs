@@ -39,6 +39,14 @@ impl Cutting {
         Self::new(machine, &machine.moment_on(part, x), machine.setup.conditions(x, 0.0))
     }
 
+    /// The same where the last pass is programmed to another radius, larger by a change (m).
+    #[must_use]
+    pub fn programmed(mut self, change: f64) -> Self {
+        self.commanded += 2.0 * change;
+        self.nose.across += 2.0 * change;
+        self
+    }
+
     /// The same where the work is larger by an error of the diameter (m).
     #[must_use]
     pub fn meeting(mut self, error: f64) -> Self {

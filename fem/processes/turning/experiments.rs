@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::rows::{ANGLE, BLANK, COORDINATES, FORCE_OF_ROW, PART, PATH_OF_ROW, TIME_OF_ROW, X, part};
+use super::rows::{ANGLE, BLANK, CHANGE, COORDINATES, FORCE_OF_ROW, PART, PATH_OF_ROW, TIME_OF_ROW, X, part};
 use super::setup::Setup;
 use crate::process::{CandidateExperiment, Rows, Values};
 use crate::units::{FORCE, LENGTH};
@@ -133,7 +133,7 @@ impl Next<'_> {
         let mut columns = vec![Values::shared(f64::NAN, places.len()); self.like.columns.len()];
         columns[X] = places.to_vec().into();
         columns[PART].fill(part as f64);
-        columns[ANGLE].fill(0.0);
+        [ANGLE, CHANGE].into_iter().for_each(|column| columns[column].fill(0.0));
         for &(column, value) in changes {
             columns[column].fill(value);
         }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::cut::Conditions;
 use super::elastic::{Cutting, Deflection, Elastic};
 use super::machine::{Machine, Moment};
-use super::rows::{self, ANGLE, BLANK, DIAMETER, X};
+use super::rows::{self, ANGLE, BLANK, CHANGE, DIAMETER, X};
 use crate::process::{Failure, Rows};
 use crate::progress::Progress;
 use crate::solve::{Condensed, JointsError, Rest, ShaftError};
@@ -191,7 +191,8 @@ impl<'a> Standing<'a> {
         let part = rows::part(rows, row);
         let (time, path) = rows::moment(setup, rows, row, part, x);
         let conditions = rows::conditions(setup, rows, row, diameter);
-        let last = Cutting::new(self.machine, &Moment { x, diameter, part, time, path }, conditions);
+        let last = Cutting::new(self.machine, &Moment { x, diameter, part, time, path }, conditions)
+            .programmed(rows.get(CHANGE, row).unwrap_or(0.0));
         let met = match rows.get(BLANK, row) {
             Some(_) => 0.0,
             None => elastic.before(i, x, angle, &last)?,

@@ -2,7 +2,7 @@
 
 use super::cut::Conditions;
 use super::setup::Setup;
-use crate::process::{Absent, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
+use crate::process::{Absent, Coordinate, Holds, Misplaced, Observable, Places, RADIUS_CHANGE, Rows, Values};
 use crate::units::{FEED, FORCE, LENGTH, MICRO, PATH, SPINDLE_SPEED, TIME};
 
 /// A diameter is the set diameter plus its error.
@@ -29,6 +29,8 @@ pub const PATH_OF_ROW: usize = 8;
 
 /// The angle around the part.
 pub const ANGLE: usize = 9;
+/// What the last pass was programmed to beside the radius that is meant.
+pub const CHANGE: usize = 10;
 
 /// Force, depth, feed and speed of a row act on its own force only; the schedule stays the model's, but for
 /// a row's own time and path.
@@ -46,6 +48,12 @@ pub const COORDINATES: &[Coordinate] = &[
         "angle",
         "angle around the part, from its mark",
         Holds::Quantity(crate::units::ANGLE),
+        Absent::Value(0.0),
+    ),
+    Coordinate::new(
+        RADIUS_CHANGE,
+        "what was added to the programmed radius",
+        Holds::Quantity(LENGTH),
         Absent::Value(0.0),
     ),
 ];
@@ -85,7 +93,7 @@ pub fn programme(setup: &Setup) -> Rows {
     let (sweep, parts) = (setup.sweep(), setup.schedule.parts);
     let mut columns = vec![Values::shared(f64::NAN, sweep.len()); COORDINATES.len()];
     columns[X] = sweep.clone().into();
-    columns[ANGLE].fill(0.0);
+    [ANGLE, CHANGE].into_iter().for_each(|column| columns[column].fill(0.0));
     let first = resolved(setup, &Rows { columns, observable: Values::shared(0, sweep.len()) });
     // Parts differ in their number, and in time and path.
     let each = |of: &dyn Fn(usize, f64) -> f64| {
