@@ -2,7 +2,7 @@
 //! drift, new inserts, new set-ups and pauses; beside what shops do, tuned in hindsight.
 //!
 //! `cargo test --test lines` runs a few, `cargo test --test lines -- --ignored --nocapture` two hundred and prints the table of
-//! `tests/diagnosis/README.md`; `FEM_EVERY=10` takes every tenth.
+//! `tests/diagnosis/README.md`; `FEM_EVERY=10` takes every tenth, `FEM_FROM=200` other two hundred.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -158,7 +158,8 @@ fn a_few_lines_are_better_than_what_shops_do_in_hindsight() {
 #[test]
 #[ignore = "minutes long; prints a table of tests/diagnosis/README.md"]
 fn two_hundred_lines() {
-    let every = std::env::var("FEM_EVERY").ok().and_then(|n| n.parse().ok()).unwrap_or(1);
+    let number = |name: &str| std::env::var(name).ok().and_then(|own| own.parse::<u64>().ok());
+    let (every, from) = (number("FEM_EVERY").unwrap_or(1) as usize, number("FEM_FROM").unwrap_or(0));
     println!(
         "| lines | of | better than EWMA | than double EWMA | than both begun anew | no more than 5 % worse than any | left, of the unforeseeable | EWMA | double EWMA | double, anew | in the 95 % interval | offsets of others |\n|---|---|---|---|---|---|---|---|---|---|---|---|"
     );
@@ -168,7 +169,7 @@ fn two_hundred_lines() {
         ("drift alone, effects known to 20 %", Kind::Drifting, false),
         ("drift alone, no effect known", Kind::Drifting, true),
     ] {
-        let all = all(kind, is_bare, (0..200).step_by(every));
+        let all = all(kind, is_bare, (from..from + 200).step_by(every));
         if std::env::var_os("FEM_MISSES").is_some() {
             for own in &all {
                 let Outcome { seed, costs, of_unforeseen, held, of_others, .. } = own;
