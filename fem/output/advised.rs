@@ -32,7 +32,10 @@ impl Answer for AdvisedAnswer<'_> {
             true => blocks.push(Block::Sentence("nothing that this process knows would make it better".into())),
             false => blocks.extend([Block::Heading("what to change".into()), Block::List(advice)]),
         }
-        if !found.standings.is_empty() {
+        if found.standings.is_empty() {
+            let asked = "what the drawing asks is not in the model: with [tolerance] it is held against that";
+            blocks.push(Block::Sentence(asked.into()));
+        } else {
             blocks.push(Block::Heading("tolerance, as it is".into()));
             blocks.push(Block::List(tolerance::lines(&found.standings)));
         }

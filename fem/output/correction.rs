@@ -184,11 +184,13 @@ impl CorrectionAnswer<'_> {
 
     /// What is to be done, and what it comes to.
     fn verdict(&self) -> String {
-        let Correction { commanded, before, left, band, .. } = self.1;
-        let [before, left] = [before, left].map(|own| number::fixed(MICRO.from_si(rms(own)), 2));
+        let Correction { commanded, before, left, band, rows, .. } = self.1;
+        let aims = self.0.system.aims(rows);
+        let off = |own: &[f64]| rms(&own.iter().zip(&aims).map(|(own, aim)| own - aim).collect::<Vec<f64>>());
+        let [before, left] = [before, left].map(|own| number::fixed(MICRO.from_si(off(own)), 2));
         let within = band.probability.as_ref().map(|own| format!("; {}", tolerance::probability(own)));
         format!(
-            "with a corrected {} {left} {unit} rms are left of {before} {unit}{}",
+            "with a {} corrected like this {left} {unit} rms off what is aimed at are left of {before} {unit}{}",
             commanded.course,
             within.unwrap_or_default(),
             unit = MICRO.unit

@@ -48,7 +48,8 @@ impl Answer for NextAnswer<'_> {
         let point = |(number, left): (&usize, &f64)| Point::new(*number as f64, um(*left));
         let points = |left: &[f64]| next.numbers[1..].iter().zip(left).map(point).collect::<Vec<_>>();
         let rivals = next.rivals.iter().enumerate();
-        let rivals = rivals.map(|(i, own)| Series::new(own.words.clone(), i + 1, Form::Dashed, points(&own.left[1..])));
+        let label = |key: &str| key.replace('-', " ").replace("ewma", "EWMA");
+        let rivals = rivals.map(|(i, own)| Series::new(label(own.key), i + 1, Form::Dashed, points(&own.left[1..])));
         let [low, high] = next.interval.map(|end| um(end - next.aim));
         let coming = Point { x: next.part.number as f64, y: 0.5 * (low + high), u: 0.5 * (high - low) };
         let own = [

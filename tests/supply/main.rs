@@ -112,3 +112,19 @@ fn duplicates_are_those_that_are_known() {
     let found: BTreeSet<String> = versions.into_iter().filter(|(_, count)| *count > 1).map(|(name, _)| name).collect();
     assert_eq!(found, known, "mend Cargo.lock, or the list in deny.toml");
 }
+
+/// The wheel is built of what was compiled for the tests: no crate is asked for other features, and nothing is compiled again.
+#[test]
+fn the_wheel_is_built_of_what_the_tests_compile() {
+    let tree = |of: &[&str]| -> BTreeSet<String> {
+        let args = [&["tree", "--locked", "--offline", "--prefix", "none", "--format", "{p} [{f}]"], of].concat();
+        let told = Command::new(env!("CARGO")).args(args).current_dir(root()).output().unwrap();
+        assert!(told.status.success(), "{}", String::from_utf8_lossy(&told.stderr));
+        let told = String::from_utf8(told.stdout).unwrap();
+        told.lines().map(|line| line.trim_end_matches(" (*)").to_string()).collect()
+    };
+    let of_tests = tree(&["--workspace", "--edges", "normal,build,dev"]);
+    let of_wheel = tree(&["--manifest-path", "python/Cargo.toml", "--edges", "normal,build"]);
+    let others: Vec<&String> = of_wheel.difference(&of_tests).collect();
+    assert!(others.is_empty(), "name the features that the tests ask for in python/Cargo.toml: {others:?}");
+}

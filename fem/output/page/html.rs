@@ -27,7 +27,12 @@ pub fn block(block: &Block) -> String {
         Block::Sentence(text) | Block::Paragraph(text) => paragraph("", &sentence(text)),
         Block::List(items) => list(items),
         Block::Labelled(items) | Block::Entries(items) => {
-            list(&items.iter().map(|(label, item)| format!("{}: {item}", label.trim())).collect::<Vec<_>>())
+            // One without a label belongs to the label before.
+            let told = |(label, item): &(String, String)| match label.trim() {
+                "" => item.clone(),
+                label => format!("{label}: {item}"),
+            };
+            list(&items.iter().map(told).collect::<Vec<_>>())
         }
         Block::Table(all) => table(all),
         Block::Commands(lines) => commands(lines),

@@ -58,7 +58,7 @@ pub fn advice(machine: &Machine) -> Result<Vec<Advice>, Failure> {
         without(text, Machine { height: 0.0, ..machine.clone() })?;
     }
     all.sort_by(|a, b| b.gain.unwrap_or(0.0).total_cmp(&a.gain.unwrap_or(0.0)));
-    all.extend(slower(machine, now)?);
+    all.extend(slower(&Machine { wear: 0.0, gap: 0.0, height: 0.0, ..machine.clone() })?);
     all.extend(blocks(setup));
     Ok(all)
 }
@@ -83,8 +83,9 @@ fn largest(machine: &Machine) -> Result<f64, Failure> {
     Ok(all.into_iter().fold(0.0, f64::max))
 }
 
-/// The speed at which what grows with it keeps the tolerance, where a slower cam does.
-fn slower(machine: &Machine, now: f64) -> Result<Option<Advice>, Failure> {
+/// The speed at which what grows with it keeps the tolerance, where a slower cam does; of a machine on which all else is set.
+fn slower(machine: &Machine) -> Result<Option<Advice>, Failure> {
+    let now = largest(machine)?;
     let grows = machine.lag != 0.0 || machine.compliance != 0.0;
     let Some(allowed) = allowed(&machine.setup).filter(|allowed| grows && now > *allowed) else { return Ok(None) };
     // A lag is so much shorter a part of the turn, and the force falls with the feed.
@@ -103,7 +104,7 @@ fn slower(machine: &Machine, now: f64) -> Result<Option<Advice>, Failure> {
     let turn = std::f64::consts::TAU / speed;
     let [slow, fast] = [good * speed, speed].map(|own| SPINDLE_SPEED.shown(own));
     let text = format!(
-        "or turn the cam at {slow:.2} instead of {fast:.2}: what grows with the speed then keeps the tolerance; a turn takes {:.2} \
+        "turn the cam at {slow:.2} instead of {fast:.2}: what grows with the speed then keeps the tolerance; a turn takes {:.2} \
          instead of {:.2}",
         SECONDS.shown(turn / good),
         SECONDS.shown(turn)
