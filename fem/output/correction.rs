@@ -15,7 +15,7 @@ use crate::compare::rms;
 use crate::correct::{Correction, Masked, Offset, Programmed};
 use crate::gcode;
 use crate::model::Model;
-use crate::process::{Advice, Column as Cells, Holds, Table as Sheet, range};
+use crate::process::{Advice, Column as Cells, Holds, Standing, Table as Sheet, range};
 use crate::units::{MICRO, TIME};
 
 /// Changes of an offset below this are none, m: no control takes them.
@@ -59,6 +59,11 @@ impl Answer for CorrectionAnswer<'_> {
         if !before.is_empty() {
             blocks.push(Block::Heading("tolerance, as it is".into()));
             blocks.push(Block::List(tolerance::lines(before)));
+            if let Some(common) = found.common.as_ref().filter(|common| common.offsets.len() > 1) {
+                let standings = Standing::all(&*model.system, &found.rows, &common.left);
+                let with = format!("tolerance, with one {course} and an offset{}", self.each());
+                blocks.extend([Block::Heading(with), Block::List(tolerance::lines(&standings))]);
+            }
             blocks.push(Block::Heading(format!("tolerance, with a {course}{}", self.each())));
             blocks.push(Block::List(tolerance::lines(after)));
         }

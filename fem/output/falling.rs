@@ -66,9 +66,14 @@ impl Falling {
             svg.text("x", [end, middle], "start", &format!("{error:.3} {}", self.unit));
             svg.mark([LABELS + long, y + 0.5 * BAR], label, &[*error]);
         }
-        svg.push(format!("<path class=\"y\" d=\"M{noise:.1} {:.1}V{:.1}\"/>", TITLE - 6.0, foot + 2.0));
+        // Not through the words.
+        let above = TITLE + STEP * self.steps.len() as f64;
+        let broken = self
+            .apart
+            .as_ref()
+            .map_or(String::new(), |_| format!("V{:.1}M{noise:.1} {:.1}", above, above + STEP - 6.0));
+        svg.push(format!("<path class=\"y\" d=\"M{noise:.1} {:.1}{broken}V{:.1}\"/>", TITLE - 6.0, foot + 2.0));
         if let Some((of, _)) = &self.apart {
-            let above = TITLE + STEP * self.steps.len() as f64;
             svg.text("t", [16.0, above + 0.5 * STEP + 5.0], "start", of);
         }
         svg.text("s", [noise, foot + 18.0], "middle", &format!("noise {:.3} {}", self.noise, self.unit));

@@ -83,7 +83,7 @@ pub fn probability(own: &Probability) -> String {
     if own.of_parts.iter().all(|(_, within)| *within == 0.0) {
         return if own.of_parts.len() > 1 { "no part is ever within" } else { "it is never within" }.into();
     }
-    let least = own.of_parts.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    let least = own.of_parts.iter().filter(|_| own.of_parts.len() > 1).min_by(|a, b| a.1.total_cmp(&b.1));
     let of_least = least.and_then(|(part, p)| Some(format!("; part {} with {:.0} %", (*part)?, 100.0 * p)));
     format!(
         "{} within with a probability of {:.0} %{}",

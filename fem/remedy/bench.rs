@@ -43,6 +43,8 @@ pub struct Bench<'m> {
     pub parts: usize,
     /// What is made now.
     pub now: Made,
+    /// Whether nothing of that is physically impossible.
+    is_sound: bool,
     tried: Mutex<Vec<Trial>>,
     /// Counts evaluations.
     progress: &'m Progress,
@@ -57,12 +59,14 @@ impl<'m> Bench<'m> {
         let making = model.system.making();
         let written = |own: &Making| model.quantities.iter().find(|quantity| *quantity.path == *own.cycle);
         let cycle = making.as_ref().and_then(written).map(|own| (own.path.clone(), own.quantity.value));
+        let now = Made::of(model)?;
         let bench = Self {
             model,
             making,
             cycle,
             parts: parts(model),
-            now: Made::of(model)?,
+            is_sound: now.doubts(model)?.is_empty(),
+            now,
             tried: Mutex::default(),
             levers,
             progress,
@@ -119,6 +123,13 @@ impl<'m> Bench<'m> {
         let made = Made::of(&model).map_err(|failure| failure.message)?;
         if !made.left.rms.is_finite() {
             return Err("it leaves no number".into());
+        }
+        // What is doubtful already stays so; a setting does not bring it about.
+        if self.is_sound {
+            let doubts = made.doubts(&model).map_err(|failure| failure.message)?;
+            if let Some(doubt) = doubts.into_iter().next() {
+                return Err(doubt);
+            }
         }
         let trial = Trial { places: places.clone(), left: made.left, time: self.time(&model, places) };
         self.tried.lock().unwrap_or_else(PoisonError::into_inner).push(trial.clone());

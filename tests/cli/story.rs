@@ -169,7 +169,7 @@ fn the_corrected_shafts_are_in_tolerance() {
 /// it.
 #[test]
 fn the_picture_is_what_the_commands_say() {
-    let (place, _) = corrected();
+    let (place, correction) = corrected();
     let found = parsed(&place.fem(&["diagnose", RIGID, "--with", DATA, "--json"]).out);
     let compared = parsed(&place.fem(&["compare", "better.toml", "--with", "corrected.csv", "--json"]).out);
     let number = |value: &Json| value.as_f64().unwrap();
@@ -179,11 +179,12 @@ fn the_picture_is_what_the_commands_say() {
         .unwrap()
         .iter()
         .map(|missing| (format!("+ {}", missing["effect"].as_str().unwrap()), number(&missing["rms_after"])));
-    let left = ("the corrected job".to_string(), number(&compared["rms_from_middle"]["value"]));
+    let before = ("uncorrected, predicted".to_string(), 1e6 * number(&correction["rms"]["before"]));
+    let left = ("corrected, measured".to_string(), number(&compared["rms_from_middle"]["value"]));
     let picture = Falling {
         title: "error of the model against the measurements, root mean square".into(),
         steps: std::iter::once(first).chain(added).collect(),
-        apart: Some(("error of the parts against the drawing, made again with the correction".into(), vec![left])),
+        apart: Some(("error of the parts against the drawing".into(), vec![before, left])),
         noise: number(&found["noise"]["sigma"]),
         unit: MICRO.unit,
     };

@@ -22,7 +22,12 @@ impl Asked {
     /// How measured values, without what the way of measuring leaves open and with the largest of their standard
     /// uncertainties, stand against what a model asks; `None` where that is nothing.
     pub fn of(model: &Model, measurements: &Measurements, (measured, uncertainty): (&[f64], f64)) -> Option<Self> {
-        let (system, rows) = (&*model.system, model.system.resolved(&measurements.rows));
+        let system = &*model.system;
+        // A million rows need not be looked at where nothing is asked.
+        if system.requirements().is_empty() {
+            return None;
+        }
+        let rows = system.resolved(&measurements.rows);
         let standings = Standing::all(system, &rows, measured);
         let sized = standings.iter().map(|own| &own.requirement).find(|own| own.limits.middle().is_some());
         let off = sized.filter(|_| measurements.observables.len() == 1).map(|requirement| {

@@ -18,18 +18,25 @@ pub fn least_force(machine: &Machine) -> Option<f64> {
     Some(while_boring + machine.jaw_moment * speed * speed)
 }
 
+/// Says that the jaws do not hold the cut, where the model knows that.
+pub fn slips(machine: &Machine) -> Option<String> {
+    let (force, margin) = (machine.setup.jaw_force, machine.setup.margin);
+    let least = least_force(machine).filter(|least| force < *least)?;
+    // Of whole newtons the next above still hold.
+    let [asked, now] = [least.ceil(), force].map(|force| FORCE.shown(force));
+    Some(format!(
+        "the jaws do not hold the cut with a margin of {margin:.1}: each needs {asked:.0} at standstill and presses with {now:.0}"
+    ))
+}
+
 /// What the jaws should press with, given the deviation of the bore, m.
 pub fn advice(machine: &Machine, deviation: &[f64]) -> Vec<Advice> {
     let Some(least) = least_force(machine) else { return Vec::new() };
     let (force, margin) = (machine.setup.jaw_force, machine.setup.margin);
-    // Of whole newtons the next above still hold.
-    let [asked, now] = [least.ceil(), force].map(|force| FORCE.shown(force));
-    if force < least {
-        let text = format!(
-            "the jaws do not hold the cut with a margin of {margin:.1}: each needs {asked:.0} at standstill and presses with {now:.0}"
-        );
+    if let Some(text) = slips(machine) {
         return vec![Advice::new(text).setting("chuck.jaw_force", force, least)];
     }
+    let [asked, now] = [least.ceil(), force].map(|force| FORCE.shown(force));
     let speed = machine.setup.speed();
     let [left, pressed] = [least, force].map(|force| machine.force_at(force, speed));
     let worst = deviation.iter().fold(0.0f64, |worst, own| worst.max(own.abs()));

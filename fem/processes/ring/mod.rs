@@ -122,7 +122,7 @@ impl Definition for Ring {
     }
 
     fn doubts(machine: &Machine, _rows: &Rows) -> Result<Vec<String>, Failure> {
-        Ok(report::let_go(machine).into_iter().collect())
+        Ok(report::let_go(machine).into_iter().chain(advice::slips(machine)).collect())
     }
 
     fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
