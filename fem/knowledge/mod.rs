@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::budget::{Law, Stream};
 use crate::input::Bounds;
 use crate::model::Model;
+use crate::noise::MEASUREMENT;
 
 /// Seed of the draws: the same model has the same answer.
 const SEED: u64 = 1;
@@ -32,9 +33,14 @@ pub struct Knowledge {
 impl Knowledge {
     /// That of a model without unknown values.
     pub fn of(model: &Model) -> Self {
+        let mut deviations = model.together.deviations(&model.parameters);
+        // What an instrument shows is no part of what is made.
+        let of_instruments = |path: &str| path.strip_prefix(MEASUREMENT).is_some_and(|rest| rest.starts_with('.'));
+        let all = model.parameters.iter().zip(&mut deviations);
+        all.filter(|(own, _)| of_instruments(&own.path)).for_each(|(_, deviation)| *deviation = 0.0);
         Self {
             values: model.parameters.iter().map(|own| own.quantity.value).collect(),
-            deviations: model.together.deviations(&model.parameters),
+            deviations,
             root: model.together.root(&model.parameters),
             is_positive: model.parameters.iter().map(|own| own.bounds == Bounds::Positive).collect(),
             unexplained: model.together.unexplained(),

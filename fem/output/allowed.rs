@@ -11,13 +11,15 @@ const MOST_ROWS: usize = 2000;
 
 /// A frame for each value that rows of the programme have in common, a part or a direction: the line of its rows, moved by the
 /// error, with `beyond_limits`, how far it lies beyond them, `predicted`, `band`, half of what holds it with 95 %, and the limits.
-/// `None` where the drawing asks nothing of rows and everything is known exactly, or there is no shape to show.
+/// `None` where the drawing asks nothing of rows, or there is no shape to show.
 pub fn animation(answer: &RunAnswer) -> Option<Animation> {
     let RunAnswer(model, run, band) = *answer;
     let rows = model.system.programme();
     let limits = model.system.limits(&rows);
-    let is_asked = limits.iter().any(Option::is_some);
-    let places = model.system.places(&rows).filter(|_| is_asked || band.is_some())?;
+    if limits.iter().all(Option::is_none) {
+        return None;
+    }
+    let places = model.system.places(&rows)?;
     // Rows of several observables are of several units, and have none together.
     let first = *rows.observable.first()?;
     if !rows.observable.iter().all(|own| *own == first) {
@@ -34,7 +36,7 @@ pub fn animation(answer: &RunAnswer) -> Option<Animation> {
     let kinds = [observable.error_kind(), observable.kind];
     Some(Animation {
         name: "allowed",
-        shown: if is_asked { "beyond_limits" } else { "band" },
+        shown: "beyond_limits",
         time: "number of what the rows have in common: the part, the run, the lap",
         view: View::Oblique,
         telling: 0,

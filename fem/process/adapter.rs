@@ -377,6 +377,10 @@ impl<D: Definition> ForwardModel for Assembled<D> {
         Ok(doubts)
     }
 
+    fn comes_loose(&self) -> Option<String> {
+        self.stages.iter().find_map(|stage| D::comes_loose(&stage.machine))
+    }
+
     fn advice(&self, rows: &Rows, values: &[f64]) -> Result<Vec<Advice>, Failure> {
         self.possible()?;
         D::advice(self.machine(), rows, values)

@@ -186,6 +186,11 @@ pub trait Definition: Sync + Sized + 'static {
         Ok(Vec::new())
     }
 
+    /// Why the work would not stay where it is held, as a sentence; as a rule nothing says that it would not.
+    fn comes_loose(_machine: &Self::Machine) -> Option<String> {
+        None
+    }
+
     /// The same as [`observe`](Self::observe) for the rows of the programme, where their order saves work.
     ///
     /// # Errors

@@ -158,6 +158,11 @@ pub trait ForwardModel: Send + Sync {
     /// The computation failed.
     fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure>;
 
+    /// Why the work would not stay where it is held, as a sentence.
+    fn comes_loose(&self) -> Option<String> {
+        None
+    }
+
     /// What to do beside the command, given the observable of rows of the commanded kind, SI.
     ///
     /// # Errors

@@ -43,8 +43,8 @@ pub struct Bench<'m> {
     pub parts: usize,
     /// What is made now.
     pub now: Made,
-    /// Whether nothing of that is physically impossible.
-    is_sound: bool,
+    /// Whether the work stays where it is held.
+    is_held: bool,
     tried: Mutex<Vec<Trial>>,
     /// Counts evaluations.
     progress: &'m Progress,
@@ -59,14 +59,13 @@ impl<'m> Bench<'m> {
         let making = model.system.making();
         let written = |own: &Making| model.quantities.iter().find(|quantity| *quantity.path == *own.cycle);
         let cycle = making.as_ref().and_then(written).map(|own| (own.path.clone(), own.quantity.value));
-        let now = Made::of(model)?;
         let bench = Self {
             model,
             making,
             cycle,
             parts: parts(model),
-            is_sound: now.doubts(model)?.is_empty(),
-            now,
+            is_held: model.forward().comes_loose().is_none(),
+            now: Made::of(model)?,
             tried: Mutex::default(),
             levers,
             progress,
@@ -124,12 +123,9 @@ impl<'m> Bench<'m> {
         if !made.left.rms.is_finite() {
             return Err("it leaves no number".into());
         }
-        // What is doubtful already stays so; a setting does not bring it about.
-        if self.is_sound {
-            let doubts = made.doubts(&model).map_err(|failure| failure.message)?;
-            if let Some(doubt) = doubts.into_iter().next() {
-                return Err(doubt);
-            }
+        // Work that is loose already is not loosened by a setting.
+        if let Some(loose) = model.forward().comes_loose().filter(|_| self.is_held) {
+            return Err(loose);
         }
         let trial = Trial { places: places.clone(), left: made.left, time: self.time(&model, places) };
         self.tried.lock().unwrap_or_else(PoisonError::into_inner).push(trial.clone());

@@ -87,14 +87,6 @@ impl Made {
         Ok(Self { rows, command, left, values: now })
     }
 
-    /// What is impossible of it, by the model that makes it.
-    ///
-    /// # Errors
-    /// The model cannot be computed.
-    pub fn doubts(&self, model: &Model) -> Result<Vec<String>, Failure> {
-        model.forward().doubts(&self.rows)
-    }
-
     /// Probability that all parts are within what is asked, with what is known of the values of the model; none where
     /// nothing is asked.
     pub fn probability(&self, model: &Model) -> Option<f64> {

@@ -11,15 +11,23 @@ fn a_run_writes_its_files_and_no_others() {
     assert_eq!(place.fem(&["run", "lathe.toml", "-o", "results"]).status, 0);
     let frame = |i: u32| [format!("shaft_{i:04}.vtu"), format!("shaft-magnified_{i:04}.vtp")];
     let series = ["shaft.pvd", "shaft-magnified.pvd", "view.py"];
-    let mut expected: Vec<String> =
-        [".fem-files.json", "compliance.csv", "profile.csv", "summary.json", "machine.svg", "map.svg", "profile.svg"]
-            .into_iter()
-            .chain(series)
-            .map(String::from)
-            .chain((0..4).flat_map(frame).map(|name| format!("shaft/{name}")))
-            .map(|name| format!("results/{name}"))
-            .chain(["lathe.toml".to_string()])
-            .collect();
+    let mut expected: Vec<String> = [
+        ".fem-files.json",
+        "bands.csv",
+        "compliance.csv",
+        "profile.csv",
+        "summary.json",
+        "machine.svg",
+        "map.svg",
+        "profile.svg",
+    ]
+    .into_iter()
+    .chain(series)
+    .map(String::from)
+    .chain((0..4).flat_map(frame).map(|name| format!("shaft/{name}")))
+    .map(|name| format!("results/{name}"))
+    .chain(["lathe.toml".to_string()])
+    .collect();
     expected.sort();
     assert_eq!(place.files(), expected);
     // A shorter run takes the frames of a longer one away.

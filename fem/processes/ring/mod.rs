@@ -125,6 +125,10 @@ impl Definition for Ring {
         Ok(report::let_go(machine).into_iter().chain(advice::slips(machine)).collect())
     }
 
+    fn comes_loose(machine: &Machine) -> Option<String> {
+        report::let_go(machine).or_else(|| advice::slips(machine))
+    }
+
     fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
         report::report(machine, forward)
     }

@@ -202,7 +202,7 @@ fn warnings(machine: &Machine) -> Vec<String> {
             "elements of order 1 are some {percent:.0} % too stiff in bending here: take order = 2, or shorter ones"
         )
     });
-    let_go(machine).into_iter().chain(stiffened).collect()
+    let_go(machine).into_iter().chain(super::advice::slips(machine)).chain(stiffened).collect()
 }
 
 /// Says that the turning chuck holds nothing, where it does not.
