@@ -1,6 +1,6 @@
 //! Programs before and after.
 
-use fem::gcode::{Across, Workpiece};
+use fem::gcode::{Across, Spot, Workpiece};
 
 use super::interpreter::{Motion, mm, motions, surface};
 use super::styles::STYLES;
@@ -168,7 +168,7 @@ fn comments_of_any_code_page_and_marks_of_the_file_stay() {
 #[test]
 fn radii_and_another_zero_are_as_the_model_says() {
     let text = "G0 X21 Z103\nX15 Z101\nG1 X15 Z70 F.1\nX15 Z40\nX20\nX20 Z20\nX20 Z0\nG0 X30\nM2\n";
-    let work = Workpiece { across: Across::Radius, zero: 0.0, ..shaft() };
+    let work = Workpiece { across: Across::Radius, zero: Spot::default(), ..shaft() };
     let found = carry(&work, text.as_bytes(), false).unwrap();
     assert_eq!(others(text.as_bytes()), others(&found.bytes));
     let moved = text.replace("Z103", "Z3").replace("Z101", "Z1").replace("Z70", "Z-30").replace("Z40", "Z-60");
@@ -192,7 +192,7 @@ fn radii_and_another_zero_are_as_the_model_says() {
     for (work, what) in [
         (shaft(), "no block cuts along the part"),
         (
-            Workpiece { zero: 0.0, ..shaft() },
+            Workpiece { zero: Spot::default(), ..shaft() },
             "part.ngc:3:1: no block finishes the part; nearest, this one cuts at 15.000 mm",
         ),
     ] {
