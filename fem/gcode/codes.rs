@@ -221,11 +221,11 @@ fn modal(tenths: u32) -> Option<Setting> {
     })
 }
 
-/// Exact stops, smoothing, no compensation, no cycle, feeds and speeds, return levels; on mills that nothing is polar, mirrored or
+/// Exact stops, smoothing, no compensation, lengths of tools, no cycle, feeds and speeds, return levels; on mills that nothing is polar, mirrored or
 /// turned.
 fn is_harmless(tenths: u32, machine: Machine) -> bool {
     let is_off = machine == Machine::Mill && matches!(tenths, 150 | 501 | 690);
-    is_off || matches!(tenths, 90 | 400 | 610 | 611 | 640 | 800 | 940 | 950 | 960 | 970 | 980 | 990)
+    is_off || matches!(tenths, 90 | 400 | 430 | 431 | 490 | 610 | 611 | 640 | 800 | 940 | 950 | 960 | 970 | 980 | 990)
 }
 
 fn unknown(word: &Word) -> Problem {

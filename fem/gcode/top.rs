@@ -256,7 +256,7 @@ mod tests {
             line([10.0, 1.0, 0.0], [4.0, 1.0, 0.0]),
             line([4.0, 1.0, 0.0], [6.0, 1.0, -1.0]), // a ramp into a pocket
         ];
-        let places = [[5.0, -1.9], [5.0, -0.1], [5.0, 0.1], [10.0, 0.1], [3.0, 1.0], [1.0, 1.0], [9.0, 2.0]];
+        let places = [[5.0, -1.9], [5.0, -0.1], [5.0, 0.1], [10.3, 0.1], [3.0, 1.0], [1.0, 1.0], [9.0, 2.0]];
         let makers = Makers::of(&steps, &places, &work());
         let made = Surface::of(&steps, &places, &makers).made;
         let found: Vec<_> = made.iter().map(|own| own.map(|own| (own.step, own.r))).collect();

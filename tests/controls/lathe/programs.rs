@@ -2,31 +2,15 @@
 
 use fem::gcode::{Across, Spot, Workpiece};
 
-use super::interpreter::{Motion, mm, motions, surface};
+use super::interpreter::{Motion, motions, surface};
 use super::styles::STYLES;
 use super::{LENGTH, STEP, carry, shaft, wanted};
 use crate::random::Random;
+use crate::words::{mm, without};
 
 /// A program without the numbers of its words across: what must not change.
 fn others(text: &[u8]) -> Vec<u8> {
-    let (mut kept, mut is_comment, mut is_across) = (Vec::new(), false, false);
-    for byte in text {
-        match byte {
-            b'\n' | b'\r' => (is_comment, is_across) = (false, false),
-            b';' => is_comment = true,
-            b'(' => is_comment = true,
-            b')' => is_comment = false,
-            _ => {}
-        }
-        if !is_comment && byte.is_ascii_alphabetic() {
-            is_across = matches!(byte, b'X' | b'x' | b'U' | b'u');
-        }
-        let is_number = byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+');
-        if !(is_across && is_number && !is_comment) {
-            kept.push(*byte);
-        }
-    }
-    kept
+    without(text, "XU")
 }
 
 /// By how much the surface was changed too much or too little, um, at the worst place of the finished sections.
