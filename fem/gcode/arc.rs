@@ -1,5 +1,5 @@
-//! Arcs of G2 and G3 in their plane: of a lathe the part lies from left to right and the tool above it, of a mill it is seen from
-//! above.
+//! Arcs of G2 and G3 in their plane: of a lathe the part lies from left to right and the tool above it, of a mill it is
+//! seen from above.
 
 use std::f64::consts::TAU;
 
@@ -13,7 +13,8 @@ const MOST: f64 = 20_000.0;
 /// How much farther one end may be from the centre than the other, m: what controls let pass.
 const UNEQUAL: f64 = 30e-6;
 
-/// The centre of the arc of a radius; a negative one means the long way round. `None` where no circle of it meets both ends.
+/// The centre of the arc of a radius; a negative one means the long way round. `None` where no circle of it meets both
+/// ends.
 pub fn centre(from: Point, to: Point, radius: f64, is_clockwise: bool) -> Option<Point> {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let chord = dx.hypot(dy);
@@ -68,7 +69,8 @@ pub fn points(from: Point, to: Point, centre: Point, is_clockwise: bool) -> Vec<
 mod tests {
     use super::*;
 
-    /// A fillet toward a shoulder: the tool comes along the part to the left and goes up, around a centre above the part.
+    /// A fillet toward a shoulder: the tool comes along the part to the left and goes up, around a centre above the
+    /// part.
     #[test]
     fn an_arc_turns_as_it_is_told() {
         let (from, to) = ([0.0, 20e-3], [-1e-3, 21e-3]);

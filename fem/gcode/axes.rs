@@ -1,4 +1,5 @@
-//! What sets one machine's programs apart from another's: its axes, the plane of its arcs, and what a word across the part says.
+//! What sets one machine's programs apart from another's: its axes, the plane of its arcs, and what a word across the
+//! part says.
 
 /// A machine whose programs are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

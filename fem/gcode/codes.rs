@@ -64,7 +64,8 @@ pub struct Orders {
     pub is_other_length: bool,
     /// Whether it is the last of the program.
     pub ends: bool,
-    /// Whether G90, G92 or G94 stand in it, each of which is a cycle in the G codes of system A where places stand beside it.
+    /// Whether G90, G92 or G94 stand in it, each of which is a cycle in the G codes of system A where places stand
+    /// beside it.
     pub may_be_a_cycle: bool,
     /// Whether nothing but a motion is ordered.
     pub is_plain: bool,
@@ -118,7 +119,8 @@ const CALL: &str = "write the blocks of the subprogram in its place";
 const NOSE: &str = "let the CAM system write the path of the nose's point with G40";
 const ZERO: &str = "write the program from one zero";
 /// Remedy for cycles.
-const CYCLE: &str = "write out the finishing pass in plain G1, G2 and G3 blocks; roughing and holes may stand in a program of their own";
+const CYCLE: &str = "write out the finishing pass in plain G1, G2 and G3 blocks; roughing and holes may stand in a program of \
+                     their own";
 
 impl Orders {
     /// The orders of a block of a machine's program.
@@ -221,8 +223,8 @@ fn modal(tenths: u32) -> Option<Setting> {
     })
 }
 
-/// Exact stops, smoothing, no compensation, lengths of tools, no cycle, feeds and speeds, return levels; on mills that nothing is polar, mirrored or
-/// turned.
+/// Exact stops, smoothing, no compensation, lengths of tools, no cycle, feeds and speeds, return levels; on mills that
+/// nothing is polar, mirrored or turned.
 fn is_harmless(tenths: u32, machine: Machine) -> bool {
     let is_off = machine == Machine::Mill && matches!(tenths, 150 | 501 | 690);
     is_off || matches!(tenths, 90 | 400 | 430 | 431 | 490 | 610 | 611 | 640 | 800 | 940 | 950 | 960 | 970 | 980 | 990)

@@ -6,8 +6,9 @@ use super::number::like;
 use super::wanted::{Course, SAME, Wanted};
 use super::workpiece::{MM, Workpiece};
 
-/// The contour of a turned part with a change of its radius: straight lines within the chord tolerance, in the way of the pass. `about`
-/// goes into its first comment. None of a part that has a breadth: where tracks lie beside each other is for its own program to say.
+/// The contour of a turned part with a change of its radius: straight lines within the chord tolerance, in the way of
+/// the pass. `about` goes into its first comment. None of a part that has a breadth: where tracks lie beside each other
+/// is for its own program to say.
 pub fn contour(work: &Workpiece, course: &Course, about: &str) -> Option<String> {
     let feed = work.feed.filter(|_| work.breadth.is_none())?;
     let wanted = Wanted::new(&[*course], &work.stretches);

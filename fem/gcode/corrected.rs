@@ -43,6 +43,17 @@ pub struct Other {
     pub levels: [f64; 2],
 }
 
+/// By how much a flat cutter takes more than its middle leaves, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deeper {
+    /// How far the cutter reaches about its middle.
+    pub reach: f64,
+    /// Root mean square over the top.
+    pub rms: f64,
+    /// At the worst place.
+    pub worst: f64,
+}
+
 /// A program that carries a correction.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -65,6 +76,9 @@ pub struct Corrected {
     pub unfinished: Vec<[f64; 2]>,
     /// The finishing block whose own level lies farthest off that of the part, and by how much, m.
     pub off: Option<(String, f64)>,
+    /// Of a flat cutter that follows the contour up and down: by how much it takes more, m, for it stands lower while
+    /// it is still or already over a place than when its middle passes it.
+    pub deeper: Option<Deeper>,
     /// Whether more is left than the tolerance of straight lines and the increment explain.
     pub is_short: bool,
     /// Whether blocks put between could carry that.
@@ -104,6 +118,8 @@ pub fn corrected(program: &Program, work: &Workpiece, courses: &[Course], adds: 
     let again = Program::of(&program.source.name, written.bytes, work)?;
     let later = makers.of_written(&written.origins);
     let after = Surface::of(&again.steps, &places, &later);
+    let deeper = later.deeper(&again.steps, &places, &after).zip(work.breadth);
+    let deeper = deeper.map(|(all, breadth)| Deeper::of(&samples, &all, breadth.reach));
     let kept = kept(program, &samples, (&before, &after), &finish, &wanted);
     let inside: Vec<[f64; 2]> = courses.iter().flat_map(|course| nudged(course, work)).collect();
     let was = Surface::of(steps, &inside, &makers).made;
@@ -122,6 +138,7 @@ pub fn corrected(program: &Program, work: &Workpiece, courses: &[Course], adds: 
         words: written.words,
         added: written.added,
         changed: kept.changed,
+        deeper,
         is_short,
         could_add: is_short && !adds && has_more,
         left: kept.left,
@@ -133,8 +150,17 @@ pub fn corrected(program: &Program, work: &Workpiece, courses: &[Course], adds: 
     })
 }
 
-/// Steps before which blocks can be put, with the shares of their way, and those that can have a word across of their own: what
-/// finishes the part, and on a mill what leads from one track to the next.
+impl Deeper {
+    fn of(samples: &[Sample], all: &[f64], reach: f64) -> Self {
+        let length: f64 = samples.iter().map(|sample| sample.weight).sum();
+        let squares: f64 = samples.iter().zip(all).map(|(sample, own)| sample.weight * own * own).sum();
+        let rms = if length > 0.0 { (squares / length).sqrt() } else { 0.0 };
+        Self { reach, rms, worst: all.iter().copied().fold(0.0, f64::max) }
+    }
+}
+
+/// Steps before which blocks can be put, with the shares of their way, and those that can have a word across of their
+/// own: what finishes the part, and on a mill what leads from one track to the next.
 fn possible(steps: &[Step], finish: &Finish, work: &Workpiece, wanted: &Wanted) -> BTreeMap<usize, Vec<f64>> {
     let is_bare = |step: &Step| step.is_plain && step.word.is_none();
     let finishing = finish.owned.keys().map(|step| (*step, between(&steps[*step], work, wanted)));
@@ -184,7 +210,8 @@ fn kept(
     Kept { changed, left: Left { rms, worst: worst.0, x, y, block } }
 }
 
-/// Places of a course a little inside of the stretch to which each belongs: that toward the end of the part, of the last one itself.
+/// Places of a course a little inside of the stretch to which each belongs: that toward the end of the part, of the
+/// last one itself.
 fn nudged(course: &Course, work: &Workpiece) -> Vec<[f64; 2]> {
     let end = work.stretches.last().map_or(0.0, |last| last.to);
     let nudge = 1e3 * SAME;

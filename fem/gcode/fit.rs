@@ -7,16 +7,17 @@ use super::steps::{Centre, Cut, Shape, Step};
 use super::surface::{Sample, Surface};
 use super::wanted::Wanted;
 
-/// Weight of places that a block passes and does not finish: it keeps a word whose block finishes little of its way from going astray.
+/// Weight of places that a block passes and does not finish: it keeps a word whose block finishes little of its way
+/// from going astray.
 const PASSED: f64 = 1e-4;
-/// Places over the way of a block that are weighed so.
+/// Places over the way to each word that are weighed so.
 const PASSES: usize = 8;
 
 /// Words, by whose values the ends of steps lie where they do: a word holds until the next.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Holds {
-    /// Of each step the hold in force at its start, those at the places put between, and that at its end; `None` where nobody
-    /// knows the place.
+    /// Of each step the hold in force at its start, those at the places put between, and that at its end; `None` where
+    /// nobody knows the place.
     pub of: Vec<Hold>,
     /// How many there are.
     pub count: usize,
@@ -57,8 +58,9 @@ impl Holds {
     }
 }
 
-/// Change of each hold, m of the level: the least squares of what is left. An arc moves as a whole where its centre is written from
-/// its start, where it does not finish the part, and where it lies at one level; holds that end no finishing cut change nothing.
+/// Change of each hold, m of the level: the least squares of what is left. An arc moves as a whole where its centre is
+/// written from its start, where it does not finish the part, and where it lies at one level; holds that end no
+/// finishing cut change nothing.
 pub fn changes(
     (steps, has_arcs_across): (&[Step], bool),
     holds: &Holds,
@@ -73,10 +75,12 @@ pub fn changes(
     for (step, all) in &finish.owned {
         let Some(cut) = steps[*step].cut else { continue };
         let pieces = pieces(&holds.of[*step]);
-        let passed = (0..PASSES).map(|i| {
-            let share = (i as f64 + 0.5) / PASSES as f64;
-            let spot = cut.at(share);
-            (share, PASSED * cut.way() / PASSES as f64, wanted.at(spot.x, spot.y))
+        let passed = pieces.iter().flat_map(|([from, to], _)| {
+            (0..PASSES).map(move |i| {
+                let share = from + (to - from) * (i as f64 + 0.5) / PASSES as f64;
+                let spot = cut.at(share);
+                (share, PASSED * (to - from) * cut.way() / PASSES as f64, wanted.at(spot.x, spot.y))
+            })
         });
         let finished = all.iter().filter_map(|at| {
             let sample = samples[*at];

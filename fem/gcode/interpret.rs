@@ -9,6 +9,9 @@ use super::words::{Block, Word};
 use super::workpiece::{MM, Workpiece};
 use crate::input::Problem;
 
+/// By how much ends of an arc that lies at one level may differ by round-off, m.
+const LEVEL: f64 = 1e-9;
+
 /// What is in force, and where the tool is.
 struct Control<'a> {
     work: &'a Workpiece,
@@ -258,7 +261,7 @@ impl<'a> Control<'a> {
             let message = format!("the arc lies in a plane other than {plane}");
             return Err(first.problem(message, &format!("write {plane} before it")));
         }
-        if !axes.has_arcs_across() && from.r != to.r {
+        if !axes.has_arcs_across() && (from.r - to.r).abs() > LEVEL {
             let message = "the arc climbs: a helix has no one height";
             return Err(first.problem(message, "write it as straight pieces, or let it run at one height"));
         }

@@ -64,8 +64,9 @@ impl Finish {
     }
 }
 
-/// Shares of its way, rising, at which a finishing block needs others before it, so that straight lines carry what is wanted; none
-/// where it needs none, or where none can be put: in a round one, one that counts on, or one that orders more than a motion.
+/// Shares of its way, rising, at which a finishing block needs others before it, so that straight lines carry what is
+/// wanted; none where it needs none, or where none can be put: in a round one, one that counts on, or one that orders
+/// more than a motion.
 pub fn between(step: &Step, work: &Workpiece, wanted: &Wanted) -> Vec<f64> {
     let Some(cut) = step.cut.filter(|cut| step.is_plain && cut.shape == Shape::Line) else { return Vec::new() };
     let nodes = wanted.along(&cut);
@@ -81,6 +82,11 @@ pub fn between(step: &Step, work: &Workpiece, wanted: &Wanted) -> Vec<f64> {
     let (low, high) = (from.min(to), from.max(to));
     let written = |at: f64| zero + ((at - zero) / increment).round() * increment;
     let mut places: Vec<f64> = kept.iter().map(|at| written(place(nodes[*at].0))).collect();
+    if let Some((first, last)) = wanted.ends().filter(|_| work.breadth.is_some() && is_along) {
+        // Beside the part a cutter keeps the height that it has at the end of it: it is still over it.
+        places.extend([first, last].map(written));
+        places.sort_unstable_by(f64::total_cmp);
+    }
     places.dedup();
     places.retain(|at| *at > low + 0.5 * increment && *at < high - 0.5 * increment && (low + SAME..high).contains(at));
     let mut shares: Vec<f64> = places.iter().map(|at| (at - from) / (to - from)).collect();

@@ -65,8 +65,8 @@ pub struct Step {
 }
 
 impl Cut {
-    /// Straight pieces of the profile along a cut of a lathe, each from the spot before to the next; those of an arc lie within a
-    /// hundredth of a micrometre.
+    /// Straight pieces of the profile along a cut of a lathe, each from the spot before to the next; those of an arc
+    /// lie within a hundredth of a micrometre.
     pub fn profile(&self) -> Vec<Spot> {
         match self.shape {
             Shape::Line => vec![self.from, self.to],

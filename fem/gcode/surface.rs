@@ -1,5 +1,5 @@
-//! Which cut makes the surface at a place. Of a turned part that with the smallest radius there, of equal ones the last; of a
-//! milled top see [`top`](super::top).
+//! Which cut makes the surface at a place. Of a turned part that with the smallest radius there, of equal ones the
+//! last; of a milled top see [`top`](super::top).
 
 use super::spot::Spot;
 use super::steps::{Cut, Step};
@@ -60,6 +60,15 @@ impl Makers {
         work.breadth.map_or(Self::Deepest, |breadth| Self::Tracks(Tracks::of(steps, places, (work, breadth))))
     }
 
+    /// By how much (m) a flat cutter takes more at some places than its middle leaves there; none of a tool that makes
+    /// a profile.
+    pub fn deeper(&self, steps: &[Step], places: &[[f64; 2]], surface: &Surface) -> Option<Vec<f64>> {
+        match self {
+            Self::Deepest => None,
+            Self::Tracks(tracks) => Some(tracks.deeper(steps, places, &surface.made)),
+        }
+    }
+
     /// The same for a program of which each step comes of one of these, by their positions.
     pub fn of_written(&self, origins: &[usize]) -> Self {
         match self {
@@ -69,8 +78,8 @@ impl Makers {
     }
 }
 
-/// Places of the pass, two between any two ends of cuts, of stretches and of straight pieces of what is wanted; of a top rows of them,
-/// by the tracks.
+/// Places of the pass, two between any two ends of cuts, of stretches and of straight pieces of what is wanted; of a
+/// top rows of them, by the tracks.
 pub fn samples(steps: &[Step], work: &Workpiece, wanted: &Wanted) -> Vec<Sample> {
     let Some((low, high)) = wanted.ends() else { return Vec::new() };
     let stretches = work.stretches.iter().flat_map(|own| [own.from, own.to]);
@@ -90,7 +99,8 @@ pub fn even(low: f64, high: f64, count: usize) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| low + (high - low) * i as f64 / count as f64)
 }
 
-/// Two places between any two borders that lie between two ends, rising, each with its weight and the borders beside it.
+/// Two places between any two borders that lie between two ends, rising, each with its weight and the borders beside
+/// it.
 pub fn weighed(mut borders: Vec<f64>, (low, high): (f64, f64)) -> Vec<(f64, f64, [f64; 2])> {
     borders.retain(|x| (low..=high).contains(x));
     borders.sort_unstable_by(f64::total_cmp);

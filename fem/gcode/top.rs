@@ -1,9 +1,10 @@
 //! Which track of a mill makes its top at a place.
 //!
-//! A face mill leaves the height at which its middle runs on all that it covers, and neighbouring tracks cover each other in part. The
-//! height at a place is that of the nearest track: each answers for the places that are nearest to it, half way to its neighbours,
-//! and at its ends for as far as the cutter reaches. Tracks at the height of the top come first, and of those such as are the lowest over more
-//! than half of what they cover: what lies above is cut away again, what lies below is a pocket or a hole.
+//! A face mill leaves the height at which its middle runs on all that it covers, and neighbouring tracks cover each
+//! other in part. The height at a place is that of the nearest track: each answers for the places that are nearest to
+//! it, half way to its neighbours, and at its ends for as far as the cutter reaches. Tracks at the height of the top
+//! come first, and of those such as are the lowest over more than half of what they cover: what lies above is cut away
+//! again, what lies below is a pocket or a hole.
 
 use super::arc::{polar, turned};
 use super::spot::Spot;
@@ -98,8 +99,18 @@ impl Foot {
     }
 
     fn level(self, cut: &Cut) -> f64 {
-        cut.from.r + self.share * (cut.to.r - cut.from.r)
+        cut.at(self.share).r
     }
+}
+
+/// The lowest level of a cut that comes within reach of a place, as long as it is; a round one lies at one level.
+fn lowest(cut: &Cut, [x, y]: [f64; 2], reach: f64) -> f64 {
+    let way = cut.way().max(SAME);
+    let [dx, dy] = [cut.to.x - cut.from.x, cut.to.y - cut.from.y].map(|own| own / way);
+    let (along, aside) = ((x - cut.from.x) * dx + (y - cut.from.y) * dy, (x - cut.from.x) * dy - (y - cut.from.y) * dx);
+    let half = (reach * reach - aside * aside).max(0.0).sqrt();
+    let level = |at: f64| cut.at((at / way).clamp(0.0, 1.0)).r;
+    level(along - half).min(level(along + half))
 }
 
 /// Whether a cut runs along the top at all.
@@ -155,8 +166,8 @@ impl Tracks {
         Self { kinds: origins.iter().map(|origin| self.kinds.get(*origin).copied().flatten()).collect(), ..*self }
     }
 
-    /// Lays the top at some places: by the nearest of the tracks that finish it, of those that pass alike the lowest, of equal ones
-    /// the last; where none does, by the deepest cut that there is.
+    /// Lays the top at some places: by the nearest of the tracks that finish it, of those that pass alike the lowest,
+    /// of equal ones the last; where none does, by the deepest cut that there is.
     pub fn lay(&self, steps: &[Step], places: &[[f64; 2]], made: &mut [Option<Made>]) {
         let sorted = Sorted::of(places);
         let mut nearest = vec![f64::INFINITY; places.len()];
@@ -176,8 +187,21 @@ impl Tracks {
         });
     }
 
-    /// Calls with each step of a kind and each place that it covers: the step, the place, by their positions, what of the cut is nearest, and the
-    /// level there.
+    /// How much lower (m) than the height at some places a flat cutter stands while it is over them: it takes as much
+    /// more there.
+    pub fn deeper(&self, steps: &[Step], places: &[[f64; 2]], made: &[Option<Made>]) -> Vec<f64> {
+        let mut low = vec![f64::INFINITY; places.len()];
+        self.each(steps, &Sorted::of(places), Kind::Finish, |step, at, _, _| {
+            if let Some(cut) = &steps[step].cut {
+                low[at] = low[at].min(lowest(cut, places[at], self.reach));
+            }
+        });
+        let deeper = |(lowest, made): (f64, &Option<Made>)| made.map_or(0.0, |own| (own.r - lowest).max(0.0));
+        low.into_iter().zip(made).map(deeper).collect()
+    }
+
+    /// Calls with each step of a kind and each place that it covers: the step, the place, by their positions, what of
+    /// the cut is nearest, and the level there.
     fn each(&self, steps: &[Step], places: &Sorted, kind: Kind, mut call: impl FnMut(usize, usize, Foot, f64)) {
         let own = |(number, step): (usize, &Step)| {
             let is_own = self.kinds.get(number) == Some(&Some(kind));

@@ -41,8 +41,8 @@ impl Wanted {
         Self { lines: courses.iter().map(line).collect() }
     }
 
-    /// The change at a place, m: across the part on the parabola through the lines (of two the straight line, one as it is), beyond
-    /// the outermost as on these.
+    /// The change at a place, m: across the part on the parabola through the lines (of two the straight line, one as it
+    /// is), beyond the outermost as on these.
     pub fn at(&self, x: f64, y: f64) -> f64 {
         self.shares(y).zip(&self.lines).map(|(share, (_, line))| share * line.at(x)).sum()
     }
@@ -54,8 +54,8 @@ impl Wanted {
         all().map(move |own| all().filter(|other| *other != own).map(|other| (y - other) / (own - other)).product())
     }
 
-    /// The changes that are wanted along a straight cut: of one that runs along the part with its places on the part, rising, of any
-    /// other with the distances from its start, m.
+    /// The changes that are wanted along a straight cut: of one that runs along the part with its places on the part,
+    /// rising, of any other with the distances from its start, m.
     pub fn along(&self, cut: &Cut) -> Vec<(f64, f64)> {
         if (cut.to.y - cut.from.y).abs() < SAME {
             return self.between(cut.from.x.min(cut.to.x), cut.from.x.max(cut.to.x), cut.from.y);
@@ -68,8 +68,8 @@ impl Wanted {
         (0..=ACROSS).map(one).collect()
     }
 
-    /// Places and changes at a distance from the middle on the way from one place to another that lies beyond it, both among
-    /// them, rising.
+    /// Places and changes at a distance from the middle on the way from one place to another that lies beyond it, both
+    /// among them, rising.
     pub fn between(&self, low: f64, high: f64, y: f64) -> Vec<(f64, f64)> {
         let mut sum: Vec<(f64, f64)> = Vec::new();
         for (share, (_, line)) in self.shares(y).zip(&self.lines) {
@@ -90,8 +90,8 @@ impl Wanted {
 }
 
 impl Line {
-    /// The change that has these values at these places (rising); on a step a place belongs to the stretch toward the end of the
-    /// part. What no place of a stretch tells lies on its next straight line.
+    /// The change that has these values at these places (rising); on a step a place belongs to the stretch toward the
+    /// end of the part. What no place of a stretch tells lies on its next straight line.
     fn new(places: &[f64], changes: &[f64], stretches: &[Stretch]) -> Self {
         let all: Vec<(f64, f64)> = places.iter().copied().zip(changes.iter().copied()).collect();
         let (Some(first), Some(last)) = (all.first(), all.last()) else { return Self { nodes: Vec::new() } };

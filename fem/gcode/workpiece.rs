@@ -69,8 +69,8 @@ const STEP_OFF: f64 = 0.2e-3;
 const MOST_DECIMALS: f64 = 7.0;
 
 impl Workpiece {
-    /// How far a finished level may lie off that of the drawing: half of the last depth of cut (m), for what is left to cut is no
-    /// finished surface, within limits of its own; the widest where no depth is known.
+    /// How far a finished level may lie off that of the drawing: half of the last depth of cut (m), for what is left to
+    /// cut is no finished surface, within limits of its own; the widest where no depth is known.
     pub fn agreement(depth: Option<f64>) -> f64 {
         depth.map_or(AGREEMENT.1, |depth| (0.5 * depth).clamp(AGREEMENT.0, AGREEMENT.1))
     }
@@ -93,7 +93,8 @@ impl Workpiece {
         Some(self.stretches[at].level)
     }
 
-    /// The nominal level next to a given one at a place, m, where a step may stand a little elsewhere than in the model.
+    /// The nominal level next to a given one at a place, m, where a step may stand a little elsewhere than in the
+    /// model.
     pub fn level_near(&self, x: f64, r: f64) -> Option<f64> {
         let near = self.stretches.iter().filter(|own| own.from - STEP_OFF <= x && x <= own.to + STEP_OFF);
         near.map(|own| own.level).min_by(|a, b| (a - r).abs().total_cmp(&(b - r).abs()))

@@ -7,7 +7,7 @@ use super::json::finite;
 use super::number;
 use crate::compare::rms;
 use crate::correct::{Offset, Programmed};
-use crate::gcode::{Corrected, Level, Machine, Other};
+use crate::gcode::{Corrected, Deeper, Level, Machine, Other};
 use crate::units::MICRO;
 
 /// Most blocks that are named.
@@ -38,6 +38,7 @@ pub fn blocks(programmed: &Programmed) -> Vec<Block> {
         format!("off the contour by {} um rms{}", um(corrected.left.rms), worst(corrected)),
     ];
     lines.extend(short(corrected).map(str::to_string));
+    lines.extend(corrected.deeper.filter(|own| own.worst > NONE).map(deeper));
     lines.extend(corrected.off.as_ref().filter(|(_, off)| off.abs() > NONE).map(|(block, off)| {
         let (measured, times) = level.measured();
         let (size, by) = (larger(level, *off > 0.0), um(times * off.abs()));
@@ -64,6 +65,16 @@ fn worst(corrected: &Corrected) -> String {
         Machine::Mill => format!("x = {x}, y = {y} mm"),
     };
     if left.worst < NONE { String::new() } else { format!(", {by} um at worst, at {place} in {}", left.block) }
+}
+
+/// What the model, whose cutter cuts where its middle stands, does not know of a flat one.
+fn deeper(deeper: Deeper) -> String {
+    let [rms, worst] = [deeper.rms, deeper.worst].map(|si| number::trimmed(MICRO.from_si(si), 2));
+    format!(
+        "the cutter reaches {} mm about its middle, and stands lower before or after it passes a place: a flat one that is square \
+         to the table takes {rms} um more in the mean of the squares, {worst} um at worst, which is in no figure above",
+        number::mm(deeper.reach, 1)
+    )
 }
 
 fn larger(level: Level, is_so: bool) -> &'static str {
@@ -122,6 +133,7 @@ pub fn json(programmed: &Programmed, key: &str, offsets: impl Fn(&[Offset]) -> J
         "added": corrected.added,
         key: corrected.changed.map(finite),
         "left": place,
+        "deeper": corrected.deeper.map(|own| json!({ "reach": own.reach, "rms": own.rms, "worst": own.worst })),
         "could_add_blocks": corrected.could_add,
         "left_as_they_are": corrected.others.iter().map(other).collect::<Vec<_>>(),
         "unfinished": corrected.unfinished,

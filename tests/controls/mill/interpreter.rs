@@ -2,8 +2,8 @@
 
 use crate::words::{PARTS, bare, mm, words};
 
-/// A motion: whether it cuts, and where it begins and ends (X, Y, Z), in parts of a millimetre; of an arc its centre (X, Y) in mm and
-/// whether it turns clockwise seen from above.
+/// A motion: whether it cuts, and where it begins and ends (X, Y, Z), in parts of a millimetre; of an arc its centre
+/// (X, Y) in mm and whether it turns clockwise seen from above.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     pub line: usize,
@@ -76,7 +76,8 @@ fn centre(from: [f64; 2], to: [f64; 2], [i, j, r]: [Option<f64>; 3], clockwise: 
     [middle[0] + side * way[1], middle[1] - side * way[0]]
 }
 
-/// The share of a motion at which the middle of the cutter passes a place (mm), if it does to the tenth of a micrometre.
+/// The share of a motion at which the middle of the cutter passes a place (mm), if it does to the tenth of a
+/// micrometre.
 fn passes(motion: &Motion, [x, y]: [f64; 2]) -> Option<f64> {
     let [from, to] = [motion.from, motion.to].map(|spot| [mm(spot[0]), mm(spot[1])]);
     match motion.arc {
@@ -100,7 +101,8 @@ fn passes(motion: &Motion, [x, y]: [f64; 2]) -> Option<f64> {
     }
 }
 
-/// The height (mm) that the middle of the cutter leaves at a place (mm) that it passes, and the line of the last cut that reaches it.
+/// The height (mm) that the middle of the cutter leaves at a place (mm) that it passes, and the line of the last cut
+/// that reaches it.
 pub fn height(motions: &[Motion], place: [f64; 2]) -> Option<(f64, usize)> {
     let mut least: Option<(f64, usize)> = None;
     for motion in motions.iter().filter(|motion| motion.cuts) {

@@ -1,7 +1,8 @@
 //! What mills make of programs that carry a correction.
 //!
-//! As for lathes, the interpreter reads a program by the manuals alone, in whole hundred-millionths of a micrometre. Programs of many styles
-//! must leave the top as high as is wanted along every track to the least increment, and keep every byte outside of their Z words.
+//! As for lathes, the interpreter reads a program by the manuals alone, in whole hundred-millionths of a micrometre.
+//! Programs of many styles must leave the top as high as is wanted along every track to the least increment, and keep
+//! every byte outside of their Z words.
 
 mod interpreter;
 mod programs;

@@ -54,8 +54,8 @@ fn every_style_carries_the_top_to_its_increment_and_keeps_every_other_byte() {
     }
 }
 
-/// A face by a larger cutter, the finishing pass there and back with a round turn, a slot and a hole that are cut afterwards, and the
-/// edge with a radius that stands in the control.
+/// A face by a larger cutter, the finishing pass there and back with a round turn, a slot and a hole that are cut
+/// afterwards, and the edge with a radius that stands in the control.
 const WHOLE: &str = "\
 %
 (TOP Z0, 100 BY 40)
@@ -124,7 +124,8 @@ fn blocks_put_between_carry_the_top_and_nothing_else_changes() {
         let back = on_tracks(&(0..=250).map(|i| [0.4 * f64::from(i), 30.0]).collect::<Vec<_>>());
         for places in [tracks, back] {
             let worst = worst(&before, &after, &places);
-            // The chord, half an increment at either end, and the start of a track, whose height is that of the end of the turn.
+            // The chord, half an increment at either end, and the start of a track, whose height is that of the end of
+            // the turn.
             assert!(worst < 1.0 + 0.6, "{name}: {worst}\n{}", String::from_utf8_lossy(&found.bytes));
         }
         assert!(found.added > 8, "{name}: {}", found.added);
@@ -152,7 +153,8 @@ fn an_arc_in_the_finishing_pass_moves_as_a_whole() {
     let [before, after] = [text.as_bytes(), &found.bytes].map(motions);
     let arc = after.iter().find(|own| own.arc.is_some()).unwrap();
     assert_eq!(arc.from[2], arc.to[2]);
-    // As high as is wanted in the mean over the half disc that is nearest to it, but for the tracks on either side, which go on from it.
+    // As high as is wanted in the mean over the half disc that is nearest to it, but for the tracks on either side,
+    // which go on from it.
     let of_disc = (0..2500).map(|i| [60.0 + 0.44 * f64::from(i % 50), -2.0 + 0.88 * f64::from(i / 50)]);
     let own = of_disc.filter(|[x, y]| (x - 60.0).hypot(y - 20.0) < 22.0 && (0.0..WIDTH).contains(y));
     let own: Vec<f64> = own.map(|[x, y]| wanted(x, y)).collect();
@@ -173,7 +175,8 @@ fn comments_of_any_code_page_and_marks_of_the_file_stay() {
     assert!(found.words > 150);
 }
 
-/// A zero in the middle of the top and above it gives the same changes; without one the program finishes nothing, and it is said where.
+/// A zero in the middle of the top and above it gives the same changes; without one the program finishes nothing, and
+/// it is said where.
 #[test]
 fn the_zero_is_as_the_model_says() {
     let text = "G0 X-64 Y0 Z5\nG1 Z-2 F300\nX64\nG0 Z50\nM2\n";
@@ -190,6 +193,14 @@ fn the_zero_is_as_the_model_says() {
         let off = 1e3 * (is - was) - wanted(x + 50.0, 20.0);
         assert!(off.abs() < 1.6 && (was + 2.0).abs() < 1e-9, "{x} {off}");
     }
+    // What a flat cutter of 40 mm takes more at a place, for it stands lower somewhere on its way over it.
+    let z = |x: f64| 1e3 * height(&after, [x, 0.0]).unwrap().0;
+    let all: Vec<f64> = (0..=1200).map(|i| z(-60.0 + 0.1 * f64::from(i))).collect();
+    let lowest =
+        |at: usize| all[at.saturating_sub(200)..=(at + 200).min(1200)].iter().copied().fold(f64::INFINITY, f64::min);
+    let deeper = (100..=1100).map(|at| all[at] - lowest(at)).fold(0.0, f64::max);
+    let told = 1e6 * found.deeper.unwrap().worst;
+    assert!(deeper > 5.0 && (told - deeper).abs() < 0.1, "{told} {deeper}");
     let error = carry(&top(), text.as_bytes(), false).unwrap_err();
     let what = "top.ngc:3:1: no block finishes the part; nearest, this one cuts at -2.000 mm of height where the part has 0.000 mm";
     assert!(error.contains(what) && error.contains("[program]"), "{error}");
