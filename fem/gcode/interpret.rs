@@ -225,9 +225,9 @@ impl<'a> Control<'a> {
         let (r, word, is_on) = self.target(block, 0, scale)?;
         let (mut to, mut is_told, mut counts_on) = (self.place, false, is_on);
         to[0] = r;
-        for axis in 1..self.work.axes.letters.len() {
+        for (axis, to) in to.iter_mut().enumerate().take(self.work.axes.letters.len()).skip(1) {
             let (end, along, is_along_on) = self.target(block, axis, self.unit)?;
-            to[axis] = end;
+            *to = end;
             is_told |= along.is_some();
             counts_on |= is_along_on;
         }

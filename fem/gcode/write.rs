@@ -102,7 +102,7 @@ impl Writer<'_> {
         let level = self.work.zero.r + value * step.scale;
         let is_there = self.now.is_some_and(|now| (level - now).abs() < 0.5 * increment.size * step.scale);
         let mut along = block.words.iter().filter(|word| axes.letters[1..].contains(&word.letter) && !is_there);
-        let beside = if axes.is_across_first { along.next() } else { along.last() };
+        let beside = if axes.is_across_first { along.next() } else { along.next_back() };
         let Some(beside) = beside else { return };
         let word = self.letter(beside, axes.letters[0]) + &like(DECIMAL, value, increment);
         let gap = self.gap(block);

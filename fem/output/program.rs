@@ -71,8 +71,8 @@ fn worst(corrected: &Corrected) -> String {
 fn deeper(deeper: Deeper) -> String {
     let [rms, worst] = [deeper.rms, deeper.worst].map(|si| number::trimmed(MICRO.from_si(si), 2));
     format!(
-        "the cutter reaches {} mm about its middle, and stands lower before or after it passes a place: a flat one that is square \
-         to the table takes {rms} um more in the mean of the squares, {worst} um at worst, which is in no figure above",
+        "a flat cutter, square to the table, stands lower before or after its middle passes a place: reaching {} mm it takes {rms} um \
+         rms more, {worst} um at worst, which is in no figure above",
         number::mm(deeper.reach, 1)
     )
 }
