@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::plan::Finish;
+use super::sample::Sample;
 use super::steps::{Centre, Cut, Shape, Step};
-use super::surface::{Sample, Surface};
+use super::surface::Surface;
 use super::wanted::Wanted;
 
 /// Weight of places that a block passes and does not finish: it keeps a word whose block finishes little of its way

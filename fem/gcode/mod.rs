@@ -20,6 +20,7 @@ mod knots;
 mod number;
 mod plan;
 mod program;
+mod sample;
 mod spot;
 mod steps;
 mod surface;

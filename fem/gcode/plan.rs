@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::knots::knots;
+use super::sample::Sample;
 use super::steps::{Shape, Step};
-use super::surface::{Sample, Surface};
+use super::surface::Surface;
 use super::wanted::{SAME, Wanted};
 use super::workpiece::Workpiece;
 

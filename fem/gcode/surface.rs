@@ -1,42 +1,15 @@
 //! Which cut makes the surface at a place. Of a turned part that with the smallest radius there, of equal ones the
-//! last; of a milled top see [`top`](super::top).
+//! last; of a milled top see [`top`].
 
+use super::sample::{EQUAL, Made, Sample, even, weighed};
 use super::spot::Spot;
 use super::steps::{Cut, Step};
-use super::top::Tracks;
+use super::top::{self, Tracks};
 use super::wanted::{SAME, Wanted};
 use super::workpiece::Workpiece;
 
-/// Levels nearer than this are equal, m: less than any increment.
-pub const EQUAL: f64 = 0.2e-6;
 /// Places at least over the pass.
 const LEAST: usize = 400;
-/// Where in an interval its two places stand, by which straight lines and parabolas are weighed exactly.
-pub const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
-
-/// A place at which surfaces are looked at.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// Along the part, m.
-    pub x: f64,
-    /// From the middle of its breadth, m.
-    pub y: f64,
-    /// Length for which it stands, m.
-    pub weight: f64,
-    /// The interval along the part in which it stands, m.
-    pub interval: [f64; 2],
-}
-
-/// What makes the surface at a place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Made {
-    /// The step, by its position.
-    pub step: usize,
-    /// The share of its way at which it does.
-    pub share: f64,
-    /// The level, m.
-    pub r: f64,
-}
 
 /// The surface that a program leaves at some places.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,29 +60,11 @@ pub fn samples(steps: &[Step], work: &Workpiece, wanted: &Wanted) -> Vec<Sample>
     let grid = even(low, high, LEAST);
     let borders = stretches.chain(nodes).chain(grid);
     if let Some(breadth) = work.breadth {
-        return super::top::samples(steps, borders.collect(), (low, high), breadth.half);
+        return top::samples(steps, borders.collect(), (low, high), breadth.half);
     }
     let cuts = steps.iter().filter_map(|step| step.cut).flat_map(|cut| [cut.from.x, cut.to.x]);
     let place = |(x, weight, interval)| Sample { x, y: 0.0, weight, interval };
     weighed(borders.chain(cuts).collect(), (low, high)).into_iter().map(place).collect()
-}
-
-/// Evenly spaced places, both ends among them.
-pub fn even(low: f64, high: f64, count: usize) -> impl Iterator<Item = f64> {
-    (0..=count).map(move |i| low + (high - low) * i as f64 / count as f64)
-}
-
-/// Two places between any two borders that lie between two ends, rising, each with its weight and the borders beside
-/// it.
-pub fn weighed(mut borders: Vec<f64>, (low, high): (f64, f64)) -> Vec<(f64, f64, [f64; 2])> {
-    borders.retain(|x| (low..=high).contains(x));
-    borders.sort_unstable_by(f64::total_cmp);
-    borders.dedup_by(|a, b| *a - *b < SAME);
-    let two = |pair: &[f64]| {
-        let (from, to) = (pair[0], pair[1]);
-        GAUSS.map(|at| (from + at * (to - from), 0.5 * (to - from), [from, to]))
-    };
-    borders.windows(2).flat_map(two).collect()
 }
 
 impl Surface {

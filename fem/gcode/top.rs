@@ -7,9 +7,9 @@
 //! again, what lies below is a pocket or a hole.
 
 use super::arc::{polar, turned};
+use super::sample::{EQUAL, Made, Sample, even, weighed};
 use super::spot::Spot;
 use super::steps::{Cut, Shape, Step};
-use super::surface::{EQUAL, Made, Sample, even, weighed};
 use super::wanted::SAME;
 use super::workpiece::{Breadth, Workpiece};
 
@@ -242,7 +242,6 @@ mod tests {
     use super::super::axes::{Across, MILL};
     use super::super::fineness::Fineness;
     use super::super::steps::Centre;
-    use super::super::surface::{Makers, Surface};
     use super::super::workpiece::Stretch;
     use super::*;
 
@@ -281,8 +280,9 @@ mod tests {
             line([4.0, 1.0, 0.0], [6.0, 1.0, -1.0]), // a ramp into a pocket
         ];
         let places = [[5.0, -1.9], [5.0, -0.1], [5.0, 0.1], [10.3, 0.1], [3.0, 1.0], [1.0, 1.0], [9.0, 2.0]];
-        let makers = Makers::of(&steps, &places, &work());
-        let made = Surface::of(&steps, &places, &makers).made;
+        let work = work();
+        let mut made = vec![None; places.len()];
+        Tracks::of(&steps, &places, (&work, work.breadth.unwrap())).lay(&steps, &places, &mut made);
         let found: Vec<_> = made.iter().map(|own| own.map(|own| (own.step, own.r))).collect();
         let finish = |step| Some((step, 0.0));
         assert_eq!(found, [finish(3), finish(3), finish(5), finish(4), finish(5), Some((1, 0.05)), finish(5)]);
