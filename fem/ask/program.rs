@@ -31,9 +31,7 @@ pub fn program(model: &Model, path: &Path) -> Result<Program, Error> {
 /// No block of it finishes the part, or the model cannot be computed.
 pub fn programmed(model: &Model, found: &Correction, program: &Program, adds: bool) -> Result<Programmed, Error> {
     let work = workpiece(model)?;
-    let common = found.common.as_ref().map_or(&[][..], |common| &common.contour);
-    let places = &found.command.places()[..common.len()];
-    let corrected = corrected(program, &work, (places, common), adds)?;
+    let corrected = corrected(program, &work, &found.common_courses(), adds)?;
     let with = found.with_contour(model, &corrected.carried)?;
     let name = Path::new(&*program.source.name).file_name().unwrap_or_default().to_string_lossy().into_owned();
     Ok(Programmed { name, corrected, with })
@@ -43,6 +41,6 @@ fn workpiece(model: &Model) -> Result<Workpiece, Error> {
     model.require_part()?;
     model.system.program().ok_or_else(|| {
         let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
-        problem.help("programs are corrected for turned shafts").into()
+        problem.help("programs are corrected for turned shafts and milled tops").into()
     })
 }

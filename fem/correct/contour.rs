@@ -1,9 +1,10 @@
 //! One contour for all that is made one after another, and an offset for each: what a program and a wear constant can do.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::{Correction, Offset};
-use crate::gcode::Corrected;
+use crate::gcode::{Corrected, Course};
 use crate::model::Model;
 use crate::process::{Command, Failure};
 
@@ -83,6 +84,19 @@ pub struct Programmed {
 }
 
 impl Correction {
+    /// The contour that is common to all numbers, along each line of the part beside which there are others; none where there is no
+    /// such contour.
+    pub fn common_courses(&self) -> Vec<Course<'_>> {
+        let contour = self.common.as_ref().map_or(&[][..], |common| &common.contour);
+        let lines = self.command.contours().iter().take_while(|(_, own)| own.end <= contour.len());
+        let course = |(apart, own): &'_ (Vec<f64>, Range<usize>)| Course {
+            y: apart.get(1).copied().unwrap_or(0.0),
+            places: &self.command.places()[own.clone()],
+            changes: &contour[own.clone()],
+        };
+        lines.map(course).collect()
+    }
+
     /// What is left with a contour that is given, and an offset for each number.
     ///
     /// # Errors

@@ -3,20 +3,22 @@
 use std::collections::BTreeMap;
 
 use super::plan::Finish;
+use super::sample::Sample;
 use super::steps::{Centre, Cut, Shape, Step};
-use super::surface::Sample;
+use super::surface::Surface;
 use super::wanted::Wanted;
 
-/// Weight of places that a block passes and does not finish: it keeps a word whose block finishes little of its way from going astray.
+/// Weight of places that a block passes and does not finish: it keeps a word whose block finishes little of its way
+/// from going astray.
 const PASSED: f64 = 1e-4;
-/// Places over the way of a block that are weighed so.
+/// Places over the way to each word that are weighed so.
 const PASSES: usize = 8;
 
 /// Words, by whose values the ends of steps lie where they do: a word holds until the next.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Holds {
-    /// Of each step the hold in force at its start, those at the places put between, and that at its end; `None` where nobody
-    /// knows the place.
+    /// Of each step the hold in force at its start, those at the places put between, and that at its end; `None` where
+    /// nobody knows the place.
     pub of: Vec<Hold>,
     /// How many there are.
     pub count: usize,
@@ -27,7 +29,7 @@ pub struct Holds {
 pub struct Hold {
     /// At its start.
     pub start: Option<usize>,
-    /// At places put between, each with its own.
+    /// At places put between, by their shares of its way, each with its own.
     pub between: Vec<(f64, usize)>,
     /// At its end.
     pub end: Option<usize>,
@@ -45,7 +47,7 @@ impl Holds {
                 holds.count - 1
             };
             let places = between.get(&number);
-            let places: Vec<(f64, usize)> = places.into_iter().flatten().map(|x| (*x, new())).collect();
+            let places: Vec<(f64, usize)> = places.into_iter().flatten().map(|share| (*share, new())).collect();
             now = match (step.r, step.word.is_some() || between.contains_key(&number)) {
                 (None, _) => None,
                 (Some(_), true) => Some(new()),
@@ -57,24 +59,36 @@ impl Holds {
     }
 }
 
-/// Change of each hold, m of radius: the least squares of what is left. An arc moves as a whole where its centre is written from
-/// its start, or where it does not finish the part; holds that end no finishing cut change nothing.
-pub fn changes(steps: &[Step], holds: &Holds, finish: &Finish, samples: &[Sample], wanted: &Wanted) -> Vec<f64> {
-    let classes = classes(steps, holds, finish);
+/// Change of each hold, m of the level: the least squares of what is left. An arc moves as a whole where its centre is
+/// written from its start, where it does not finish the part, and where it lies at one level; holds that end no
+/// finishing cut change nothing.
+pub fn changes(
+    (steps, has_arcs_across): (&[Step], bool),
+    holds: &Holds,
+    (finish, surface): (&Finish, &Surface),
+    samples: &[Sample],
+    wanted: &Wanted,
+) -> Vec<f64> {
+    let classes = classes((steps, has_arcs_across), holds, finish);
     let count = classes.last().map_or(0, |last| last + 1);
     // The holds of a cut follow one another: every equation has one unknown or two neighbours.
     let (mut own, mut next, mut right) = (vec![0.0; count], vec![0.0; count], vec![0.0; count]);
     for (step, all) in &finish.owned {
         let Some(cut) = steps[*step].cut else { continue };
-        let pieces = pieces(&cut, &holds.of[*step]);
-        let passed = (0..PASSES).map(|i| {
-            let share = (i as f64 + 0.5) / PASSES as f64;
-            let way = cut.to.x - cut.from.x;
-            Sample { x: cut.from.x + share * way, weight: PASSED * way.abs() / PASSES as f64 }
+        let pieces = pieces(&holds.of[*step]);
+        let passed = pieces.iter().flat_map(|([from, to], _)| {
+            (0..PASSES).map(move |i| {
+                let share = from + (to - from) * (i as f64 + 0.5) / PASSES as f64;
+                let spot = cut.at(share);
+                (share, PASSED * (to - from) * cut.way() / PASSES as f64, wanted.at(spot.x, spot.y))
+            })
         });
-        for sample in all.iter().map(|at| samples[*at]).chain(passed) {
-            let Some(([a, b], share)) = at(&pieces, sample.x) else { continue };
-            let (change, weight) = (wanted.at(sample.x), sample.weight);
+        let finished = all.iter().filter_map(|at| {
+            let sample = samples[*at];
+            Some((surface.made[*at]?.share, sample.weight, wanted.at(sample.x, sample.y)))
+        });
+        for (share, weight, change) in finished.chain(passed) {
+            let Some(([a, b], share)) = at(&pieces, share) else { continue };
             let (a, b) = (classes[a], classes[b]);
             if a == b {
                 own[a] += weight;
@@ -92,29 +106,29 @@ pub fn changes(steps: &[Step], holds: &Holds, finish: &Finish, samples: &[Sample
     classes.into_iter().map(|class| solved[class]).collect()
 }
 
-/// A straight piece of a cut: its ends along the part and its holds.
+/// A straight piece of a cut: its ends, as shares of the way, and its holds.
 type Piece = ([f64; 2], [usize; 2]);
 
-fn pieces(cut: &Cut, hold: &Hold) -> Vec<Piece> {
+fn pieces(hold: &Hold) -> Vec<Piece> {
     let (Some(start), Some(end)) = (hold.start, hold.end) else { return Vec::new() };
-    let all = std::iter::once((cut.from.x, start)).chain(hold.between.iter().copied()).chain([(cut.to.x, end)]);
+    let all = std::iter::once((0.0, start)).chain(hold.between.iter().copied()).chain([(1.0, end)]);
     let all: Vec<(f64, usize)> = all.collect();
     all.windows(2).map(|pair| ([pair[0].0, pair[1].0], [pair[0].1, pair[1].1])).collect()
 }
 
-/// The holds on either side of a place, and its share of the way from one to the other.
-fn at(pieces: &[Piece], x: f64) -> Option<([usize; 2], f64)> {
-    let is_within = |ends: &[f64; 2]| (ends[0].min(ends[1])..=ends[0].max(ends[1])).contains(&x);
-    let (ends, holds) = pieces.iter().find(|(ends, _)| is_within(ends))?;
-    Some((*holds, if ends[0] == ends[1] { 0.0 } else { (x - ends[0]) / (ends[1] - ends[0]) }))
+/// The holds on either side of a share of the way, and its share of the way from one to the other.
+fn at(pieces: &[Piece], share: f64) -> Option<([usize; 2], f64)> {
+    let (ends, holds) = pieces.iter().find(|(ends, _)| (ends[0]..=ends[1]).contains(&share))?;
+    Some((*holds, if ends[0] == ends[1] { 0.0 } else { (share - ends[0]) / (ends[1] - ends[0]) }))
 }
 
 /// Holds that change together have one number.
-fn classes(steps: &[Step], holds: &Holds, finish: &Finish) -> Vec<usize> {
+fn classes((steps, has_arcs_across): (&[Step], bool), holds: &Holds, finish: &Finish) -> Vec<usize> {
     let mut is_tied = vec![false; holds.count];
     for (number, (step, hold)) in steps.iter().zip(&holds.of).enumerate() {
         let Some(Cut { shape: Shape::Arc { written, .. }, .. }) = step.cut else { continue };
         let moves_whole = match written {
+            _ if !has_arcs_across => true,
             Centre::FromStart => true,
             Centre::Radius => !finish.owned.contains_key(&number),
             Centre::Absolute => false,

@@ -1,12 +1,16 @@
 //! A program as a control reads it: word by word, every mode in force, until it ends.
 
 use super::arc;
+use super::axes::{Across, Axes, Machine};
 use super::codes::{Motion, Once, Orders, Setting, check_letters};
 use super::spot::Spot;
 use super::steps::{Centre, Cut, Shape, Step};
 use super::words::{Block, Word};
-use super::workpiece::{Across, Axes, MM, Workpiece};
+use super::workpiece::{MM, Workpiece};
 use crate::input::Problem;
+
+/// By how much ends of an arc that lies at one level may differ by round-off, m.
+const LEVEL: f64 = 1e-9;
 
 /// What is in force, and where the tool is.
 struct Control<'a> {
@@ -16,12 +20,15 @@ struct Control<'a> {
     unit: f64,
     is_absolute: bool,
     has_absolute_centres: bool,
-    is_of_lathe: bool,
+    /// The plane of arcs, by its code in tenths.
+    plane: u32,
+    /// Whether the control moves the path aside by a radius of its own.
+    is_aside: bool,
     zero: Option<u32>,
-    /// Across in m of radius and along the part in m, as far as the program has told.
-    place: [Option<f64>; 2],
+    /// The level, the place along the part and that beside, m, as far as the program has told.
+    place: [Option<f64>; 3],
     /// Whether a block that may be skipped has brought the tool there.
-    is_unsure: [bool; 2],
+    is_unsure: [bool; 3],
     /// The words by which it counts on, once one was seen: U and W, or G90 and G91.
     counts: Option<Counts>,
     has_ended: bool,
@@ -65,10 +72,11 @@ impl<'a> Control<'a> {
             unit: MM,
             is_absolute: true,
             has_absolute_centres: false,
-            is_of_lathe: true,
+            plane: work.axes.plane,
+            is_aside: false,
             zero: None,
-            place: [None; 2],
-            is_unsure: [false; 2],
+            place: work.axes.nowhere(),
+            is_unsure: [false; 3],
             counts: None,
             has_ended: false,
             has_begun: false,
@@ -89,26 +97,27 @@ impl<'a> Control<'a> {
         if let Some(problem) = &block.problem {
             return Err(problem.clone());
         }
-        let orders = Orders::of(block)?;
+        let orders = Orders::of(block, self.work.axes.machine)?;
         self.has_ended = orders.ends;
-        let had_place = self.place != [None; 2];
+        let level = self.place[0];
         orders.settings.iter().try_for_each(|setting| self.set(*setting, block))?;
         let Axes { letters, steps, .. } = self.work.axes;
         let path: Vec<&Word> =
             block.words.iter().filter(|word| letters.contains(&word.letter) || steps.contains(&word.letter)).collect();
         self.refuse_cycles(&orders, &path)?;
         let moves = (orders.once.is_none() && !path.is_empty()).then(|| orders.motion.or(self.motion)).flatten();
-        let centres = self.work.axes.centres;
-        let of_path: Vec<u8> = letters.iter().chain(&steps).chain(&centres).copied().collect();
-        check_letters(block, &orders, moves, &of_path)?;
+        check_letters(block, &orders, moves, &self.work.axes)?;
         if orders.once != Some(Once::Dwell) {
             self.motion = orders.motion.or(self.motion);
         }
-        if orders.is_other_tool {
-            self.place = [None; 2];
+        match self.work.axes.machine {
+            // A length changes the height alone, and everything on a lathe, whose tools are measured both ways.
+            Machine::Mill if orders.is_other_length && !orders.is_other_tool => self.place[0] = None,
+            _ if orders.is_other_tool || orders.is_other_length => self.place = self.work.axes.nowhere(),
+            _ => {}
         }
         match (orders.once, path.first()) {
-            (Some(Once::Away), _) => self.place = [None; 2],
+            (Some(Once::Away), _) => self.place = self.work.axes.nowhere(),
             (Some(Once::Dwell | Once::Limit), _) | (None, None) => {}
             (None, Some(first)) => {
                 let Some(motion) = moves else {
@@ -118,21 +127,21 @@ impl<'a> Control<'a> {
                 return self.step(number, block, motion, orders.is_plain).map(Some);
             }
         }
-        let is_lost = had_place && self.place == [None; 2];
+        let is_lost = level.is_some() && self.place[0].is_none();
         Ok(is_lost.then(|| self.ended(number)))
     }
 
     /// A step that ends where the tool is now, and cuts nothing.
     fn ended(&self, block: usize) -> Step {
-        let [r, x] = self.place;
         let scale = self.unit * self.across.share();
-        Step { block, word: None, is_on: false, unit: self.unit, scale, x, r, cut: None, is_plain: false }
+        Step { block, word: None, is_on: false, unit: self.unit, scale, r: self.place[0], cut: None, is_plain: false }
     }
 
     fn set(&mut self, setting: Setting, block: &Block) -> Result<(), Problem> {
         match setting {
             Setting::Across(across) => self.across = across,
-            Setting::Plane(is_of_lathe) => self.is_of_lathe = is_of_lathe,
+            Setting::Plane(plane) => self.plane = plane,
+            Setting::Aside(is_aside) => self.is_aside = is_aside,
             Setting::Unit(unit) => self.unit = unit,
             Setting::AbsoluteCentres(is_absolute) => self.has_absolute_centres = is_absolute,
             Setting::Absolute(is_absolute) => {
@@ -146,7 +155,7 @@ impl<'a> Control<'a> {
                     return Err(word.problem("a second zero comes into force", help));
                 }
                 if self.zero.is_none() {
-                    self.place = [None; 2];
+                    self.place = self.work.axes.nowhere();
                 }
                 self.zero = Some(zero);
             }
@@ -181,7 +190,7 @@ impl<'a> Control<'a> {
     fn target(&mut self, block: &Block, axis: usize, unit: f64) -> Result<(Option<f64>, Option<usize>, bool), Problem> {
         let Axes { letters, steps, .. } = self.work.axes;
         let find = |letter: u8| block.words.iter().position(|word| word.letter == letter);
-        let (own, on) = (find(letters[axis]), find(steps[axis]));
+        let (own, on) = (find(letters[axis]), steps.get(axis).and_then(|letter| find(*letter)));
         let is_doubled = |at: usize| block.words[at + 1..].iter().any(|word| word.letter == block.words[at].letter);
         let (at, is_on) = match (own, on) {
             (None, None) => return Ok((self.place[axis], None, false)),
@@ -204,7 +213,7 @@ impl<'a> Control<'a> {
             return Err(word.problem("this counts on from a block that may be skipped", help));
         }
         self.is_unsure[axis] = is_skipped || (is_on && self.is_unsure[axis]);
-        let zero = if axis == 1 { self.work.zero } else { 0.0 };
+        let zero = self.work.zero.in_axes()[axis];
         let end =
             if is_on { self.place[axis].map(|now| now + word.value * unit) } else { Some(zero + word.value * unit) };
         Ok((end, Some(at), is_on))
@@ -214,20 +223,27 @@ impl<'a> Control<'a> {
         let before = self.place;
         let scale = self.unit * self.across.share();
         let (r, word, is_on) = self.target(block, 0, scale)?;
-        let (x, along, is_along_on) = self.target(block, 1, self.unit)?;
-        self.place = [r, x];
+        let (mut to, mut is_told, mut counts_on) = (self.place, false, is_on);
+        to[0] = r;
+        for (axis, to) in to.iter_mut().enumerate().take(self.work.axes.letters.len()).skip(1) {
+            let (end, along, is_along_on) = self.target(block, axis, self.unit)?;
+            *to = end;
+            is_told |= along.is_some();
+            counts_on |= is_along_on;
+        }
+        self.place = to;
         let cut = match motion {
             Motion::Rapid => None,
             _ => Some(self.cut(block, motion, before)?),
         };
-        let is_plain = is_plain && motion == Motion::Line && !is_on && !is_along_on && along.is_some();
+        let is_plain = is_plain && motion == Motion::Line && !counts_on && is_told;
         Ok(Step { word, is_on, cut, is_plain, ..self.ended(number) })
     }
 
-    fn cut(&self, block: &Block, motion: Motion, before: [Option<f64>; 2]) -> Result<Cut, Problem> {
-        let place = |place: [Option<f64>; 2]| Some(Spot { r: place[0]?, x: place[1]? });
+    fn cut(&self, block: &Block, motion: Motion, before: [Option<f64>; 3]) -> Result<Cut, Problem> {
+        let place = |[r, x, y]: [Option<f64>; 3]| Some(Spot::of_axes([r?, x?, y?]));
         let (Some(from), Some(to)) = (place(before), place(self.place)) else {
-            let help = "tell both places in absolute words before: after a tool change, a way to a machine's place or a new zero \
+            let help = "tell all places in absolute words before: after a tool change, a way to a machine's place or a new zero \
                         the program's place is not known";
             return Err(block.words[0].problem("nobody can tell where this cut begins or ends", help));
         };
@@ -235,34 +251,50 @@ impl<'a> Control<'a> {
             Motion::Arc { is_clockwise } => self.arc(block, (from, to), is_clockwise)?,
             _ => Shape::Line,
         };
-        Ok(Cut { from, to, shape })
+        Ok(Cut { from, to, shape, is_aside: self.is_aside })
     }
 
     fn arc(&self, block: &Block, (from, to): (Spot, Spot), is_clockwise: bool) -> Result<Shape, Problem> {
-        let first = &block.words[0];
-        if !self.is_of_lathe {
-            return Err(first.problem("the arc lies in a plane other than G18", "write G18 before it"));
+        let (first, axes) = (&block.words[0], &self.work.axes);
+        if self.plane != axes.plane {
+            let plane = axes.plane_name();
+            let message = format!("the arc lies in a plane other than {plane}");
+            return Err(first.problem(message, &format!("write {plane} before it")));
         }
-        let [across, along] = self.work.axes.centres.map(|letter| block.word(letter));
-        let (written, centre) = match (block.word(b'R'), across, along) {
-            (Some(radius), None, None) => {
-                (Centre::Radius, arc::centre(from, to, radius.value * self.unit, is_clockwise))
+        if !axes.has_arcs_across() && (from.r - to.r).abs() > LEVEL {
+            let message = "the arc climbs: a helix has no one height";
+            return Err(first.problem(message, "write it as straight pieces, or let it run at one height"));
+        }
+        let of_plane = |spot: Spot| axes.of_plane.map(|axis| spot.in_axes()[axis]);
+        let ends = [from, to].map(of_plane);
+        let (radius, words) = (block.word(b'R'), axes.centres.map(|letter| block.word(letter)));
+        let (written, centre) = match (radius, words.iter().any(Option::is_some)) {
+            (Some(radius), false) => {
+                (Centre::Radius, arc::centre(ends[0], ends[1], radius.value * self.unit, is_clockwise))
             }
-            (None, None, None) | (Some(_), ..) => {
-                return Err(first.problem("the arc has no centre, or two", "write R, or I and K"));
-            }
-            (None, across, along) => {
+            (None, true) => {
                 let of = |word: Option<&Word>| word.map_or(0.0, |word| word.value * self.unit);
-                let (i, k) = (of(across), of(along));
-                match self.has_absolute_centres {
-                    true => (Centre::Absolute, Some(Spot { r: i, x: self.work.zero + k })),
-                    false => (Centre::FromStart, Some(Spot { r: from.r + i, x: from.x + k })),
-                }
+                let (written, origin) = match self.has_absolute_centres {
+                    true => (Centre::Absolute, of_plane(self.work.zero)),
+                    false => (Centre::FromStart, ends[0]),
+                };
+                (written, Some([origin[0] + of(words[0]), origin[1] + of(words[1])]))
+            }
+            _ => {
+                let [a, b] = axes.centre_names();
+                return Err(first.problem("the arc has no centre, or two", &format!("write R, or {a} and {b}")));
             }
         };
-        let sound = centre.filter(|centre| from != to && arc::is_round(from, to, *centre));
+        // On a mill a circle may end where it began.
+        let is_way = ends[0] != ends[1] || !axes.has_arcs_across();
+        let sound = centre.filter(|centre| is_way && arc::is_round(ends[0], ends[1], *centre));
         sound.map(|centre| Shape::Arc { is_clockwise, centre, written }).ok_or_else(|| {
-            let help = "I is a radius even where X is a diameter; is X a diameter here? [program] of the model says x = \"radius\" else";
+            let help = match axes.machine {
+                Machine::Lathe => {
+                    "I is a radius even where X is a diameter; is X a diameter here? [program] of the model says x = \"radius\" else"
+                }
+                Machine::Mill => "I and J lead from the start of the arc to its centre, unless G90.1 says otherwise",
+            };
             first.problem("the ends of the arc are not on one circle about its centre", help)
         })
     }

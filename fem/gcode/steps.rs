@@ -1,6 +1,6 @@
 //! A program as steps of its tool: where each ends on the part, which word says so, and what is cut on the way.
 
-use super::arc;
+use super::arc::{self, Point};
 use super::spot::Spot;
 
 /// A way through the material.
@@ -12,6 +12,8 @@ pub struct Cut {
     pub to: Spot,
     /// How.
     pub shape: Shape,
+    /// Whether the control moves it aside by a radius that is not in the program (G41, G42).
+    pub is_aside: bool,
 }
 
 /// The shape of a cut.
@@ -21,10 +23,10 @@ pub enum Shape {
     Line,
     /// Round.
     Arc {
-        /// Seen with the part lying from left to right and the tool above.
+        /// As it is seen in the plane of the machine's arcs.
         is_clockwise: bool,
-        /// Its centre.
-        centre: Spot,
+        /// Its centre, in the plane of the machine's arcs.
+        centre: Point,
         /// How the centre is written.
         written: Centre,
     },
@@ -52,11 +54,9 @@ pub struct Step {
     pub is_on: bool,
     /// m per unit of words along the part.
     pub unit: f64,
-    /// m of radius per unit of words across.
+    /// m of the level per unit of words across.
     pub scale: f64,
-    /// Where it ends along the part, m, if the program tells.
-    pub x: Option<f64>,
-    /// Where it ends across, m of radius, if the program tells.
+    /// The level at which it ends, m, if the program tells.
     pub r: Option<f64>,
     /// What is cut.
     pub cut: Option<Cut>,
@@ -65,15 +65,30 @@ pub struct Step {
 }
 
 impl Cut {
-    /// Straight pieces along the cut, each from the spot before to the next; those of an arc lie within a hundredth of a micrometre.
-    pub fn spots(&self) -> Vec<Spot> {
+    /// Straight pieces of the profile along a cut of a lathe, each from the spot before to the next; those of an arc
+    /// lie within a hundredth of a micrometre.
+    pub fn profile(&self) -> Vec<Spot> {
         match self.shape {
             Shape::Line => vec![self.from, self.to],
-            Shape::Arc { is_clockwise, centre, .. } => arc::spots(self.from, self.to, centre, is_clockwise),
+            Shape::Arc { is_clockwise, centre, .. } => {
+                let [from, to] = [self.from, self.to].map(|spot| [spot.x, spot.r]);
+                let points = arc::points(from, to, centre, is_clockwise);
+                points.into_iter().map(|[x, r]| Spot { x, r, y: self.from.y }).collect()
+            }
         }
     }
 
-    /// Share of the way along the part at a place, 0 at the start.
+    /// The spot at a share of its straight way, 0 at the start.
+    pub fn at(&self, share: f64) -> Spot {
+        self.from.toward(self.to, share)
+    }
+
+    /// Its straight way along the part, m.
+    pub fn way(&self) -> f64 {
+        (self.to.x - self.from.x).hypot(self.to.y - self.from.y)
+    }
+
+    /// Share of the way at a place along the part, 0 at the start.
     pub fn share(&self, x: f64) -> f64 {
         (x - self.from.x) / (self.to.x - self.from.x)
     }

@@ -1,37 +1,8 @@
 //! How the words of a program lie on the part: which axes, which zero, diameters or radii, and what the part is.
 
-/// Letters of the words of two axes, in capitals.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Axes {
-    /// The axis whose words are corrected, and that along the part.
-    pub letters: [u8; 2],
-    /// Words that count on from where the tool stands, of the same two.
-    pub steps: [u8; 2],
-    /// Words of the centre of an arc, of the same two.
-    pub centres: [u8; 2],
-}
-
-/// The axes of a lathe: X across, Z along.
-pub const LATHE: Axes = Axes { letters: *b"XZ", steps: *b"UW", centres: *b"IK" };
-
-/// What a word across the part says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Across {
-    /// A diameter.
-    Diameter,
-    /// A radius.
-    Radius,
-}
-
-impl Across {
-    /// Radius for each unit of a word.
-    pub fn share(self) -> f64 {
-        match self {
-            Self::Diameter => 0.5,
-            Self::Radius => 1.0,
-        }
-    }
-}
+use super::axes::{Across, Axes};
+use super::fineness::Fineness;
+use super::spot::Spot;
 
 /// A uniform length of the part.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,8 +11,17 @@ pub struct Stretch {
     pub from: f64,
     /// Where it ends, m.
     pub to: f64,
-    /// Its radius, m.
-    pub radius: f64,
+    /// Its level: the radius of a shaft, the height of a top, m.
+    pub level: f64,
+}
+
+/// The breadth of a top, and of the cutter that mills it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Breadth {
+    /// From the middle to either edge of the top, m.
+    pub half: f64,
+    /// How far beside its middle the cutter reaches, m.
+    pub reach: f64,
 }
 
 /// Where a program lies on a part, and how finely it is written.
@@ -49,22 +29,22 @@ pub struct Stretch {
 pub struct Workpiece {
     /// The axes.
     pub axes: Axes,
-    /// The place on the part at which the word along it is 0, m; both grow the same way.
-    pub zero: f64,
+    /// The place on the part at which words are 0; both grow the same way.
+    pub zero: Spot,
     /// What words across say before the program says it itself.
     pub across: Across,
-    /// How far straight lines may lie off the contour that they stand for, m.
-    pub chord_tolerance: f64,
-    /// Least increment of words across, m; that of most controls if none is stated.
-    pub increment: Option<f64>,
-    /// How far the radius of a block may lie off that of the part where it is still the finished surface, m.
+    /// How finely words are written.
+    pub fineness: Fineness,
+    /// How far the level of a block may lie off that of the part where it is still the finished surface, m.
     pub agreement: f64,
     /// The finished part, from its zero.
     pub stretches: Vec<Stretch>,
+    /// Its breadth, if its surface is made by tracks beside each other; a turned one has none.
+    pub breadth: Option<Breadth>,
     /// Where the finishing pass begins and ends, m, in the way of the tool.
     pub pass: [f64; 2],
-    /// Its feed, m per revolution.
-    pub feed: f64,
+    /// Its feed, m per revolution, where it is known.
+    pub feed: Option<f64>,
 }
 
 /// Steps in which words are written.
@@ -81,16 +61,24 @@ pub const MM: f64 = 1e-3;
 pub const INCH: f64 = 25.4e-3;
 /// Least increment of controls in millimetres and in inches (increment system IS-B), in those units.
 const USUAL: [f64; 2] = [1e-3, 1e-4];
+/// Least and greatest distance of a finished level from that of the drawing, m.
+const AGREEMENT: (f64, f64) = (20e-6, 100e-6);
 /// How far a step of a program may lie off that of the model, m: lengths are rounded, and have tolerances of their own.
 const STEP_OFF: f64 = 0.2e-3;
 /// Most decimals that are written.
 const MOST_DECIMALS: f64 = 7.0;
 
 impl Workpiece {
+    /// How far a finished level may lie off that of the drawing: half of the last depth of cut (m), for what is left to
+    /// cut is no finished surface, within limits of its own; the widest where no depth is known.
+    pub fn agreement(depth: Option<f64>) -> f64 {
+        depth.map_or(AGREEMENT.1, |depth| (0.5 * depth).clamp(AGREEMENT.0, AGREEMENT.1))
+    }
+
     /// The increment of words in a unit of so many metres.
     pub fn increment(&self, unit: f64) -> Increment {
         let usual = USUAL[usize::from(unit == INCH)];
-        let size = self.increment.map_or(usual, |size| size / unit);
+        let size = self.fineness.increment.map_or(usual, |size| size / unit);
         let decimals = (-size.log10() - 1e-9).ceil().clamp(0.0, MOST_DECIMALS);
         let least = 10f64.powi(-(decimals as i32));
         let times = (size / least).round().max(1.0);
@@ -99,16 +87,17 @@ impl Workpiece {
         Increment { size, decimals: decimals as usize }
     }
 
-    /// Nominal radius at a place (m) on the part, m; on a step that of the stretch toward its end.
-    pub fn radius(&self, x: f64) -> Option<f64> {
+    /// Nominal level at a place (m) on the part, m; on a step that of the stretch toward its end.
+    pub fn level(&self, x: f64) -> Option<f64> {
         let at = self.stretches.partition_point(|own| own.to <= x).min(self.stretches.len().checked_sub(1)?);
-        Some(self.stretches[at].radius)
+        Some(self.stretches[at].level)
     }
 
-    /// The nominal radius next to a given one at a place, m, where a step may stand a little elsewhere than in the model.
-    pub fn radius_near(&self, x: f64, r: f64) -> Option<f64> {
+    /// The nominal level next to a given one at a place, m, where a step may stand a little elsewhere than in the
+    /// model.
+    pub fn level_near(&self, x: f64, r: f64) -> Option<f64> {
         let near = self.stretches.iter().filter(|own| own.from - STEP_OFF <= x && x <= own.to + STEP_OFF);
-        near.map(|own| own.radius).min_by(|a, b| (a - r).abs().total_cmp(&(b - r).abs()))
+        near.map(|own| own.level).min_by(|a, b| (a - r).abs().total_cmp(&(b - r).abs()))
     }
 
     /// Smallest and largest place of the pass, m.
@@ -126,6 +115,7 @@ impl Increment {
 
 #[cfg(test)]
 mod tests {
+    use super::super::axes::LATHE;
     use super::*;
 
     #[test]
@@ -133,14 +123,14 @@ mod tests {
         let of = |increment: Option<f64>, unit: f64| {
             let work = Workpiece {
                 axes: LATHE,
-                zero: 0.0,
+                zero: Spot::default(),
                 across: Across::Diameter,
-                chord_tolerance: 1e-6,
-                increment,
+                fineness: Fineness { increment, ..Fineness::default() },
                 agreement: 1e-4,
                 stretches: Vec::new(),
+                breadth: None,
                 pass: [0.0; 2],
-                feed: 1e-4,
+                feed: None,
             };
             let found = work.increment(unit);
             (format!("{:.8}", found.size), found.decimals)

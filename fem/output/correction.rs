@@ -145,13 +145,15 @@ impl Answer for CorrectionAnswer<'_> {
         plots::corrected(self.0, self.1).iter().map(named).collect()
     }
 
-    /// `correction.csv` and `correction.json`, `correction.html` and its figures; of a process with programs `contour.ngc` and the user's own.
+    /// `correction.csv` and `correction.json`, `correction.html` and its figures; of turned shafts `contour.ngc`, and the
+    /// user's own program.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
         self.stage_changes(files)?;
-        if let Some((work, common)) = self.0.system.program().zip(self.1.common.as_ref()) {
+        if let (Some(work), [course]) = (self.0.system.program(), &self.1.common_courses()[..]) {
             let about = format!("{}: corrected finishing contour", self.0.source.name);
-            let places = &self.1.command.places()[..common.contour.len()];
-            files.text("contour.ngc", &gcode::contour(&work, (places, &common.contour), &about))?;
+            if let Some(contour) = gcode::contour(&work, course, &about) {
+                files.text("contour.ngc", &contour)?;
+            }
         }
         if let Some(own) = self.2 {
             files.bytes(&*own.name, &own.corrected.bytes)?;

@@ -1,4 +1,4 @@
-//! `fem correct --program`: the user's own lathe program.
+//! `fem correct --program`: the user's own program of a lathe or a mill.
 
 use serde_json::Value as Json;
 
@@ -82,7 +82,7 @@ fn what_cannot_be_done_with_a_program_is_said_and_nothing_is_written() {
     place.write("rough.ngc", "G0 X41. Z2.\nG1 Z-500. F.3\n");
     place.write("wrong.toml", format!("{}\n[program]\nx = \"both\"\n", model("correction/shaft.toml")));
     for (model, program, message, help) in [
-        ("ring.toml", "part.ngc", "ring.toml models", "programs are corrected for turned shafts"),
+        ("ring.toml", "part.ngc", "ring.toml models", "programs are corrected for turned shafts and milled tops"),
         ("shaft.toml", "contour.ngc", "has a file of this name itself", "another name"),
         ("shaft.toml", "none.ngc", "none.ngc: the file cannot be read", "check the path"),
         ("shaft.toml", "cycle.ngc", "cycle.ngc:2:4: `G71` is a cycle", "plain G1, G2 and G3"),
@@ -105,4 +105,72 @@ fn what_cannot_be_done_with_a_program_is_said_and_nothing_is_written() {
     assert_eq!(place.read("part.ngc"), shown("ngc part.ngc", "## A lathe program"));
     let alone = place.fem(&["correct", "shaft.toml", "--add-blocks"]);
     assert!(alone.status == 2 && alone.err.contains("--program"), "{}", alone.err);
+}
+
+fn mill() -> Place {
+    let place = Place::new();
+    place.write("slide.toml", model("fixture.toml"));
+    place.write("top.ngc", shown("ngc top.ngc", "## A milling program"));
+    place
+}
+
+#[test]
+fn the_milling_program_of_the_page_is_written_as_the_page_says() {
+    let place = mill();
+    let answer = place.fem(&["correct", "slide.toml", "--program", "top.ngc", "--add-blocks", "-o", "out", "--json"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert_eq!(place.read("out/top.ngc"), shown("text", "--add-blocks -o higher"));
+    // Where tracks are is for the program to say: no contour stands alone.
+    assert!(!place.path("out/contour.ngc").exists());
+    let found: Json = serde_json::from_str(&answer.out).unwrap();
+    let program = &found["program"];
+    assert_eq!((&program["file"], program["words_changed"].as_u64()), (&"top.ngc".into(), Some(1)));
+    let left = &program["left"];
+    assert!(left["worst"].as_f64().unwrap() < 1.6e-6 && left["y"].is_f64(), "{left}");
+    assert!(program["change"].as_array().unwrap().iter().all(|own| own.as_f64().unwrap() < 0.0), "{program}");
+    assert!(program["deeper"]["reach"].as_f64() == Some(0.04) && program["could_add_blocks"] == false, "{program}");
+    // What the model makes of it: as near as straight blocks and the increment are.
+    let rms = |value: &Json| value.as_f64().unwrap();
+    assert!(rms(&program["rms"]) < 0.6e-6 && rms(&found["rms"]["before"]) > 20e-6, "{program}");
+}
+
+#[test]
+fn a_tilted_spindle_is_met_in_the_mean_and_what_is_left_is_told() {
+    let place = mill();
+    let tilted = model("fixture.toml").replace("[cutter]\n", "[cutter]\ndiameter = \"100 mm\"\n").replace(
+        "[effects.locator-wear]",
+        "[effects.cutter-tilt]\nalong = \"200 um/m\"\nacross = \"0 um/m\"\n\n[effects.locator-wear]",
+    );
+    place.write("tilted.toml", tilted);
+    place.write("once.ngc", "G0 X-60 Y40 Z2\nG1 Z0 F800\nX660\nG0 Z50\nM2\n");
+    let answer = place.fem(&["correct", "tilted.toml", "--program", "once.ngc", "--add-blocks", "-o", "out", "--json"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let found: Json = serde_json::from_str(&answer.out).unwrap();
+    let program = &found["program"];
+    // The edges are R - sqrt(R² - y²) = 20 mm of the circle higher by 200 um/m: 4 um, and the parabola's mean is a third of it.
+    let left = 1e6 * program["left"]["worst"].as_f64().unwrap();
+    assert!((left - 4.0 * 2.0 / 3.0).abs() < 1.6, "{program}");
+    let said = place.fem(&["correct", "tilted.toml", "--program", "once.ngc", "--add-blocks"]).out;
+    assert!(said.contains("what is left is across the tracks"), "{said}");
+}
+
+#[test]
+fn what_cannot_be_done_with_a_milling_program_is_said_and_nothing_is_written() {
+    let place = mill();
+    let good = place.read("top.ngc");
+    place.write("cycle.ngc", good.replace("N90 X-30.", "N90 G81 X-30. Z-5. R2."));
+    place.write("aside.ngc", good.replace("N70 X630.", "N70 G41 D1 X630."));
+    place.write("high.ngc", good.replace("Z0. F800", "Z0.5 F800"));
+    place.write("zero.toml", format!("{}\n[program]\nzero = [\"0 mm\", \"0 mm\"]\n", model("fixture.toml")));
+    for (model, program, message, help) in [
+        ("slide.toml", "cycle.ngc", "cycle.ngc:10:5: `G81` is a cycle", "plain G1, G2 and G3"),
+        ("slide.toml", "aside.ngc", "aside.ngc:8:1: this cut finishes the top beside its path", "with G40"),
+        ("slide.toml", "high.ngc", "nearest, this one cuts at 0.500 mm of height", "where X, Y and Z are 0"),
+        ("zero.toml", "top.ngc", "2 places do not tell X, Y and Z", "write zero ="),
+    ] {
+        let answer = place.fem(&["correct", model, "--program", program, "-o", "out"]);
+        let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(answer.status == 2 && told.contains(message) && told.contains(help), "{model} {program}: {told}");
+        assert!(!place.path("out").exists(), "{program}");
+    }
 }

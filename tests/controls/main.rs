@@ -14,11 +14,13 @@ mod heidenhain;
 mod lathe;
 mod linuxcnc;
 mod mach4;
+mod mill;
 mod mitsubishi;
 mod random;
 mod refused;
 mod siemens;
 mod text;
+mod words;
 
 use axis::Axis;
 

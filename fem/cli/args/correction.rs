@@ -14,12 +14,13 @@ Examples:
   fem correct models/lathe.toml
   fem correct models/lathe.toml -o correction
   fem correct models/lathe.toml --program part.ngc -o correction
+  fem correct models/fixture.toml --program top.ngc --add-blocks -o correction
   fem correct lathe.toml --remedies --minutes 10"
 )]
 pub struct Correct {
     /// The model file, whose values are known
     pub model: PathBuf,
-    /// Your own lathe program: written with other X words in its finishing pass, and nothing else changed
+    /// Your own program of a lathe or a mill: written with other X or Z words in its finishing pass, and nothing else changed
     #[arg(long, value_name = "PART.ngc")]
     pub program: Option<PathBuf>,
     /// Put blocks before those that are too long for the contour to be straight over them

@@ -1,8 +1,6 @@
 //! A lathe's control: a program in, the way of its tool out.
 
-/// Parts of a millimetre in which places are whole numbers: a hundred-millionth of a micrometre, and tenths of a millionth of an
-/// inch come out even.
-pub const PARTS: i128 = 100_000_000_000;
+use crate::words::{PARTS, bare, mm, words};
 
 /// A motion: whether it cuts, and where it begins and ends (along Z, radius), in parts of a millimetre; of an arc its centre.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,42 +11,6 @@ pub struct Motion {
     pub to: (i128, i128),
     /// Centre (Z, radius) in mm, and whether it turns clockwise seen with Z to the right and X up.
     pub arc: Option<((f64, f64), bool)>,
-}
-
-pub fn mm(parts: i128) -> f64 {
-    parts as f64 / PARTS as f64
-}
-
-/// A line without its comments, in capitals and without blanks.
-fn bare(line: &[u8]) -> String {
-    let (mut kept, mut is_comment) = (String::new(), false);
-    for byte in line {
-        match byte {
-            b'(' => is_comment = true,
-            b')' => is_comment = false,
-            b';' if !is_comment => break,
-            _ if is_comment || !byte.is_ascii_graphic() => {}
-            byte => kept.push(char::from(*byte).to_ascii_uppercase()),
-        }
-    }
-    kept
-}
-
-/// Letters with their numbers, in parts of one.
-fn words(line: &str) -> Vec<(char, i128)> {
-    let mut all = Vec::new();
-    let mut rest = line.trim_start_matches('/');
-    rest = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-    while let Some(letter) = rest.chars().next() {
-        let end = rest[1..].find(|c: char| c.is_ascii_alphabetic()).map_or(rest.len(), |at| at + 1);
-        let number = &rest[1..end];
-        let (whole, decimals) = number.split_once('.').unwrap_or((number, ""));
-        let digits = format!("{}{decimals:0<11}", whole.trim_start_matches(['+', '-']));
-        let size: i128 = digits.parse().unwrap_or_else(|_| panic!("{line}: {number}"));
-        all.push((letter, if whole.starts_with('-') { -size } else { size }));
-        rest = &rest[end..];
-    }
-    all
 }
 
 /// The motions of a program, X being a diameter at first or not.

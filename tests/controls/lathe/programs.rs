@@ -1,32 +1,16 @@
 //! Programs before and after.
 
-use fem::gcode::{Across, Workpiece};
+use fem::gcode::{Across, Spot, Workpiece};
 
-use super::interpreter::{Motion, mm, motions, surface};
+use super::interpreter::{Motion, motions, surface};
 use super::styles::STYLES;
 use super::{LENGTH, STEP, carry, shaft, wanted};
 use crate::random::Random;
+use crate::words::{mm, without};
 
 /// A program without the numbers of its words across: what must not change.
 fn others(text: &[u8]) -> Vec<u8> {
-    let (mut kept, mut is_comment, mut is_across) = (Vec::new(), false, false);
-    for byte in text {
-        match byte {
-            b'\n' | b'\r' => (is_comment, is_across) = (false, false),
-            b';' => is_comment = true,
-            b'(' => is_comment = true,
-            b')' => is_comment = false,
-            _ => {}
-        }
-        if !is_comment && byte.is_ascii_alphabetic() {
-            is_across = matches!(byte, b'X' | b'x' | b'U' | b'u');
-        }
-        let is_number = byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+');
-        if !(is_across && is_number && !is_comment) {
-            kept.push(*byte);
-        }
-    }
-    kept
+    without(text, "XU")
 }
 
 /// By how much the surface was changed too much or too little, um, at the worst place of the finished sections.
@@ -168,7 +152,7 @@ fn comments_of_any_code_page_and_marks_of_the_file_stay() {
 #[test]
 fn radii_and_another_zero_are_as_the_model_says() {
     let text = "G0 X21 Z103\nX15 Z101\nG1 X15 Z70 F.1\nX15 Z40\nX20\nX20 Z20\nX20 Z0\nG0 X30\nM2\n";
-    let work = Workpiece { across: Across::Radius, zero: 0.0, ..shaft() };
+    let work = Workpiece { across: Across::Radius, zero: Spot::default(), ..shaft() };
     let found = carry(&work, text.as_bytes(), false).unwrap();
     assert_eq!(others(text.as_bytes()), others(&found.bytes));
     let moved = text.replace("Z103", "Z3").replace("Z101", "Z1").replace("Z70", "Z-30").replace("Z40", "Z-60");
@@ -192,7 +176,7 @@ fn radii_and_another_zero_are_as_the_model_says() {
     for (work, what) in [
         (shaft(), "no block cuts along the part"),
         (
-            Workpiece { zero: 0.0, ..shaft() },
+            Workpiece { zero: Spot::default(), ..shaft() },
             "part.ngc:3:1: no block finishes the part; nearest, this one cuts at 15.000 mm",
         ),
     ] {
