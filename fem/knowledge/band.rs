@@ -170,3 +170,32 @@ fn interval(mut values: Vec<f64>) -> [f64; 2] {
         values[below] + share * (above - values[below])
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_interval_leaves_a_fortieth_out_at_either_end() {
+        let [low, high] = interval((0..=200).rev().map(f64::from).collect());
+        assert!((low - 5.0).abs() < 1e-9 && (high - 195.0).abs() < 1e-9, "{low} {high}");
+        assert_eq!(interval(vec![3.0]), [3.0; 2]);
+    }
+
+    /// A part moves as a whole, each by itself, with the standard deviation that is said.
+    #[test]
+    fn what_is_unexplained_moves_parts() {
+        let parts = [1, 1, 1, 2, 2];
+        let mut squares = 0.0;
+        for number in 0..2000 {
+            let mut values = vec![0.0, 10.0, 20.0, 0.0, 10.0];
+            shift(&mut values, &parts, 2.0, number);
+            let by = [values[0], values[3]];
+            assert!((values[2] - 20.0 - by[0]).abs() < 1e-12 && (values[4] - 10.0 - by[1]).abs() < 1e-12);
+            assert!(by[0] != by[1]);
+            squares += by[0] * by[0];
+        }
+        // The standard error of a standard deviation of 2000 draws is 1/√4000.
+        assert!(((squares / 2000.0).sqrt() / 2.0 - 1.0).abs() < 4.0 / 4000f64.sqrt(), "{squares}");
+    }
+}

@@ -272,3 +272,30 @@ fn what_is_fitted_together_is_known_together() {
     let again = place.fem(&["fit", "better.toml", "--with", "m.csv", "--add-to", "again.toml"]);
     assert_eq!((again.status, place.read("again.toml").matches("[known.together]").count()), (0, 1), "{}", again.err);
 }
+
+/// A model that fails against its measurements promises no more than it kept: what a constant leaves of three effects.
+#[test]
+fn what_stays_unexplained_is_kept_and_widens_what_is_promised() {
+    let place = Place::new();
+    place.write("measured.csv", model("story/measured.csv"));
+    place.write("one.toml", format!("{}\n[effects.setting-error]\noffset = \"? um\"\n", model("story/rigid.toml")));
+    let fitted = place.fem(&["fit", "one.toml", "--with", "measured.csv", "--add-to", "fitted.toml", "--json"]);
+    assert_eq!(fitted.status, 0, "{}", fitted.err);
+    // The noise of 1 um is not of the part.
+    let rms = parsed(&fitted.out)["rms"].as_f64().unwrap();
+    let expected = (rms * rms - 1.0).sqrt();
+    let text = place.read("fitted.toml");
+    assert!(text.contains(&format!("unexplained = \"{expected:.3} um\"")), "{expected}: {text}");
+    let run = parsed(&place.fem(&["run", "fitted.toml", "--json", "-o", "out"]).out);
+    let [widest, told] = [&run["band"]["observables"][0]["widest"], &run["band"]["unexplained"]];
+    assert!((told.as_f64().unwrap() - expected).abs() < 1e-3 && widest.as_f64().unwrap() > 1.8 * expected, "{run}");
+    // A fit that explains everything says nothing of it.
+    let whole = place.fem(&["diagnose", "one.toml", "--with", "measured.csv", "--add-to", "whole.toml"]);
+    assert!(whole.status == 0 && !place.read("whole.toml").contains("unexplained"), "{}", whole.err);
+    for (wrong, help) in [("-1 um", "unexplained"), ("1 N", "measures a force")] {
+        place
+            .write("bad.toml", format!("{}\n[known.together]\nunexplained = \"{wrong}\"\n", model("story/rigid.toml")));
+        let answer = place.fem(&["run", "bad.toml"]);
+        assert!(answer.status == 2 && answer.err.contains(help), "{wrong}: {}", answer.err);
+    }
+}

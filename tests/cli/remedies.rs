@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 
-use super::fem::{Answer, Mistake, Place};
+use super::fem::{Answer, Mistake, Place, model};
 
 fn parsed(answer: &Answer) -> Json {
     assert_eq!(answer.status, 0, "{}", answer.err);
@@ -278,4 +278,27 @@ fn mistakes_are_told_with_their_place() {
     place.write("shaft.toml", good);
     assert_eq!(place.fem(&["correct", "shaft.toml", "--minutes", "3"]).status, 2);
     assert_eq!(place.fem(&["correct", "shaft.toml", "--remedies", "--minutes", "nan"]).status, 2);
+}
+
+/// Jaws that press less leave less, and at last no longer hold the cut: 1226 N are the least.
+#[test]
+fn what_loosens_the_work_is_no_remedy() {
+    let place = Place::new();
+    let force = "[[setting]]\nquantity = \"chuck.jaw_force\"\nfrom = \"200 N\"\nto = \"3 kN\"\n";
+    place.write("ring.toml", format!("{}\n{force}", model("correction/ring.toml")));
+    let answer = place.fem(&["correct", "ring.toml", "--remedies", "--json", "-o", "out"]);
+    let found = parsed(&answer);
+    let told: Vec<f64> = ["actions", "together", "pareto"]
+        .iter()
+        .flat_map(|list| found[list].as_array().unwrap().iter())
+        .filter_map(|own| own["to"].as_str().or_else(|| own["settings"][0]["to"].as_str()))
+        .map(|to| {
+            let (number, unit) = to.split_once(' ').unwrap();
+            number.parse::<f64>().unwrap() * if unit == "kN" { 1000.0 } else { 1.0 }
+        })
+        .collect();
+    assert!(!told.is_empty() && told.iter().all(|force| *force >= 1225.0), "{told:?}");
+    place.write("weak.toml", model("correction/ring.toml").replace("3 kN", "1 kN"));
+    let weak = place.fem(&["run", "weak.toml", "-o", "weak"]);
+    assert!(weak.status == 0 && weak.err.contains("the jaws do not hold the cut"), "{}", weak.err);
 }
