@@ -163,8 +163,8 @@ fn what_cannot_be_done_with_a_milling_program_is_said_and_nothing_is_written() {
     place.write("high.ngc", good.replace("Z0. F800", "Z0.5 F800"));
     place.write("zero.toml", format!("{}\n[program]\nzero = [\"0 mm\", \"0 mm\"]\n", model("fixture.toml")));
     for (model, program, message, help) in [
-        ("slide.toml", "cycle.ngc", "cycle.ngc:10:5: `G81` is a cycle", "plain G1, G2 and G3"),
-        ("slide.toml", "aside.ngc", "aside.ngc:8:1: this cut finishes the top beside its path", "with G40"),
+        ("slide.toml", "cycle.ngc", "cycle.ngc:11:5: `G81` is a cycle", "plain G1, G2 and G3"),
+        ("slide.toml", "aside.ngc", "aside.ngc:9:1: this cut finishes the top beside its path", "with G40"),
         ("slide.toml", "high.ngc", "nearest, this one cuts at 0.500 mm of height", "where X, Y and Z are 0"),
         ("zero.toml", "top.ngc", "2 places do not tell X, Y and Z", "write zero ="),
     ] {
