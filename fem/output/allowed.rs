@@ -1,8 +1,8 @@
 //! The prediction as a shape in ParaView, with what a drawing allows of it and how far it may be off.
 
 use super::run::RunAnswer;
-use super::thread::{goes_around, thread};
-use crate::process::{Animation, Body, Cell, Field, Frame, Grid, Places, View};
+use super::thread::{goes_around, join, thread};
+use crate::process::{Animation, Body, Field, Frame, Grid, Places, View};
 use crate::tolerance::Limits;
 use crate::units::{Kind, LENGTH};
 
@@ -67,15 +67,7 @@ fn frame(own: &[usize], [error, kind]: [Kind; 2], places: &Places, all: &[Shown]
     let mut grid = Grid { points: rows.iter().map(|row| places.points[*row]).collect(), ..Grid::default() };
     let is_closed = goes_around(&rows.iter().map(|row| places.directions[*row]).collect::<Vec<_>>());
     let count = rows.len() as u32;
-    for i in 0..count {
-        grid.push(Cell::Vertex, &[i]);
-        if i > 0 {
-            grid.push(Cell::Line, &[i - 1, i]);
-        }
-    }
-    if is_closed {
-        grid.push(Cell::Line, &[count - 1, 0]);
-    }
+    join(&mut grid, count, is_closed);
     let scalar = |value: &dyn Fn(&Shown) -> Option<f64>| -> Option<Vec<f64>> {
         rows.iter().map(|row| value(&all[*row])).collect()
     };

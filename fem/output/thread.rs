@@ -1,6 +1,6 @@
 //! A line through places of rows, as a body that people see.
 
-use crate::process::{Ends, Skin};
+use crate::process::{Cell, Ends, Grid, Skin};
 
 /// Radius of a thread, as a part of the size of the shape.
 const RADIUS: f64 = 0.003;
@@ -13,6 +13,19 @@ pub fn goes_around<const N: usize>(outward: &[[f64; N]]) -> bool {
     let [first, .., last] = outward else { return false };
     let near = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > BENT;
     outward.len() > 8 && near(first, last) && !near(first, &outward[outward.len() / 2])
+}
+
+/// Joins the first `count` points of a grid by lines, the last with the first where they go around.
+pub fn join(grid: &mut Grid, count: u32, is_closed: bool) {
+    for i in 0..count {
+        grid.push(Cell::Vertex, &[i]);
+        if i > 0 {
+            grid.push(Cell::Line, &[i - 1, i]);
+        }
+    }
+    if is_closed {
+        grid.push(Cell::Line, &[count - 1, 0]);
+    }
 }
 
 /// The radius of a thread through some points, m.

@@ -1,8 +1,8 @@
 //! Animates the measured and the predicted shape.
 
 use crate::output::plots::Judged;
-use crate::output::thread::{goes_around, radius, thread};
-use crate::process::{Animation, Body, Cell, Field, Frame, Grid, Observable, Places, Role, Rows, Skin, View};
+use crate::output::thread::{goes_around, join, radius, thread};
+use crate::process::{Animation, Body, Field, Frame, Grid, Observable, Places, Role, Rows, Skin, View};
 use crate::units::{Kind, LENGTH, NUMBER};
 
 /// Most rows of a frame that are marked, evenly chosen: more are not told apart on any screen.
@@ -55,15 +55,7 @@ fn frame(all: &[usize], [error, kind]: [Kind; 2], places: &Places, judged: &Judg
     let mut grid = Grid { points: twice().map(|r| places.points[*r]).collect(), ..Grid::default() };
     let count = rows.len() as u32;
     let is_closed = goes_around(&rows.iter().map(|r| places.directions[*r]).collect::<Vec<_>>());
-    for i in 0..count {
-        grid.push(Cell::Vertex, &[i]);
-        if i > 0 {
-            grid.push(Cell::Line, &[i - 1, i]);
-        }
-    }
-    if is_closed {
-        grid.push(Cell::Line, &[count - 1, 0]);
-    }
+    join(&mut grid, count, is_closed);
     let bodies = bodies(&grid.points[..rows.len()], is_closed);
     grid.point_fields = vec![
         Field::scalar("residual", error, scalar(&residual)),
