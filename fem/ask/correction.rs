@@ -4,29 +4,35 @@ use super::Error;
 use crate::correct::{Advised, Correction};
 use crate::input::Problem;
 use crate::model::Model;
+use crate::process::range;
 use crate::progress::Progress;
 use crate::remedy::{NoRemedy, Remedies};
+use crate::units::MICRO;
 
 /// The correction of a model whose values are known.
 ///
 /// # Errors
 /// Values are unknown, the process has no command that is corrected, or the model cannot be computed.
-pub fn correct(model: &Model, progress: &Progress) -> Result<Correction, Error> {
+pub fn correct(model: &Model, is_forced: bool, progress: &Progress) -> Result<Correction, Error> {
     model.require_part()?;
+    require_fit(model, is_forced)?;
     // On a thread of the pool: one from outside would wait for it at every evaluation.
     let found = rayon::scope(|_| crate::correct::correct(model, progress))?;
-    found.ok_or_else(|| {
+    let found = found.ok_or_else(|| {
         let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
         problem.help("it has no command that is corrected: corrections are known of turning, ring, fixture, thermal, axis and contour").into()
-    })
+    })?;
+    within_limits(model, &found)?;
+    Ok(found)
 }
 
 /// What to change at a model whose values are known, where no command of its process is corrected.
 ///
 /// # Errors
 /// Values are unknown, or the model cannot be computed.
-pub fn advise(model: &Model, progress: &Progress) -> Result<Advised, Error> {
+pub fn advise(model: &Model, is_forced: bool, progress: &Progress) -> Result<Advised, Error> {
     model.require_part()?;
+    require_fit(model, is_forced)?;
     // On a thread of the pool, as above.
     Ok(rayon::scope(|_| crate::correct::advise(model, progress))?)
 }
@@ -35,8 +41,9 @@ pub fn advise(model: &Model, progress: &Progress) -> Result<Advised, Error> {
 ///
 /// # Errors
 /// Values are unknown, the model has no settings or names what it does not have, or it cannot be computed.
-pub fn remedies(model: &Model, limit: Option<f64>, progress: &Progress) -> Result<Remedies, Error> {
+pub fn remedies(model: &Model, limit: Option<f64>, is_forced: bool, progress: &Progress) -> Result<Remedies, Error> {
     model.require_part()?;
+    require_fit(model, is_forced)?;
     if model.settings.is_empty() {
         let problem = Problem::new(format!("{} does not say what the shop can change", model.source.name));
         let help = "add [[setting]] with quantity = \"…\", from = \"…\" and to = \"…\" for each, and minutes = \"…\" that it costs";
@@ -47,4 +54,37 @@ pub fn remedies(model: &Model, limit: Option<f64>, progress: &Progress) -> Resul
         NoRemedy::Input(error) => error.into(),
         NoRemedy::Compute(failure) => failure.into(),
     })
+}
+
+/// Refuses a model that failed against the measurements that it was fitted to, unless that is known.
+fn require_fit(model: &Model, is_forced: bool) -> Result<(), Problem> {
+    let left = model.together.unexplained();
+    if left == 0.0 || is_forced {
+        return Ok(());
+    }
+    let name = &model.source.name;
+    let left = MICRO.shown(left);
+    let problem = Problem::new(format!(
+        "{name} failed against the measurements that it was fitted to: {left:.2} stay unexplained"
+    ));
+    Err(problem.help(
+        "`fem diagnose` looks for what is missing; --despite-failure goes on with it all the same, and says so in the answer",
+    ))
+}
+
+/// Refuses what the machine may not be commanded.
+fn within_limits(model: &Model, found: &Correction) -> Result<(), Problem> {
+    let (low, high) = range(found.command.changes().iter().copied());
+    let most = high.max(-low);
+    let Some(largest) = model.largest_change.filter(|largest| most > *largest) else { return Ok(()) };
+    let (most, largest) = (MICRO.shown(most), MICRO.shown(largest));
+    let problem = Problem::new(format!(
+        "the {} would have to change by up to {most:.1}, and may by {largest:.1}: `largest` in [correction]",
+        found.commanded.words
+    ));
+    let masked = found.masked.first().map(|own| format!("; {} is repaired rather than corrected", own.effect));
+    Err(problem.help(format!(
+        "a setting that leaves less comes first: `fem correct --remedies`{}",
+        masked.unwrap_or_default()
+    )))
 }

@@ -21,10 +21,10 @@ pub fn run(args: &args::Correct) -> Result<(), Error> {
         return remedied(args, &model, &progress);
     }
     if model.system.commanded().is_none() && read.is_none() {
-        let found = watched(&progress, || advise(&model, &progress))?;
+        let found = watched(&progress, || advise(&model, args.despite_failure, &progress))?;
         return tell(args, &model, &AdvisedAnswer(&model, &found), &progress);
     }
-    let found = watched(&progress, || correct(&model, &progress))?;
+    let found = watched(&progress, || correct(&model, args.despite_failure, &progress))?;
     let own = read.map(|read| programmed(&model, &found, &read, args.add_blocks)).transpose()?;
     let answer = CorrectionAnswer(&model, &found, own.as_ref());
     tell(args, &model, &answer, &progress)
@@ -33,9 +33,10 @@ pub fn run(args: &args::Correct) -> Result<(), Error> {
 /// What to change, beside what to command where the process has a command that is corrected.
 fn remedied(args: &args::Correct, model: &Model, progress: &Arc<Progress>) -> Result<(), Error> {
     let limit = args.minutes.map(|minutes| TIME.to_si(minutes));
-    let found = watched(progress, || remedies(model, limit, progress))?;
+    let found = watched(progress, || remedies(model, limit, args.despite_failure, progress))?;
     let is_corrected = model.system.commanded().is_some() && (args.json || args.output.is_some());
-    let correction = is_corrected.then(|| watched(progress, || correct(model, progress))).transpose()?;
+    let correction =
+        is_corrected.then(|| watched(progress, || correct(model, args.despite_failure, progress))).transpose()?;
     let answer =
         RemedyAnswer { model, found: &found, correction: correction.as_ref(), directory: args.output.as_deref() };
     tell(args, model, &answer, progress)

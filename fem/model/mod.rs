@@ -84,6 +84,9 @@ pub struct Model {
     /// Correlations of its values, as far as they were fitted together.
     #[doc(hidden)]
     pub together: Together,
+    /// The largest change of its command that the machine may be given, m.
+    #[doc(hidden)]
+    pub largest_change: Option<f64>,
     /// What a shop can change, as far as it says.
     #[doc(hidden)]
     pub settings: Vec<ShopSetting>,
@@ -168,11 +171,13 @@ impl Model {
     /// Reads a model from its tables, with what was kept from readings before.
     fn of_tables(source: Source, tables: Tables, kept: Kept, recorded: &[Coordinate]) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
-        let ((process, (title, machine, system, effects, measurement, (odds, together, settings))), found) =
-            Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| {
-                let process = ModelProcess::of(process, recorded, recorded::read(model, process, recorded));
-                (process.clone(), read(model, &*process))
-            });
+        let (
+            (process, (title, machine, system, effects, measurement, (odds, together, settings, largest_change))),
+            found,
+        ) = Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| {
+            let process = ModelProcess::of(process, recorded, recorded::read(model, process, recorded));
+            (process.clone(), read(model, &*process))
+        });
         let Found { parameters, quantities, files, problems } = found;
         let Some(system) = system.filter(|_| problems.is_empty()) else { return Err(problems) };
         let places = places(&parameters, &effects, &measurement);
@@ -187,6 +192,7 @@ impl Model {
             quantities: quantities.into(),
             odds,
             together,
+            largest_change,
             settings,
             machine,
             entered: HashMap::new(),
@@ -305,7 +311,7 @@ fn read(
     Option<Arc<dyn System>>,
     Vec<Active>,
     Vec<Term>,
-    (OwnOdds, Together, Vec<ShopSetting>),
+    (OwnOdds, Together, Vec<ShopSetting>, Option<f64>),
 ) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
@@ -314,7 +320,7 @@ fn read(
     let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
     let odds = OwnOdds::read(model, process);
-    let further = (odds, Together::read(model), ShopSetting::all(model));
+    let further = (odds, Together::read(model), ShopSetting::all(model), shop::largest_change(model));
     (title, machine, system, effects, noise::read(model, process), further)
 }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Edit;
 use crate::input::{ParameterId, Raw, Reader};
-use crate::units::TIME;
+use crate::units::{MICRO, TIME};
 
 /// Most of them: pairs of them are tried, too.
 const MOST: usize = 40;
@@ -31,6 +31,16 @@ pub struct ShopSetting {
     pub measured: Option<[Raw; 2]>,
     /// Bytes of the table in the file.
     pub span: Option<Range<usize>>,
+}
+
+/// Reads the largest change of the command that the machine may be given, m, if the model says one.
+pub fn largest_change(model: &Reader) -> Option<f64> {
+    let about = "what the machine may be commanded otherwise than the drawing says, for `fem correct`";
+    let largest = |t: &Reader| {
+        let about = "the largest change of the command, either way: what a control or its operator allows";
+        t.quantity("largest", MICRO, about).chosen().positive().optional()
+    };
+    model.optional_table("correction", about, largest).flatten()
 }
 
 /// How far a quantity may be changed, as it is written.

@@ -17,6 +17,14 @@ fn observed(model: &Model, rows: &Rows) -> Vec<(usize, Vec<usize>)> {
     all.filter(|(_, rows)| !rows.is_empty()).collect()
 }
 
+/// Says that a model failed against the measurements that it was fitted to, where it did.
+pub fn failure(band: &Band) -> Option<String> {
+    let left = MICRO.shown(band.unexplained);
+    let is_any = band.unexplained > 0.0;
+    is_any
+        .then(|| format!("the model failed against the measurements that it was fitted to: {left:.2} stay unexplained"))
+}
+
 /// Width of the band of each observable, what it comes from, and the probability of being within what is asked.
 pub fn lines(model: &Model, band: &Band) -> Vec<String> {
     let observables = model.process.observables();

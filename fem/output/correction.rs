@@ -10,7 +10,7 @@ use super::json::{finite, json as document};
 use super::page::{Head, answered};
 use super::staged::Staged;
 use super::text::titled;
-use super::{csv, number, plots, program, tolerance};
+use super::{bands, csv, number, plots, program, tolerance};
 use crate::compare::rms;
 use crate::correct::{Correction, Masked, Offset, Programmed};
 use crate::gcode;
@@ -259,6 +259,7 @@ impl CorrectionAnswer<'_> {
 /// What a correction cannot do, or does not know.
 fn cautions(found: &Correction) -> Vec<String> {
     let mut all: Vec<String> = found.commanded.takes.map(str::to_string).into_iter().collect();
+    all.extend(bands::failure(&found.band));
     let worst = found.before.iter().fold(0.0f64, |worst, value| worst.max(value.abs()));
     if found.between > BETWEEN * worst {
         all.push(format!(

@@ -6,6 +6,7 @@ use serde_json::{Value as Json, json};
 
 use super::OutputError;
 use super::answer::Answer;
+use super::bands;
 use super::block::{Block, Cell, Column, Table};
 use super::chart::{Svg, named};
 use super::correction::CorrectionAnswer;
@@ -198,7 +199,7 @@ impl RemedyAnswer<'_> {
             names.dedup();
             names.join(", ")
         };
-        let mut all = Vec::new();
+        let mut all: Vec<String> = self.correction.and_then(|own| bands::failure(&own.band)).into_iter().collect();
         if found.looked_at < found.parts {
             let parts = (found.looked_at, found.parts);
             all.push(format!("{} of {} parts were looked at, evenly from the first to the last", parts.0, parts.1));

@@ -35,6 +35,9 @@ impl Answer for RunAnswer<'_> {
         if let Some(band) = band {
             text += &labelled("95 % band", &bands::lines(model, band));
         }
+        if let Some(failure) = band.and_then(bands::failure) {
+            text += &format!("\ncaution: {failure}\n");
+        }
         let own = measurement::at_work(&model.source.name, &model.measurement, &*model.process, None);
         if !own.is_empty() {
             text += &format!("\n{own}a run predicts the part, and leaves the instrument aside\n");

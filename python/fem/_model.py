@@ -237,23 +237,29 @@ class Model:
         program: Optional[_Path] = None,
         *,
         add_blocks: bool = False,
+        despite_failure: bool = False,
         output: Optional[_Path] = None,
         overwrite: bool = False,
     ) -> Correction:
         """What to command so that the part comes out as the drawing asks, and what will be left.
 
-        A lathe ``program`` is written with other X words into the folder ``output``, with all that the command writes.
+        A model that failed against its measurements is refused, unless ``despite_failure``. A ``program`` is written with other X words into the folder ``output``, with all that the command writes.
         """
         own = None if program is None else Path(program)
         folder = None if output is None else Path(output)
-        return Correction(self._core().correct(own, add_blocks, folder, overwrite))
+        return Correction(self._core().correct(own, add_blocks, despite_failure, folder, overwrite))
 
     def remedies(
-        self, minutes: Optional[float] = None, *, output: Optional[_Path] = None, overwrite: bool = False
+        self,
+        minutes: Optional[float] = None,
+        *,
+        despite_failure: bool = False,
+        output: Optional[_Path] = None,
+        overwrite: bool = False,
     ) -> Remedies:
         """Which of its ``[[setting]]``s to change: what each gains, what it costs, and which few do best together."""
         folder = None if output is None else Path(output)
-        answer = self._core().remedies(minutes, folder, overwrite)
+        answer = self._core().remedies(minutes, despite_failure, folder, overwrite)
         return Remedies(answer, Model._of(answer["model"]) if answer["model"] else None)
 
     def compare(self, data: Data, *, columns: Columns = (), decimal: Optional[str] = None) -> Comparison:

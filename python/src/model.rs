@@ -132,6 +132,7 @@ impl Model {
         py: Python,
         program: Option<PathBuf>,
         add_blocks: bool,
+        despite_failure: bool,
         output: Option<PathBuf>,
         overwrite: bool,
     ) -> PyResult<Answer> {
@@ -139,7 +140,7 @@ impl Model {
         compute(py, &Arc::default(), move |progress| {
             let read = program.as_ref().map(|path| ask::program(&model, path)).transpose()?;
             if model.system.commanded().is_none() && read.is_none() {
-                let found = ask::advise(&model, progress)?;
+                let found = ask::advise(&model, despite_failure, progress)?;
                 let answer = AdvisedAnswer(&model, &found);
                 if let Some(directory) = &output {
                     let guard = Guard { reads: &model.paths(), force: overwrite };
@@ -151,7 +152,7 @@ impl Model {
                     ..Answer::of(&answer, &model)
                 });
             }
-            let found = ask::correct(&model, progress)?;
+            let found = ask::correct(&model, despite_failure, progress)?;
             let own = read.map(|read| ask::programmed(&model, &found, &read, add_blocks)).transpose()?;
             let answer = CorrectionAnswer(&model, &found, own.as_ref());
             if let Some(directory) = &output {
@@ -165,12 +166,19 @@ impl Model {
     }
 
     /// Which of its settings a shop should change.
-    fn remedies(&self, py: Python, minutes: Option<f64>, output: Option<PathBuf>, overwrite: bool) -> PyResult<Answer> {
+    fn remedies(
+        &self,
+        py: Python,
+        minutes: Option<f64>,
+        despite_failure: bool,
+        output: Option<PathBuf>,
+        overwrite: bool,
+    ) -> PyResult<Answer> {
         let model = self.0.clone();
         compute(py, &Arc::default(), move |progress| {
-            let found = ask::remedies(&model, minutes.map(|minutes| TIME.to_si(minutes)), progress)?;
+            let found = ask::remedies(&model, minutes.map(|minutes| TIME.to_si(minutes)), despite_failure, progress)?;
             let correction = match model.system.commanded() {
-                Some(_) => Some(ask::correct(&model, progress)?),
+                Some(_) => Some(ask::correct(&model, despite_failure, progress)?),
                 None => None,
             };
             let directory = output.as_deref();

@@ -289,6 +289,13 @@ fn what_stays_unexplained_is_kept_and_widens_what_is_promised() {
     let run = parsed(&place.fem(&["run", "fitted.toml", "--json", "-o", "out"]).out);
     let [widest, told] = [&run["band"]["observables"][0]["widest"], &run["band"]["unexplained"]];
     assert!((told.as_f64().unwrap() - expected).abs() < 1e-3 && widest.as_f64().unwrap() > 1.8 * expected, "{run}");
+    // Nothing is corrected by it, unless that is asked for; then it is said.
+    let refused = place.fem(&["correct", "fitted.toml", "-o", "no"]);
+    assert!(refused.status == 2 && refused.err.contains("failed against the measurements"), "{}", refused.err);
+    assert!(!place.files().iter().any(|file| file.starts_with("no/")));
+    let forced = place.fem(&["correct", "fitted.toml", "--despite-failure"]);
+    assert!(forced.status == 0 && forced.out.contains("caution: the model failed against"), "{}", forced.out);
+    assert!(place.fem(&["run", "fitted.toml", "-o", "again"]).out.contains("caution: the model failed against"));
     // A fit that explains everything says nothing of it.
     let whole = place.fem(&["diagnose", "one.toml", "--with", "measured.csv", "--add-to", "whole.toml"]);
     assert!(whole.status == 0 && !place.read("whole.toml").contains("unexplained"), "{}", whole.err);
@@ -298,4 +305,17 @@ fn what_stays_unexplained_is_kept_and_widens_what_is_promised() {
         let answer = place.fem(&["run", "bad.toml"]);
         assert!(answer.status == 2 && answer.err.contains(help), "{wrong}: {}", answer.err);
     }
+}
+
+#[test]
+fn a_machine_is_commanded_no_farther_than_it_may() {
+    let place = Place::new();
+    place.write("shaft.toml", format!("{SHAFT}[correction]\nlargest = \"200 um\"\n"));
+    assert_eq!(place.fem(&["correct", "shaft.toml"]).status, 0);
+    place.write("shaft.toml", format!("{SHAFT}[correction]\nlargest = \"2 um\"\n"));
+    let refused = place.fem(&["correct", "shaft.toml", "-o", "no"]);
+    assert!(refused.status == 2 && refused.err.contains("and may by 2.0 um"), "{}", refused.err);
+    assert!(!place.files().iter().any(|file| file.starts_with("no/")));
+    place.write("shaft.toml", format!("{SHAFT}[correction]\nlargest = \"-2 um\"\n"));
+    assert_eq!(place.fem(&["run", "shaft.toml"]).status, 2);
 }

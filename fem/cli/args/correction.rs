@@ -35,6 +35,9 @@ pub struct Correct {
     /// Where to write the corrected contour of every part; nothing is written if left out
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Go on with a model that failed against the measurements that it was fitted to
+    #[arg(long)]
+    pub despite_failure: bool,
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,

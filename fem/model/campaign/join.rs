@@ -56,6 +56,7 @@ impl Model {
             quantities: Arc::default(),
             odds,
             together: Together::default(),
+            largest_change: None,
             settings: Vec::new(),
             entered: HashMap::new(),
             files: Vec::new(),
