@@ -75,7 +75,7 @@ impl Budget {
         let figures: Vec<f64> = models.parts.iter().zip(&figures).zip(&signs).map(figure).collect();
         let handbook = by_rules(self, &errors, &figures, &swings);
         let shares = shares(self, &errors, &figures, &swings);
-        let purchases = purchases(self, &errors, &figures, &swings);
+        let purchases = bought(self, &errors, &figures, &swings);
         let monte_carlo = monte_carlo::draw(self, &errors, &signs, progress)?;
         Ok(Some(Estimate { handbook, monte_carlo, shares, purchases }))
     }
@@ -101,7 +101,7 @@ fn with_signs(budget: &Budget, figures: &[f64]) -> (Vec<Contribution>, Vec<f64>)
 }
 
 /// Adds up errors, figures of models (with their signs, or halves of their fields) and changes by their inputs.
-pub(super) fn by_rules(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Handbook {
+fn by_rules(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Handbook {
     let sum_of = |errors: &[&Contribution]| {
         let of = |kind: Kind| errors.iter().filter(move |e| e.kind == kind);
         let systematic: Vec<f64> = of(Kind::Systematic).map(|e| e.value).collect();
@@ -134,6 +134,26 @@ pub(super) fn by_rules(budget: &Budget, errors: &[Contribution], figures: &[f64]
     let one_by_one = (every + nominal).abs() + rules::random(budget.t, &each);
     let differs = !budget.groups.is_empty() && (one_by_one - total).abs() > 1e-9 * total;
     Handbook { systematic, random, total, one_by_one: differs.then_some(one_by_one), groups }
+}
+
+/// What less of each term does: of errors, then of figures of models, then of what varies in them.
+fn bought(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Vec<Purchase> {
+    let names = errors.iter().map(|own| &own.name).chain(budget.models.parts.iter().map(|own| &own.name));
+    let names = names.chain(swings.iter().map(|(name, ..)| name)).cloned();
+    purchases(names, budget.tolerance, |term, part| {
+        let of = |own: usize| if own == term { part } else { 1.0 };
+        let error = |(i, own): (usize, &Contribution)| Contribution { value: of(i) * own.value, ..own.clone() };
+        let errors: Vec<Contribution> = errors.iter().enumerate().map(error).collect();
+        let figure = |(i, own): (usize, &f64)| of(errors.len() + i) * own;
+        let figures: Vec<f64> = figures.iter().enumerate().map(figure).collect();
+        let swing = |(i, (name, law, (a, b))): (usize, &Swing)| {
+            let part = of(errors.len() + figures.len() + i);
+            (name.clone(), *law, (part * a, part * b))
+        };
+        let swings: Vec<Swing> = swings.iter().enumerate().map(swing).collect();
+        let found = by_rules(budget, &errors, &figures, &swings);
+        (found.systematic, found.random)
+    })
 }
 
 fn shares(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Vec<Share> {

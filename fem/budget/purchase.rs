@@ -1,10 +1,6 @@
 //! Which term of a budget to buy down: what the total becomes with less of it, and with how little of it alone the total keeps
 //! its tolerance.
 
-use super::estimate::by_rules;
-use super::part::Swing;
-use super::{Budget, Contribution};
-
 /// Halvings after which the part of a term that may stay is known.
 const HALVINGS: usize = 40;
 
@@ -22,33 +18,22 @@ pub struct Purchase {
     pub may_stay: Option<f64>,
 }
 
-/// Every term, the one whose half takes most off the total first.
-pub(super) fn purchases(budget: &Budget, errors: &[Contribution], figures: &[f64], swings: &[Swing]) -> Vec<Purchase> {
-    let parts = &budget.models.parts;
-    let names = errors.iter().map(|own| own.name.clone()).chain(parts.iter().map(|own| own.name.clone()));
-    let names = names.chain(swings.iter().map(|(name, ..)| name.clone()));
-    let with = |term: usize, part: f64| {
-        let of = |own: usize| if own == term { part } else { 1.0 };
-        let errors: Vec<Contribution> = errors
-            .iter()
-            .enumerate()
-            .map(|(i, own)| Contribution { value: of(i) * own.value, ..own.clone() })
-            .collect();
-        let figures: Vec<f64> = figures.iter().enumerate().map(|(i, own)| of(errors.len() + i) * own).collect();
-        let first = errors.len() + figures.len();
-        let swing = |(i, (name, law, (a, b))): (usize, &Swing)| {
-            let part = of(first + i);
-            (name.clone(), *law, (part * a, part * b))
-        };
-        let swings: Vec<Swing> = swings.iter().enumerate().map(swing).collect();
-        by_rules(budget, &errors, &figures, &swings)
-    };
+/// The result of the handbook's rules with less of a term: its systematic part and its random half-field, m.
+pub(super) type Less = (f64, f64);
+
+/// Every term by its name, the one whose half takes most off the total first; `with` is the result with a part of a term, by its
+/// number.
+pub(super) fn purchases(
+    names: impl Iterator<Item = String>,
+    tolerance: Option<(f64, f64)>,
+    with: impl Fn(usize, f64) -> Less,
+) -> Vec<Purchase> {
     let keeps = |term: usize, part: f64, (lower, upper): (f64, f64)| {
-        let own = with(term, part);
-        lower <= own.systematic - own.random && own.systematic + own.random <= upper
+        let (systematic, random) = with(term, part);
+        lower <= systematic - random && systematic + random <= upper
     };
     let may_stay = |term: usize| {
-        let tolerance = budget.tolerance?;
+        let tolerance = tolerance?;
         if keeps(term, 1.0, tolerance) {
             return Some(1.0);
         }
@@ -63,7 +48,10 @@ pub(super) fn purchases(budget: &Budget, errors: &[Contribution], figures: &[f64
         Some(good)
     };
     let one = |(term, name): (usize, String)| {
-        let [halved, without] = [0.5, 0.0].map(|part| with(term, part).total);
+        let [halved, without] = [0.5, 0.0].map(|part| {
+            let (systematic, random) = with(term, part);
+            systematic.abs() + random
+        });
         Purchase { name, halved, without, may_stay: may_stay(term) }
     };
     let mut all: Vec<Purchase> = names.enumerate().map(one).collect();

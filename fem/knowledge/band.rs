@@ -11,7 +11,7 @@ use crate::process::{Failure, Rows, Standing};
 
 /// Rows that draws of the values may cost together, and the fewest and the most draws.
 const MOST_DRAWN: usize = 2_000_000;
-const DRAWS: (usize, usize) = (100, 400);
+const DRAWS: (usize, usize) = (100, 200);
 /// Part of the draws below and above an interval that holds 95 % of them.
 const BEYOND: f64 = 0.025;
 /// Seed of what stays unexplained: that of the values is another.

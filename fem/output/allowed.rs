@@ -1,7 +1,8 @@
 //! The prediction as a shape in ParaView, with what a drawing allows of it and how far it may be off.
 
-use super::run::RunAnswer;
 use super::thread::{goes_around, join, thread};
+use crate::knowledge::Band;
+use crate::model::{Model, Run};
 use crate::process::{Animation, Body, Field, Frame, Grid, Places, View};
 use crate::tolerance::Limits;
 use crate::units::{Kind, LENGTH};
@@ -12,8 +13,7 @@ const MOST_ROWS: usize = 2000;
 /// A frame for each value that rows of the programme have in common, a part or a direction: the line of its rows, moved by the
 /// error, with `beyond_limits`, how far it lies beyond them, `predicted`, `band`, half of what holds it with 95 %, and the limits.
 /// `None` where the drawing asks nothing of rows, or there is no shape to show.
-pub fn animation(answer: &RunAnswer) -> Option<Animation> {
-    let RunAnswer(model, run, band) = *answer;
+pub fn animation(model: &Model, run: &Run, band: Option<&Band>) -> Option<Animation> {
     let rows = model.system.programme();
     let limits = model.system.limits(&rows);
     if limits.iter().all(Option::is_none) {

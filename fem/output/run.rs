@@ -76,7 +76,7 @@ impl Answer for RunAnswer<'_> {
 
     /// Machine and contours, then curves and maps.
     fn figures(&self) -> Vec<(String, Svg)> {
-        drawings(self.1).into_iter().chain(plots::predicted(self).iter().map(named)).collect()
+        drawings(self.1).into_iter().chain(plots::predicted(self.0, self.1, self.2).iter().map(named)).collect()
     }
 
     /// `profile.csv`, further tables as `NAME.csv`, `bands.csv` where values are known roughly, the animation as `NAME.pvd` with its frames in `NAME/`, figures as
@@ -98,7 +98,7 @@ impl Answer for RunAnswer<'_> {
         if let Some(animation) = &found.animation {
             files.animation(animation, "view.py", model, Path::new(""))?;
         }
-        if let Some(animation) = allowed::animation(self) {
+        if let Some(animation) = allowed::animation(model, run, band) {
             files.animation(&animation, "view-allowed.py", model, Path::new(""))?;
         }
         files.figures(self.figures())?;

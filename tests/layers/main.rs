@@ -33,6 +33,7 @@ const LAYERS: &[&str] = &[
     "diagnose",
     "discover",
     "budget",
+    "knowledge",
     "correct",
     "next",
     "study",

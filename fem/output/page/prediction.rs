@@ -10,8 +10,7 @@ use crate::output::{bands, plots, tolerance};
 
 /// The sections of the best model that is known.
 pub fn sections(subject: &Subject) -> Vec<Section> {
-    let Some(best) = subject.best() else { return Vec::new() };
-    let RunAnswer(model, run, band) = best;
+    let Some(RunAnswer(model, run, band)) = subject.best() else { return Vec::new() };
     let is_completed = subject.evidence.as_ref().is_some_and(|found| found.completed.is_some());
     let of =
         if is_completed { "Of the completed model, every value re-fitted." } else { "Of the model as it is written." };
@@ -21,12 +20,12 @@ pub fn sections(subject: &Subject) -> Vec<Section> {
     let figure = |label: &str, lines: &[String]| vec![Cell::Text(label.trim().into()), Cell::Text(lines.join("; "))];
     let tolerance = tolerance::lines(&run.standings);
     let tolerance = tolerance.iter().map(|line| figure("tolerance", std::slice::from_ref(line)));
-    let band = band.map(|band| figure("95 % band", &bands::lines(model, band)));
-    let findings = run.report.figures.iter().map(|f| figure(&f.label, &f.lines)).chain(tolerance).chain(band);
+    let told = band.map(|band| figure("95 % band", &bands::lines(model, band)));
+    let findings = run.report.figures.iter().map(|f| figure(&f.label, &f.lines)).chain(tolerance).chain(told);
     let findings = Table::new(["figure", "value"].map(Column::wide), findings);
     let mut prediction = vec![html::paragraph("note", of)];
     prediction.extend(run.report.warnings.iter().map(|w| html::paragraph("caution", &format!("Warning: {w}"))));
-    prediction.push(html::figures(plots::predicted(&best).iter().map(named)));
+    prediction.push(html::figures(plots::predicted(model, run, band).iter().map(named)));
     prediction.push(html::table(&Table { caption: "What a run finds".into(), ..findings }));
     let observables = model.process.observables();
     let share = |s: &Contribution| {

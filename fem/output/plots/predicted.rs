@@ -4,9 +4,9 @@ use super::about::About;
 use super::layout::Layout;
 use super::positioning;
 use crate::input::Name;
-use crate::model::{Contribution, Model};
+use crate::knowledge::Band;
+use crate::model::{Contribution, Model, Run};
 use crate::output::chart::{Axis, Chart, Form, Plane, Series, draw};
-use crate::output::run::RunAnswer;
 use crate::process::Rows;
 use crate::units::Kind;
 
@@ -19,8 +19,7 @@ fn layouts(model: &Model, rows: &Rows) -> Vec<Layout> {
 
 /// The prediction along its coordinates, around its circle, over its pairs, as its standard draws it; with its band and what
 /// a drawing allows.
-pub fn predicted(answer: &RunAnswer) -> Vec<Chart> {
-    let RunAnswer(model, run, band) = *answer;
+pub fn predicted(model: &Model, run: &Run, band: Option<&Band>) -> Vec<Chart> {
     let rows = model.system.programme();
     if let Some(test) = model.system.positioning() {
         return vec![positioning::chart(&test.approaches(&rows), &run.prediction, "predicted", None)];
