@@ -9,22 +9,28 @@ use crate::progress::Progress;
 /// model knows everything exactly.
 ///
 /// # Errors
-/// The model cannot be computed, or most of what its values may be makes none.
+/// The model cannot be computed.
 pub fn run(model: &Model, progress: &Progress) -> Result<(Run, Option<Band>), Failure> {
-    let run = model.run(progress)?;
+    let mut run = model.run(progress)?;
     if Knowledge::of(model).is_exact() {
         return Ok((run, None));
     }
     let rows = model.system.programme();
-    let band = banded(model, &rows, &run.prediction, progress)?;
-    Ok((run, Some(band)))
+    // A prediction is one though nobody can say how far it may be off.
+    match banded(model, &rows, &run.prediction, progress) {
+        Ok(band) => Ok((run, Some(band))),
+        Err(failure) => {
+            run.report.warnings.push(failure.message);
+            Ok((run, None))
+        }
+    }
 }
 
 /// Predicts rows of a model with the band that holds the truth about each with 95 %; of a model that knows everything exactly it
 /// has no width.
 ///
 /// # Errors
-/// As those of [`run`].
+/// The model cannot be computed, or what its values may be makes none.
 pub fn predict(model: &Model, rows: &Rows, progress: &Progress) -> Result<(Vec<f64>, Band), Failure> {
     let predicted = model.forward().observe(rows)?;
     let band = banded(model, rows, &predicted, progress)?;

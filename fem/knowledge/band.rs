@@ -11,7 +11,7 @@ use crate::process::{Failure, Rows, Standing};
 
 /// Rows that draws of the values may cost together, and the fewest and the most draws.
 const MOST_DRAWN: usize = 2_000_000;
-const DRAWS: (usize, usize) = (100, 200);
+const DRAWS: (usize, usize) = (100, 400);
 /// Part of the draws below and above an interval that holds 95 % of them.
 const BEYOND: f64 = 0.025;
 /// Seed of what stays unexplained: that of the values is another.
@@ -52,6 +52,46 @@ impl Band {
         (rows, best): (&Rows, &[f64]),
         draw: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync,
     ) -> Result<Self, Failure> {
+        Self::gathered((model, knowledge), (rows, best), |number| draw(&knowledge.drawn(number)).ok())
+    }
+
+    /// The band about a prediction of rows with nothing corrected, by draws from a parabola through what is one standard deviation
+    /// away to both sides in each direction in which the values are independent: a few predictions, however dear they are.
+    ///
+    /// # Errors
+    /// Values one standard deviation away to either side make no model.
+    pub fn about(model: &Model, rows: &Rows, best: &[f64]) -> Result<Self, Failure> {
+        let (knowledge, nothing) = (Knowledge::of(model), Arc::default());
+        let predict = |values: &[f64]| model.commanded_at(values, &nothing)?.observe(rows);
+        let both: Vec<(usize, [Vec<f64>; 2])> = knowledge.both_ways().collect();
+        let mirrored = |own: &[f64]| own.iter().zip(best).map(|(own, best)| 2.0 * best - own).collect::<Vec<f64>>();
+        let predicted = |(own, [up, down]): (usize, [Vec<f64>; 2])| match (predict(&up), predict(&down)) {
+            (Ok(up), Ok(down)) => Ok((own, [up, down])),
+            // Beyond what a model may hold it goes on as it comes from the other side.
+            (Ok(up), Err(_)) => Ok((own, [up.clone(), mirrored(&up)])),
+            (Err(_), Ok(down)) => Ok((own, [mirrored(&down), down])),
+            (Err(_), Err(_)) => Err(vague()),
+        };
+        let ways: Vec<(usize, [Vec<f64>; 2])> = both.into_par_iter().map(predicted).collect::<Result<_, Failure>>()?;
+        Self::gathered((model, &knowledge), (rows, best), |number| {
+            let at = knowledge.independent(number);
+            let mut values = best.to_vec();
+            for (own, [up, down]) in &ways {
+                let (slope, bend) = (0.5 * at[*own], 0.5 * at[*own] * at[*own]);
+                for (((value, best), up), down) in values.iter_mut().zip(best).zip(up).zip(down) {
+                    *value += slope * (up - down) + bend * (up + down - 2.0 * best);
+                }
+            }
+            Some(values)
+        })
+    }
+
+    /// The band of draws by their numbers about the best prediction.
+    fn gathered(
+        (model, knowledge): (&Model, &Knowledge),
+        (rows, best): (&Rows, &[f64]),
+        draw: impl Fn(usize) -> Option<Vec<f64>> + Sync,
+    ) -> Result<Self, Failure> {
         let draws = match knowledge.is_exact() {
             true => 1,
             false => (MOST_DRAWN / rows.len().max(1)).clamp(DRAWS.0, DRAWS.1),
@@ -59,18 +99,13 @@ impl Band {
         let parts = parts(model, rows);
         // The first is what is known best.
         let further = (1..draws).into_par_iter().filter_map(|number| {
-            let mut own =
-                if knowledge.uncertain() == 0 { best.to_vec() } else { draw(&knowledge.drawn(number)).ok()? };
+            let mut own = if knowledge.uncertain() == 0 { best.to_vec() } else { draw(number)? };
             shift(&mut own, &parts, knowledge.unexplained, number);
             Some(own)
         });
         let further: Vec<Vec<f64>> = further.collect();
         if 2 * further.len() + 1 < draws {
-            return Err(Failure {
-                message: "the values of the model are known so roughly that most of what they may be makes no model"
-                    .into(),
-                help: "fit them to measurements first: `fem fit MODEL --with DATA --add-to BETTER`".into(),
-            });
+            return Err(vague());
         }
         let all: Vec<&[f64]> = std::iter::once(best).chain(further.iter().map(Vec::as_slice)).collect();
         let interval = (0..rows.len()).into_par_iter().map(|row| interval(all.iter().map(|made| made[row]).collect()));
@@ -80,16 +115,6 @@ impl Band {
             uncertain: knowledge.uncertain(),
             unexplained: knowledge.unexplained,
         })
-    }
-
-    /// The band about a prediction of rows with nothing corrected.
-    ///
-    /// # Errors
-    /// As those of [`Band::of`].
-    pub fn about(model: &Model, rows: &Rows, best: &[f64]) -> Result<Self, Failure> {
-        let nothing = Arc::default();
-        let draw = |values: &[f64]| model.commanded_at(values, &nothing)?.observe(rows);
-        Self::of((model, &Knowledge::of(model)), (rows, best), draw)
     }
 
     /// The widest half of the intervals of some rows.
@@ -131,6 +156,14 @@ impl Probability {
         let share = |count: usize| count as f64 / all.len() as f64;
         let of_parts = within.into_iter().map(|(part, count)| (part, share(count))).collect();
         Some(Self { of_parts, of_all: share(all_within) })
+    }
+}
+
+/// The values are known too roughly to be drawn.
+fn vague() -> Failure {
+    Failure {
+        message: "the values of the model are known so roughly that what they may be makes no model".into(),
+        help: "fit them to measurements first: `fem fit MODEL --with DATA --add-to BETTER`".into(),
     }
 }
 

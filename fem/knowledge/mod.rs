@@ -87,8 +87,22 @@ impl Knowledge {
 
     /// Values as they may be: draw of a number, always the same.
     pub fn drawn(&self, number: usize) -> Vec<f64> {
+        self.away(&(&self.root * self.independent(number)))
+    }
+
+    /// What that draw is made of: how far it lies in each of the directions in which the values are independent of each other, in
+    /// standard deviations.
+    pub fn independent(&self, number: usize) -> DVector<f64> {
         let stream = Stream::new(SEED, number as u64);
-        let independent = (0..self.values.len()).map(|i| FIELD * Law::Normal.draw(&stream, i as u32, 0));
-        self.away(&(&self.root * DVector::from_iterator(self.values.len(), independent)))
+        let all = (0..self.values.len()).map(|i| FIELD * Law::Normal.draw(&stream, i as u32, 0));
+        DVector::from_iterator(self.values.len(), all)
+    }
+
+    /// Each of these directions by its number, with the values one standard deviation away to both sides; not those in which they
+    /// are known.
+    pub fn both_ways(&self) -> impl Iterator<Item = (usize, [Vec<f64>; 2])> {
+        let way = |own: usize, by: f64| self.away((by * self.root.column(own)).iter());
+        let all = (0..self.values.len()).map(move |own| (own, [way(own, 1.0), way(own, -1.0)]));
+        all.filter(|(_, [up, _])| *up != self.values)
     }
 }

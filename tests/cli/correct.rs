@@ -169,7 +169,7 @@ fn a_run_tells_how_far_it_may_be_off() {
     assert_eq!(answer.status, 0, "{}", answer.err);
     let band = &parsed(&answer.out)["band"];
     let widest = band["observables"][0]["widest"].as_f64().unwrap();
-    // 2·200/40 = 10 um, of which 95 % are 1.96 tenths; 200 draws tell that to some percent.
+    // 2·200/40 = 10 um, of which 95 % are 1.96 tenths; 400 draws tell that to some percent.
     assert!((widest / 1.96 - 1.0).abs() < 0.15, "{band}");
     let (csv, page) = (place.read("out/bands.csv"), place.fem(&["run", "shaft.toml", "-o", "more"]).out);
     let head = csv.lines().next().unwrap();
