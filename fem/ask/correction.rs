@@ -3,6 +3,7 @@
 use super::Error;
 use crate::correct::{Advised, Correction};
 use crate::input::Problem;
+use crate::knowledge::failed;
 use crate::model::Model;
 use crate::process::range;
 use crate::progress::Progress;
@@ -58,15 +59,8 @@ pub fn remedies(model: &Model, limit: Option<f64>, is_forced: bool, progress: &P
 
 /// Refuses a model that failed against the measurements that it was fitted to, unless that is known.
 fn require_fit(model: &Model, is_forced: bool) -> Result<(), Problem> {
-    let left = model.together.unexplained();
-    if left == 0.0 || is_forced {
-        return Ok(());
-    }
-    let name = &model.source.name;
-    let left = MICRO.shown(left);
-    let problem = Problem::new(format!(
-        "{name} failed against the measurements that it was fitted to: {left:.2} stay unexplained"
-    ));
+    let Some(failed) = failed(model.together.unexplained()).filter(|_| !is_forced) else { return Ok(()) };
+    let problem = Problem::new(format!("{} {failed}", model.source.name));
     Err(problem.help(
         "`fem diagnose` looks for what is missing; --despite-failure goes on with it all the same, and says so in the answer",
     ))

@@ -9,7 +9,7 @@ use super::watch::watched;
 use crate::ask::{Change, Log};
 use crate::measure::Measurements;
 use crate::output::NextAnswer;
-use crate::output::files::{self, Appended, Guard};
+use crate::output::files::{self, Appended};
 use crate::progress::Progress;
 
 pub fn run(args: &args::Next) -> Result<(), Error> {
@@ -31,7 +31,7 @@ pub fn run(args: &args::Next) -> Result<(), Error> {
     };
     let reads = [std::slice::from_ref(&args.log), &args.with].concat();
     if let Some(page) = &args.page {
-        Guard { reads: &reads, force: args.force || files::is_sealed(page) }.check(page)?;
+        files::page_guard(page, &reads, args.force).check(page)?;
     }
     let progress = Arc::new(Progress::default());
     let own = measured.as_ref().map(|measured| (job, measured));
@@ -44,8 +44,7 @@ pub fn run(args: &args::Next) -> Result<(), Error> {
     let answer = NextAnswer(&log.history, &next);
     let mut written = String::new();
     if let Some(page) = &args.page {
-        let guard = Guard { reads: &reads, force: args.force || files::is_sealed(page) };
-        files::write(page, files::sealed(&answer.page()).as_bytes(), guard)?;
+        files::write_page(page, &answer.page(), &reads, args.force)?;
         written = if args.json { written } else { format!("\nwritten {}\n", page.display()) };
     }
     print(&(page(&answer, args.json) + &written))

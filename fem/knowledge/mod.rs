@@ -10,11 +10,19 @@ use crate::budget::{Law, Stream};
 use crate::input::Bounds;
 use crate::model::Model;
 use crate::noise::MEASUREMENT;
+use crate::units::MICRO;
 
 /// Seed of the draws: the same model has the same answer.
 const SEED: u64 = 1;
 /// Half-field of a normal law in standard deviations.
 const FIELD: f64 = 3.0;
+
+/// Says of a model that it failed against its measurements, where something stays unexplained (m).
+pub fn failed(unexplained: f64) -> Option<String> {
+    let left = MICRO.shown(unexplained);
+    let told = || format!("failed against the measurements that it was fitted to: {left:.2} stay unexplained");
+    (unexplained > 0.0).then(told)
+}
 
 /// The values of a model with their uncertainties.
 pub struct Knowledge {
@@ -76,13 +84,6 @@ impl Knowledge {
             if *is_positive && by != 0.0 { value * (by / value).exp() } else { value + by }
         })
         .collect()
-    }
-
-    /// The values one standard deviation away in each of the directions in which they are independent of each other; nothing
-    /// of those in which they are known.
-    pub fn shifted(&self) -> impl Iterator<Item = Vec<f64>> {
-        let all = (0..self.values.len()).map(|own| self.away(self.root.column(own).iter()));
-        all.filter(|shifted| *shifted != self.values)
     }
 
     /// Values as they may be: draw of a number, always the same.

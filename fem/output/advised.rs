@@ -68,11 +68,7 @@ impl Answer for AdvisedAnswer<'_> {
 
     /// `correction.html` and `correction.json`.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
-        let head = Head {
-            kicker: format!("{} \u{b7} fem correct", self.0.source.name),
-            title: titled(self.0.title.as_deref(), &self.0.source.name),
-            verdict: self.now(),
-        };
+        let head = Head::new("fem correct", self.0.title.as_deref(), &self.0.source.name, self.now());
         files.text("correction.html", &answered(head, self))?;
         files.text("correction.json", &document(self))
     }
@@ -82,12 +78,10 @@ impl AdvisedAnswer<'_> {
     /// What is made as it is.
     fn now(&self) -> String {
         let Self(model, found) = *self;
-        let own =
-            |observable: usize| (0..found.rows.len()).filter(move |row| found.rows.observable[*row] == observable);
         let of = |(observable, values): (usize, Vec<f64>)| {
             let (low, high) = range(values.iter().copied());
-            let (observable, kind) =
-                (&model.process.observables()[observable], model.process.observables()[observable].error_kind());
+            let observable = &model.process.observables()[observable];
+            let kind = observable.error_kind();
             let [rms, low, high] = [rms(&values), low, high].map(|si| kind.from_si(si));
             format!(
                 "{}: {} {unit} rms, from {} to {} {unit}",
@@ -98,8 +92,8 @@ impl AdvisedAnswer<'_> {
                 unit = kind.unit
             )
         };
-        let all = (0..model.process.observables().len())
-            .map(|observable| (observable, own(observable).map(|row| found.values[row]).collect::<Vec<f64>>()));
-        all.filter(|(_, values)| !values.is_empty()).map(of).collect::<Vec<_>>().join("; ")
+        let of_rows = |rows: Vec<usize>| rows.into_iter().map(|row| found.values[row]).collect();
+        let all = bands::observed(model, &found.rows).into_iter();
+        all.map(|(observable, rows)| of((observable, of_rows(rows)))).collect::<Vec<_>>().join("; ")
     }
 }

@@ -5,13 +5,13 @@ use serde_json::{Value as Json, json};
 use super::json::finite;
 use super::number::trimmed;
 use super::tolerance;
-use crate::knowledge::Band;
+use crate::knowledge::{Band, failed};
 use crate::model::Model;
 use crate::process::{Column, Rows, Table};
 use crate::units::MICRO;
 
-/// The observables of the programme of a model, each with its rows.
-fn observed(model: &Model, rows: &Rows) -> Vec<(usize, Vec<usize>)> {
+/// The observables of rows of a model, each with its rows by their numbers.
+pub fn observed(model: &Model, rows: &Rows) -> Vec<(usize, Vec<usize>)> {
     let own = |observable: usize| (0..rows.len()).filter(|row| rows.observable[*row] == observable).collect::<Vec<_>>();
     let all = (0..model.process.observables().len()).map(|observable| (observable, own(observable)));
     all.filter(|(_, rows)| !rows.is_empty()).collect()
@@ -19,10 +19,7 @@ fn observed(model: &Model, rows: &Rows) -> Vec<(usize, Vec<usize>)> {
 
 /// Says that a model failed against the measurements that it was fitted to, where it did.
 pub fn failure(band: &Band) -> Option<String> {
-    let left = MICRO.shown(band.unexplained);
-    let is_any = band.unexplained > 0.0;
-    is_any
-        .then(|| format!("the model failed against the measurements that it was fitted to: {left:.2} stay unexplained"))
+    failed(band.unexplained).map(|failed| format!("the model {failed}"))
 }
 
 /// Width of the band of each observable, what it comes from, and the probability of being within what is asked.

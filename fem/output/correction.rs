@@ -159,11 +159,7 @@ impl Answer for CorrectionAnswer<'_> {
             files.bytes(&*own.name, &own.corrected.bytes)?;
         }
         files.figures(self.figures())?;
-        let head = Head {
-            kicker: format!("{} \u{b7} fem correct", self.0.source.name),
-            title: titled(self.0.title.as_deref(), &self.0.source.name),
-            verdict: self.verdict(),
-        };
+        let head = Head::new("fem correct", self.0.title.as_deref(), &self.0.source.name, self.verdict());
         files.text("correction.html", &answered(head, self))?;
         files.text("correction.json", &document(self))
     }

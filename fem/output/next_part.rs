@@ -108,11 +108,8 @@ impl NextAnswer<'_> {
     /// The answer as a page of its own.
     pub fn page(&self) -> String {
         let Self(history, next) = *self;
-        let head = Head {
-            kicker: format!("{} \u{b7} fem next", history.source.name),
-            title: titled(history.title.as_deref(), &history.source.name),
-            verdict: format!("part {}: {}", next.part.number, self.offset(&history.jobs[next.part.job].name)),
-        };
+        let verdict = format!("part {}: {}", next.part.number, self.offset(&history.jobs[next.part.job].name));
+        let head = Head::new("fem next", history.title.as_deref(), &history.source.name, verdict);
         answered(head, self)
     }
 

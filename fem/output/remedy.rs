@@ -140,11 +140,12 @@ impl Answer for RemedyAnswer<'_> {
         if let (Some(best), Some(directory)) = (best, self.directory) {
             files.text("remedied.toml", &best.text_at(&directory.join("remedied.toml")))?;
         }
-        let head = Head {
-            kicker: format!("{} \u{b7} fem correct --remedies", self.model.source.name),
-            title: titled(self.model.title.as_deref(), &self.model.source.name),
-            verdict: self.found.best().map_or("no setting makes it better".into(), sentence),
-        };
+        let head = Head::new(
+            "fem correct --remedies",
+            self.model.title.as_deref(),
+            &self.model.source.name,
+            self.found.best().map_or("no setting makes it better".into(), sentence),
+        );
         files.text("correction.html", &answered(head, self))?;
         files.text("correction.json", &document(self))
     }

@@ -79,7 +79,8 @@ impl Answer for RunAnswer<'_> {
         drawings(self.1).into_iter().chain(plots::predicted(self.0, self.1, self.2).iter().map(named)).collect()
     }
 
-    /// `profile.csv`, further tables as `NAME.csv`, `bands.csv` where values are known roughly, the animation as `NAME.pvd` with its frames in `NAME/`, figures as
+    /// `profile.csv`, further tables as `NAME.csv`, `bands.csv` where values are known roughly, the animation as
+    /// `NAME.pvd` with its frames in `NAME/`, `allowed.pvd` where the drawing asks something, figures as
     /// `NAME.svg`, and `summary.json`.
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
         let Self(model, run, band) = *self;

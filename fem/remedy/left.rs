@@ -81,7 +81,7 @@ impl Made {
                 let now = observed(model, &values, &command, &rows).ok()?;
                 Some(used_of(&*model.system, &rows, &now)? - used)
             };
-            let square: f64 = knowledge.shifted().filter_map(moved).map(|own| own * own).sum();
+            let square: f64 = knowledge.both_ways().filter_map(|(_, [up, _])| moved(up)).map(|own| own * own).sum();
             left.surely_used = Some(used + SURE * square.sqrt());
         }
         Ok(Self { rows, command, left, values: now })

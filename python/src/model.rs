@@ -8,6 +8,7 @@ use fem::discover::{diagnose, discover, read_candidates};
 use fem::input::{Parameter, Source};
 use fem::measure::Measurements;
 use fem::model::{self, Data, Entry, Setting, add_effect};
+use fem::output;
 use fem::output::files::Guard;
 use fem::output::{
     AdvisedAnswer, ComparisonAnswer, CompensationAnswer, CorrectionAnswer, DiagnosisAnswer, FitAnswer, Folder,
@@ -142,10 +143,7 @@ impl Model {
             if model.system.commanded().is_none() && read.is_none() {
                 let found = ask::advise(&model, despite_failure, progress)?;
                 let answer = AdvisedAnswer(&model, &found);
-                if let Some(directory) = &output {
-                    let guard = Guard { reads: &model.paths(), force: overwrite };
-                    Folder { directory, guard }.write("correct", &answer, progress)?;
-                }
+                written(&answer, (output.as_deref(), overwrite), &model.paths(), progress)?;
                 let nothing = Table { columns: Vec::new() };
                 return Ok(Answer {
                     tables: vec![vec![("correction".to_string(), nothing)]],
@@ -155,11 +153,8 @@ impl Model {
             let found = ask::correct(&model, despite_failure, progress)?;
             let own = read.map(|read| ask::programmed(&model, &found, &read, add_blocks)).transpose()?;
             let answer = CorrectionAnswer(&model, &found, own.as_ref());
-            if let Some(directory) = &output {
-                let reads = [model.paths(), program.iter().cloned().collect()].concat();
-                Folder { directory, guard: Guard { reads: &reads, force: overwrite } }
-                    .write("correct", &answer, progress)?;
-            }
+            let reads = [model.paths(), program.iter().cloned().collect()].concat();
+            written(&answer, (output.as_deref(), overwrite), &reads, progress)?;
             let tables = vec![vec![("correction".to_string(), answer.table())]];
             Ok(Answer { tables, ..Answer::of(&answer, &model) })
         })
@@ -183,10 +178,7 @@ impl Model {
             };
             let directory = output.as_deref();
             let answer = RemedyAnswer { model: &model, found: &found, correction: correction.as_ref(), directory };
-            if let Some(directory) = directory {
-                let guard = Guard { reads: &model.paths(), force: overwrite };
-                Folder { directory, guard }.write("correct", &answer, progress)?;
-            }
+            written(&answer, (directory, overwrite), &model.paths(), progress)?;
             let best = found.best().and_then(|own| model.edited(&own.edits).ok());
             Ok(Answer { model: best.map(|better| marked(better, "remedied")), ..Answer::of(&answer, &model) })
         })
@@ -279,6 +271,19 @@ impl Model {
             work(&data_of(&model, measurements)?.watched(progress.clone()), progress)
         })
     }
+}
+
+/// Writes the files of a correction into a folder, where one is named.
+fn written(
+    answer: &impl output::Answer,
+    (directory, force): (Option<&Path>, bool),
+    reads: &[PathBuf],
+    progress: &Progress,
+) -> Result<(), Error> {
+    if let Some(directory) = directory {
+        Folder { directory, guard: Guard { reads, force } }.write("correct", answer, progress)?;
+    }
+    Ok(())
 }
 
 /// Measurements with their model.

@@ -16,7 +16,7 @@ mod written;
 pub use appended::Appended;
 pub use beside::abandon;
 pub use guard::Guard;
-pub use page::{is_sealed, sealed};
+pub use page::{page_guard, sealed, write_page};
 pub use single::write;
 pub use stage::Stage;
 

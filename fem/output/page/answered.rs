@@ -7,15 +7,23 @@ use super::{CSS, JS, Page};
 use crate::output::answer::Answer;
 use crate::output::block::Block;
 use crate::output::chart::sheet;
+use crate::output::text::titled;
 
 /// What stands above an answer.
 pub struct Head {
     /// Of what and by which command.
-    pub kicker: String,
+    kicker: String,
     /// Title.
-    pub title: String,
+    title: String,
     /// What it says, in a sentence.
-    pub verdict: String,
+    verdict: String,
+}
+
+impl Head {
+    /// That of what a command answers about a file, which may have a title.
+    pub fn new(command: &str, title: Option<&str>, file: &str, verdict: String) -> Self {
+        Self { kicker: format!("{file} \u{b7} {command}"), title: titled(title, file), verdict }
+    }
 }
 
 /// Writes the page of an answer: its blocks, a section for each heading, then its figures. A first sentence, which says over the

@@ -212,15 +212,7 @@ fn spoilt_programs_are_read_or_refused() {
     let mut random = Random(11);
     let mut read = 0;
     for _ in 0..400 {
-        let mut text = WHOLE.as_bytes().to_vec();
-        for _ in 0..1 + random.between(0.0, 3.0) as usize {
-            let at = random.between(0.0, text.len() as f64) as usize;
-            match random.between(0.0, 3.0) as usize {
-                0 => text[at] = random.between(0.0, 256.0) as u8,
-                1 => drop(text.remove(at)),
-                _ => text.insert(at, b"0123456789.-+GXYZIJRFDH /(;%\r\n"[random.between(0.0, 30.0) as usize]),
-            }
-        }
+        let text = random.spoilt(WHOLE, b"0123456789.-+GXYZIJRFDH /(;%\r\n");
         let adds = random.between(0.0, 1.0) < 0.5;
         if let Ok(found) = carry(&top(), &text, adds) {
             read += 1;
