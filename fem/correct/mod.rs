@@ -75,8 +75,8 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
     let of = |left: &[f64]| Standing::all(&*model.system, &told, left);
     let standings = [of(&before), of(&solved.left)];
     let band = progress.stretch("what is known of it", || {
-        let draw = |values: &[f64]| model.commanded_at(values, &solved.command)?.observe(&rows);
-        Band::of((model, &knowledge), (&told, &solved.left), draw)
+        let made = |model: &Model, values: &[f64]| model.commanded_at(values, &solved.command)?.observe(&rows);
+        Band::of((model, &knowledge), (&told, &solved.left), made)
     })?;
     let advice = model.commanded_at(&knowledge.values, &Arc::default())?.advice(&told, &before)?;
     let masked = masked::masked(model, &rows, &before)?;

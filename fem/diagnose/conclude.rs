@@ -2,6 +2,7 @@
 
 use std::cell::LazyCell;
 
+use super::alternatives::alternatives;
 use super::bent_law;
 use super::candidate_model::CandidateModel;
 use super::change;
@@ -76,7 +77,10 @@ pub fn conclude(
         after = before.clone();
         remaining = features.clone();
     }
-    let fit = fit::report(&best.objective, settled, repeats);
+    let mut fit = fit::report(&best.objective, settled, repeats);
+    if verdict != Verdict::Unexplained {
+        fit.known.instead = alternatives(&found, &best);
+    }
     let progress = &found.base.objective.data.progress;
     let mut confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
         true => progress.stretch("effects that look alike", || confounding::confoundings(&found)),

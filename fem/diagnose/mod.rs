@@ -5,6 +5,7 @@
 //! while Δχ² is more than chance gives to a search as wide (look-elsewhere effect); and confounded effects
 //! are named beside those that are found. Structure that no effect explains is described, not explained.
 
+mod alternatives;
 mod bent_law;
 mod candidate_model;
 mod change;

@@ -155,12 +155,17 @@ impl Posterior {
         self.probabilities.get(name).map_or(0.0, |p| p.min(1.0))
     }
 
-    /// Lets a search tell a set that has all of what is certain, where the one that it tells has not: the plainest of the
-    /// most probable of those that do, if any of them may be true.
+    /// Lets a search tell a set that has all of what is certain and as many of each group as there are for certain, where the one
+    /// that it tells has not: the plainest of the most probable of those that do, if any of them may be true.
     pub fn tell_what_is_certain(&self, found: &mut SearchResult) {
-        let is_certain = |own: &usize| self.of(&found.candidates[*own].effect.name) >= CERTAIN;
-        let certain: Vec<usize> = (0..found.candidates.len()).filter(is_certain).collect();
-        let has_all = |set: &CandidateModel| certain.iter().all(|own| set.members.contains(own));
+        let name = |own: &usize| &found.candidates[*own].effect.name;
+        let certain: Vec<usize> = (0..found.candidates.len()).filter(|own| self.of(name(own)) >= CERTAIN).collect();
+        let has_all = |set: &CandidateModel| {
+            let own = effects(set);
+            let of_group = |group: &Group| own.iter().filter(|name| group.effects.contains(name)).count();
+            certain.iter().all(|own| set.members.contains(own))
+                && self.groups.iter().all(|group| of_group(group) >= group.at_least)
+        };
         if has_all(found.best()) {
             return;
         }

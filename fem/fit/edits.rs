@@ -3,7 +3,7 @@
 use super::sizes::EstimatedSize;
 use crate::fit::Fit;
 use crate::input::Parameter;
-use crate::model::{Data, Edit, Entry};
+use crate::model::{Data, Edit, Entry, Spread};
 use crate::units::{MICRO, unit_text};
 
 /// Edits that put what was fitted into the model: `"? um"` and `"60 +- 15 N/um"` become `"59.2 +- 1.1 N/um"`, in the
@@ -22,13 +22,14 @@ pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
         let text = format!("{} {name}", uncertain_beside(value, std, *alone));
         Some(Edit::Set { path: parameter.path.clone(), entry: Entry::Text(text.trim_end().into()) })
     });
-    let of: Vec<Parameter> = fit.estimates.iter().map(|estimate| estimate.parameter.clone()).collect();
-    let std = fit.estimates.iter().zip(&fit.known.parts);
-    let std: Vec<f64> = std.map(|(own, part)| fit.birge_ratio() * part * own.std).collect();
+    let known = fit.estimates.iter().zip(&fit.known.parts).zip(&fit.known.spreads);
+    let of: Vec<(Parameter, f64, Spread)> = known
+        .map(|((own, part), spread)| (own.parameter.clone(), fit.birge_ratio() * part * own.std, *spread))
+        .collect();
     // Tests of one machine have no file in which they could stand.
     let correlations = match data.model.campaign() {
         Some(_) => Vec::new(),
-        None => data.model.together.edits(&of, &fit.known.correlation, &std, unexplained(data, fit)),
+        None => data.model.together.edits(&of, &fit.known.correlation, (unexplained(data, fit), &fit.known.instead)),
     };
     let sizes = fit.sizes.iter().filter(|size| size.is_told()).map(|size| sized(data, size));
     std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).chain(correlations).collect()

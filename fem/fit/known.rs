@@ -4,6 +4,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::objective::{Objective, Solution};
+use super::spreading::{Spreading, correlation, deviations};
+use crate::model::{OtherSet, Spread};
 
 /// What of the standard uncertainties of estimates is handed on, and their correlations.
 #[derive(Clone, Debug)]
@@ -14,6 +16,10 @@ pub struct Known {
     pub correlation: DMatrix<f64>,
     /// Part of the standard uncertainty of each that is left where the others are known.
     pub alone: Vec<f64>,
+    /// In which terms each is spread.
+    pub spreads: Vec<Spread>,
+    /// Other sets of effects that explain the data as well, as far as somebody looked for any.
+    pub instead: Vec<OtherSet>,
 }
 
 impl Known {
@@ -32,24 +38,24 @@ impl Known {
         let limited: Vec<(usize, f64)> =
             (0..n).filter_map(plausible).filter(|(_, width)| width.is_finite() && *width > 0.0).collect();
         let own = within(&of_values, &limited).unwrap_or_else(|| of_values.clone());
-        let deviation = |i: usize| own[(i, i)].max(0.0).sqrt();
+        let usual = || objective.parameters.iter().map(Spread::usual).collect();
+        let (spreads, own) = match Spreading::of(objective, solution, &own) {
+            Some(spreading) => {
+                let spreads = spreading.spreads();
+                let limited = spreading.limited(&spreads);
+                (spreads, limited)
+            }
+            None => (usual(), own),
+        };
+        let deviations = deviations(&own);
         let part = |i: usize| {
-            let part = deviation(i) / of_values[(i, i)].sqrt();
+            let part = deviations[i] / of_values[(i, i)].sqrt();
             if part.is_finite() { part.min(1.0) } else { 1.0 }
         };
         let parts = (0..n).map(part).collect();
-        let correlation = DMatrix::from_fn(n, n, |i, j| {
-            let both = deviation(i) * deviation(j);
-            if i == j {
-                1.0
-            } else if both > 0.0 {
-                (own[(i, j)] / both).clamp(-1.0, 1.0)
-            } else {
-                0.0
-            }
-        });
+        let correlation = correlation(&own, &deviations);
         let alone = alone(&correlation);
-        Self { parts, correlation, alone }
+        Self { parts, correlation, alone, spreads, instead: Vec::new() }
     }
 }
 

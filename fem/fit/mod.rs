@@ -13,6 +13,7 @@ mod objective;
 mod search_variable;
 mod settle;
 mod sizes;
+mod spreading;
 pub(crate) mod starts;
 mod steps;
 

@@ -31,6 +31,8 @@ pub struct Band {
     pub uncertain: usize,
     /// What stays unexplained of the measurements that the model was fitted to, as a standard deviation.
     pub unexplained: f64,
+    /// Other sets of effects that explain them as well, with which the interval reckons.
+    pub others: usize,
 }
 
 /// Probabilities of being within what is asked.
@@ -43,16 +45,18 @@ pub struct Probability {
 }
 
 impl Band {
-    /// The band about the best prediction of rows of a model, by drawing its values; those that make no model are none.
+    /// The band about the best prediction of rows of a model, by drawing its values; those that make no model are none. `made` predicts
+    /// the rows by values of the model, or of another that explains its measurements as well.
     ///
     /// # Errors
     /// Most of what the values may be makes no model.
     pub fn of(
         (model, knowledge): (&Model, &Knowledge),
         (rows, best): (&Rows, &[f64]),
-        draw: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync,
+        made: impl Fn(&Model, &[f64]) -> Result<Vec<f64>, Failure> + Sync,
     ) -> Result<Self, Failure> {
-        Self::gathered((model, knowledge), (rows, best), |number| draw(&knowledge.drawn(number)).ok())
+        let others = others(model, &made);
+        Self::gathered((model, knowledge), (rows, best), &others, |number| made(model, &knowledge.drawn(number)).ok())
     }
 
     /// The band about a prediction of rows with nothing corrected, by draws from a parabola through what is one standard deviation
@@ -62,7 +66,9 @@ impl Band {
     /// Values one standard deviation away to either side make no model.
     pub fn about(model: &Model, rows: &Rows, best: &[f64]) -> Result<Self, Failure> {
         let (knowledge, nothing) = (Knowledge::of(model), Arc::default());
-        let predict = |values: &[f64]| model.commanded_at(values, &nothing)?.observe(rows);
+        let made = |model: &Model, values: &[f64]| model.commanded_at(values, &nothing)?.observe(rows);
+        let predict = |values: &[f64]| made(model, values);
+        let others = others(model, &made);
         let both: Vec<(usize, [Vec<f64>; 2])> = knowledge.both_ways().collect();
         let mirrored = |own: &[f64]| own.iter().zip(best).map(|(own, best)| 2.0 * best - own).collect::<Vec<f64>>();
         let predicted = |(own, [up, down]): (usize, [Vec<f64>; 2])| match (predict(&up), predict(&down)) {
@@ -73,7 +79,7 @@ impl Band {
             (Err(_), Err(_)) => Err(vague()),
         };
         let ways: Vec<(usize, [Vec<f64>; 2])> = both.into_par_iter().map(predicted).collect::<Result<_, Failure>>()?;
-        Self::gathered((model, &knowledge), (rows, best), |number| {
+        Self::gathered((model, &knowledge), (rows, best), &others, |number| {
             let at = knowledge.independent(number);
             let mut values = best.to_vec();
             for (own, [up, down]) in &ways {
@@ -90,6 +96,7 @@ impl Band {
     fn gathered(
         (model, knowledge): (&Model, &Knowledge),
         (rows, best): (&Rows, &[f64]),
+        others: &[(f64, Vec<f64>)],
         draw: impl Fn(usize) -> Option<Vec<f64>> + Sync,
     ) -> Result<Self, Failure> {
         let draws = match knowledge.is_exact() {
@@ -100,6 +107,10 @@ impl Band {
         // The first is what is known best.
         let further = (1..draws).into_par_iter().filter_map(|number| {
             let mut own = if knowledge.uncertain() == 0 { best.to_vec() } else { draw(number)? };
+            // What another set predicts is as uncertain as what this one does.
+            if let Some(other) = picked(others, number) {
+                own.iter_mut().zip(other).zip(best).for_each(|((own, other), best)| *own += other - best);
+            }
             shift(&mut own, &parts, knowledge.unexplained, number);
             Some(own)
         });
@@ -114,6 +125,7 @@ impl Band {
             probability: Probability::of(&all, |made| Standing::all(&*model.system, rows, made)),
             uncertain: knowledge.uncertain(),
             unexplained: knowledge.unexplained,
+            others: others.len(),
         })
     }
 
@@ -125,7 +137,7 @@ impl Band {
 
     /// Whether everything is known exactly.
     pub fn is_exact(&self) -> bool {
-        self.uncertain == 0 && self.unexplained == 0.0
+        self.uncertain == 0 && self.unexplained == 0.0 && self.others == 0
     }
 }
 
@@ -157,6 +169,27 @@ impl Probability {
         let of_parts = within.into_iter().map(|(part, count)| (part, share(count))).collect();
         Some(Self { of_parts, of_all: share(all_within) })
     }
+}
+
+/// What the other sets of effects predict that explain the measurements of a model as well, each with its probability.
+fn others(model: &Model, made: &(impl Fn(&Model, &[f64]) -> Result<Vec<f64>, Failure> + Sync)) -> Vec<(f64, Vec<f64>)> {
+    let predicted = |(probability, other): (f64, Model)| {
+        let values: Vec<f64> = other.parameters.iter().map(|own| own.quantity.value).collect();
+        Some((probability, made(&other, &values).ok()?))
+    };
+    model.alternatives().into_par_iter().filter_map(predicted).collect()
+}
+
+/// What another set predicts, for as many draws as it is probable; `None` for those of the model itself.
+fn picked(others: &[(f64, Vec<f64>)], number: usize) -> Option<&[f64]> {
+    /// Multiples of it fill an interval evenly.
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let mut at = (number as f64 * GOLDEN).fract();
+    let own = others.iter().find(|(probability, _)| {
+        at -= probability;
+        at < 0.0
+    });
+    own.map(|(_, predicted)| predicted.as_slice())
 }
 
 /// The values are known too roughly to be drawn.

@@ -7,8 +7,7 @@ pub use band::{Band, Probability};
 use nalgebra::{DMatrix, DVector};
 
 use crate::budget::{Law, Stream};
-use crate::input::Bounds;
-use crate::model::Model;
+use crate::model::{Model, Spread};
 use crate::noise::MEASUREMENT;
 use crate::units::MICRO;
 
@@ -32,10 +31,12 @@ pub struct Knowledge {
     deviations: Vec<f64>,
     /// What makes of independent numbers such that are correlated as the values are.
     root: DMatrix<f64>,
-    /// Whether each is a positive quantity, whose logarithm is spread.
-    is_positive: Vec<bool>,
+    /// In which terms each is spread.
+    spreads: Vec<Spread>,
     /// What stays unexplained of the measurements that the values were fitted to, SI.
     unexplained: f64,
+    /// Other sets of effects that explain these measurements as well.
+    others: usize,
 }
 
 impl Knowledge {
@@ -50,8 +51,9 @@ impl Knowledge {
             values: model.parameters.iter().map(|own| own.quantity.value).collect(),
             deviations,
             root: model.together.root(&model.parameters),
-            is_positive: model.parameters.iter().map(|own| own.bounds == Bounds::Positive).collect(),
+            spreads: model.together.spreads(&model.parameters),
             unexplained: model.together.unexplained(),
+            others: model.together.instead().len(),
         }
     }
 
@@ -62,7 +64,7 @@ impl Knowledge {
 
     /// Whether nothing of a prediction is open.
     pub fn is_exact(&self) -> bool {
-        self.uncertain() == 0 && self.unexplained == 0.0
+        self.uncertain() == 0 && self.unexplained == 0.0 && self.others == 0
     }
 
     /// Whether each value is known roughly.
@@ -77,13 +79,8 @@ impl Knowledge {
 
     /// The values so many of their standard uncertainties away from what is known best.
     pub fn away<'a>(&self, by: impl IntoIterator<Item = &'a f64>) -> Vec<f64> {
-        let all = self.values.iter().zip(&self.deviations).zip(&self.is_positive).zip(by);
-        all.map(|(((value, deviation), is_positive), away)| {
-            let by = deviation * away;
-            // Without the round-off of a logarithm and back.
-            if *is_positive && by != 0.0 { value * (by / value).exp() } else { value + by }
-        })
-        .collect()
+        let all = self.values.iter().zip(&self.deviations).zip(&self.spreads).zip(by);
+        all.map(|(((value, deviation), spread), away)| spread.away(*value, deviation * away)).collect()
     }
 
     /// Values as they may be: draw of a number, always the same.

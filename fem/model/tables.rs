@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use toml_edit::{Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
+use toml_edit::{Array, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::way::{entry_of, erase, set, way, write};
 use crate::input::{InputError, ParameterId, Problem, Raw, Source};
@@ -48,6 +48,9 @@ pub enum Edit {
     Remark(String),
 }
 
+/// Length beyond which a list of tables does not stand on one line.
+const LINE: usize = 120;
+
 /// Value of a key, as a model holds it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Entry {
@@ -91,7 +94,14 @@ impl From<&Entry> for Value {
                 let table = |keys: &Vec<(String, Entry)>| -> Self {
                     keys.iter().map(|(key, entry)| (key, Self::from(entry))).collect::<InlineTable>().into()
                 };
-                Self::Array(tables.iter().map(table).collect())
+                let mut all: Array = tables.iter().map(table).collect();
+                // What is long stands on lines of its own.
+                if all.to_string().len() > LINE {
+                    all.iter_mut().for_each(|own| own.decor_mut().set_prefix("\n  "));
+                    all.set_trailing("\n");
+                    all.set_trailing_comma(true);
+                }
+                Self::Array(all)
             }
             other => Self::from(other.to_string()),
         }

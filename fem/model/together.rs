@@ -3,20 +3,22 @@
 
 use nalgebra::{Cholesky, DMatrix, Dyn};
 
-use super::{Edit, Entry};
+use super::other_set::{INSTEAD, OtherSet};
+use super::{Edit, Entry, Spread};
 use crate::input::{Parameter, ParameterId, Reader};
 use crate::units::{Knowledge, MICRO};
 
 /// Its place in a model.
 const PARENT: &str = "known";
 const NAME: &str = "together";
+pub(super) const PATH: &str = "known.together";
 /// Key of what stays unexplained.
 const UNEXPLAINED: &str = "unexplained";
 /// Correlations below this are none.
 const NONE: f64 = 1e-3;
-/// What is added to a variance of one, for numbers that are written to six decimals may make a matrix that is none of a
+/// What is added to a variance of one, for numbers that are written to nine decimals may make a matrix that is none of a
 /// covariance by so much.
-const ROUND_OFF: f64 = 2e-6;
+const ROUND_OFF: f64 = 2e-8;
 
 /// Values with their correlations.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,8 +29,12 @@ pub struct Together {
     correlation: DMatrix<f64>,
     /// Their standard uncertainties as written, in the usual units of their kinds; empty where none are.
     std: Vec<String>,
+    /// In which terms each is spread; empty where all are as is usual.
+    spreads: Vec<Spread>,
     /// What stays unexplained of the measurements that they were fitted to, m.
     unexplained: f64,
+    /// Other sets of effects that explain them as well.
+    instead: Vec<OtherSet>,
 }
 
 impl Together {
@@ -38,11 +44,12 @@ impl Together {
             let left = "what stays unexplained of the measurements, as a standard deviation";
             let left = t.quantity(UNEXPLAINED, MICRO, left).chosen().not_negative().optional();
             let unexplained = left.unwrap_or(0.0);
+            let instead = OtherSet::all(t);
             let of = t.text("of", "the quantities, as `effects.tool-wear.rate`");
             let rows =
                 t.text("correlation", "of each but the first with those before it: a row each, parted by semicolons");
             if of.is_none() && rows.is_none() {
-                return Self { unexplained, ..Self::default() };
+                return Self { unexplained, instead, ..Self::default() };
             }
             let of: Vec<ParameterId> =
                 of.unwrap_or_default().split(',').map(|path| ParameterId::from(path.trim())).collect();
@@ -53,8 +60,16 @@ impl Together {
                 let message = format!("`std` is none of {} quantities", of.len());
                 t.problem("std", message, "write a number with its unit for each, parted by commas");
             }
+            let words = t.text("spread", "in which terms each is normal: plain, logarithm or reciprocal");
+            let words: Vec<Option<Spread>> =
+                words.map(|all| all.split(',').map(|own| Spread::of(own.trim())).collect()).unwrap_or_default();
+            let spreads: Vec<Spread> = words.iter().copied().flatten().collect();
+            if !(words.is_empty() || spreads.len() == of.len() && words.len() == of.len()) {
+                let message = format!("`spread` is none of {} quantities", of.len());
+                t.problem("spread", message, "write plain, logarithm or reciprocal for each, parted by commas");
+            }
             match triangle(&rows.unwrap_or_default(), of.len()) {
-                Some(correlation) => Self { of, correlation, std, unexplained },
+                Some(correlation) => Self { of, correlation, std, spreads, unexplained, instead },
                 None => {
                     let message = format!("`correlation` is none of {} quantities", of.len());
                     t.problem("correlation", message, "leave the table out: values are known each for itself then");
@@ -93,10 +108,24 @@ impl Together {
         parameters.iter().map(of).collect()
     }
 
+    /// In which terms parameters are spread, in their order.
+    pub fn spreads(&self, parameters: &[Parameter]) -> Vec<Spread> {
+        let own = |parameter: &Parameter| {
+            let place = self.of.iter().position(|own| *own == parameter.path)?;
+            self.spreads.get(place).copied()
+        };
+        parameters.iter().map(|parameter| own(parameter).unwrap_or_else(|| Spread::usual(parameter))).collect()
+    }
+
     /// A root of the correlations: what it makes of independent numbers is correlated so.
     pub fn root(&self, parameters: &[Parameter]) -> DMatrix<f64> {
-        let all = self.correlation(parameters);
-        cholesky(all).map_or_else(|| DMatrix::identity(parameters.len(), parameters.len()), |own| own.l())
+        Self::root_of(self.correlation(parameters))
+            .unwrap_or_else(|| DMatrix::identity(parameters.len(), parameters.len()))
+    }
+
+    /// A root of correlations; `None` where they are none.
+    pub fn root_of(correlation: DMatrix<f64>) -> Option<DMatrix<f64>> {
+        cholesky(correlation).map(|own| own.l())
     }
 
     /// What stays unexplained of the measurements, as a standard deviation, m.
@@ -104,35 +133,53 @@ impl Together {
         self.unexplained
     }
 
-    /// Edits that put what is known of these quantities into a model, with their standard uncertainties (SI) and what stays
-    /// unexplained (m), in the place of what it has; none where nothing is correlated and all is explained.
-    pub fn edits(&self, of: &[Parameter], correlation: &DMatrix<f64>, std: &[f64], unexplained: f64) -> Vec<Edit> {
+    /// Other sets of effects that explain the measurements as well.
+    pub fn instead(&self) -> &[OtherSet] {
+        &self.instead
+    }
+
+    /// Edits that put what is known of these quantities into a model, with their standard uncertainties (SI), the terms in which they
+    /// are spread, what stays unexplained (m), and what may be there instead, in the place of what it has; none where nothing is
+    /// correlated, all is explained and nothing else explains it.
+    pub fn edits(
+        &self,
+        of: &[(Parameter, f64, Spread)],
+        correlation: &DMatrix<f64>,
+        (unexplained, instead): (f64, &[OtherSet]),
+    ) -> Vec<Edit> {
         let had = (*self != Self::default()).then(|| Edit::Remove { parent: PARENT, name: NAME.into() });
         let is_any = (0..of.len()).any(|i| (0..i).any(|j| correlation[(i, j)].abs() > NONE));
-        let mut keys = if is_any { Self::correlated(of, correlation, std) } else { Vec::new() };
+        let mut keys = if is_any { Self::correlated(of, correlation) } else { Vec::new() };
         if unexplained > 0.0 {
             let text = format!("{:.3} {}", MICRO.from_si(unexplained), MICRO.unit);
             keys.push((UNEXPLAINED.to_string(), Entry::Text(text)));
+        }
+        if !instead.is_empty() {
+            keys.push((INSTEAD.to_string(), Entry::Tables(instead.iter().map(OtherSet::entry).collect())));
         }
         let own = (!keys.is_empty()).then(|| Edit::Add { parent: PARENT, name: NAME.into(), keys });
         had.into_iter().chain(own).collect()
     }
 
     /// Keys of what is correlated.
-    fn correlated(of: &[Parameter], correlation: &DMatrix<f64>, std: &[f64]) -> Vec<(String, Entry)> {
+    fn correlated(of: &[(Parameter, f64, Spread)], correlation: &DMatrix<f64>) -> Vec<(String, Entry)> {
         let row = |i: usize| (0..i).map(|j| decimals(correlation[(i, j)])).collect::<Vec<_>>().join(" ");
         let rows: Vec<String> = (1..of.len()).map(row).collect();
-        let names: Vec<&str> = of.iter().map(|own| &*own.path).collect();
-        let one = |(own, std): (&Parameter, &f64)| {
+        let names: Vec<&str> = of.iter().map(|(own, ..)| &*own.path).collect();
+        let one = |(own, std, _): &(Parameter, f64, Spread)| {
             let text = format!("{:.4e} {}", std / own.kind.canonical().factor, own.kind.unit);
             text.trim_end().to_string()
         };
-        let written: Vec<String> = of.iter().zip(std).map(one).collect();
+        let written: Vec<String> = of.iter().map(one).collect();
         let text = |key: &str, text: String| (key.to_string(), Entry::Text(text));
         let mut keys = vec![text("of", names.join(", ")), text("correlation", rows.join("; "))];
         // Of what the data leave open there is no more than stands behind its `+-`.
-        if std.iter().all(|own| own.is_finite()) {
+        if of.iter().all(|(_, std, _)| std.is_finite()) {
             keys.insert(1, text("std", written.join(", ")));
+        }
+        if of.iter().any(|(own, _, spread)| *spread != Spread::usual(own)) {
+            let words: Vec<&str> = of.iter().map(|(.., spread)| spread.word()).collect();
+            keys.push(text("spread", words.join(", ")));
         }
         keys
     }

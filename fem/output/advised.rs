@@ -58,6 +58,7 @@ impl Answer for AdvisedAnswer<'_> {
             "actions": found.advice.iter().map(action).collect::<Vec<_>>(),
             "uncertain_values": found.band.uncertain,
             "unexplained": finite(found.band.unexplained),
+            "other_sets": found.band.others,
             "tolerance": {
                 "probability_in": probability.map(|own| own.of_all),
                 "parts": tolerance::parts(probability),

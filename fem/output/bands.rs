@@ -40,9 +40,18 @@ pub fn lines(model: &Model, band: &Band) -> Vec<String> {
         let left = trimmed(MICRO.from_si(band.unexplained), 2);
         format!("{left} {} of the measurements stay unexplained", MICRO.unit)
     });
-    let from: Vec<String> = values.into_iter().chain(left).collect();
+    let from: Vec<String> = values.into_iter().chain(others(band)).chain(left).collect();
     let within = band.probability.as_ref().map(tolerance::probability);
     [format!("{}: {}", all.join(", "), from.join("; "))].into_iter().chain(within).collect()
+}
+
+/// Says that other sets of effects explain the measurements as well, where some do.
+pub fn others(band: &Band) -> Option<String> {
+    match band.others {
+        0 => None,
+        1 => Some("another set of effects explains the measurements as well, and counts".into()),
+        several => Some(format!("{several} other sets of effects explain the measurements as well, and count")),
+    }
 }
 
 /// The same for programs.
@@ -58,6 +67,7 @@ pub fn json(model: &Model, band: &Band) -> Json {
         "uncertain_values": band.uncertain,
         "unexplained": finite(MICRO.from_si(band.unexplained)),
         "unexplained_unit": MICRO.unit,
+        "other_sets": band.others,
         "probability_in": band.probability.as_ref().map(|own| own.of_all),
         "parts": tolerance::parts(band.probability.as_ref()),
     })

@@ -132,6 +132,7 @@ impl Answer for CorrectionAnswer<'_> {
             "masked": found.masked.iter().map(|own| json!({ "effect": own.effect, "largest": finite(own.largest), "why": own.why })).collect::<Vec<_>>(),
             "uncertain_values": found.band.uncertain,
             "unexplained": finite(found.band.unexplained),
+            "other_sets": found.band.others,
             "tolerance": {
                 "probability_in": probability.map(|own| own.of_all),
                 "parts": tolerance::parts(probability),

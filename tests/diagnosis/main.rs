@@ -15,6 +15,7 @@ mod instrument;
 mod laws;
 mod left_wrong;
 mod machine;
+mod promised;
 mod recurring;
 mod scaled;
 mod score;
