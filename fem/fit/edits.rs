@@ -22,7 +22,7 @@ pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
         let text = format!("{} {name}", uncertain_beside(value, std, *alone));
         Some(Edit::Set { path: parameter.path.clone(), entry: Entry::Text(text.trim_end().into()) })
     });
-    let known = fit.estimates.iter().zip(&fit.known.parts).zip(&fit.known.spreads);
+    let known = fit.estimates.iter().zip(&fit.known.jointly).zip(&fit.known.spreads);
     let of: Vec<(Parameter, f64, Spread)> = known
         .map(|((own, part), spread)| (own.parameter.clone(), fit.birge_ratio() * part * own.std, *spread))
         .collect();

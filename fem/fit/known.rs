@@ -12,6 +12,8 @@ use crate::model::{OtherSet, Spread};
 pub struct Known {
     /// Part of the standard uncertainty of each estimate that is left beside what is plausible.
     pub parts: Vec<f64>,
+    /// The same part of values that are spread together, no farther than χ² lets them.
+    pub jointly: Vec<f64>,
     /// Their correlations.
     pub correlation: DMatrix<f64>,
     /// Part of the standard uncertainty of each that is left where the others are known.
@@ -39,23 +41,24 @@ impl Known {
             (0..n).filter_map(plausible).filter(|(_, width)| width.is_finite() && *width > 0.0).collect();
         let own = within(&of_values, &limited).unwrap_or_else(|| of_values.clone());
         let usual = || objective.parameters.iter().map(Spread::usual).collect();
-        let (spreads, own) = match Spreading::of(objective, solution, &own) {
+        let parts = |covariance: &DMatrix<f64>| -> Vec<f64> {
+            let part = |(i, own): (usize, f64)| match own / of_values[(i, i)].sqrt() {
+                part if part.is_finite() => part.min(1.0),
+                _ => 1.0,
+            };
+            deviations(covariance).into_iter().enumerate().map(part).collect()
+        };
+        let (spreads, together) = match Spreading::of(objective, solution, &own) {
             Some(spreading) => {
                 let spreads = spreading.spreads();
-                let limited = spreading.limited(&spreads);
-                (spreads, limited)
+                let together = spreading.limited(&spreads);
+                (spreads, together)
             }
-            None => (usual(), own),
+            None => (usual(), own.clone()),
         };
-        let deviations = deviations(&own);
-        let part = |i: usize| {
-            let part = deviations[i] / of_values[(i, i)].sqrt();
-            if part.is_finite() { part.min(1.0) } else { 1.0 }
-        };
-        let parts = (0..n).map(part).collect();
-        let correlation = correlation(&own, &deviations);
+        let correlation = correlation(&together, &deviations(&together));
         let alone = alone(&correlation);
-        Self { parts, correlation, alone, spreads, instead: Vec::new() }
+        Self { parts: parts(&own), jointly: parts(&together), correlation, alone, spreads, instead: Vec::new() }
     }
 }
 

@@ -307,6 +307,76 @@ fn what_stays_unexplained_is_kept_and_widens_what_is_promised() {
     }
 }
 
+/// A spring that is exactly known, of 40 N/um at the tailstock, or with a probability of 0.3 one of 20 N/um: the diameter
+/// there moves by 2·F/k, so that the interval reaches from 10 to 20 um.
+#[test]
+fn what_may_be_there_instead_counts() {
+    let place = Place::new();
+    let sure = SHAFT.replace("40 +- 4", "40");
+    let values = "effects.tailstock-compliance.stiffness = 20 N/um";
+    let table = format!("[known.together]\ninstead = [{{ probability = 0.3, values = \"{values}\" }}]\n");
+    place.write("shaft.toml", format!("{sure}{table}"));
+    let run = parsed(&place.fem(&["run", "shaft.toml", "--json", "-o", "out"]).out);
+    let (widest, others) = (&run["band"]["observables"][0]["widest"], &run["band"]["other_sets"]);
+    assert!((widest.as_f64().unwrap() - 5.0).abs() < 1e-6 && *others == 1, "{run}");
+    let page = place.fem(&["run", "shaft.toml", "-o", "more"]).out;
+    assert!(page.contains("another set of effects explains the measurements"), "{page}");
+    // What is left of a correction is as uncertain.
+    let found = parsed(&place.fem(&["correct", "shaft.toml", "--json"]).out);
+    assert_eq!(found["other_sets"], 1);
+    let width = |own: &Json| own["interval95"][1].as_f64().unwrap() - own["interval95"][0].as_f64().unwrap();
+    let widest = found["left"].as_array().unwrap().iter().map(width).fold(0.0f64, f64::max);
+    assert!((widest - 10e-6).abs() < 0.2e-6, "{widest}");
+    // Without the spring altogether nothing moves.
+    let none = table.replace(&format!("values = \"{values}\""), "without = \"tailstock-compliance\", values = \"\"");
+    place.write("none.toml", format!("{sure}{none}"));
+    let run = parsed(&place.fem(&["run", "none.toml", "--json", "-o", "none"]).out);
+    assert!((run["band"]["observables"][0]["widest"].as_f64().unwrap() - 5.0).abs() < 1e-6, "{run}");
+    for (wrong, told) in [
+        ("instead = [{ probability = 2, values = \"\" }]", "probability"),
+        ("instead = [{ values = \"\" }]", "probability"),
+        ("instead = [{ probability = 0.1, values = \"cut.depth 3\" }]", "without `=`"),
+        ("instead = \"some\"", "expected a list"),
+        ("of = \"cut.depth\"\ncorrelation = \"\"\nspread = \"square\"", "plain, logarithm or reciprocal"),
+    ] {
+        place.write("bad.toml", format!("{sure}[known.together]\n{wrong}\n"));
+        let answer = place.fem(&["run", "bad.toml"]);
+        assert!(answer.status == 2 && answer.err.contains(told), "{wrong}: {}", answer.err);
+    }
+}
+
+/// Which of two springs gives way one force does not tell, and another force would be answered by a contact otherwise.
+#[test]
+fn a_diagnosis_leaves_in_the_model_what_may_be_there_instead() {
+    let place = Place::new();
+    let bare = SHAFT.split("[effects").next().unwrap();
+    place.write("shaft.toml", bare);
+    let off = [0.3, -0.8, 0.5, 0.9, -0.2, -0.6, 0.1, 0.7, -0.9, 0.4, -0.3, 0.2];
+    let inertia = std::f64::consts::PI * 30f64.powi(4) / 64.0;
+    let row = |(i, off): (usize, &f64)| {
+        let share = (i as f64 + 0.5) / 12.0;
+        // Of a shaft between centres F·a²·b²/(3·E·I·L), and of the spring.
+        let bent = 200.0 * (share * (1.0 - share)).powi(2) * 300f64.powi(3) / (3.0 * 210e3 * inertia) * 1e3;
+        format!("{},{},0.7\n", 300.0 * share, 2.0 * (bent + 200.0 / 40.0 * share * share) + off)
+    };
+    let rows: String = off.iter().enumerate().map(row).collect();
+    place.write("measured.csv", format!("x [mm],diameter_error [um],u [um]\n{rows}"));
+    let found = place.fem(&["diagnose", "shaft.toml", "--with", "measured.csv", "--add-to", "better.toml"]);
+    assert_eq!(found.status, 0, "{}", found.err);
+    let better = place.read("better.toml");
+    assert!(better.contains("instead = ["), "{better}");
+    // At twice the force a spring gives way twice as far, and an offset does not: nobody knows so well what comes of it.
+    let widest = |text: String| {
+        place.write("now.toml", text.replace("\"200 N\"", "\"400 N\"").replace("parts = 3", "parts = 1"));
+        let run = parsed(&place.fem(&["run", "now.toml", "--json", "-o", "out"]).out);
+        run["band"]["observables"][0]["widest"].as_f64().unwrap()
+    };
+    let spring = better.split("[known.together]").next().unwrap().to_string()
+        + &better[better.find("[effects.tailstock-compliance]").unwrap()..];
+    let (all, spring) = (widest(better.clone()), widest(spring));
+    assert!(all > 1.05 * spring, "{all} {spring}: {better}");
+}
+
 #[test]
 fn a_machine_is_commanded_no_farther_than_it_may() {
     let place = Place::new();

@@ -14,14 +14,32 @@ pub const PARTS: usize = 30;
 pub enum Kind {
     /// Conditions change: a new insert, a new set-up, pauses.
     Changing,
+    /// The same, and from some part on another job: a cut of `HARDER` times the force.
+    TwoJobs,
     /// One set-up and one insert, a drift and nothing else.
     Drifting,
 }
 
+/// What the shop's model knows of the machine's effects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Knows {
+    /// All to a fifth.
+    Roughly,
+    /// All but one to a fifth.
+    AllButOne,
+    /// Nothing.
+    Nothing,
+}
+
+/// How many times the force of the first job the second has.
+const HARDER: f64 = 1.4;
+
 /// A line before anybody has corrected it. Numbers in um of the diameter.
 pub struct Line {
-    /// The model as the shop has it.
-    pub model: String,
+    /// The model of each job as the shop has it.
+    pub models: Vec<String>,
+    /// Part, from 0, from which on the second job is made.
+    pub second: Option<usize>,
     /// Places that are measured, m.
     pub places: Vec<f64>,
     /// What each part is off at each place with an offset of nothing.
@@ -45,18 +63,19 @@ pub struct Line {
 pub struct Machine {
     job: Box<dyn Job>,
     hidden: Vec<Hidden>,
-    /// (part from 0, place in m, time in s where the machine has rested).
-    rows: Vec<(usize, f64, Option<f64>)>,
+    /// (part from 0, place in m, time in s where the machine has rested, force in N where it is another).
+    rows: Vec<(usize, f64, Option<f64>, Option<f64>)>,
 }
 
 impl Machine {
     /// What is made of all rows with an offset (um of the radius) for each part.
     pub fn made(&self, offset: impl Fn(usize) -> f64) -> Vec<f64> {
-        let asked = |(part, x, time): &(usize, f64, Option<f64>)| {
+        let asked = |(part, x, time, force): &(usize, f64, Option<f64>, Option<f64>)| {
             let number = |(name, value): (&str, f64)| (name.to_string(), value);
             let mut numbers: Vec<_> =
                 [("part", (part + 1) as f64), ("x", *x), ("radius_change", 1e-6 * offset(*part))].map(number).into();
             numbers.extend(time.map(|time| number(("time", time))));
+            numbers.extend(force.map(|force| number(("radial_force", force))));
             Asked { observable: "diameter_error".into(), numbers, words: Vec::new() }
         };
         let all: Vec<Asked> = self.rows.iter().map(asked).collect();
@@ -71,6 +90,7 @@ struct Schedule {
     length: f64,
     speed: f64,
     is_forward: bool,
+    force: f64,
 }
 
 fn number(table: &Table, key: &str) -> f64 {
@@ -101,6 +121,7 @@ impl Schedule {
             length: entries(of("workpiece").get("segments")).iter().map(segment).sum(),
             speed: number(cut, "feed") * number(cut, "spindle_speed"),
             is_forward: cut.contains_key("from"),
+            force: number(cut, "radial_force"),
         }
     }
 
@@ -114,11 +135,11 @@ impl Schedule {
 
 impl Line {
     /// The line of a seed.
-    pub fn draw(kind: Kind, seed: u64, is_bare: bool) -> Self {
+    pub fn draw(kind: Kind, seed: u64, knows: Knows) -> Self {
         let Whole { case, job } = TURNING.whole_machine(seed);
         let mut random = Random::new("line", seed);
         let schedule = Schedule::of(&case.model);
-        let is_changing = kind == Kind::Changing;
+        let is_changing = kind != Kind::Drifting;
         let places: Vec<f64> = [0.1, 0.5, 0.9].map(|share| 1e-3 * decimals(share * schedule.length, 1)).into();
         let mut pauses: Vec<(usize, f64)> = schedule.pauses.iter().map(|(after, minutes)| (*after, *minutes)).collect();
         let own: Vec<(usize, f64)> = match is_changing {
@@ -130,6 +151,7 @@ impl Line {
         pauses.extend(own.iter().copied());
         let insert = is_changing.then(|| random.whole(9, 18));
         let set_up = is_changing.then(|| random.whole(19, 25));
+        let second = (kind == Kind::TwoJobs).then(|| Random::new("second job", seed).whole(7, 22));
         let mut hidden = case.truth.hidden.clone();
         if let Some(insert) = insert {
             hidden.push(Hidden { effect: "insert-change", parameters: vec![("after", insert as f64), ("share", 1.0)] });
@@ -138,7 +160,9 @@ impl Line {
         let time = |part: usize, x: f64| {
             own.iter().any(|(before, _)| *before <= part).then(|| 60.0 * schedule.time(part, 1e3 * x, &pauses))
         };
-        let rows = rows.map(|(part, x)| (part, x, time(part, x))).collect();
+        let harder = HARDER * schedule.force;
+        let force = |part: usize| second.is_some_and(|second| part >= second).then_some(harder);
+        let rows = rows.map(|(part, x)| (part, x, time(part, x), force(part))).collect();
         let machine = Machine { job, hidden, rows };
         let by_part = |values: Vec<f64>| values.chunks(places.len()).map(<[f64]>::to_vec).collect::<Vec<_>>();
         let (off, moved) = (by_part(machine.made(|_| 0.0)), by_part(machine.made(|_| -20.0)));
@@ -146,8 +170,18 @@ impl Line {
             |(off, moved): (&Vec<f64>, &Vec<f64>)| off.iter().zip(moved).map(|(a, b)| (b - a) / -20.0).collect();
         let answers = off.iter().zip(&moved).map(answer).collect();
         let sigma = decimals(random.log_uniform(0.5, 2.0), 3);
+        let model = match knows {
+            Knows::Nothing => case.model.clone(),
+            Knows::Roughly => roughly(&case.revealed, &mut random),
+            Knows::AllButOne => {
+                let forgotten = &case.truth.hidden[seed as usize % case.truth.hidden.len()];
+                roughly(&without(&case.revealed, forgotten.effect), &mut random)
+            }
+        };
+        let of_second = |_| model.replace(&format!("\"{} N\"", schedule.force), &format!("\"{harder} N\""));
         let mut line = Self {
-            model: if is_bare { case.model.clone() } else { roughly(&case.revealed, &mut random) },
+            models: std::iter::once(model.clone()).chain(second.map(of_second)).collect(),
+            second,
             noise: (0..PARTS).map(|_| places.iter().map(|_| sigma * random.normal()).collect()).collect(),
             unforeseen: Vec::new(),
             off,
@@ -190,6 +224,11 @@ impl Line {
         part == 0 || [self.insert, self.set_up].contains(&Some(part))
     }
 
+    /// Whether a shop begins anew with a part: nobody foresees it, or it is the first of another job.
+    pub fn is_new(&self, part: usize) -> bool {
+        self.is_jump(part) || self.second == Some(part)
+    }
+
     /// Mean of a part with an offset (um of the radius), as it is made and as it is measured.
     pub fn mean(&self, part: usize, offset: f64) -> (f64, f64) {
         let count = self.places.len() as f64;
@@ -207,6 +246,19 @@ impl Line {
         let rows: String = (0..self.places.len()).map(row).collect();
         format!("part,x [mm],diameter_error [um],u [um]\n{rows}")
     }
+}
+
+/// A model without one of its effects.
+fn without(model: &str, effect: &str) -> String {
+    let mut is_own = false;
+    let own = format!("[effects.{effect}");
+    let keep = |line: &&str| {
+        if line.starts_with('[') {
+            is_own = line.starts_with(&own) && line[own.len()..].starts_with(['.', ']']);
+        }
+        !is_own
+    };
+    model.lines().filter(keep).map(|line| format!("{line}\n")).collect()
 }
 
 /// A model whose effects are known to a fifth.

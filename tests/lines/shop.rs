@@ -10,7 +10,7 @@ const GAIN: f64 = 2.0;
 pub enum Anew {
     /// It does not.
     Never,
-    /// The part behind a new insert or a new set-up is believed as the first one was.
+    /// The part behind a new insert, a new set-up or with another job is believed as the first one was.
     AtJumps,
 }
 
@@ -23,7 +23,7 @@ fn corrected(line: &Line, weights: (f64, f64), anew: Anew) -> Vec<f64> {
         let (_, left) = line.mean(part, offset);
         let (off, before) = (left - GAIN * offset, level + rate);
         // The first part is believed.
-        if part == 0 || anew == Anew::AtJumps && line.is_jump(part) {
+        if part == 0 || anew == Anew::AtJumps && line.is_new(part) {
             level = off - rate;
         } else {
             rate += weights.1 * (off - before);
