@@ -95,6 +95,7 @@
 //     validation            what handbooks, closed forms and benchmarks say, and what is computed
 //     output                text, CSV, JSON, VTK; files that appear whole
 //     ask                   what can be asked of models and measurements: questions in, answers out
+//     workbench             the loop on a page in a browser of this computer
 //     cli                   the commands
 
 #[doc(hidden)]
@@ -162,6 +163,7 @@ pub mod tolerance;
 pub mod units;
 #[doc(hidden)]
 pub mod validation;
+mod workbench;
 
 // Models.
 pub use ask::revised;

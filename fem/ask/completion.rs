@@ -40,7 +40,10 @@ pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
 }
 
 /// The model with one cause seen to.
-fn mended(model: &Model, addition: &Addition) -> Result<Model, Problem> {
+///
+/// # Errors
+/// As of adding an effect or another value.
+pub fn mended(model: &Model, addition: &Addition) -> Result<Model, Problem> {
     match addition {
         Addition::Effect(name, settings) => add_effect(model, name, settings),
         // An effect that was left out has no values.

@@ -21,7 +21,7 @@ mod study;
 pub use catalogue::catalogue;
 pub use comparison::{compare_all, refuse_mixed};
 pub use compensation::compensate;
-pub use completion::{completed, extended, fit, fitted, notes, steps};
+pub use completion::{completed, extended, fit, fitted, mended, notes, steps};
 pub use correction::{advise, correct, remedies};
 pub use error::{Error, Marks};
 pub use next::{Added, Change, Log};

@@ -58,6 +58,8 @@ pub enum Command {
     Correct(Correct),
     /// Between parts: the next offset, what to measure, when to change the insert
     Next(Next),
+    /// The workbench: the whole loop on a page in your browser
+    Open(Open),
     /// One page of everything: prediction, residuals, causes, what to do next
     Report(Report),
     /// Add errors up, by the handbook's rules and by Monte Carlo
@@ -308,6 +310,25 @@ fn controls() -> PossibleValuesParser {
 fn axis_name(text: &str) -> Result<String, String> {
     let is_one = (1..=16).contains(&text.len()) && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     is_one.then(|| text.to_string()).ok_or_else(|| "a name is 1 to 16 letters and digits: write X or X1".into())
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "The page is served to this computer alone, under an address that only you know; nothing outside of the folder is read or
+written, and nothing is asked of the network. Files stay the truth: what is edited elsewhere shows at once.
+
+Examples:
+  fem open
+  fem open models/story
+  fem open models/story/rigid.toml"
+)]
+pub struct Open {
+    /// The folder, or a model in one
+    #[arg(default_value = ".", value_name = "FOLDER or MODEL")]
+    pub path: PathBuf,
+    /// Port of the page; any free one if left out
+    #[arg(long, value_name = "PORT", default_value_t = 0)]
+    pub port: u16,
 }
 
 #[derive(Clone, Debug, clap::Args)]

@@ -17,6 +17,7 @@ mod import;
 mod look;
 mod new;
 mod next;
+mod open;
 mod plan;
 mod report;
 mod run;
@@ -52,6 +53,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Some(Command::Compensate(args)) => compensate::run(&args),
         Some(Command::Correct(args)) => correct::run(&args),
         Some(Command::Next(args)) => next::run(&args),
+        Some(Command::Open(args)) => open::run(&args),
         Some(Command::Report(args)) => report::run(&args),
         Some(Command::Plan(args)) => plan::run(&args),
         Some(Command::Budget(args)) => budget::run(&args),

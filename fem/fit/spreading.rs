@@ -71,7 +71,7 @@ impl<'s, 'a> Spreading<'s, 'a> {
     fn others(&self, i: usize) -> &'static [Spread] {
         let entry = self.objective.catalogue(i);
         match self.objective.parameters[i].bounds {
-            _ if !(self.deviations[i] > WIDE * self.values[i].abs()) || self.values[i] == 0.0 => &[],
+            _ if self.deviations[i] <= WIDE * self.values[i].abs() || self.values[i] == 0.0 => &[],
             Bounds::Positive => &[Spread::Reciprocal],
             Bounds::Any | Bounds::NotNegative if entry.is_some_and(|own| own.neutral == Neutral::Value(0.0)) => {
                 &[Spread::Logarithm]

@@ -39,6 +39,12 @@ impl Draft {
         self.process
     }
 
+    /// Every text that it has for a value: names of files are among them.
+    #[doc(hidden)]
+    pub fn texts(&self) -> Vec<String> {
+        self.tables.texts()
+    }
+
     /// The model of rows that have these further columns.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 
 use toml_edit::Value;
 
-use super::{Edit, Entry, Model, together};
+use super::{Edit, Entry};
 use crate::input::{ParameterId, Raw, Reader};
 use crate::units::NUMBER;
 
@@ -48,6 +48,16 @@ impl OtherSet {
         together.list(INSTEAD, about, own)
     }
 
+    /// The edits that make of the model one with this set.
+    pub(super) fn edits(&self) -> impl Iterator<Item = Edit> {
+        let without = self.without.iter().map(|name| Edit::Erase(format!("effects.{name}").as_str().into()));
+        let values = self.values.iter().map(|(path, value)| {
+            let value = Raw::of(Value::from(value.as_str()), None);
+            Edit::Write { path: path.clone(), value }
+        });
+        without.chain(values)
+    }
+
     /// Its keys as a model has them.
     pub(super) fn entry(&self) -> Vec<(String, Entry)> {
         let values: Vec<String> = self.values.iter().map(|(path, value)| format!("{path} = {value}")).collect();
@@ -55,24 +65,6 @@ impl OtherSet {
         let without = (!self.without.is_empty()).then(|| ("without".into(), Entry::Text(self.without.join(", "))));
         let values = ("values".to_string(), Entry::Text(values.join("; ")));
         [("probability".to_string(), probability)].into_iter().chain(without).chain([values]).collect()
-    }
-}
-
-impl Model {
-    /// The models that explain the measurements of this one as well, each with its probability; those that make none any more are left
-    /// out.
-    pub fn alternatives(&self) -> Vec<(f64, Self)> {
-        let own = |own: &OtherSet| {
-            let without = own.without.iter().map(|name| Edit::Erase(format!("effects.{name}").as_str().into()));
-            let values = own.values.iter().map(|(path, value)| {
-                let value = Raw::of(Value::from(value.as_str()), None);
-                Edit::Write { path: path.clone(), value }
-            });
-            let alone = [Edit::Erase(together::PATH.into())];
-            let edits: Vec<Edit> = alone.into_iter().chain(without).chain(values).collect();
-            self.edited(&edits).ok().map(|model| (own.probability, model))
-        };
-        self.together.instead().iter().filter_map(own).collect()
     }
 }
 

@@ -157,6 +157,28 @@ impl Tables {
         table.get(key)
     }
 
+    /// Every text that stands for a value.
+    pub(super) fn texts(&self) -> Vec<String> {
+        fn of_value(value: &Value) -> Vec<String> {
+            match value {
+                Value::String(text) => vec![text.value().clone()],
+                Value::Array(list) => list.iter().flat_map(of_value).collect(),
+                Value::InlineTable(table) => table.iter().flat_map(|(_, own)| of_value(own)).collect(),
+                _ => Vec::new(),
+            }
+        }
+        fn of_table(table: &Table) -> Vec<String> {
+            let of_item = |(_, item): (&str, &Item)| match item {
+                Item::Value(value) => of_value(value),
+                Item::Table(table) => of_table(table),
+                Item::ArrayOfTables(list) => list.iter().flat_map(of_table).collect(),
+                Item::None => Vec::new(),
+            };
+            table.iter().flat_map(of_item).collect()
+        }
+        of_table(&self.now)
+    }
+
     /// The tables before the last of the edits; `None` where they are as they were read.
     pub(super) fn undone(&self) -> Option<Self> {
         let (_, edits) = self.edits.split_last()?;

@@ -4,14 +4,14 @@
 use nalgebra::{Cholesky, DMatrix, Dyn};
 
 use super::other_set::{INSTEAD, OtherSet};
-use super::{Edit, Entry, Spread};
+use super::{Edit, Entry, Model, Spread};
 use crate::input::{Parameter, ParameterId, Reader};
 use crate::units::{Knowledge, MICRO};
 
 /// Its place in a model.
 const PARENT: &str = "known";
 const NAME: &str = "together";
-pub(super) const PATH: &str = "known.together";
+const PATH: &str = "known.together";
 /// Key of what stays unexplained.
 const UNEXPLAINED: &str = "unexplained";
 /// Correlations below this are none.
@@ -182,6 +182,18 @@ impl Together {
             keys.push(text("spread", words.join(", ")));
         }
         keys
+    }
+}
+
+impl Model {
+    /// The models that explain the measurements of this one as well, each with its probability; those that make none any more are left
+    /// out.
+    pub fn alternatives(&self) -> Vec<(f64, Self)> {
+        let own = |own: &OtherSet| {
+            let edits: Vec<Edit> = std::iter::once(Edit::Erase(PATH.into())).chain(own.edits()).collect();
+            self.edited(&edits).ok().map(|model| (own.probability, model))
+        };
+        self.together.instead().iter().filter_map(own).collect()
     }
 }
 

@@ -44,5 +44,6 @@ mod study;
 mod tailstock;
 mod thermal;
 mod validate;
+mod workbench;
 mod writing;
 mod written;

@@ -102,7 +102,7 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
     (square / f64::from(count.max(1))).sqrt()
 }
 
-/// A machine corrected by the model that a diagnosis arrives at; `None` where it leaves a value unknown.
+/// A machine corrected by the model that a diagnosis arrives at; `None` where it leaves a value unknown, or known too roughly.
 fn corrected(process: &Process, seed: u64) -> Option<Corrected> {
     let Whole { case, job } = process.whole_machine(seed);
     let model = parsed(&case.model);
@@ -112,7 +112,8 @@ fn corrected(process: &Process, seed: u64) -> Option<Corrected> {
     let diagnosis = score::diagnose(&data, 6, &Progress::default()).ok()?;
     let better = fem::ask::completed(&data, &diagnosis).ok()?;
     better.require_part().ok()?;
-    let found = correct(&better, &Progress::default()).expect("the model can be computed")?;
+    // What is known too roughly is told so.
+    let found = correct(&better, &Progress::default()).ok()??;
     let hidden = &case.truth.hidden;
     let again = |share: f64| made(&*job, hidden, (&better, &found), share);
     let (was, is) = (again(0.0), again(1.0));

@@ -41,6 +41,7 @@ const LAYERS: &[&str] = &[
     "validation",
     "output",
     "ask",
+    "workbench",
     "cli",
 ];
 

@@ -10,6 +10,7 @@ mod text;
 pub use answer::ComparisonAnswer;
 pub use asked::Asked;
 pub use drawing::drawing;
+pub use residuals::residuals;
 pub(super) use text::{compared, features, noise as noise_text, residual_curve, verdict};
 
 use serde_json::{Value as Json, json};

@@ -30,6 +30,15 @@ impl Addition {
             Self::Value(setting) => &setting.key,
         }
     }
+
+    /// The command that mends the model in a file so, and the name of the file that it writes.
+    pub fn command(&self, from: &str) -> (String, String) {
+        match self {
+            Self::Effect(name, settings) => add(from, name, settings),
+            Self::Value(setting) => set(from, setting),
+            Self::Without(name) => leave_out(from, name),
+        }
+    }
 }
 
 /// What mends a model, cause by cause in their order.

@@ -11,9 +11,8 @@ mod verdict;
 mod words;
 
 pub(super) use absent::{bound, note};
-pub use additions::quoted;
-pub use additions::{Addition, additions};
-pub(super) use additions::{add, name};
+pub(super) use additions::name;
+pub use additions::{Addition, add, additions, leave_out, quoted, set};
 pub(super) use commands::commands;
 pub use commands::with;
 pub(super) use text::{

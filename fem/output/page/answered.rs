@@ -2,11 +2,15 @@
 
 use askama::Template;
 
+use super::causes;
 use super::html::{self, Section};
 use super::{CSS, JS, Page};
+use crate::diagnose::Diagnosis;
+use crate::model::Run;
 use crate::output::answer::Answer;
 use crate::output::block::Block;
 use crate::output::chart::sheet;
+use crate::output::run::drawings;
 use crate::output::text::titled;
 
 /// What stands above an answer.
@@ -60,4 +64,20 @@ pub fn answered(head: Head, answer: &impl Answer) -> String {
     };
     // A template writes into memory, which does not fail.
     page.render().unwrap_or_default()
+}
+
+/// An answer within another page: its blocks, then its figures.
+pub fn fragment(answer: &impl Answer) -> String {
+    let blocks: String = answer.blocks().iter().map(html::block).collect();
+    blocks + &html::figures(answer.figures())
+}
+
+/// What a run draws: the machine to scale, contours with magnified deviations.
+pub fn machine_fragment(run: &Run) -> String {
+    html::figures(drawings(run))
+}
+
+/// What to measure next.
+pub fn next_fragment(d: &Diagnosis) -> String {
+    causes::next(d).blocks.concat()
 }

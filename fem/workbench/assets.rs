@@ -1,0 +1,46 @@
+//! Files of the page, which stand in the program.
+
+use crate::output::sheet;
+
+/// A file by its name: its type and its bytes.
+pub fn asset(name: &str) -> Option<(&'static str, &'static [u8])> {
+    // Figures look as in every page.
+    if name == "figures.css" {
+        return Some(("text/css; charset=utf-8", sheet().as_bytes()));
+    }
+    const HTML: &str = "text/html; charset=utf-8";
+    const JS: &str = "text/javascript; charset=utf-8";
+    const TEXT: &str = "text/plain; charset=utf-8";
+    const CSS: &str = "text/css; charset=utf-8";
+    macro_rules! of {
+        ($($name:literal: $kind:expr,)*) => {
+            match name {
+                $($name => Some(($kind, include_bytes!(concat!("../../templates/workbench/", $name)).as_slice())),)*
+                _ => None,
+            }
+        };
+    }
+    of! {
+        "index.html": HTML,
+        "workbench.css": CSS,
+        "app.js": JS,
+        "causes.js": JS,
+        "correct.js": JS,
+        "data.js": JS,
+        "dom.js": JS,
+        "figures.js": JS,
+        "header.js": JS,
+        "job.js": JS,
+        "main.js": JS,
+        "model.js": JS,
+        "numbers.js": JS,
+        "plot.js": JS,
+        "residuals.js": JS,
+        "server.js": JS,
+        "texts.js": JS,
+        "trial.js": JS,
+        "uplot/LICENSE": TEXT,
+        "uplot/uPlot.iife.min.js": JS,
+        "uplot/uPlot.min.css": CSS,
+    }
+}

@@ -1,0 +1,16 @@
+//! The workbench: compare, see where it fails, learn what is missing, add it, and correct, on a page in a browser of this computer.
+//! A face on what can be asked (`ask`): it computes nothing itself and says nothing that the commands would not say.
+//!
+//! A [`Session`] holds what is open and what was done, and answers plain questions; `server` hands them from the page to it.
+
+mod assets;
+mod bench;
+mod folder;
+mod job;
+mod refusal;
+mod server;
+mod session;
+mod told;
+
+pub use server::serve;
+pub use session::Session;

@@ -1,0 +1,77 @@
+//! Why something cannot be done, for the page.
+
+use serde_json::{Value as Json, json};
+
+use crate::ask::Error;
+use crate::input::{InputError, Problem};
+use crate::output::OutputError;
+use crate::process::Failure;
+
+/// A refusal, with what to do instead.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    problem: String,
+    help: Option<String>,
+    /// The field of the page that it is about, by the path of its value.
+    path: Option<String>,
+}
+
+impl Refusal {
+    /// That of a problem.
+    pub fn new(problem: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { problem: problem.into(), help: Some(help.into()), path: None }
+    }
+
+    /// It belongs to a field.
+    #[must_use]
+    pub fn at(mut self, path: &str) -> Self {
+        self.path = Some(path.to_string());
+        self
+    }
+
+    /// For the page.
+    pub fn json(&self) -> Json {
+        json!({ "problem": self.problem, "help": self.help, "path": self.path })
+    }
+
+    /// In one sentence.
+    pub fn text(&self) -> String {
+        match &self.help {
+            Some(help) => format!("{}: {help}", self.problem),
+            None => self.problem.clone(),
+        }
+    }
+}
+
+impl From<Problem> for Refusal {
+    fn from(problem: Problem) -> Self {
+        Self { problem: problem.message, help: problem.help, path: None }
+    }
+}
+
+impl From<Error> for Refusal {
+    fn from(error: Error) -> Self {
+        match &error {
+            Error::Input(all) | Error::Data(all) => Self { problem: all.to_string(), help: None, path: None },
+            _ => error.problem().into(),
+        }
+    }
+}
+
+impl From<InputError> for Refusal {
+    fn from(error: InputError) -> Self {
+        Error::from(error).into()
+    }
+}
+
+impl From<Failure> for Refusal {
+    fn from(error: Failure) -> Self {
+        Error::from(error).into()
+    }
+}
+
+impl From<OutputError> for Refusal {
+    fn from(error: OutputError) -> Self {
+        Error::from(error).into()
+    }
+}

@@ -1,0 +1,289 @@
+//! The server of the page: for this computer alone, under a token that only who started it knows.
+
+use std::collections::BTreeMap;
+use std::convert::Infallible;
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use axum::Router;
+use axum::body::{Bytes, to_bytes};
+use axum::extract::{Request, State};
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_LENGTH, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, ORIGIN,
+    REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS, X_FRAME_OPTIONS,
+};
+use axum::http::request::Parts;
+use axum::http::{HeaderValue, Method, StatusCode};
+use axum::response::sse::{Event, Sse};
+use axum::response::{IntoResponse, Response};
+use serde_json::{Value as Json, json};
+use tokio::net::TcpListener;
+
+use super::assets::asset;
+use super::job::{Job, Work};
+use super::refusal::Refusal;
+use super::session::Session;
+
+/// Most bytes of a question: files of measurements are dropped whole.
+const LARGEST: usize = 64 << 20;
+/// Longest time in which a question has to come.
+const LONGEST: Duration = Duration::from_secs(60);
+/// Time between two looks at the state and at the files.
+const LOOK: Duration = Duration::from_millis(250);
+/// Nothing is run, read or asked for but what comes from here.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; connect-src 'self'; \
+                      img-src 'self' data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// What all connections share.
+#[derive(Clone)]
+struct Shared {
+    session: Arc<Mutex<Session>>,
+    token: Arc<str>,
+    port: u16,
+}
+
+impl Shared {
+    fn session(&self) -> MutexGuard<'_, Session> {
+        // A step is put in whole: a panic elsewhere leaves what was before it.
+        self.session.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Serves the page until the program is stopped; `told` gets its address.
+///
+/// # Errors
+/// The port cannot be had.
+pub fn serve(session: Session, port: u16, told: impl FnOnce(&str)) -> io::Result<()> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+    runtime.block_on(async {
+        let listener = TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port))).await?;
+        let port = listener.local_addr()?.port();
+        let mut bytes = [0u8; 16];
+        getrandom::fill(&mut bytes).map_err(io::Error::other)?;
+        let token: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+        let shared = Shared { session: Arc::new(Mutex::new(session)), token: token.as_str().into(), port };
+        told(&format!("http://127.0.0.1:{port}/{token}/"));
+        let looks = shared.clone();
+        std::thread::spawn(move || {
+            loop {
+                std::thread::sleep(LOOK);
+                looks.session().look();
+            }
+        });
+        let router = Router::new().fallback(answer).with_state(shared);
+        axum::serve(listener, router).await
+    })
+}
+
+/// Answers a browser. A page of another site that sends its readers here, by whatever name, gets nothing.
+async fn answer(State(shared): State<Shared>, request: Request) -> Response {
+    let (Parts { method, uri, headers, .. }, body) = request.into_parts();
+    let text = |name| headers.get(name).and_then(|value: &HeaderValue| value.to_str().ok());
+    let own = [format!("127.0.0.1:{}", shared.port), format!("localhost:{}", shared.port)];
+    let is_own = text(HOST).is_some_and(|host| own.iter().any(|own| own == host));
+    let is_from_here = headers.get(ORIGIN).is_none_or(|_| {
+        text(ORIGIN).and_then(|origin| origin.strip_prefix("http://")).is_some_and(|o| own.iter().any(|own| own == o))
+    });
+    let path = uri.path().strip_prefix('/').unwrap_or_default();
+    let (token, path) = path.split_once('/').unwrap_or((path, ""));
+    if !is_own || !is_from_here || !is_same(token, &shared.token) {
+        return plain(StatusCode::FORBIDDEN, "this page is for the one who started it\n");
+    }
+    // What says that it is too large is not waited for, nor is what never comes.
+    let is_too_large = || text(CONTENT_LENGTH).and_then(|own| own.parse().ok()).is_some_and(|own: usize| own > LARGEST);
+    let read = async { if is_too_large() { None } else { to_bytes(body, LARGEST).await.ok() } };
+    let Some(body) = tokio::time::timeout(LONGEST, read).await.ok().flatten() else {
+        let refusal = Refusal::new("that is too large", "a file of measurements may have 64 MB: thin it out first");
+        return refused(&refusal);
+    };
+    let query = uri.query().unwrap_or_default().to_string();
+    match (method, path) {
+        (Method::GET, "events") => events(shared).into_response(),
+        (Method::GET, "export") => blocking(move || export(&shared, &query)).await,
+        (Method::GET, "state") => blocking(move || told(&shared.session().state())).await,
+        (Method::GET, "rows") => {
+            let rows = move || shared.session().rows();
+            blocking(move || rows().map_or_else(|refusal| refused(&refusal), |rows| told(&rows))).await
+        }
+        (Method::GET, "") => file("index.html"),
+        (Method::GET, name) => file(name),
+        (Method::POST, verb) => {
+            let verb = verb.to_string();
+            blocking(move || post(&shared, &verb, &query, &body).map_or_else(|r| refused(&r), |own| told(&own))).await
+        }
+        _ => plain(StatusCode::METHOD_NOT_ALLOWED, "ask with GET or POST\n"),
+    }
+}
+
+/// Whether two texts are the same, in a time that does not tell how much of them is.
+fn is_same(a: &str, b: &str) -> bool {
+    a.len() == b.len() && a.bytes().zip(b.bytes()).fold(0, |other, (a, b)| other | (a ^ b)) == 0
+}
+
+/// Does what takes a moment beside the connections.
+async fn blocking(work: impl FnOnce() -> Response + Send + 'static) -> Response {
+    let none = |_| plain(StatusCode::INTERNAL_SERVER_ERROR, "that went wrong; what was open stays\n");
+    tokio::task::spawn_blocking(work).await.unwrap_or_else(none)
+}
+
+fn guarded(status: StatusCode, kind: &'static str, body: impl Into<Bytes>) -> Response {
+    let mut response = (status, [(CONTENT_TYPE, kind)], body.into()).into_response();
+    for (name, value) in [
+        (CONTENT_SECURITY_POLICY, POLICY),
+        (CACHE_CONTROL, "no-store"),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (X_FRAME_OPTIONS, "DENY"),
+        (REFERRER_POLICY, "no-referrer"),
+    ] {
+        response.headers_mut().insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
+
+fn plain(status: StatusCode, text: &'static str) -> Response {
+    guarded(status, "text/plain; charset=utf-8", text)
+}
+
+fn told(json: &Json) -> Response {
+    guarded(StatusCode::OK, "application/json", json.to_string())
+}
+
+fn refused(refusal: &Refusal) -> Response {
+    guarded(StatusCode::UNPROCESSABLE_ENTITY, "application/json", refusal.json().to_string())
+}
+
+fn file(name: &str) -> Response {
+    match asset(name) {
+        Some((kind, bytes)) => guarded(StatusCode::OK, kind, bytes),
+        None => plain(StatusCode::NOT_FOUND, "there is no such thing here\n"),
+    }
+}
+
+/// New states and the work that runs, as they come.
+fn events(shared: Shared) -> impl IntoResponse {
+    let next = |(shared, before, first): (Shared, (u64, Json), bool)| async move {
+        loop {
+            let now = {
+                let session = shared.session();
+                (session.version(), session.job().map_or(Json::Null, Job::json))
+            };
+            if first || now.0 != before.0 {
+                let event = Event::default().event("state").data(now.0.to_string());
+                let seen = (now.0, before.1);
+                return Some((Ok::<_, Infallible>(event), (shared, seen, false)));
+            }
+            if now.1 != before.1 {
+                return Some((Ok(Event::default().event("job").data(now.1.to_string())), (shared, now, false)));
+            }
+            tokio::time::sleep(LOOK).await;
+        }
+    };
+    Sse::new(futures_util::stream::unfold((shared, (0, Json::Null), true), next))
+}
+
+/// Gives something away as a file.
+fn export(shared: &Shared, query: &str) -> Response {
+    let session = shared.session();
+    let (name, kind, made) = match query {
+        "what=page" => ("report.html", "text/html; charset=utf-8", session.report()),
+        "what=csv" => ("rows.csv", "text/csv; charset=utf-8", session.table()),
+        "what=notebook" => ("session.ipynb", "application/x-ipynb+json", session.notebook()),
+        _ => return plain(StatusCode::NOT_FOUND, "there is no such thing here\n"),
+    };
+    match made {
+        Ok(text) => {
+            let mut response = guarded(StatusCode::OK, kind, text);
+            let as_file = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""));
+            as_file.into_iter().for_each(|value| drop(response.headers_mut().insert(CONTENT_DISPOSITION, value)));
+            response
+        }
+        Err(refusal) => refused(&refusal),
+    }
+}
+
+/// Does what the page asks for.
+fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, Refusal> {
+    if verb == "file" {
+        let name = query.strip_prefix("name=").map(decoded).unwrap_or_default();
+        let mut session = shared.session();
+        let name = session.store(&name, body)?;
+        return Ok(json!({ "name": name, "version": session.version() }));
+    }
+    let said: Json = match body.is_empty() {
+        true => Json::Null,
+        false => serde_json::from_slice(body)
+            .map_err(|error| Refusal::new(format!("the question is no JSON: {error}"), "ask as the page does"))?,
+    };
+    let text = |key: &str| {
+        let none = || Refusal::new(format!("`{key}` is missing"), "ask as the page does");
+        said[key].as_str().ok_or_else(none)
+    };
+    let list = |key: &str| said[key].as_array().cloned().unwrap_or_default();
+    match verb {
+        "try" => {
+            let values: BTreeMap<String, f64> = said["values"].as_object().map_or_else(BTreeMap::new, |own| {
+                own.iter().filter_map(|(path, value)| Some((path.clone(), value.as_f64()?))).collect()
+            });
+            let trial = shared.session().on_trial(&values)?;
+            // The page goes on while it is computed.
+            return trial.predict();
+        }
+        "run" => {
+            let work = Work::of(text("what")?)?;
+            let (job, material) = shared.session().begin(work)?;
+            let shared = shared.clone();
+            std::thread::spawn(move || {
+                let outcome = material.work(work, &job.progress);
+                shared.session().end(outcome);
+            });
+        }
+        "open" => shared.session().open_model(text("model")?)?,
+        "data" => {
+            let names: Vec<String> = list("files").iter().filter_map(|own| own.as_str().map(str::to_string)).collect();
+            shared.session().open_data(&names)?;
+        }
+        "set" => shared.session().set(text("path")?, text("text")?)?,
+        "add" => shared.session().add(text("effect")?)?,
+        "remove" => shared.session().remove(text("effect")?)?,
+        "strike" => {
+            let rows: Vec<usize> = list("rows").iter().filter_map(|own| Some(own.as_u64()? as usize)).collect();
+            shared.session().strike(&rows, said["is_struck"].as_bool().unwrap_or(true))?;
+        }
+        "readings" => shared.session().readings(text("csv")?)?,
+        "undo" => shared.session().undo()?,
+        "redo" => shared.session().redo()?,
+        "stop" => shared.session().stop()?,
+        "save" => {
+            let name = shared.session().save(said["as"].as_str())?;
+            return Ok(json!({ "name": name, "version": shared.session().version() }));
+        }
+        _ => return Err(Refusal::new(format!("`{verb}` is nothing to be asked for"), "ask as the page does")),
+    }
+    Ok(json!({ "version": shared.session().version() }))
+}
+
+/// A part of an address without its escapes.
+fn decoded(text: &str) -> String {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let Some((first, more)) = rest.split_first() {
+        let escaped = || u8::from_str_radix(std::str::from_utf8(more.get(..2)?).ok()?, 16).ok();
+        match (first, escaped()) {
+            (b'%', Some(byte)) => {
+                bytes.push(byte);
+                rest = &more[2..];
+            }
+            (b'+', _) => {
+                bytes.push(b' ');
+                rest = more;
+            }
+            (byte, _) => {
+                bytes.push(*byte);
+                rest = more;
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}

@@ -1,0 +1,108 @@
+// The page of the workbench: it draws what the server says and hands on what the user does. Nothing is computed here
+// but residuals as differences and means along a coordinate.
+import { app, alarm, follow, load, onChanged, onDraw, redraw, refuse, say } from "./app.js";
+import * as causes from "./causes.js";
+import { correct } from "./correct.js";
+import * as data from "./data.js";
+import { onFilled, put } from "./dom.js";
+import { livenAll } from "./figures.js";
+import * as header from "./header.js";
+import * as job from "./job.js";
+import * as model from "./model.js";
+import * as residuals from "./residuals.js";
+import { listen } from "./server.js";
+import { T } from "./texts.js";
+import { renew } from "./trial.js";
+
+const at = id => document.getElementById(id);
+const clicks = { ...header.clicks, ...data.clicks, ...model.clicks, ...residuals.clicks, ...causes.clicks, ...job.clicks };
+const changes = { ...data.changes, ...model.changes, ...residuals.changes };
+const inputs = { ...model.inputs, ...causes.inputs };
+const submits = { ...header.submits, ...model.submits, ...causes.submits };
+
+onFilled(livenAll);
+onDraw(all => {
+  if (!app.state) return;
+  put(at("head"), header.header());
+  put(at("model"), model.model());
+  put(at("residuals"), residuals.residuals());
+  residuals.drawPlot();
+  const isTrial = app.trial.values.size > 0;
+  at("trial").hidden = !isTrial;
+  put(at("trial"), isTrial ? header.trialBar() : []);
+  if (!all) return;
+  put(at("bar"), header.bar());
+  put(at("trouble"), header.trouble());
+  put(at("data"), data.data());
+  put(at("causes"), causes.causes());
+  put(at("correct"), correct());
+  const { model: open } = app.state;
+  document.title = (open ? (open.is_saved ? "" : "• ") + open.file + " · " : "") + "fem";
+});
+
+onChanged(() => {
+  renew();
+  // Problems of values that are gone have no field to stand at.
+  const paths = new Set(app.state.model ? app.state.model.values.map(v => v.path) : []);
+  for (const kept of [app.drafts, app.problems]) for (const path of kept.keys()) if (!paths.has(path)) kept.delete(path);
+  if (app.rows && app.seen.picked !== null && app.seen.picked >= app.rows.lines.length) app.seen.picked = null;
+});
+
+// One listener for each kind of event: elements say what they do by data-click, data-change, data-input, data-submit.
+function hand(kind, table) {
+  document.addEventListener(kind, e => {
+    const target = e.target.closest && e.target.closest(`[data-${kind}]`);
+    const act = target && table[target.dataset[kind]];
+    if (!act) return;
+    if (kind === "submit") e.preventDefault();
+    Promise.resolve().then(() => act(target)).catch(refuse);
+  });
+}
+hand("click", clicks);
+hand("change", changes);
+hand("input", inputs);
+hand("submit", submits);
+document.addEventListener("input", e => { if (e.target.dataset && e.target.dataset.draft) model.noteDraft(e.target); });
+
+const isText = e => e.isContentEditable || e.tagName === "TEXTAREA" || e.tagName === "INPUT" && !["range", "checkbox", "radio", "file"].includes(e.type);
+document.addEventListener("keydown", e => {
+  if ((e.ctrlKey || e.metaKey) && !e.altKey && !isText(e.target)) {
+    const key = e.key.toLowerCase();
+    if (key === "z" || key === "y") {
+      e.preventDefault();
+      if (key === "y" || e.shiftKey) header.redo(); else header.undo();
+    }
+    return;
+  }
+  if (e.key === "Escape") {
+    alarm("");
+    const menu = e.target.closest && e.target.closest("details.menu[open]");
+    if (menu) { menu.open = false; menu.querySelector("summary").focus(); }
+  }
+  model.keyInField(e);
+  if (!e.ctrlKey && !e.metaKey) residuals.keyInPlot(e);
+});
+// A menu closes when something else is done.
+document.addEventListener("pointerdown", e => {
+  for (const menu of document.querySelectorAll("details.menu[open]")) if (!menu.contains(e.target)) menu.open = false;
+});
+
+data.listenForDrops();
+at("skip").textContent = T.skip;
+at("bar").setAttribute("aria-label", T.panesLabel);
+at("trial").setAttribute("aria-label", T.trial);
+
+let lastJob = null;
+load();
+listen({
+  state: follow,
+  job: now => {
+    if (!app.state) return;
+    if (lastJob && !now) { say(T.ended(T.working[lastJob.what])); load(); }
+    lastJob = now;
+    app.state.job = now;
+    redraw();
+  },
+  lost: () => { app.isLost = true; redraw(); },
+  back: () => { app.isLost = false; say(T.back); load(); },
+});

@@ -1,0 +1,56 @@
+// Values that are tried by the sliders. They are no estimates, are never stored, and are drawn otherwise.
+import { app, redraw } from "./app.js";
+import { post, refusalText } from "./server.js";
+
+let isUnderWay = false, isWanted = false;
+
+export function tryValue(path, value) {
+  app.trial.values.set(path, value);
+  app.trial.path = path;
+  ask();
+  redraw("trial");
+}
+
+export function reset(path) {
+  if (path) app.trial.values.delete(path);
+  else app.trial.values.clear();
+  app.trial.problem = null;
+  if (app.trial.values.size) ask();
+  else Object.assign(app.trial, { predicted: null, rms: null, path: null });
+  redraw("trial");
+}
+
+/** The model has changed: what was tried for values that are gone or that stand there now is no trial any more. */
+export function renew() {
+  const values = app.state.model ? app.state.model.values : [];
+  for (const [path, value] of app.trial.values) {
+    const now = values.find(v => v.path === path);
+    if (!now || now.value === value) app.trial.values.delete(path);
+  }
+  if (app.trial.values.size) ask();
+  else reset();
+}
+
+// One question a frame and one under way: the last value wins.
+function ask() {
+  if (isWanted) return;
+  isWanted = true;
+  requestAnimationFrame(next);
+}
+
+async function next() {
+  if (isUnderWay) return;
+  isWanted = false;
+  if (!app.trial.values.size) return;
+  isUnderWay = true;
+  try {
+    const { predicted, rms } = await post("try", { values: Object.fromEntries(app.trial.values) });
+    if (app.trial.values.size) Object.assign(app.trial, { predicted, rms, problem: null });
+  } catch (e) {
+    Object.assign(app.trial, { predicted: null, rms: null, problem: refusalText(e) });
+    if (e.path) app.trial.path = e.path;
+  }
+  isUnderWay = false;
+  redraw("trial");
+  if (isWanted) requestAnimationFrame(next);
+}

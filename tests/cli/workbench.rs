@@ -1,0 +1,339 @@
+//! `fem open`: the loop over the wire, and who tries to get in.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::{Value as Json, json};
+
+use super::fem::{Answer, Place, answer, model, words};
+
+/// A workbench that runs; it ends with the test.
+struct Bench {
+    child: Child,
+    /// Host with port, and the token.
+    host: String,
+    token: String,
+}
+
+impl Drop for Bench {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Bench {
+    fn open(place: &Place, what: &str) -> Self {
+        let mut child = place.command(&["open", what]).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stderr.take().unwrap()).read_line(&mut line).unwrap();
+        let address = line.split_whitespace().next().unwrap().strip_prefix("http://").unwrap().to_string();
+        let (host, token) = address.split_once('/').unwrap();
+        Self { child, host: host.to_string(), token: token.trim_end_matches('/').to_string() }
+    }
+
+    /// Sends a question as it stands; status, head and body of the answer.
+    fn raw(&self, question: &[u8]) -> (u16, String, Vec<u8>) {
+        let mut stream = TcpStream::connect(&self.host).unwrap();
+        // Who is refused early is not read to the end.
+        let _ = stream.write_all(question);
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        let end = answer.windows(4).position(|own| own == b"\r\n\r\n").unwrap_or(answer.len());
+        let head = String::from_utf8_lossy(&answer[..end]).into_owned();
+        let status = head.split(' ').nth(1).and_then(|own| own.parse().ok()).unwrap_or(0);
+        (status, head, answer.get(end + 4..).unwrap_or_default().to_vec())
+    }
+
+    fn ask(&self, method: &str, path: &str, more: &str, body: &[u8]) -> (u16, String, Vec<u8>) {
+        let head = format!(
+            "{method} /{}/{path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\nContent-Length: {}\r\n{more}\r\n",
+            self.token,
+            self.host,
+            body.len()
+        );
+        self.raw(&[head.as_bytes(), body].concat())
+    }
+
+    fn get(&self, path: &str) -> Json {
+        let (status, head, body) = self.ask("GET", path, "", b"");
+        assert_eq!(status, 200, "{path}: {head}");
+        serde_json::from_slice(&body).unwrap()
+    }
+
+    fn state(&self) -> Json {
+        self.get("state")
+    }
+
+    fn post(&self, verb: &str, said: &Json) -> (u16, Json) {
+        let (status, _, body) = self.ask("POST", verb, "", said.to_string().as_bytes());
+        (status, serde_json::from_slice(&body).unwrap_or(Json::Null))
+    }
+
+    fn done(&self, verb: &str, said: &Json) -> Json {
+        let (status, answer) = self.post(verb, said);
+        assert_eq!(status, 200, "{verb} {said}: {answer}");
+        answer
+    }
+
+    /// The state as soon as it is as wanted.
+    fn until(&self, is_wanted: impl Fn(&Json) -> bool) -> Json {
+        let began = Instant::now();
+        loop {
+            let state = self.state();
+            if is_wanted(&state) {
+                return state;
+            }
+            assert!(began.elapsed() < Duration::from_secs(60), "{}", state["trouble"]);
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    }
+
+    fn run(&self, what: &str) -> Json {
+        self.done("run", &json!({ "what": what }));
+        self.until(|state| state["job"].is_null())
+    }
+}
+
+fn story() -> Place {
+    let place = Place::new();
+    std::fs::create_dir(place.path("shop")).unwrap();
+    place.write("shop/rigid.toml", model("story/rigid.toml"));
+    place.write("shop/measured.csv", model("story/measured.csv"));
+    place
+}
+
+/// Answer of a command in the folder of the shop.
+fn within_shop(place: &Place, args: &[&str]) -> Answer {
+    answer(place.command(args).current_dir(place.path("shop")).output().unwrap())
+}
+
+#[test]
+fn the_error_falls_by_what_the_diagnosis_adds_and_comes_back() {
+    let place = story();
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    let first = bench.state();
+    assert_eq!((&first["model"]["file"], &first["data"]), (&json!("rigid.toml"), &Json::Null));
+    assert_eq!((&first["models"], &first["measurements"]), (&json!(["rigid.toml"]), &json!(["measured.csv"])));
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    bench.run("diagnose");
+    for effect in ["tool-wear", "headstock-compliance", "guideway-wear"] {
+        bench.done("add", &json!({ "effect": effect }));
+    }
+    let state = bench.state();
+    let left: Vec<String> =
+        state["steps"].as_array().unwrap().iter().map(|s| format!("{:.2}", s["rms"].as_f64().unwrap())).collect();
+    assert_eq!(left, ["43.21", "8.79", "3.96", "0.90"]);
+    assert!(state["comparison"]["is_adequate"] == true && state["model"]["is_saved"] == false);
+    // What was done by clicks is done by the commands that it tells.
+    for command in state["history"].as_array().unwrap() {
+        let words = words(command.as_str().unwrap());
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        let answer = within_shop(&place, &words[1..]);
+        assert_eq!(answer.status, 0, "{command}: {}", answer.err);
+    }
+    let last = "rigid-tool-wear-headstock-compliance-guideway-wear.toml";
+    let again = within_shop(&place, &["compare", last, "--with", "measured.csv", "--json"]);
+    let again: Json = serde_json::from_str(&again.out).unwrap();
+    assert!((again["models"][0]["rms"].as_f64().unwrap() - state["comparison"]["rms"].as_f64().unwrap()).abs() < 1e-9);
+    // Back and forth.
+    bench.done("undo", &Json::Null);
+    assert_eq!(bench.state()["steps"].as_array().unwrap().len(), 3);
+    bench.done("redo", &Json::Null);
+    assert_eq!(bench.state()["steps"], state["steps"]);
+    assert_eq!(bench.post("redo", &Json::Null).0, 422);
+    // A value on trial is no estimate, and stays nowhere.
+    let tried = bench.done("try", &json!({ "values": { "effects.tool-wear.rate": 8 } }));
+    assert!(tried["rms"].as_f64().unwrap() > 2.0, "{}", tried["rms"]);
+    assert_eq!(bench.state()["model"], state["model"]);
+    // Corrected, by the very command.
+    let state = bench.run("correct");
+    assert!(state["correction"]["html"].as_str().unwrap().contains("Offset of the programmed radius"));
+    // Saved with its comments, under its own name or another.
+    bench.done("save", &json!({ "as": "better.toml" }));
+    let better = place.read("shop/better.toml");
+    assert!(better.starts_with("# Twelve shafts") && better.contains("[effects.guideway-wear]"), "{better}");
+    assert_eq!(place.read("shop/rigid.toml"), model("story/rigid.toml"));
+    assert_eq!(bench.post("save", &json!({ "as": "rigid.toml" })).0, 422);
+    assert_eq!(bench.state()["model"]["is_saved"], true);
+}
+
+#[test]
+fn what_is_refused_is_said_at_its_place_and_changes_nothing() {
+    let place = story();
+    place.write("shop/spring.toml", model("stiffness.toml"));
+    place.write("shop/broken.toml", "process = \"turning\"\n");
+    place.write("shop/prose.csv", "this is no table\nat all\n");
+    place.write("elsewhere.csv", "time [s],force [N]\n0,1\n");
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    let before = bench.state();
+    let elsewhere = json!({ "path": "cut.radial_force", "text": "450 mm" });
+    for (verb, said, told) in [
+        ("set", elsewhere, "measures a length"),
+        ("set", json!({ "path": "cut.radial_force" }), "`text` is missing"),
+        ("set", json!({ "path": "no.such", "text": "1" }), "no table"),
+        ("add", json!({ "effect": "no-such-effect" }), "no-such-effect"),
+        ("remove", json!({ "effect": "tool-wear" }), "tool-wear"),
+        ("open", json!({ "model": "broken.toml" }), "broken.toml"),
+        ("open", json!({ "model": "missing.toml" }), "there is no file"),
+        ("open", json!({ "model": "../elsewhere.csv" }), "no name of a file here"),
+        ("data", json!({ "files": ["prose.csv"] }), "prose.csv"),
+        ("data", json!({ "files": ["/etc/passwd"] }), "no name of a file here"),
+        ("strike", json!({ "rows": [4000] }), "no such row"),
+        ("try", json!({ "values": { "cut.radial_force": -1e9 } }), "beyond what may be"),
+        ("run", json!({ "what": "dance" }), "nothing to be done"),
+        ("stop", Json::Null, "nothing runs"),
+        ("undone", Json::Null, "nothing to be asked for"),
+        ("save", json!({ "as": "../better.toml" }), "no name of a file here"),
+        ("save", json!({ "as": "measured.csv" }), "measured.csv"),
+        ("readings", json!({ "csv": "x\n1\n" }), "readings.csv"),
+    ] {
+        let (status, answer) = bench.post(verb, &said);
+        assert!(
+            status == 422 && answer["problem"].as_str().unwrap().contains(told),
+            "{verb} {said}: {status} {answer}"
+        );
+    }
+    // A model of another process takes its own measurements.
+    let after = bench.state();
+    assert_eq!(after, before);
+    assert_eq!(place.read("shop/measured.csv"), model("story/measured.csv"));
+    assert!(!place.files().contains(&"shop/readings.csv".to_string()));
+    bench.done("open", &json!({ "model": "spring.toml" }));
+    assert!(bench.state()["data"].is_null());
+    bench.done("undo", &Json::Null);
+    assert_eq!(bench.state()["data"], before["data"]);
+}
+
+#[test]
+fn nobody_else_gets_in_and_nothing_else_gets_out() {
+    let place = story();
+    place.write("secret.csv", "part,x [mm],diameter_error [um]\n1,20,3\n");
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(place.path("secret.csv"), place.path("shop/link.csv")).unwrap();
+    let outward = model("story/rigid.toml").replace("\"450 N\"", "{ file = \"../secret.csv\" }");
+    place.write("shop/outward.toml", outward);
+    let bench = Bench::open(&place, "shop");
+    let question = |path: &str, host: &str, more: &str| {
+        format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n{more}\r\n").into_bytes()
+    };
+    let (own, token) = (bench.host.clone(), bench.token.clone());
+    let state = format!("/{token}/state");
+    let port = own.split_once(':').unwrap().1;
+    for (path, host, more, expected) in [
+        (&*state, &*own, "", 200),
+        (&state, &format!("localhost:{port}"), "", 200),
+        (&state, &own, &format!("Origin: http://{own}\r\n"), 200),
+        ("/state", &own, "", 403),
+        ("/", &own, "", 403),
+        (&format!("/{}/state", "0".repeat(token.len())), &own, "", 403),
+        (&format!("/{}x/state", token), &own, "", 403),
+        (&state, "attacker.example", "", 403),
+        (&state, &format!("attacker.example:{port}"), "", 403),
+        (&state, &own, "Origin: http://attacker.example\r\n", 403),
+        (&state, &own, "Origin: null\r\n", 403),
+        (&format!("/{token}/../../etc/passwd"), &own, "", 404),
+        (&format!("/{token}/%2e%2e/Cargo.toml"), &own, "", 404),
+        (&format!("/{token}/no-such.js"), &own, "", 404),
+    ] {
+        let (status, head, _) = bench.raw(&question(path, host, more));
+        assert_eq!(status, expected, "{path} of {host} {more}: {head}");
+        assert!(
+            head.to_lowercase().contains("content-security-policy: default-src 'none'; script-src 'self';"),
+            "{head}"
+        );
+    }
+    assert_eq!(bench.ask("DELETE", "state", "", b"").0, 405);
+    // Neither by a link nor by a model.
+    let listed = bench.state()["measurements"].clone();
+    assert!(!listed.as_array().unwrap().contains(&json!("link.csv")), "{listed}");
+    let (status, answer) = bench.post("open", &json!({ "model": "outward.toml" }));
+    assert!(status == 422 && answer["problem"].as_str().unwrap().contains("not in this folder"), "{answer}");
+    assert!(!answer.to_string().contains("diameter_error"), "{answer}");
+    bench.done("open", &json!({ "model": "rigid.toml" }));
+    let (status, answer) = bench.post("set", &json!({ "path": "cut.radial_force", "text": "../secret.csv" }));
+    assert!(status == 422 && answer["problem"].as_str().unwrap().contains("not in this folder"), "{answer}");
+    // What is too large is refused, and what is dropped takes no other file's place.
+    let head = format!(
+        "POST /{token}/file?name=big.csv HTTP/1.1\r\nHost: {own}\r\nConnection: close\r\nContent-Length: {}\r\n\r\n",
+        100 << 20
+    );
+    let (status, _, body) = bench.raw(head.as_bytes());
+    assert!(status == 422 && String::from_utf8_lossy(&body).contains("too large"), "{status}");
+    let (status, _, body) = bench.ask("POST", "file?name=measured.csv", "", b"x\n1\n");
+    let stored: Json = serde_json::from_slice(&body).unwrap();
+    assert_eq!((status, &stored["name"]), (200, &json!("measured-2.csv")));
+    assert_eq!(place.read("shop/measured.csv"), model("story/measured.csv"));
+    for name in ["..%2Fout.csv", "%2Ftmp%2Fout.csv", ".hidden.csv", "", "a%5Cb.csv", "a%00.csv"] {
+        assert_eq!(bench.ask("POST", &format!("file?name={name}"), "", b"x").0, 422, "{name}");
+    }
+}
+
+#[test]
+fn the_file_is_the_truth_and_a_wrong_one_keeps_what_was() {
+    let place = story();
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    let text = model("story/rigid.toml");
+    place.write("shop/rigid.toml", text.replace("\"450 N\"", "\"500 N\""));
+    let force = |state: &Json| {
+        let values = state["model"]["values"].as_array().unwrap().clone();
+        values.into_iter().find(|own| own["path"] == "cut.radial_force").unwrap()["text"].clone()
+    };
+    bench.until(|state| force(state) == "500 N");
+    place.write("shop/rigid.toml", text.replace("\"450 N\"", "\"450 m\""));
+    let state = bench.until(|state| state["trouble"].is_string());
+    assert!(state["trouble"].as_str().unwrap().contains("what was open stays") && force(&state) == "500 N", "{state}");
+    place.write("shop/rigid.toml", &text);
+    let state = bench.until(|state| force(state) == "450 N");
+    assert!(state["trouble"].is_null());
+}
+
+#[test]
+fn work_is_stopped_and_goes_on_beside_the_page() {
+    let place = story();
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    assert_eq!(bench.post("run", &json!({ "what": "diagnose" })).0, 422);
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    bench.done("run", &json!({ "what": "diagnose" }));
+    let (status, answer) = bench.post("run", &json!({ "what": "fit" }));
+    assert!(status == 422 || status == 200, "{answer}");
+    let _ = bench.post("stop", &Json::Null);
+    let state = bench.until(|state| state["job"].is_null());
+    assert_eq!(state["model"]["file"], "rigid.toml");
+    // Rows that are struck out by hand no longer count, and come back.
+    bench.done("strike", &json!({ "rows": [0, 1], "is_struck": true }));
+    let rows = bench.get("rows");
+    assert!(rows["predicted"][0].is_null() && rows["predicted"][2].is_number());
+    bench.done("strike", &json!({ "rows": [0, 1], "is_struck": false }));
+    assert!(bench.get("rows")["predicted"][0].is_number());
+}
+
+#[test]
+fn every_file_of_the_page_is_served() {
+    let place = story();
+    let bench = Bench::open(&place, "shop");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("templates/workbench");
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(&root).unwrap().map(Result::unwrap) {
+        let name = entry.file_name().into_string().unwrap();
+        match entry.path().is_dir() {
+            true => names.extend(
+                std::fs::read_dir(entry.path())
+                    .unwrap()
+                    .map(|own| format!("{name}/{}", own.unwrap().file_name().to_str().unwrap())),
+            ),
+            false => names.push(name),
+        }
+    }
+    assert!(names.len() > 10);
+    for name in names {
+        let (status, _, body) = bench.ask("GET", &name, "", b"");
+        assert_eq!((status, body), (200, std::fs::read(root.join(&name)).unwrap()), "{name}");
+    }
+    assert_eq!(bench.ask("GET", "", "", b"").2, std::fs::read(root.join("index.html")).unwrap());
+    assert_eq!(bench.ask("GET", "figures.css", "", b"").0, 200);
+}
