@@ -69,7 +69,7 @@ pub use measurements::measurements;
 pub use next::rows_to_measure;
 pub use next_part::NextAnswer;
 pub use page::{Evidence, Subject, page, trouble};
-pub(crate) use page::{fragment, machine_fragment, next_fragment};
+pub(crate) use page::{fragment, machine_fragment, next_fragment, verdict_sentence};
 pub use plan::PlanAnswer;
 pub use plots::signatures;
 pub use remedy::RemedyAnswer;

@@ -58,6 +58,8 @@ pub struct Compared {
 pub struct Diagnosed {
     /// Text of the model.
     pub of: String,
+    /// What it says, in a sentence.
+    pub verdict: String,
     pub json: Json,
     pub html: String,
     pub next: Option<(String, String)>,

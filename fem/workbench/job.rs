@@ -14,6 +14,7 @@ use crate::measure::Measurements;
 use crate::model::Model;
 use crate::output::{
     AdvisedAnswer, Answer, CorrectionAnswer, DiagnosisAnswer, additions, fragment, next_fragment, rows_to_measure,
+    verdict_sentence,
 };
 use crate::progress::Progress;
 
@@ -53,13 +54,15 @@ pub struct Job {
     pub work: Work,
     /// By which it is followed and stopped.
     pub progress: Arc<Progress>,
+    /// Text of the model that it is about.
+    pub of: String,
     began: Instant,
 }
 
 impl Job {
-    /// Work that begins now.
-    pub fn new(work: Work) -> Self {
-        Self { work, progress: Arc::default(), began: Instant::now() }
+    /// Work on a model that begins now.
+    pub fn new(work: Work, of: String) -> Self {
+        Self { work, progress: Arc::default(), of, began: Instant::now() }
     }
 
     /// For the page.
@@ -109,7 +112,8 @@ impl Material {
         let answer = DiagnosisAnswer::new(&data, &found);
         let next = found.next.as_ref().map(|next| (next_fragment(&found), rows_to_measure(&data, next)));
         let (json, html) = (answer.json(), fragment(&answer));
-        Ok(Diagnosed { of: self.model.text(), json, html, next, additions: additions(&data, &found) })
+        let verdict = verdict_sentence(&data, &found);
+        Ok(Diagnosed { of: self.model.text(), verdict, json, html, next, additions: additions(&data, &found) })
     }
 
     fn corrected(self, progress: &Arc<Progress>) -> Result<Corrected, Refusal> {

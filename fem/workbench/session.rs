@@ -366,8 +366,8 @@ impl Session {
         if work != Work::Correct && material.measured.is_none() {
             return Err(Refusal::new("nothing was measured", "open a file of measurements"));
         }
-        let job = Job::new(work);
-        self.job = Some(job.clone());
+        let job = Job::new(work, material.model.text());
+        (self.job, self.trouble) = (Some(job.clone()), None);
         self.version += 1;
         Ok((job, material))
     }
@@ -395,6 +395,10 @@ impl Session {
             Ok(Outcome::Diagnosed(found)) => {
                 let next = Bench { diagnosed: Some(Arc::new(found)), ..self.now.clone() };
                 self.step("diagnose", Some(format!("fem diagnose {file} {with}")), next);
+            }
+            // What was done meanwhile is not taken back by what was found for the model before it.
+            Ok(Outcome::Fitted(_)) if self.now.model.as_ref().is_none_or(|model| model.text() != job.of) => {
+                self.trouble = Some("the model was changed while it was fitted: fit it again".into());
             }
             Ok(Outcome::Fitted(model)) => {
                 let stem = self.now.by_commands.strip_suffix(".toml").unwrap_or(&self.now.by_commands);

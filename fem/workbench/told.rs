@@ -141,7 +141,7 @@ pub fn diagnosis(found: Option<&Arc<Diagnosed>>, model: Option<&Model>) -> Json 
     let list = |key: &str| found.json[key].as_array().map_or(&[][..], Vec::as_slice);
     json!({
         "is_current": model.is_some_and(|model| model.text() == found.of),
-        "verdict": found.json["verdict"],
+        "verdict": found.verdict,
         "html": found.html,
         "causes": list("missing").iter().enumerate().map(cause).collect::<Vec<_>>(),
         "others": list("candidates").iter().map(other).collect::<Vec<_>>(),

@@ -6,10 +6,11 @@ use super::causes;
 use super::html::{self, Section};
 use super::{CSS, JS, Page};
 use crate::diagnose::Diagnosis;
-use crate::model::Run;
+use crate::model::{Data, Run};
 use crate::output::answer::Answer;
 use crate::output::block::Block;
 use crate::output::chart::sheet;
+use crate::output::diagnosis;
 use crate::output::run::drawings;
 use crate::output::text::titled;
 
@@ -80,4 +81,9 @@ pub fn machine_fragment(run: &Run) -> String {
 /// What to measure next.
 pub fn next_fragment(d: &Diagnosis) -> String {
     causes::next(d).blocks.concat()
+}
+
+/// What a diagnosis says, in a sentence.
+pub fn verdict_sentence(data: &Data, d: &Diagnosis) -> String {
+    html::sentence(&diagnosis::verdict(data, d))
 }

@@ -10,7 +10,7 @@ mod provenance;
 mod step;
 mod subject;
 
-pub use answered::{Head, answered, fragment, machine_fragment, next_fragment};
+pub use answered::{Head, answered, fragment, machine_fragment, next_fragment, verdict_sentence};
 pub use subject::{Evidence, Subject};
 
 use askama::Template;
