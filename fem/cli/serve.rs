@@ -7,7 +7,7 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 use axum::Router;
 use axum::body::Bytes;
@@ -22,7 +22,7 @@ use super::error::Error;
 use super::look;
 use super::say::say;
 use crate::ask::Depth;
-use crate::input::Problem;
+use crate::input::{Problem, Stamp, stamp};
 use crate::output::trouble;
 
 /// Time between two looks at the files.
@@ -49,10 +49,13 @@ fn locked(shown: &Shared) -> MutexGuard<'_, Shown> {
 pub fn serve(args: &args::Report) -> Result<(), Error> {
     // Connections wait for each other's bytes nowhere: one thread is enough for all of them.
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    runtime.and_then(|runtime| runtime.block_on(served(args))).map_err(|error| {
-        let problem = Problem::new(format!("port {} cannot be served: {error}", args.port));
-        Error::from(problem.help("name another one with --port, or none for any that is free"))
-    })
+    runtime.and_then(|runtime| runtime.block_on(served(args))).map_err(|error| unserved(args.port, &error))
+}
+
+/// A port cannot be served.
+pub fn unserved(port: u16, error: &io::Error) -> Error {
+    let problem = Problem::new(format!("port {port} cannot be served: {error}"));
+    Error::from(problem.help("name another one with --port, or none for any that is free"))
 }
 
 async fn served(args: &args::Report) -> io::Result<()> {
@@ -89,17 +92,11 @@ fn watch(args: &args::Report, shown: &Shared, mut seen: Stamps) {
     }
 }
 
-/// When each file was last written, and how long it is; nothing of one that cannot be read.
-type Stamps = BTreeMap<PathBuf, Option<(SystemTime, u64)>>;
+/// That of each file; none of one that cannot be read.
+type Stamps = BTreeMap<PathBuf, Option<Stamp>>;
 
 fn stamps(args: &args::Report, shown: &Shared) -> Stamps {
-    let stamp = |path: &PathBuf| {
-        let about = || {
-            let about = std::fs::metadata(path).ok()?;
-            Some((about.modified().ok()?, about.len()))
-        };
-        (path.clone(), about())
-    };
+    let stamp = |path: &PathBuf| (path.clone(), stamp(path));
     let named = locked(shown).files.clone();
     args.models.iter().chain(&args.with).chain(&named).map(stamp).collect()
 }

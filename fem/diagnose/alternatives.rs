@@ -1,7 +1,6 @@
 //! Other sets that explain the measurements as well as the one that is told, for a model that is written.
 
-use super::candidate_model::{CandidateModel, Weighed, key};
-use super::laplace;
+use super::candidate_model::CandidateModel;
 use super::search::SearchResult;
 use crate::input::ParameterId;
 use crate::model::OtherSet;
@@ -15,17 +14,12 @@ const MOST: usize = 8;
 
 /// The sets that may be true beside `best`, the most probable first; none where it was not visited itself.
 pub fn alternatives(found: &SearchResult, best: &CandidateModel) -> Vec<OtherSet> {
-    let members = key(&best.members);
-    let Some(own) = found.tried.iter().find(|set| set.model.key() == members).map(|set| set.criterion) else {
-        return Vec::new();
-    };
-    let weight = |set: &Weighed| laplace::weight(set.criterion, own);
-    let others = || found.credible().iter().filter(|set| set.model.key() != members);
-    let whole = 1.0 + others().map(weight).sum::<f64>();
+    let others: Vec<(&CandidateModel, f64)> = found.beside(&best.members).into_iter().flatten().collect();
+    let whole = 1.0 + others.iter().map(|(_, weight)| weight).sum::<f64>();
     // What changes along the parts is written in numbers of parts, of which one more or less is another machine.
-    let is_plain = |set: &&Weighed| set.model.objective.added.iter().all(|effect| effect.changes.is_none());
-    let probable = others().filter(is_plain).filter(|set| weight(set) >= LEAST * whole);
-    probable.take(MOST).map(|set| other(&set.model, best, weight(set) / whole)).collect()
+    let is_plain = |set: &CandidateModel| set.objective.added.iter().all(|effect| effect.changes.is_none());
+    let probable = others.into_iter().filter(|(set, weight)| is_plain(set) && *weight >= LEAST * whole);
+    probable.take(MOST).map(|(set, weight)| other(set, best, weight / whole)).collect()
 }
 
 fn other(set: &CandidateModel, best: &CandidateModel, probability: f64) -> OtherSet {

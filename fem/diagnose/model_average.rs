@@ -6,7 +6,7 @@ use std::f64::consts::SQRT_2;
 use nalgebra::DVector;
 use statrs::function::erf::erfc;
 
-use super::candidate_model::{CandidateModel, Weighed, key};
+use super::candidate_model::CandidateModel;
 use super::laplace;
 use super::search::SearchResult;
 use crate::fit::{Estimate, Interval, Usual};
@@ -66,19 +66,16 @@ struct Other<'r, 'a> {
 impl<'r, 'a> Others<'r, 'a> {
     /// Those beside `best`; `None` where it was not visited, and so has no weight.
     pub fn beside(found: &'r SearchResult<'a>, best: &CandidateModel) -> Option<Self> {
-        let members = key(&best.members);
-        let own = found.tried.iter().find(|set| set.model.key() == members)?.criterion;
-        let others = found.credible().iter().filter(|set| set.model.key() != members);
-        let other = |Weighed { model, criterion }: &'r Weighed<'a>| {
+        let other = |(model, weight): (&'r CandidateModel<'a>, f64)| {
             let left = laplace::left(model)?;
             Some(Other {
                 model,
-                weight: laplace::weight(*criterion, own),
+                weight,
                 centre: &model.solution.position + left.step,
                 spread: DVector::from_iterator(left.root.nrows(), left.root.row_iter().map(|row| row.norm())),
             })
         };
-        Some(Self(others.filter_map(other).collect()))
+        Some(Self(found.beside(&best.members)?.filter_map(other).collect()))
     }
 
     /// Widens the interval of an estimate of the best set to that over all sets that have its parameter.

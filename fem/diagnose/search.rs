@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::candidate_model::{CandidateModel, Weighed};
+use super::candidate_model::{CandidateModel, Weighed, key};
 use super::laplace;
 use super::lead::bare;
 use super::like_a_curve;
@@ -101,6 +101,14 @@ impl<'a> SearchResult<'a> {
     pub fn tell(&mut self, set: CandidateModel<'a>) {
         self.steps.truncate(set.members.len() - 1);
         self.steps.push(set);
+    }
+
+    /// The other sets that may be true, each with its weight beside this one; `None` where this one was not visited, and so has none.
+    pub fn beside(&self, members: &[usize]) -> Option<impl Iterator<Item = (&CandidateModel<'a>, f64)>> {
+        let members = key(members);
+        let own = self.tried.iter().find(|set| set.model.key() == members)?.criterion;
+        let others = self.credible().iter().filter(move |set| set.model.key() != members);
+        Some(others.map(move |set| (&set.model, laplace::weight(set.criterion, own))))
     }
 
     /// The most probable sets, which together hold nearly all of the probability under this noise.

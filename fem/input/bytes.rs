@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::Path;
 use std::string::FromUtf8Error;
 use std::sync::Arc;
+use std::time::SystemTime;
 
 use encoding_rs::WINDOWS_1252;
 
@@ -57,6 +58,15 @@ impl Source {
             Err(problem) => Err(InputError::one(Self::new(name, ""), problem)),
         }
     }
+}
+
+/// When a file was last written, and how long it is: another one is another text.
+pub type Stamp = (SystemTime, u64);
+
+/// The stamp of a file; none of one that cannot be read.
+pub fn stamp(path: &Path) -> Option<Stamp> {
+    let about = std::fs::metadata(path).ok()?;
+    Some((about.modified().ok()?, about.len()))
 }
 
 /// Reads at most `limit` bytes.

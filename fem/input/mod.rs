@@ -23,7 +23,7 @@ mod tables;
 mod written;
 
 pub use bounds::Bounds;
-pub use bytes::read as bytes_of;
+pub use bytes::{Stamp, read as bytes_of, stamp};
 pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};
 pub use doubt::{Doubt, Grows};
 pub use excerpt::{Excerpt, shortened};

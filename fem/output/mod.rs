@@ -63,6 +63,7 @@ pub(crate) use diagnosis::{add as add_command, leave_out as leave_out_command, q
 pub use error::OutputError;
 pub use fit::FitAnswer;
 pub use folder::Folder;
+pub(crate) use json::finite;
 pub use json::json;
 pub use laws::LawsAnswer;
 pub use measurements::measurements;

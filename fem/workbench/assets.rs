@@ -4,14 +4,17 @@ use crate::output::sheet;
 
 /// A file by its name: its type and its bytes.
 pub fn asset(name: &str) -> Option<(&'static str, &'static [u8])> {
-    // Figures look as in every page.
-    if name == "figures.css" {
-        return Some(("text/css; charset=utf-8", sheet().as_bytes()));
-    }
     const HTML: &str = "text/html; charset=utf-8";
     const JS: &str = "text/javascript; charset=utf-8";
     const TEXT: &str = "text/plain; charset=utf-8";
     const CSS: &str = "text/css; charset=utf-8";
+    // Figures look and answer as in every page.
+    const FIGURES: &str = concat!(include_str!("../../templates/figures.js"), "\nexport { livenAll };\n");
+    match name {
+        "figures.css" => return Some((CSS, sheet().as_bytes())),
+        "figures.js" => return Some((JS, FIGURES.as_bytes())),
+        _ => {}
+    }
     macro_rules! of {
         ($($name:literal: $kind:expr,)*) => {
             match name {
@@ -28,7 +31,6 @@ pub fn asset(name: &str) -> Option<(&'static str, &'static [u8])> {
         "correct.js": JS,
         "data.js": JS,
         "dom.js": JS,
-        "figures.js": JS,
         "header.js": JS,
         "job.js": JS,
         "main.js": JS,

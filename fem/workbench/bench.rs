@@ -10,6 +10,7 @@ use crate::ask::compare_all;
 use crate::measure::Measurements;
 use crate::model::{Data, Model};
 use crate::output::{Addition, ComparisonAnswer, fragment, machine_fragment, residuals};
+use crate::process::Values;
 use crate::progress::Progress;
 
 /// All that a step may change.
@@ -49,7 +50,7 @@ pub struct Compared {
     pub html: String,
     /// The prediction of the rows that are not struck out.
     pub predicted: Vec<f64>,
-    pub sigma: Vec<f64>,
+    pub sigma: Values,
     /// The rows as a table, with what is left of each.
     pub csv: String,
 }
@@ -110,7 +111,7 @@ impl Bench {
                 is_adequate: found.adequate(),
                 html: fragment(&answer),
                 csv: residuals(data, &found),
-                sigma: found.noise.sigma.iter().copied().collect(),
+                sigma: found.noise.sigma.clone(),
                 predicted: found.predicted,
             }
         });

@@ -5,12 +5,15 @@
 
 mod assets;
 mod bench;
+mod export;
 mod folder;
 mod job;
 mod refusal;
 mod server;
 mod session;
+mod steps;
 mod told;
+mod trial;
 
 pub use server::serve;
 pub use session::Session;

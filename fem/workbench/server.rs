@@ -18,6 +18,7 @@ use axum::http::request::Parts;
 use axum::http::{HeaderValue, Method, StatusCode};
 use axum::response::sse::{Event, Sse};
 use axum::response::{IntoResponse, Response};
+use percent_encoding::percent_decode_str;
 use serde_json::{Value as Json, json};
 use tokio::net::TcpListener;
 
@@ -25,6 +26,7 @@ use super::assets::asset;
 use super::job::{Job, Work};
 use super::refusal::Refusal;
 use super::session::Session;
+use crate::output::files::digits;
 
 /// Most bytes of a question: files of measurements are dropped whole.
 const LARGEST: usize = 64 << 20;
@@ -60,9 +62,7 @@ pub fn serve(session: Session, port: u16, told: impl FnOnce(&str)) -> io::Result
     runtime.block_on(async {
         let listener = TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port))).await?;
         let port = listener.local_addr()?.port();
-        let mut bytes = [0u8; 16];
-        getrandom::fill(&mut bytes).map_err(io::Error::other)?;
-        let token: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+        let token = digits()?;
         let shared = Shared { session: Arc::new(Mutex::new(session)), token: token.as_str().into(), port };
         told(&format!("http://127.0.0.1:{port}/{token}/"));
         let looks = shared.clone();
@@ -189,7 +189,7 @@ fn export(shared: &Shared, query: &str) -> Response {
     let (name, kind, made) = match query {
         "what=page" => ("report.html", "text/html; charset=utf-8", session.report()),
         "what=csv" => ("rows.csv", "text/csv; charset=utf-8", session.table()),
-        "what=notebook" => ("session.ipynb", "application/x-ipynb+json", session.notebook()),
+        "what=notebook" => ("session.ipynb", "application/x-ipynb+json", Ok(session.notebook())),
         _ => return plain(StatusCode::NOT_FOUND, "there is no such thing here\n"),
     };
     match made {
@@ -206,7 +206,7 @@ fn export(shared: &Shared, query: &str) -> Response {
 /// Does what the page asks for.
 fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, Refusal> {
     if verb == "file" {
-        let name = query.strip_prefix("name=").map(decoded).unwrap_or_default();
+        let name = percent_decode_str(query.strip_prefix("name=").unwrap_or_default()).decode_utf8_lossy();
         let mut session = shared.session();
         let name = session.store(&name, body)?;
         return Ok(json!({ "name": name, "version": session.version() }));
@@ -262,28 +262,4 @@ fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, R
         _ => return Err(Refusal::new(format!("`{verb}` is nothing to be asked for"), "ask as the page does")),
     }
     Ok(json!({ "version": shared.session().version() }))
-}
-
-/// A part of an address without its escapes.
-fn decoded(text: &str) -> String {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.as_bytes();
-    while let Some((first, more)) = rest.split_first() {
-        let escaped = || u8::from_str_radix(std::str::from_utf8(more.get(..2)?).ok()?, 16).ok();
-        match (first, escaped()) {
-            (b'%', Some(byte)) => {
-                bytes.push(byte);
-                rest = &more[2..];
-            }
-            (b'+', _) => {
-                bytes.push(b' ');
-                rest = more;
-            }
-            (byte, _) => {
-                bytes.push(*byte);
-                rest = more;
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
 }

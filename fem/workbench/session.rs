@@ -1,6 +1,5 @@
 //! A session: what is open, what was done, and what can be undone.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -10,34 +9,23 @@ use super::bench::Bench;
 use super::folder::Folder;
 use super::job::{Job, Material, Outcome, Work};
 use super::refusal::Refusal;
+use super::steps::Steps;
 use super::told;
-use crate::ask::{Depth, Page, mended, revised};
-use crate::input::InputError;
+use crate::ask::{mended, revised};
+use crate::input::{Stamp, stamp};
 use crate::measure::{Measurements, Reading};
 use crate::model::{Draft, Entry, Model, Setting, add_effect};
 use crate::output::{add_command, quoted, set_command};
 
-/// Most steps that can be undone.
-const MOST_STEPS: usize = 200;
-
-/// A step that was done.
-struct Done {
-    label: String,
-    /// The command that would do the same.
-    command: Option<String>,
-    /// What was before it, or after it where it was undone.
-    other: Bench,
-}
-
 /// What is open on the page.
 pub struct Session {
-    folder: Folder,
-    now: Bench,
-    undo: Vec<Done>,
-    redo: Vec<Done>,
+    pub(super) folder: Folder,
+    pub(super) now: Bench,
+    pub(super) steps: Steps,
     version: u64,
-    /// Text of the model as its file has it.
+    /// Text of the model as its file has it, and the stamp of the file when that was looked at.
     saved: String,
+    stamp: Option<Stamp>,
     /// What is wrong with a file that was changed elsewhere; what was open stays.
     trouble: Option<String>,
     job: Option<Job>,
@@ -59,10 +47,10 @@ impl Session {
         let mut own = Self {
             folder: Folder::open(folder)?,
             now: Bench::default(),
-            undo: Vec::new(),
-            redo: Vec::new(),
+            steps: Steps::default(),
             version: 1,
             saved: String::new(),
+            stamp: None,
             trouble: None,
             job: None,
         };
@@ -85,29 +73,27 @@ impl Session {
     /// Everything that the page shows.
     pub fn state(&self) -> Json {
         let (models, measurements) = self.folder.listing();
-        let label = |all: &[Done]| all.last().map(|done| done.label.clone());
-        let commands = self.undo.iter().filter_map(|done| done.command.clone());
+        let text = self.now.model.as_ref().map(Model::text);
+        let is_of = |of: &str| text.as_deref() == Some(of);
         let noise = self.now.compared.as_ref().and_then(|found| found.as_ref().ok()).map(|found| found.noise);
-        let correction = self.now.corrected.as_ref().map(|own| {
-            let is_current = self.now.model.as_ref().is_some_and(|model| model.text() == own.of);
-            json!({ "is_current": is_current, "html": own.html, "files": [] })
-        });
+        let correction =
+            self.now.corrected.as_ref().map(|own| json!({ "is_current": is_of(&own.of), "html": own.html }));
         json!({
             "version": self.version,
             "folder": self.folder.path().display().to_string(),
             "models": models,
             "measurements": measurements,
-            "model": told::model(&self.now, self.is_saved()),
+            "model": told::model(&self.now, text.as_deref().unwrap_or_default(), is_of(&self.saved)),
             "trouble": self.trouble,
             "data": told::data(&self.now),
             "comparison": told::comparison(self.now.compared.as_ref()),
             "steps": self.now.steps.iter().map(|(label, rms)| json!({ "label": label, "rms": rms })).collect::<Vec<_>>(),
             "noise": noise,
-            "diagnosis": told::diagnosis(self.now.diagnosed.as_ref(), self.now.model.as_ref()),
+            "diagnosis": self.now.diagnosed.as_ref().map(|own| told::diagnosis(own, self.now.model.as_ref(), is_of(&own.of))),
             "correction": correction,
-            "undo": label(&self.undo),
-            "redo": label(&self.redo),
-            "history": commands.collect::<Vec<_>>(),
+            "undo": self.steps.to_undo(),
+            "redo": self.steps.to_redo(),
+            "history": self.steps.commands().collect::<Vec<_>>(),
             "job": self.job.as_ref().map(Job::json),
         })
     }
@@ -125,18 +111,13 @@ impl Session {
         self.now.model.as_ref().is_none_or(|model| model.text() == self.saved)
     }
 
-    fn model(&self) -> Result<&Model, Refusal> {
+    pub(super) fn model(&self) -> Result<&Model, Refusal> {
         self.now.model.as_ref().ok_or_else(|| Refusal::new("no model is open", "open one of this folder"))
     }
 
     /// Takes a step that can be undone.
     fn step(&mut self, label: impl Into<String>, command: Option<String>, next: Bench) {
-        let before = std::mem::replace(&mut self.now, next);
-        self.undo.push(Done { label: label.into(), command, other: before });
-        if self.undo.len() > MOST_STEPS {
-            self.undo.remove(0);
-        }
-        self.redo.clear();
+        self.steps.take(&mut self.now, next, (label.into(), command));
         self.version += 1;
     }
 
@@ -308,9 +289,7 @@ impl Session {
     /// # Errors
     /// There is none.
     pub fn undo(&mut self) -> Result<(), Refusal> {
-        let done = self.undo.pop().ok_or_else(|| Refusal::new("there is nothing to undo", "take a step first"))?;
-        let after = std::mem::replace(&mut self.now, done.other);
-        self.redo.push(Done { other: after, ..done });
+        self.steps.undo(&mut self.now).ok_or_else(|| Refusal::new("there is nothing to undo", "take a step first"))?;
         self.version += 1;
         Ok(())
     }
@@ -320,37 +299,9 @@ impl Session {
     /// # Errors
     /// There is none.
     pub fn redo(&mut self) -> Result<(), Refusal> {
-        let done = self.redo.pop().ok_or_else(|| Refusal::new("there is nothing to redo", "undo a step first"))?;
-        let before = std::mem::replace(&mut self.now, done.other);
-        self.undo.push(Done { other: before, ..done });
+        self.steps.redo(&mut self.now).ok_or_else(|| Refusal::new("there is nothing to redo", "undo a step first"))?;
         self.version += 1;
         Ok(())
-    }
-
-    /// The model with values on trial, by their paths, in the units in which they are written, and the rows of which it predicts. They
-    /// are no estimates, and stay nowhere.
-    ///
-    /// # Errors
-    /// There is no such value, or the values make no model.
-    pub fn on_trial(&self, values: &BTreeMap<String, f64>) -> Result<Trial, Refusal> {
-        let model = self.model()?;
-        let Some(measured) = self.now.measured.clone() else {
-            return Err(Refusal::new("nothing was measured", "open a file of measurements"));
-        };
-        let si = |(path, value): (&String, &f64)| {
-            let own = model.quantities.iter().find(|own| own.path == *path);
-            let own =
-                own.ok_or_else(|| Refusal::new(format!("the model has no `{path}`"), "name one of its values"))?;
-            let (unit, symbol) = told::unit_of(model, own);
-            let si = value * unit.factor + unit.offset;
-            match own.bounds.admits(si) && si.is_finite() {
-                true => Ok((path.clone(), si)),
-                false => Err(Refusal::new(format!("{value} {symbol} is beyond what may be"), "go back").at(path)),
-            }
-        };
-        let values = values.iter().map(si).collect::<Result<Vec<_>, Refusal>>()?;
-        let struck = self.now.struck.clone();
-        Ok(Trial { model: model.clone(), values, measured, struck: struck.into_iter().collect() })
     }
 
     /// Begins work beside the page: what it needs comes back, to be done on a thread of its own.
@@ -431,14 +382,19 @@ impl Session {
 
     /// Looks whether the file of the model was changed elsewhere: the page follows, and a wrong file keeps what was.
     pub fn look(&mut self) {
-        if self.now.model.is_none() || !self.is_saved() {
+        let Some(path) = self.now.model.as_ref().and_then(|_| self.folder.file(&self.now.file).ok()) else { return };
+        let now = stamp(&path);
+        if now == self.stamp || !self.is_saved() {
             return;
         }
-        let Ok(text) = self.folder.file(&self.now.file).map(|path| std::fs::read_to_string(path).unwrap_or_default())
-        else {
+        self.stamp = now;
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        if text.is_empty() {
             return;
-        };
-        if text == self.saved || text.is_empty() {
+        }
+        if text == self.saved {
+            // Mended again.
+            self.version += u64::from(self.trouble.take().is_some());
             return;
         }
         let name = self.now.file.clone();
@@ -471,74 +427,5 @@ impl Session {
             // It was ours, and holds nothing that the page has not.
             let _ = std::fs::remove_file(&path);
         })
-    }
-
-    /// The rows with what is predicted of them, as a table.
-    ///
-    /// # Errors
-    /// No model is open, nothing was measured, or values are unknown.
-    pub fn table(&self) -> Result<String, Refusal> {
-        let Some(Ok(found)) = &self.now.compared else {
-            return Err(Refusal::new(
-                "there is nothing to show",
-                "open a model and measurements, with every value known",
-            ));
-        };
-        Ok(found.csv.clone())
-    }
-
-    /// The session as a notebook: the commands that do the same.
-    ///
-    /// # Errors
-    /// None.
-    pub fn notebook(&self) -> Result<String, Refusal> {
-        let title = format!("# {}\n", self.now.file);
-        let first = json!({ "cell_type": "markdown", "metadata": {}, "source": [title] });
-        let cell = |command: &String| json!({ "cell_type": "code", "metadata": {}, "execution_count": null, "outputs": [], "source": [format!("!{command}")] });
-        let commands = self.undo.iter().filter_map(|done| done.command.as_ref()).map(cell);
-        let cells: Vec<Json> = std::iter::once(first).chain(commands).collect();
-        let kernel = json!({ "kernelspec": { "name": "python3", "display_name": "Python 3", "language": "python" } });
-        Ok(json!({ "nbformat": 4, "nbformat_minor": 5, "metadata": kernel, "cells": cells }).to_string())
-    }
-
-    /// The page of a report about what is open.
-    ///
-    /// # Errors
-    /// No model is open, or it cannot be computed.
-    pub fn report(&self) -> Result<String, Refusal> {
-        let model = self.model()?.clone();
-        let named = std::iter::once(&self.now.file).chain(&self.now.files);
-        let files = named.filter_map(|name| self.folder.file(name).ok()).collect();
-        let page = Page {
-            models: std::slice::from_ref(&model),
-            measurements: self.now.counted(),
-            files,
-            most_effects: crate::diagnose::MOST_EFFECTS,
-            depth: Depth::Compared,
-            live: None,
-        };
-        Ok(page.made(&Arc::default())?.html)
-    }
-}
-
-/// Values on trial with what they are tried on.
-pub struct Trial {
-    model: Model,
-    values: Vec<(String, f64)>,
-    measured: Arc<Measurements>,
-    struck: Vec<usize>,
-}
-
-impl Trial {
-    /// What the model predicts with them, and what is left.
-    ///
-    /// # Errors
-    /// They make no model.
-    pub fn predict(&self) -> Result<Json, Refusal> {
-        let values: Vec<(&str, f64)> = self.values.iter().map(|(path, si)| (&**path, *si)).collect();
-        let model = if values.is_empty() { self.model.clone() } else { self.model.with_values(&values)? };
-        model.require_values().map_err(|error: InputError| Refusal::from(error))?;
-        let predicted = model.forward().observe(&self.measured.rows)?;
-        Ok(told::trial(&self.measured, |row| self.struck.binary_search(&row).is_ok(), &predicted))
     }
 }

@@ -1,5 +1,6 @@
 //! What the page is told of a bench.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
@@ -9,16 +10,12 @@ use super::refusal::Refusal;
 use crate::input::Parameter;
 use crate::measure::Measurements;
 use crate::model::Model;
+use crate::output::finite;
 use crate::process::Holds;
-use crate::units::{Knowledge, Unit, unit_text};
+use crate::units::{Kind, Knowledge, Unit, unit_text};
 
-/// A number, or null where there is none.
-fn finite(value: f64) -> Json {
-    if value.is_finite() { json!(value) } else { Json::Null }
-}
-
-/// The model: its values, its effects, those that it could have.
-pub fn model(bench: &Bench, is_saved: bool) -> Json {
+/// The model with its text: its values, its effects, those that it could have.
+pub fn model(bench: &Bench, text: &str, is_saved: bool) -> Json {
     let Some(model) = &bench.model else { return Json::Null };
     let has = |name: &str| model.effects.iter().any(|own| own.description.name == *name);
     let effect = |name: &str, about: &str| json!({ "name": name, "about": about });
@@ -32,7 +29,7 @@ pub fn model(bench: &Bench, is_saved: bool) -> Json {
         "process": model.process.name(),
         "about": model.process.about(),
         "is_saved": is_saved,
-        "text": model.text(),
+        "text": text,
         "figures": bench.drawn,
         "values": model.quantities.iter().map(|own| value(model, own)).collect::<Vec<_>>(),
         "effects": own.chain(of_measurement).collect::<Vec<_>>(),
@@ -111,8 +108,7 @@ pub fn comparison(compared: Option<&Result<Arc<Compared>, Refusal>>) -> Json {
 }
 
 /// What is missing, by the last diagnosis.
-pub fn diagnosis(found: Option<&Arc<Diagnosed>>, model: Option<&Model>) -> Json {
-    let Some(found) = found else { return Json::Null };
+pub fn diagnosis(found: &Diagnosed, model: Option<&Model>, is_current: bool) -> Json {
     let is_there = |name: &str| model.is_some_and(|m| m.effects.iter().any(|own| own.description.name == *name));
     let cause = |(number, own): (usize, &Json)| {
         let name = own["effect"].as_str().unwrap_or_default();
@@ -140,7 +136,7 @@ pub fn diagnosis(found: Option<&Arc<Diagnosed>>, model: Option<&Model>) -> Json 
     };
     let list = |key: &str| found.json[key].as_array().map_or(&[][..], Vec::as_slice);
     json!({
-        "is_current": model.is_some_and(|model| model.text() == found.of),
+        "is_current": is_current,
         "verdict": found.verdict,
         "html": found.html,
         "causes": list("missing").iter().enumerate().map(cause).collect::<Vec<_>>(),
@@ -172,35 +168,37 @@ pub fn rows(bench: &Bench, version: u64) -> Option<Json> {
         };
         json!({ "name": &*coordinate.name, "unit": unit, "values": shown, "words": words })
     };
-    let kind = |row: usize| all.observables[all.observable(row)].kind;
-    let in_rows = |counted: &[f64]| -> Vec<Json> {
-        let mut counted = counted.iter();
-        let own = |row: usize| match bench.struck.contains(&row) {
-            true => Json::Null,
-            false => counted.next().map_or(Json::Null, |own| finite(kind(row).from_si(*own))),
-        };
-        (0..all.len()).map(own).collect()
-    };
     let found = bench.compared.as_ref().and_then(|found| found.as_ref().ok());
     Some(json!({
         "version": version,
         "columns": all.given.iter().map(column).collect::<Vec<_>>(),
         "observables": all.observables.iter().map(|own| json!({ "name": &*own.name, "unit": own.kind.unit })).collect::<Vec<_>>(),
         "observable": (0..all.len()).map(|row| all.observable(row)).collect::<Vec<_>>(),
-        "observed": (0..all.len()).map(|row| finite(kind(row).from_si(all.observed[row]))).collect::<Vec<_>>(),
-        "predicted": found.map(|found| in_rows(&found.predicted)),
-        "sigma": found.map(|found| in_rows(&found.sigma)),
+        "observed": (0..all.len()).map(|row| finite(kind(all, row).from_si(all.observed[row]))).collect::<Vec<_>>(),
+        "predicted": found.map(|found| in_rows((all, &bench.struck), found.predicted.iter())),
+        "sigma": found.map(|found| in_rows((all, &bench.struck), found.sigma.iter())),
         "lines": (0..all.len()).map(|row| all.line(row)).collect::<Vec<_>>(),
     }))
 }
 
-/// What a model predicts of all rows, with what is left of those that count: for values on trial, at once.
-pub fn trial(measured: &Measurements, struck: impl Fn(usize) -> bool, predicted: &[f64]) -> Json {
-    let kind = |row: usize| measured.observables[measured.observable(row)].kind;
-    let shown: Vec<Json> = predicted.iter().enumerate().map(|(row, own)| finite(kind(row).from_si(*own))).collect();
-    let left = measured.residuals(predicted);
-    let squares: Vec<f64> =
-        (0..left.len()).filter(|row| !struck(*row)).map(|row| kind(row).from_si(left[row]).powi(2)).collect();
-    let rms = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
-    json!({ "predicted": shown, "rms": finite(rms) })
+/// What a model predicts with values on trial of the rows that count, and what is left.
+pub fn trial((all, struck): (&Measurements, &BTreeSet<usize>), predicted: &[f64], left: Option<f64>) -> Json {
+    json!({ "predicted": in_rows((all, struck), predicted.iter()), "rms": left.map(finite) })
+}
+
+/// Values (SI) of the rows that count, each in its place among all and in its unit; null where one is struck out.
+fn in_rows<'v>(
+    (all, struck): (&Measurements, &BTreeSet<usize>),
+    mut counted: impl Iterator<Item = &'v f64>,
+) -> Vec<Json> {
+    let own = |row: usize| match struck.contains(&row) {
+        true => Json::Null,
+        false => counted.next().map_or(Json::Null, |own| finite(kind(all, row).from_si(*own))),
+    };
+    (0..all.len()).map(own).collect()
+}
+
+/// Kind of what a row observes.
+fn kind(all: &Measurements, row: usize) -> Kind {
+    all.observables[all.observable(row)].kind
 }

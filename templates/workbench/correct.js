@@ -13,7 +13,6 @@ export function correct() {
     correction ? [
       correction.is_current ? null : h("p", { class: "caution", "data-key": "old" }, h("span", { "aria-hidden": "true" }, "⚠ "), T.old),
       blob(correction.html, { class: "served", "data-key": "html" }),
-      correction.files.length ? h("div", { "data-key": "files" }, h("h3", {}, T.files), h("ul", {}, correction.files.map(f => h("li", {}, h("code", {}, f))))) : null,
     ] : h("p", { class: "note", "data-key": "none" }, T.noCorrection),
   ];
 }

@@ -20,7 +20,12 @@ const changes = { ...data.changes, ...model.changes, ...residuals.changes };
 const inputs = { ...model.inputs, ...causes.inputs };
 const submits = { ...header.submits, ...model.submits, ...causes.submits };
 
-onFilled(livenAll);
+// A downloaded figure carries the style of all figures with it.
+const sheet = () => {
+  const link = document.getElementById("figure-style");
+  return link && link.sheet ? [...link.sheet.cssRules].map(r => r.cssText).join("\n") : "";
+};
+onFilled(place => livenAll(place, T, sheet));
 onDraw(all => {
   if (!app.state) return;
   put(at("head"), header.header());

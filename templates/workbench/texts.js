@@ -122,7 +122,6 @@ export const T = {
   // Correct
   correct: "Compute the correction", correctNote: "Offsets, contours and remedies within the tolerance.",
   noCorrection: "Nothing has been computed yet.",
-  files: "Files written into the folder",
 
   // Figures and tables of the server
   figureIn: what => `zoom in: ${what}`, figureOut: what => `zoom out: ${what}`,

@@ -36,6 +36,7 @@ mod records;
 mod remedies;
 mod report;
 mod ring;
+mod served;
 mod set;
 mod start;
 mod stiffness;

@@ -1,11 +1,11 @@
 //! `fem report`: the page says what the other commands say, and a served one follows its files.
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
 use super::fem::{Place, model};
+use super::served::Served;
 
 #[test]
 fn the_page_says_what_the_other_commands_say() {
@@ -82,30 +82,9 @@ fn a_report_is_not_written_over_what_it_reads() {
 }
 
 /// A served page, ended with the test.
-struct Served {
-    child: Child,
-    address: String,
-}
-
-impl Drop for Served {
-    fn drop(&mut self) {
-        self.child.kill().unwrap();
-        self.child.wait().unwrap();
-    }
-}
-
 impl Served {
-    fn of(place: &Place, args: &[&str]) -> Self {
-        let mut child = place.command(args).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
-        let mut told = String::new();
-        BufReader::new(child.stderr.take().unwrap()).read_line(&mut told).unwrap();
-        let address =
-            told.strip_prefix("http://").unwrap_or_else(|| panic!("{told}")).split('/').next().unwrap().into();
-        Self { child, address }
-    }
-
     fn get(&self, path: &str, host: &str) -> String {
-        let mut stream = TcpStream::connect(&self.address).unwrap();
+        let mut stream = TcpStream::connect(&self.host).unwrap();
         write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
@@ -116,7 +95,7 @@ impl Served {
     fn until(&self, text: &str) -> String {
         let start = Instant::now();
         loop {
-            let page = self.get("/", &self.address);
+            let page = self.get("/", &self.host);
             if page.contains(text) {
                 return page;
             }
@@ -132,13 +111,13 @@ fn a_served_page_follows_its_files() {
     let text = model("stiffness.toml");
     place.write("model.toml", &text);
     let served = Served::of(&place, &["report", "model.toml", "--serve"]);
-    assert!(served.address.starts_with("127.0.0.1:"));
+    assert!(served.host.starts_with("127.0.0.1:"));
     let first = served.until("</html>");
     let version = |page: &str| page.rsplit("live(").next().unwrap().split(')').next().unwrap().to_string();
-    assert!(served.get("/version", &served.address).ends_with(&format!("\r\n\r\n{}", version(&first))));
+    assert!(served.get("/version", &served.host).ends_with(&format!("\r\n\r\n{}", version(&first))));
     // A name that is not this computer's, as a page elsewhere could point to it.
     assert!(served.get("/", "evil.example").starts_with("HTTP/1.1 403"));
-    assert!(served.get("/etc/passwd", &served.address).starts_with("HTTP/1.1 404"));
+    assert!(served.get("/etc/passwd", &served.host).starts_with("HTTP/1.1 404"));
     // A mistake is told with its place and remedy, and mended again.
     let wrong = text.replacen("[joint]", "[joynt]", 1);
     assert_ne!(wrong, text);
@@ -157,9 +136,9 @@ fn a_served_page_outlives_its_clients() {
     let served = Served::of(&place, &["report", "model.toml", "--serve"]);
     served.until("</html>");
     let open = |text: &str| {
-        let mut stream = TcpStream::connect(&served.address).unwrap();
+        let mut stream = TcpStream::connect(&served.host).unwrap();
         // One that is refused while it sends is refused.
-        let _ = stream.write_all(text.replace("HOST", &served.address).as_bytes());
+        let _ = stream.write_all(text.replace("HOST", &served.host).as_bytes());
         stream
     };
     let begun = |rest: &str| format!("GET /version HTTP/1.1\r\nHost: HOST\r\n{rest}");
@@ -180,9 +159,9 @@ fn a_served_page_outlives_its_clients() {
         // Gone before the page is sent.
         open(&begun("\r\n"));
     }
-    let mut stream = TcpStream::connect(&served.address).unwrap();
+    let mut stream = TcpStream::connect(&served.host).unwrap();
     stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
-    write!(stream, "GET / HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", served.address).unwrap();
+    write!(stream, "GET / HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", served.host).unwrap();
     let mut page = String::new();
     stream.read_to_string(&mut page).unwrap();
     assert!(page.starts_with("HTTP/1.1 200") && page.contains("</html>"));

@@ -1,37 +1,26 @@
 //! `fem open`: the loop over the wire, and who tries to get in.
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
 use serde_json::{Value as Json, json};
 
 use super::fem::{Answer, Place, answer, model, words};
+use super::served::Served;
 
-/// A workbench that runs; it ends with the test.
+/// A workbench that runs, by its host and its token.
 struct Bench {
-    child: Child,
-    /// Host with port, and the token.
     host: String,
     token: String,
-}
-
-impl Drop for Bench {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
+    _served: Served,
 }
 
 impl Bench {
     fn open(place: &Place, what: &str) -> Self {
-        let mut child = place.command(&["open", what]).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
-        let mut line = String::new();
-        BufReader::new(child.stderr.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.split_whitespace().next().unwrap().strip_prefix("http://").unwrap().to_string();
-        let (host, token) = address.split_once('/').unwrap();
-        Self { child, host: host.to_string(), token: token.trim_end_matches('/').to_string() }
+        let served = Served::of(place, &["open", what]);
+        let token = served.path.trim_end_matches('/').to_string();
+        Self { host: served.host.clone(), token, _served: served }
     }
 
     /// Sends a question as it stands; status, head and body of the answer.
@@ -148,6 +137,9 @@ fn the_error_falls_by_what_the_diagnosis_adds_and_comes_back() {
     // A value on trial is no estimate, and stays nowhere.
     let tried = bench.done("try", &json!({ "values": { "effects.tool-wear.rate": 8 } }));
     assert!(tried["rms"].as_f64().unwrap() > 2.0, "{}", tried["rms"]);
+    // With nothing on trial it is what the comparison says.
+    let same = bench.done("try", &json!({ "values": {} }));
+    assert!((same["rms"].as_f64().unwrap() - state["comparison"]["rms"].as_f64().unwrap()).abs() < 1e-9, "{same}");
     assert_eq!(bench.state()["model"], state["model"]);
     // Corrected, by the very command.
     let state = bench.run("correct");
@@ -291,6 +283,11 @@ fn the_file_is_the_truth_and_a_wrong_one_keeps_what_was() {
     place.write("shop/rigid.toml", &text);
     let state = bench.until(|state| force(state) == "450 N");
     assert!(state["trouble"].is_null());
+    // Wrong, and just as it was before.
+    place.write("shop/rigid.toml", text.replace("\"450 N\"", "\"450 m\""));
+    bench.until(|state| state["trouble"].is_string());
+    place.write("shop/rigid.toml", &text);
+    bench.until(|state| state["trouble"].is_null());
 }
 
 #[test]
@@ -336,5 +333,7 @@ fn every_file_of_the_page_is_served() {
         assert_eq!((status, body), (200, std::fs::read(root.join(&name)).unwrap()), "{name}");
     }
     assert_eq!(bench.ask("GET", "", "", b"").2, std::fs::read(root.join("index.html")).unwrap());
-    assert_eq!(bench.ask("GET", "figures.css", "", b"").0, 200);
+    for shared in ["figures.css", "figures.js"] {
+        assert_eq!(bench.ask("GET", shared, "", b"").0, 200, "{shared}");
+    }
 }

@@ -2,10 +2,7 @@
 //! diagnosis arrives at, and made again by the generator, which shares nothing with the program.
 
 use fem::correct::{Correction, correct};
-use fem::diagnose::Verdict;
-use fem::input::Source;
-use fem::measure::Measurements;
-use fem::model::{Data, Model};
+use fem::model::Model;
 use fem::process::{Answers, Holds};
 use fem::progress::Progress;
 use generator::asked::Asked;
@@ -14,7 +11,8 @@ use generator::job::Job;
 use generator::random::decimals;
 use generator::{AXIS, CONTOUR, FIXTURE, Hidden, Process, RING, THERMAL, TURNING, Whole};
 
-use crate::{every, score, side_by_side};
+use crate::arrived::{Arrived, named, parsed};
+use crate::{every, side_by_side};
 
 /// Places of a part at which it is made again.
 const PLACES: usize = 9;
@@ -37,10 +35,6 @@ struct Corrected {
     places: usize,
     /// Root mean square of what was left, in standard uncertainties that were promised.
     of_promised: f64,
-}
-
-fn parsed(text: &str) -> Model {
-    Model::parse(Source::new("case.toml", text.to_string())).expect("the model is right")
 }
 
 /// Coordinates that a machine is told when it makes something again, beside those of the contours.
@@ -104,14 +98,7 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
 
 /// A machine corrected by the model that a diagnosis arrives at; `None` where it leaves a value unknown, or known too roughly.
 fn corrected(process: &Process, seed: u64) -> Option<Corrected> {
-    let Whole { case, job } = process.whole_machine(seed);
-    let model = parsed(&case.model);
-    let data =
-        Measurements::parse(Source::new("case.csv", case.data.clone()), &*model.process).expect("so are the data");
-    let data = Data::of(&model, data).expect("every row lies in the model");
-    let diagnosis = score::diagnose(&data, 6, &Progress::default()).ok()?;
-    let better = fem::ask::completed(&data, &diagnosis).ok()?;
-    better.require_part().ok()?;
+    let Arrived { whole: Whole { case, job }, model: better, is_adequate, .. } = Arrived::at(process, seed)?;
     // What is known too roughly is told so.
     let found = correct(&better, &Progress::default()).ok()??;
     let hidden = &case.truth.hidden;
@@ -130,7 +117,7 @@ fn corrected(process: &Process, seed: u64) -> Option<Corrected> {
         (low..=high).contains(value)
     };
     Some(Corrected {
-        adequate: diagnosis.verdict_after == Verdict::Adequate,
+        adequate: is_adequate,
         before: rms(was.iter().map(|(_, value)| *value)) / noise,
         after: rms(is.iter().map(|(_, value)| *value)) / noise,
         parts: parts.len(),
@@ -191,11 +178,6 @@ fn the_whole_of_corrections_of_machines() {
             println!("| {} | {name} {}", named(process), row(&own, all.len()));
         }
     }
-}
-
-/// Lathes have no name before their seeds.
-fn named(process: &Process) -> &str {
-    if process.name.is_empty() { "turning" } else { process.name.trim() }
 }
 
 /// A row of the table.

@@ -8,6 +8,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod advised;
+mod arrived;
 mod calibration;
 mod corrected;
 mod events;

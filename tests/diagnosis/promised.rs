@@ -2,10 +2,7 @@
 //! predicted where they were measured and one force level beyond, and made there by the generator, which shares nothing with the
 //! program.
 
-use fem::diagnose::Verdict;
-use fem::input::Source;
-use fem::measure::Measurements;
-use fem::model::{Data, Model};
+use fem::model::Model;
 use fem::process::{Holds, Rows};
 use fem::progress::Progress;
 use generator::asked::Asked;
@@ -13,7 +10,8 @@ use generator::dense::Basis;
 use generator::job::Job;
 use generator::{AXIS, CONTOUR, FIXTURE, Hidden, Process, RING, THERMAL, TURNING, Whole};
 
-use crate::{every, score, side_by_side};
+use crate::arrived::{Arrived, named};
+use crate::{every, side_by_side};
 
 /// Processes, and of those that have one the force of which one level more is asked.
 const PREDICTED: [(&Process, Option<&str>); 6] = [
@@ -43,10 +41,6 @@ struct Promised {
     is_adequate: bool,
     within: Held,
     beyond: Option<Held>,
-}
-
-fn parsed(text: &str) -> Model {
-    Model::parse(Source::new("case.toml", text.to_string())).expect("the model is right")
 }
 
 /// What a generator is asked to make again of a row.
@@ -99,16 +93,9 @@ fn held(model: &Model, rows: &Rows, (job, hidden): (&dyn Job, &[Hidden])) -> Opt
 
 /// A machine predicted by the model that a diagnosis arrives at; `None` where it leaves a value unknown.
 fn promised((process, force): (&Process, Option<&str>), seed: u64) -> Option<Promised> {
-    let Whole { case, job } = process.whole_machine(seed);
-    let model = parsed(&case.model);
-    let read =
-        Measurements::parse(Source::new("case.csv", case.data.clone()), &*model.process).expect("so are the data");
-    let data = Data::of(&model, read).expect("every row lies in the model");
-    let diagnosis = score::diagnose(&data, 6, &Progress::default()).ok()?;
-    let better = fem::ask::completed(&data, &diagnosis).ok()?;
-    better.require_part().ok()?;
+    let Arrived { whole: Whole { case, job }, model: better, rows: measured, is_adequate } =
+        Arrived::at(process, seed)?;
     let hidden = &case.truth.hidden;
-    let measured = &data.rows;
     let beyond = force.map(|force| {
         let column = better.process.coordinates().iter().position(|own| own.name == force).unwrap();
         let most = (0..measured.len()).filter_map(|row| measured.get(column, row)).fold(0.0, f64::max);
@@ -119,11 +106,7 @@ fn promised((process, force): (&Process, Option<&str>), seed: u64) -> Option<Pro
         let again = job.asked(&all)?;
         held(&better, &rows, (&*again, hidden))
     });
-    Some(Promised {
-        is_adequate: diagnosis.verdict_after == Verdict::Adequate,
-        within: held(&better, measured, (&*job, hidden))?,
-        beyond: beyond.flatten(),
-    })
+    Some(Promised { is_adequate, within: held(&better, &measured, (&*job, hidden))?, beyond: beyond.flatten() })
 }
 
 #[test]
@@ -150,9 +133,9 @@ fn the_whole_of_predictions_of_machines() {
         };
         let within: Vec<Held> = found.iter().map(|own| own.within).collect();
         let beyond: Vec<Held> = found.iter().filter_map(|own| own.beyond).collect();
-        let name = if process.0.name.is_empty() { "turning" } else { process.0.name.trim() };
         println!(
-            "| {name} | {} of {} | {} | {} | {} |",
+            "| {} | {} of {} | {} | {} | {} |",
+            named(process.0),
             found.len(),
             seeds.len(),
             column(&within),

@@ -21,5 +21,6 @@ pub use single::write;
 pub use stage::Stage;
 
 pub(super) use account::Account;
+pub(crate) use account::digits;
 pub(super) use way::{Way, reader};
 pub(super) use written::read_plain;

@@ -49,7 +49,7 @@ struct Trouble<'a> {
 }
 
 const CSS: &str = include_str!("../../../templates/report.css");
-const JS: &str = include_str!("../../../templates/report.js");
+const JS: &str = concat!(include_str!("../../../templates/figures.js"), include_str!("../../../templates/report.js"));
 
 /// Writes the page that stands in the place of a served one while its files are wrong.
 pub fn trouble(told: &str, live: u64) -> String {

@@ -1,6 +1,5 @@
-// Figures of the server's HTML answer to pointer and keys, steps slide and tables sort; without this they say the same.
-import { T } from "./texts.js";
-
+"use strict";
+// Figures answer to pointer and keys, steps slide and tables sort; without this script the page says the same.
 const tip = document.getElementById("tip");
 const svgns = "http://www.w3.org/2000/svg";
 const valueText = (axis, v) => v === null ? "" : axis.words.length ? axis.words[v] : (v + " " + axis.unit).trim();
@@ -29,20 +28,15 @@ function button(text, label, act) {
   return b;
 }
 
-// A downloaded figure carries the style of all figures with it.
-const sheet = () => {
-  const link = document.getElementById("figure-style");
-  return link && link.sheet ? [...link.sheet.cssRules].map(r => r.cssText).join("\n") : "";
-};
-
-/** Makes all figures, steps and tables within `place` live; may be called again after HTML was replaced. */
-export function livenAll(place) {
-  for (const figure of place.querySelectorAll("figure")) liven(figure);
+/** Makes all figures, steps and tables within `place` live, with these words on them; a downloaded figure carries the style of
+ * `sheet` with it. May be called again after HTML was replaced. */
+function livenAll(place, words, sheet) {
+  for (const figure of place.querySelectorAll("figure")) liven(figure, words, sheet);
   for (const steps of place.querySelectorAll(".steps")) slideThrough(steps);
-  for (const table of place.querySelectorAll("table.sortable:not([data-is-live])")) sortable(table);
+  for (const table of place.querySelectorAll("table.sortable:not([data-is-live])")) sortable(table, words);
 }
 
-function liven(figure) {
+function liven(figure, words, sheet) {
   const view = figure.querySelector(".view"), svg = view && view.querySelector("svg");
   const told = figure.querySelector("script"), caption = figure.querySelector("figcaption");
   if (!svg || !told || !caption || view.dataset.isLive) return;
@@ -119,9 +113,9 @@ function liven(figure) {
 
   const what = data.name;
   caption.append(
-    button("+", T.figureIn(what), () => zoom(0.7)),
-    button("\u2212", T.figureOut(what), () => zoom(1 / 0.7)),
-    button("SVG", T.figureSvg(what), () => {
+    button("+", words.figureIn(what), () => zoom(0.7)),
+    button("\u2212", words.figureOut(what), () => zoom(1 / 0.7)),
+    button("SVG", words.figureSvg(what), () => {
       const copy = svg.cloneNode(true);
       copy.querySelector(".hit").remove();
       copy.setAttribute("xmlns", svgns);
@@ -133,9 +127,9 @@ function liven(figure) {
       copy.prepend(style);
       save(what + ".svg", "image/svg+xml", new XMLSerializer().serializeToString(copy));
     }),
-    button("CSV", T.figureCsv(what), () => {
+    button("CSV", words.figureCsv(what), () => {
       const quote = t => /[",\n]/.test(t) ? '"' + t.replace(/"/g, '""') + '"' : t;
-      const head = [T.series, ...data.axes.map(a => a.unit ? a.name + " [" + a.unit + "]" : a.name)];
+      const head = [words.series, ...data.axes.map(a => a.unit ? a.name + " [" + a.unit + "]" : a.name)];
       const rows = data.marks.map(m => [data.series[m[2]], ...m.slice(3).map((v, i) => v === null ? "" : data.axes[i].words.length ? data.axes[i].words[v] : String(v))]);
       save(what + ".csv", "text/csv", [head, ...rows].map(r => r.map(quote).join(",")).join("\n") + "\n");
     }));
@@ -156,12 +150,12 @@ function slideThrough(steps) {
   go();
 }
 
-function sortable(table) {
+function sortable(table, words) {
   table.dataset.isLive = "";
   table.querySelectorAll("thead th").forEach((th, column) => {
     const text = th.textContent;
     th.textContent = "";
-    th.append(button(text, T.sortBy(text), () => {
+    th.append(button(text, words.sortBy(text), () => {
       const up = th.getAttribute("aria-sort") !== "ascending";
       for (const other of table.querySelectorAll("th")) other.removeAttribute("aria-sort");
       th.setAttribute("aria-sort", up ? "ascending" : "descending");
