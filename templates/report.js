@@ -11,7 +11,13 @@ livenAll(document, {
 function live(version) {
   const ask = async () => {
     try {
-      const now = await (await fetch("/version")).text();
+      const [now, ...told] = (await (await fetch("/version")).text()).split("\n");
+      // The last good page stays while a file is wrong.
+      const trouble = document.getElementById("trouble");
+      if (trouble) {
+        trouble.hidden = !told.length;
+        trouble.querySelector("code").textContent = told.join("\n");
+      }
       if (now !== String(version)) {
         sessionStorage.setItem("scroll", scrollY);
         location.reload();

@@ -1,7 +1,8 @@
 //! What to command so that the part comes out as the drawing asks.
 
-use super::Error;
-use crate::correct::{Advised, Correction};
+use super::{Error, programmed};
+use crate::correct::{Action, Advised, Correction};
+use crate::gcode::Program;
 use crate::input::Problem;
 use crate::knowledge::failed;
 use crate::model::Model;
@@ -9,6 +10,25 @@ use crate::process::range;
 use crate::progress::Progress;
 use crate::remedy::{NoRemedy, Remedies};
 use crate::units::MICRO;
+
+/// What to do about a model whose values are known: to correct its command, or else to change something; where a program is
+/// given, by it, with blocks put between where it `adds` them.
+///
+/// # Errors
+/// As those of [`correct`], [`advise`] and [`programmed`].
+pub fn action(
+    model: &Model,
+    (program, adds): (Option<&Program>, bool),
+    is_forced: bool,
+    progress: &Progress,
+) -> Result<Action, Error> {
+    if model.system.commanded().is_none() && program.is_none() {
+        return Ok(Action::Advice(Box::new(advise(model, is_forced, progress)?)));
+    }
+    let found = correct(model, is_forced, progress)?;
+    let own = program.map(|program| programmed(model, &found, program, adds)).transpose()?;
+    Ok(Action::Command(Box::new(found), own.map(Box::new)))
+}
 
 /// The correction of a model whose values are known.
 ///

@@ -22,7 +22,7 @@ pub use catalogue::catalogue;
 pub use comparison::{compare_all, refuse_mixed};
 pub use compensation::compensate;
 pub use completion::{completed, extended, fit, fitted, mended, notes, steps};
-pub use correction::{advise, correct, remedies};
+pub use correction::{action, advise, correct, remedies};
 pub use error::{Error, Marks};
 pub use next::{Added, Change, Log};
 pub use page::{Depth, Made, Page};

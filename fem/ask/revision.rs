@@ -1,6 +1,6 @@
 //! A model with other values.
 
-use crate::input::{Problem, did_you_mean};
+use crate::input::{Problem, Raw, did_you_mean};
 use crate::model::{Edit, Entry, Model, Setting};
 use crate::noise::MEASUREMENT;
 use crate::process::EFFECTS;
@@ -37,9 +37,18 @@ pub fn revised(model: &Model, values: &[Setting], without: &[String]) -> Result<
 
 /// The edit that puts a value into the model.
 fn entering(model: &Model, Setting { key, value }: &Setting) -> Edit {
-    let is_text = model.written(key).is_some();
-    let entry = if is_text { value.clone() } else { bare(value) };
-    Edit::Set { path: key.as_str().into(), entry }
+    let path = key.as_str().into();
+    if model.written(key).is_some() {
+        return Edit::Set { path, entry: value.clone() };
+    }
+    // A list or a table is written as the file writes it.
+    if let Entry::Text(text) = value
+        && text.trim_start().starts_with(['[', '{'])
+        && let Some(value) = Raw::parse(text)
+    {
+        return Edit::Write { path, value };
+    }
+    Edit::Set { path, entry: bare(value) }
 }
 
 /// The table of an effect: the one in which it stands, and its own name there.

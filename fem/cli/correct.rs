@@ -6,10 +6,10 @@ use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
 use super::watch::watched;
-use crate::ask::{advise, correct, program, programmed, remedies};
+use crate::ask::{action, correct, program, remedies};
 use crate::model::Model;
 use crate::output::files::Guard;
-use crate::output::{AdvisedAnswer, Answer, CorrectionAnswer, Folder, RemedyAnswer};
+use crate::output::{ActionAnswer, Answer, Folder, RemedyAnswer};
 use crate::progress::Progress;
 use crate::units::TIME;
 
@@ -20,14 +20,9 @@ pub fn run(args: &args::Correct) -> Result<(), Error> {
     if args.remedies {
         return remedied(args, &model, &progress);
     }
-    if model.system.commanded().is_none() && read.is_none() {
-        let found = watched(&progress, || advise(&model, args.despite_failure, &progress))?;
-        return tell(args, &model, &AdvisedAnswer(&model, &found), &progress);
-    }
-    let found = watched(&progress, || correct(&model, args.despite_failure, &progress))?;
-    let own = read.map(|read| programmed(&model, &found, &read, args.add_blocks)).transpose()?;
-    let answer = CorrectionAnswer(&model, &found, own.as_ref());
-    tell(args, &model, &answer, &progress)
+    let by = (read.as_ref(), args.add_blocks);
+    let found = watched(&progress, || action(&model, by, args.despite_failure, &progress))?;
+    tell(args, &model, &ActionAnswer(&model, &found), &progress)
 }
 
 /// What to change, beside what to command where the process has a command that is corrected.

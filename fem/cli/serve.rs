@@ -3,7 +3,6 @@
 
 use std::collections::BTreeMap;
 use std::io;
-use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -12,10 +11,8 @@ use std::time::Duration;
 use axum::Router;
 use axum::body::Bytes;
 use axum::extract::State;
-use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE, HOST, X_CONTENT_TYPE_OPTIONS};
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
-use axum::response::{IntoResponse, Response};
-use tokio::net::TcpListener;
+use axum::response::Response;
 
 use super::args;
 use super::error::Error;
@@ -24,9 +21,14 @@ use super::say::say;
 use crate::ask::Depth;
 use crate::input::{Problem, Stamp, stamp};
 use crate::output::trouble;
+use crate::workbench::{Gate, guarded};
 
 /// Time between two looks at the files.
 const LOOK: Duration = Duration::from_millis(250);
+
+/// The page is one file, and asks for nothing but whether it is still true.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; connect-src 'self'; \
+                      img-src data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// The page as it is now.
 #[derive(Default)]
@@ -34,6 +36,8 @@ struct Shown {
     /// Counts the pages.
     version: u64,
     html: Bytes,
+    /// What is wrong with the files since; the last good page stays.
+    trouble: Option<String>,
     /// Files of which the last good page was made.
     files: Vec<PathBuf>,
 }
@@ -59,8 +63,7 @@ pub fn unserved(port: u16, error: &io::Error) -> Error {
 }
 
 async fn served(args: &args::Report) -> io::Result<()> {
-    let listener = TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, args.port))).await?;
-    let port = listener.local_addr()?.port();
+    let (listener, gate, port) = Gate::open(args.port).await?;
     let shown = Shared::default();
     // Before the page is made: what is written meanwhile is not in it.
     let seen = stamps(args, &shown);
@@ -68,7 +71,7 @@ async fn served(args: &args::Report) -> io::Result<()> {
     say!("http://127.0.0.1:{port}/ shows the page and renews it when a file changes; Ctrl-C ends it");
     let (owned, told) = (args.clone(), shown.clone());
     thread::spawn(move || watch(&owned, &told, seen));
-    axum::serve(listener, Router::new().fallback(answer).with_state((shown, port))).await
+    axum::serve(listener, Router::new().fallback(answer).with_state((shown, gate))).await
 }
 
 /// Makes the page anew whenever a file changes: compared at once, then diagnosed.
@@ -101,30 +104,39 @@ fn stamps(args: &args::Report, shown: &Shared) -> Stamps {
     args.models.iter().chain(&args.with).chain(&named).map(stamp).collect()
 }
 
-/// Puts the next page in place: the report, or what is wrong with its files.
+/// Puts the next page in place; where the files are wrong, the last good one stays and what is wrong is told beside it.
 fn renew(args: &args::Report, depth: Depth, shown: &Shared) {
     let version = locked(shown).version + 1;
     let made = args.page(depth, Some(version), &args.limit.progress());
     let mut shown = locked(shown);
-    shown.version = version;
     match made {
-        Ok(made) => (shown.html, shown.files) = (made.html.into(), made.files),
-        Err(error) => shown.html = trouble(&error.text(look::plain_marks()), version).into(),
+        Ok(made) => {
+            (shown.version, shown.trouble) = (version, None);
+            (shown.html, shown.files) = (made.html.into(), made.files);
+        }
+        Err(error) => {
+            let told = error.text(look::plain_marks());
+            if shown.files.is_empty() {
+                (shown.version, shown.html) = (version, trouble(&told, version).into());
+            }
+            shown.trouble = Some(told);
+        }
     }
 }
 
-/// Answers a browser. Pages of other sites that send their readers here by a name of their own get nothing.
-async fn answer(State((shown, port)): State<(Shared, u16)>, method: Method, uri: Uri, headers: HeaderMap) -> Response {
-    let host = headers.get(HOST).and_then(|host| host.to_str().ok());
-    let is_own = host.is_some_and(|h| h == format!("127.0.0.1:{port}") || h == format!("localhost:{port}"));
+/// Answers a browser.
+async fn answer(State((shown, gate)): State<(Shared, Gate)>, method: Method, uri: Uri, headers: HeaderMap) -> Response {
     let (page, text) = ("text/html; charset=utf-8", "text/plain; charset=utf-8");
     let shown = locked(&shown);
-    let (status, kind, body) = match (is_own, method, uri.path()) {
+    let (status, kind, body) = match (gate.admits(&headers), method, uri.path()) {
         (true, Method::GET, "/") => (StatusCode::OK, page, shown.html.clone()),
-        (true, Method::GET, "/version") => (StatusCode::OK, text, shown.version.to_string().into()),
+        // The version on a line of its own, and beneath it what is wrong.
+        (true, Method::GET, "/version") => {
+            let trouble = shown.trouble.as_ref().map_or(String::new(), |told| format!("\n{told}"));
+            (StatusCode::OK, text, format!("{}{trouble}", shown.version).into())
+        }
         (true, ..) => (StatusCode::NOT_FOUND, text, "there is nothing but the page at /\n".into()),
         (false, ..) => (StatusCode::FORBIDDEN, text, "this page is for this computer alone\n".into()),
     };
-    (status, [(CONTENT_TYPE, kind), (CACHE_CONTROL, "no-store"), (X_CONTENT_TYPE_OPTIONS, "nosniff")], body)
-        .into_response()
+    guarded(status, kind, POLICY, body)
 }

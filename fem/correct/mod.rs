@@ -1,6 +1,7 @@
 //! What to command so that the part comes out as the drawing asks: solved through the model, so that force feedback, copying
 //! and contacts answer to the correction as they answer to the cut.
 
+mod action;
 mod advised;
 mod contour;
 mod course;
@@ -13,6 +14,7 @@ use crate::knowledge::{Band, Knowledge};
 use crate::model::Model;
 use crate::process::{Advice, Command, Commanded, Failure, Rows, Standing};
 use crate::progress::Progress;
+pub use action::Action;
 pub use advised::{Advised, advise};
 pub use contour::{OneContour, Programmed};
 pub use course::Offset;

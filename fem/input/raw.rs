@@ -39,9 +39,49 @@ impl Raw {
         Self { value: Arc::new(value), span }
     }
 
+    /// A value as a file writes it; `None` where the text is none.
+    pub fn parse(text: &str) -> Option<Self> {
+        text.trim().parse().ok().map(|value| Self::of(value, None))
+    }
+
+    /// A table of keys, each with what is written for it: numbers, and yes and no, as such, all else as text.
+    pub fn of_keys<'k>(keys: impl IntoIterator<Item = (&'k str, &'k str)>) -> Self {
+        let value = |text: &str| match text.trim().parse::<Value>() {
+            Ok(value @ (Value::Integer(_) | Value::Float(_) | Value::Boolean(_))) => value,
+            _ => Value::from(text.trim()),
+        };
+        let keys = keys.into_iter().map(|(key, text)| (key, value(text)));
+        Self::of(Value::InlineTable(keys.collect()), None)
+    }
+
+    /// A list of these.
+    pub fn of_list(all: impl IntoIterator<Item = Self>) -> Self {
+        Self::of(Value::Array(all.into_iter().map(|own| (*own.value).clone()).collect()), None)
+    }
+
     /// The value itself.
     pub fn value(&self) -> &Value {
         &self.value
+    }
+
+    /// The value on one line, without the comments within it.
+    pub fn on_one_line(&self) -> String {
+        let mut value = (*self.value).clone();
+        flatten(&mut value);
+        value.to_string()
+    }
+
+    /// Every text in it.
+    pub fn texts(&self) -> Vec<&str> {
+        fn of(value: &Value) -> Vec<&str> {
+            match value {
+                Value::String(text) => vec![text.value()],
+                Value::Array(list) => list.iter().flat_map(of).collect(),
+                Value::InlineTable(table) => table.iter().flat_map(|(_, own)| of(own)).collect(),
+                _ => Vec::new(),
+            }
+        }
+        of(&self.value)
     }
 
     /// A text, or a number as a text.
@@ -53,6 +93,22 @@ impl Raw {
     pub fn whole(&self) -> Option<i64> {
         self.value.as_integer()
     }
+}
+
+/// Writes lists and tables on one line.
+fn flatten(value: &mut Value) {
+    match value {
+        Value::Array(list) => {
+            list.iter_mut().for_each(flatten);
+            list.fmt();
+        }
+        Value::InlineTable(table) => {
+            table.iter_mut().for_each(|(_, own)| flatten(own));
+            table.fmt();
+        }
+        _ => {}
+    }
+    value.decor_mut().clear();
 }
 
 /// As a user would write it: texts without quotes.

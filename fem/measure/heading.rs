@@ -1,5 +1,6 @@
 //! Headings as people and instruments spell them: name, unit, and the place at which a column was measured.
 
+use super::lexicon;
 use super::moment::Moment;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
@@ -40,12 +41,17 @@ impl Heading {
     /// # Errors
     /// It could mean two things, or fixes a coordinate that the process does not have.
     pub fn read(cell: &str, vocabulary: Vocabulary, others: &[String]) -> Result<Self, Problem> {
-        let (spelled, unit) = parts(cell, |name| vocabulary.knows(base(&plain(name))));
+        let known = |name: &str| vocabulary.knows(base(name)) || lexicon::meant(base(name), vocabulary).is_some();
+        let (spelled, unit) = parts(cell, |name| known(&plain(name)));
         let name = plain(spelled);
         let mut conditions = spelled.split('@');
         let own = plain(conditions.next().unwrap_or_default());
+        // A word of another language means a column, unless that stands in the file itself.
+        let foreign = if vocabulary.knows(&own) { None } else { lexicon::meant(&own, vocabulary) };
+        let foreign = foreign.filter(|name| !others.iter().any(|other| plain(other) == **name));
+        let (own, name) = foreign.map_or((own, name), |foreign| (foreign.to_string(), foreign.to_string()));
         // Beside a column of that very name this one is another.
-        let is_known = vocabulary.knows(&own) && (spelled == name || !others.contains(&name));
+        let is_known = vocabulary.knows(&own) && (foreign.is_some() || spelled == name || !others.contains(&name));
         let mut heading = Self {
             written: cell.trim().to_string(),
             name: own,

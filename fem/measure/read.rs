@@ -19,7 +19,7 @@ use crate::process::{Absent, Holds, Process, Rows, Values};
 use crate::units::Unit;
 
 /// Largest measurement file, bytes: some ten million rows.
-const LARGEST_FILE: u64 = 500_000_000;
+pub(super) const LARGEST_FILE: u64 = 500_000_000;
 
 impl Measurements {
     /// Reads a file of measurements of `process`.

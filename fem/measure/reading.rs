@@ -39,6 +39,14 @@ impl Reading {
                 return Err(problem.help("write --columns 'HEADING=NAME [UNIT],HEADING=NAME', and - to leave one out"));
             }
         }
+        Self::of_columns(columns, decimal)
+    }
+
+    /// Makes a reading of headings, and what each is to be.
+    ///
+    /// # Errors
+    /// A heading is said to be two things.
+    pub fn of_columns(columns: Vec<(String, String)>, decimal: Option<Decimal>) -> Result<Self, Problem> {
         let is_twice = |(i, (from, _)): (usize, &(String, String))| columns[..i].iter().any(|(other, _)| other == from);
         if let Some((_, (from, _))) = columns.iter().enumerate().find(|(i, entry)| is_twice((*i, *entry))) {
             let problem = Problem::new(format!("--columns: `{from}` is said to be two things"));
@@ -53,7 +61,7 @@ impl Reading {
     }
 
     /// The options by which all of it is said.
-    pub(super) fn options(&self) -> Vec<String> {
+    pub fn options(&self) -> Vec<String> {
         let columns = self.columns.iter().map(|(from, to)| format!("{from}={to}")).collect::<Vec<_>>().join(",");
         let decimal = self.decimal.map(|mark| match mark {
             Decimal::Comma => "comma",
@@ -62,6 +70,11 @@ impl Reading {
         let columns = (!columns.is_empty()).then(|| ["--columns".to_string(), columns]);
         let decimal = decimal.map(|mark| ["--decimal".to_string(), mark.to_string()]);
         [columns, decimal].into_iter().flatten().flatten().collect()
+    }
+
+    /// Headings of the file, and what each is to be.
+    pub fn columns(&self) -> &[(String, String)] {
+        &self.columns
     }
 
     /// Headings of which something is said.

@@ -1,25 +1,116 @@
 //! Words of label columns as people and instruments write them.
 
+use super::lexicon::folded;
 use crate::process::Words;
 
-/// Words that mean the same, the program's own first.
+/// Words that mean the same, the program's own first, others in small letters without accents.
 const SAME: &[&[&str]] = &[
-    &["+", "+1", "1", "forward", "forwards", "fwd", "up", "pos", "positive", "plus", "↑"],
-    &["-", "-1", "−", "−1", "–", "backward", "backwards", "bwd", "reverse", "down", "neg", "negative", "minus", "↓"],
-    &["forward", "forwards", "fwd"],
-    &["reverse", "reversed", "backward", "backwards", "bwd"],
-    &["ccw", "counter-clockwise", "counterclockwise", "anticlockwise", "anti-clockwise"],
-    &["cw", "clockwise"],
-    &["load", "loading"],
-    &["unload", "unloading"],
+    &[
+        "+",
+        "+1",
+        "1",
+        "forward",
+        "forwards",
+        "fwd",
+        "up",
+        "pos",
+        "positive",
+        "plus",
+        "↑",
+        "vor",
+        "vorwarts",
+        "avant",
+        "avanti",
+        "adelante",
+        "naprzod",
+        "vpred",
+        "вперед",
+        "正",
+        "正向",
+        "前",
+    ],
+    &[
+        "-",
+        "-1",
+        "−",
+        "−1",
+        "–",
+        "backward",
+        "backwards",
+        "bwd",
+        "reverse",
+        "down",
+        "neg",
+        "negative",
+        "minus",
+        "↓",
+        "zuruck",
+        "ruckwarts",
+        "arriere",
+        "indietro",
+        "atras",
+        "wstecz",
+        "vzad",
+        "zpet",
+        "назад",
+        "负",
+        "反向",
+        "後",
+    ],
+    &["forward", "forwards", "fwd", "vor", "vorwarts", "avant", "avanti", "adelante", "вперед", "正向"],
+    &[
+        "reverse",
+        "reversed",
+        "backward",
+        "backwards",
+        "bwd",
+        "zuruck",
+        "ruckwarts",
+        "arriere",
+        "indietro",
+        "atras",
+        "назад",
+        "反向",
+    ],
+    &[
+        "ccw",
+        "counter-clockwise",
+        "counterclockwise",
+        "anticlockwise",
+        "anti-clockwise",
+        "gegen den uhrzeigersinn",
+        "gegenuhrzeigersinn",
+        "antihoraire",
+        "antiorario",
+        "antihorario",
+        "против часовой стрелки",
+        "逆时针",
+        "反時計回り",
+    ],
+    &[
+        "cw",
+        "clockwise",
+        "im uhrzeigersinn",
+        "uhrzeigersinn",
+        "horaire",
+        "orario",
+        "horario",
+        "по часовой стрелке",
+        "顺时针",
+        "時計回り",
+    ],
+    &["load", "loading", "belastung", "charge", "carico", "carga", "нагрузка", "加载", "負荷"],
+    &["unload", "unloading", "entlastung", "decharge", "scarico", "descarga", "разгрузка", "卸载", "除荷"],
+    &["released", "gelost", "entspannt", "libere", "rilasciato", "liberado", "освобождено", "松开"],
+    &["clamped", "gespannt", "serre", "serrato", "sujeto", "зажато", "夹紧"],
 ];
 
 /// The word of a list that a cell means; capitals do not matter.
 pub fn meant<'w>(cell: &str, words: &'w Words) -> Option<&'w str> {
-    let cell = cell.to_lowercase();
+    let (own, cell) = (cell.to_lowercase(), folded(cell));
     let means = |word: &&str| {
         let same = SAME.iter().find(|group| group[0] == *word);
-        *word == cell || same.is_some_and(|group| group.contains(&&*cell))
+        *word == own || same.is_some_and(|group| group.contains(&&*cell))
     };
     words.iter().find(means)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use toml_edit::{Array, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use super::way::{entry_of, erase, set, way, write};
+use super::way::{copy, entry_of, erase, replace, set, way, write};
 use crate::input::{InputError, ParameterId, Problem, Raw, Source};
 
 /// A change of a model.
@@ -44,6 +44,15 @@ pub enum Edit {
     },
     /// What stands at a path is left out, if it is there.
     Erase(ParameterId),
+    /// A table of a list, `workpiece.segments[1]`, stands there twice, the second behind the first.
+    Copy(ParameterId),
+    /// A table of a list gets these keys and no others.
+    Replace {
+        /// The table: `workpiece.segments[1]`.
+        path: ParameterId,
+        /// Its keys.
+        value: Raw,
+    },
     /// A comment at the top.
     Remark(String),
 }
@@ -358,6 +367,11 @@ fn apply(tables: &mut Table, edit: &Edit, number: usize) -> Result<(), Problem> 
             erase(tables, path);
             Ok(())
         }
+        Edit::Copy(path) => copy(tables, path).ok_or_else(|| {
+            Problem::new(format!("`{path}` is no table of a list")).help("name one that is there, from 0: `segments[0]`")
+        }),
+        Edit::Replace { path, value } => replace(tables, path, value.value())
+            .ok_or_else(|| Problem::new(format!("`{path}` is no table of a list")).help("name one that is there, from 0")),
         Edit::Remark(_) => Ok(()),
     }
 }

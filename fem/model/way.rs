@@ -134,9 +134,59 @@ pub fn erase(tables: &mut dyn TableLike, path: &str) {
         (Some(number), Some(Item::ArrayOfTables(list))) if *number < list.len() => drop(list.remove(*number)),
         (Some(number), Some(item)) => {
             if let Some(list) = item.as_array_mut().filter(|list| *number < list.len()) {
-                list.remove(*number);
+                let gone = list.remove(*number);
+                // What is first now stands where the first one stood.
+                if let Some(first) = list.get_mut(0).filter(|_| *number == 0) {
+                    first.decor_mut().clone_from(gone.decor());
+                }
             }
         }
         (Some(_), None) => {}
     }
+}
+
+/// Puts a table of a list, at a path such as `workpiece.segments[1]`, there a second time; `None` where there is none.
+pub fn copy(tables: &mut dyn TableLike, path: &str) -> Option<()> {
+    let steps = way(tables, path, true)?;
+    let ((key, number), above) = steps.split_last()?;
+    let number = (*number)?;
+    let mut table: &mut dyn TableLike = tables;
+    for (key, entry) in above {
+        table = entry_of_mut(table.get_mut(key)?, *entry)?;
+    }
+    match table.get_mut(key)? {
+        Item::ArrayOfTables(list) => {
+            // The copy stands at the place of its original in the file, where tables within both would stand among
+            // each other.
+            let own = list.get(number).filter(|own| !own.iter().any(|(_, item)| item.is_table()))?.clone();
+            let mut all: Vec<Table> = list.iter().cloned().collect();
+            all.insert(number + 1, own);
+            *list = all.into_iter().collect();
+        }
+        item => {
+            let list = item.as_array_mut()?;
+            let own = list.get(number)?.clone();
+            list.insert_formatted(number + 1, own);
+            // What stands on one line has a blank behind each comma.
+            let after = list.get_mut(number + 1)?;
+            if after.decor().prefix().and_then(|own| own.as_str()).is_none_or(str::is_empty) {
+                after.decor_mut().set_prefix(" ");
+            }
+        }
+    }
+    Some(())
+}
+
+/// Gives a table of a list other keys; `None` where there is none, or the keys are none.
+pub fn replace(tables: &mut dyn TableLike, path: &str, value: &Value) -> Option<()> {
+    let steps = way(tables, path, true)?;
+    let mut table: &mut dyn TableLike = tables;
+    for (key, entry) in &steps {
+        table = entry_of_mut(table.get_mut(key)?, *entry)?;
+    }
+    let own = value.as_inline_table()?;
+    let gone: Vec<String> = table.iter().map(|(key, _)| key.to_string()).filter(|key| !own.contains_key(key)).collect();
+    gone.iter().for_each(|key| drop(table.remove(key)));
+    own.iter().for_each(|(key, value)| drop(table.insert(key, Item::Value(value.clone()))));
+    Some(())
 }

@@ -26,6 +26,11 @@ pub fn commented(process: &dyn Process) -> String {
     text.lines().map(|line| format!("# {line}\n")).collect()
 }
 
+/// The heading of each, and what it holds.
+pub fn all_columns(process: &dyn Process) -> Vec<(String, String)> {
+    all(process).into_iter().map(|own| (own.heading, own.about)).collect()
+}
+
 fn all(process: &dyn Process) -> Vec<Column> {
     let observables = process.observables();
     let dimension = |i: usize| observables[i].kind.canonical().dimension;

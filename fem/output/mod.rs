@@ -1,6 +1,7 @@
 //! Writing results: for people, for programs, for ParaView. Each command has one [`Answer`], which [`text()`], [`json()`],
 //! [`figures`] and a [`Folder`] take. Files appear whole or not at all.
 
+mod action;
 mod advised;
 mod allowed;
 mod answer;
@@ -47,19 +48,23 @@ mod tolerance;
 mod validation;
 pub mod vtk;
 
+pub use action::ActionAnswer;
 pub use advised::AdvisedAnswer;
 pub use answer::{Answer, figures};
 pub use bands::tables as tables_of_band;
 pub use budget::BudgetAnswer;
 pub use catalogue::CatalogueAnswer;
 pub(crate) use chart::sheet;
+pub(crate) use columns::all_columns;
 pub use columns::{columns, commented};
 pub use comparison::ComparisonAnswer;
 pub(crate) use comparison::residuals;
 pub use compensation::{CONTROLS, CompensationAnswer, Control, LINUXCNC, Supplied, supplied};
 pub use correction::CorrectionAnswer;
 pub use diagnosis::{Addition, DiagnosisAnswer, additions};
-pub(crate) use diagnosis::{add as add_command, leave_out as leave_out_command, quoted, set as set_command, with};
+pub(crate) use diagnosis::{
+    add as add_command, group_sentence, leave_out as leave_out_command, quoted, set as set_command, with,
+};
 pub use error::OutputError;
 pub use fit::FitAnswer;
 pub use folder::Folder;
@@ -77,4 +82,5 @@ pub use remedy::RemedyAnswer;
 pub use run::RunAnswer;
 pub use study::StudyAnswer;
 pub use text::text;
+pub(crate) use tolerance::lines as standing_lines;
 pub use validation::ValidationAnswer;

@@ -15,6 +15,20 @@ pub(super) fn whole(text: &str) -> String {
     text.replace(' ', &NO_BREAK.to_string())
 }
 
+/// A sentence with \u{b5}m where files and terminals have um.
+pub(super) fn micro(text: &str) -> String {
+    let mut all = String::with_capacity(text.len() + 4);
+    let is_word = |c: char| c.is_alphanumeric() || "_-".contains(c);
+    for (place, part) in text.split("um").enumerate() {
+        if place > 0 {
+            let is_unit = !all.ends_with(is_word) && !part.starts_with(is_word);
+            all.push_str(if is_unit { "\u{b5}m" } else { "um" });
+        }
+        all.push_str(part);
+    }
+    all
+}
+
 /// The title of a file, or else its name, on one line.
 pub(super) fn titled(title: Option<&str>, name: &str) -> String {
     title.unwrap_or(name).replace(|c: char| c.is_control(), " ")

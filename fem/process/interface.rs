@@ -96,6 +96,12 @@ pub trait System: Send + Sync {
         self.limits(rows).into_iter().map(middle).collect()
     }
 
+    /// The value of each row that a part without any error shows, SI: a set diameter. `None` where that is nothing for all.
+    fn references(&self, rows: &Rows) -> Option<Vec<f64>> {
+        let references = self.places(rows)?.references;
+        references.iter().any(|own| *own != 0.0).then_some(references)
+    }
+
     /// How its command is corrected, if it has one.
     fn commanded(&self) -> Option<Commanded>;
 

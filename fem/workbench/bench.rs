@@ -7,9 +7,11 @@ use serde_json::Value as Json;
 
 use super::refusal::Refusal;
 use crate::ask::compare_all;
-use crate::measure::Measurements;
+use crate::correct::Action;
+use crate::input::Name;
+use crate::measure::{Measurements, Reading};
 use crate::model::{Data, Model};
-use crate::output::{Addition, ComparisonAnswer, fragment, machine_fragment, residuals};
+use crate::output::{Addition, ComparisonAnswer, fragment, machine_fragment, quoted, residuals, standing_lines};
 use crate::process::Values;
 use crate::progress::Progress;
 
@@ -24,12 +26,15 @@ pub struct Bench {
     pub by_commands: String,
     /// Files of measurements.
     pub files: Vec<String>,
+    /// How they are to be read.
+    pub reading: Reading,
     /// All of their rows.
     pub measured: Option<Arc<Measurements>>,
     /// Rows that somebody has struck out, from 0.
     pub struck: BTreeSet<usize>,
-    /// What the model draws.
+    /// What the model draws, and how its parts stand against the drawing.
     pub drawn: String,
+    pub standing: Vec<String>,
     /// The model against the measurements; why not, where it is not.
     pub compared: Option<Result<Arc<Compared>, Refusal>>,
     /// What was left with each model so far.
@@ -38,6 +43,8 @@ pub struct Bench {
     pub diagnosed: Option<Arc<Diagnosed>>,
     /// The last correction.
     pub corrected: Option<Arc<Corrected>>,
+    /// What the shop should change, when that was asked last.
+    pub remedied: Option<Arc<Remedied>>,
 }
 
 /// A comparison. SI but for `rms` and `noise`.
@@ -65,10 +72,23 @@ pub struct Diagnosed {
     pub html: String,
     pub next: Option<(String, String)>,
     pub additions: Vec<Addition>,
+    /// Groups of effects that stand for each other: what is said of each, and its members.
+    pub groups: Vec<(String, Vec<Name>)>,
 }
 
 /// A correction of some model.
 pub struct Corrected {
+    /// Text of the model.
+    pub of: String,
+    pub html: String,
+    /// The model itself and what to do about it, and the command that says the same.
+    pub model: Model,
+    pub action: Action,
+    pub command: String,
+}
+
+/// What a shop should change, by some model.
+pub struct Remedied {
     /// Text of the model.
     pub of: String,
     pub html: String,
@@ -89,7 +109,15 @@ impl Bench {
         self.compared = self.comparison();
         let run = self.model.as_ref().filter(|model| model.require_part().is_ok());
         let run = run.and_then(|model| model.run(&Progress::default()).ok());
+        self.standing = run.as_ref().map_or(Vec::new(), |run| standing_lines(&run.standings));
         self.drawn = run.map_or(String::new(), |run| machine_fragment(&run));
+    }
+
+    /// The options by which a command is given the measurements.
+    pub fn with(&self) -> String {
+        let files = self.files.iter().flat_map(|name| ["--with".to_string(), name.clone()]);
+        let words: Vec<String> = files.chain(self.reading.options()).map(|word| quoted(&word)).collect();
+        words.join(" ")
     }
 
     fn comparison(&self) -> Option<Result<Arc<Compared>, Refusal>> {

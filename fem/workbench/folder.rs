@@ -10,6 +10,16 @@ use crate::output::files::{self, Guard};
 const MOST: usize = 2_000;
 /// Endings of files that may hold measurements.
 const MEASURED: &[&str] = &["csv", "txt", "tsv", "xlsx", "xls", "ods", "dat"];
+/// Endings of programs of controls.
+const PROGRAMS: &[&str] = &["ngc", "nc", "cnc", "gcode", "tap", "mpf", "spf"];
+
+/// Files of a folder, each kind in the order of their names.
+#[derive(Default)]
+pub struct Listing {
+    pub models: Vec<String>,
+    pub measurements: Vec<String>,
+    pub programs: Vec<String>,
+}
 
 /// A folder, by its path without links.
 #[derive(Clone, Debug)]
@@ -35,16 +45,24 @@ impl Folder {
         &self.0
     }
 
-    /// Models and files of measurements in it, by their names.
-    pub fn listing(&self) -> (Vec<String>, Vec<String>) {
+    /// The files in it that are of use here, by their names.
+    pub fn listing(&self) -> Listing {
         let entries = std::fs::read_dir(&self.0).into_iter().flatten().take(MOST).filter_map(Result::ok);
         let is_shown = |name: &String| !name.starts_with('.') && self.file(name).is_ok();
         let mut names: Vec<String> =
             entries.filter_map(|entry| entry.file_name().into_string().ok()).filter(is_shown).collect();
         names.sort();
         let ending = |name: &String| name.rsplit_once('.').map_or(String::new(), |(_, end)| end.to_ascii_lowercase());
-        let (models, others): (Vec<String>, Vec<String>) = names.into_iter().partition(|name| ending(name) == "toml");
-        (models, others.into_iter().filter(|name| MEASURED.contains(&&*ending(name))).collect())
+        let mut listing = Listing::default();
+        for name in names {
+            match &*ending(&name) {
+                "toml" => listing.models.push(name),
+                own if MEASURED.contains(&own) => listing.measurements.push(name),
+                own if PROGRAMS.contains(&own) => listing.programs.push(name),
+                _ => {}
+            }
+        }
+        listing
     }
 
     /// A name of a file here: no way out, nothing hidden.
@@ -107,6 +125,18 @@ impl Folder {
         let path = self.0.join(Self::name(name)?);
         files::write(&path, bytes, Guard { reads: &[], force: over })?;
         Ok(path)
+    }
+
+    /// The path of a folder in this one that is not there yet.
+    ///
+    /// # Errors
+    /// It is no name, or something has it.
+    pub fn fresh(&self, name: &str) -> Result<PathBuf, Refusal> {
+        let path = self.0.join(Self::name(name)?);
+        match path.symlink_metadata().is_ok() {
+            false => Ok(path),
+            true => Err(Refusal::new(format!("there is `{name}` already"), "write into a folder of another name")),
+        }
     }
 
     /// A name that nothing has yet: `rows.csv`, `rows-2.csv`.

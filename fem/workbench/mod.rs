@@ -5,15 +5,22 @@
 
 mod assets;
 mod bench;
+mod edits;
 mod export;
 mod folder;
+mod gate;
 mod job;
+mod kept;
+mod measured;
 mod refusal;
+mod resume;
+mod runs;
 mod server;
 mod session;
 mod steps;
 mod told;
 mod trial;
 
+pub use gate::{Gate, guarded};
 pub use server::serve;
 pub use session::Session;

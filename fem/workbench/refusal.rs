@@ -14,12 +14,14 @@ pub struct Refusal {
     help: Option<String>,
     /// The field of the page that it is about, by the path of its value.
     path: Option<String>,
+    /// The file that it is about, by its name.
+    file: Option<String>,
 }
 
 impl Refusal {
     /// That of a problem.
     pub fn new(problem: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { problem: problem.into(), help: Some(help.into()), path: None }
+        Self { problem: problem.into(), help: Some(help.into()), path: None, file: None }
     }
 
     /// It belongs to a field.
@@ -31,7 +33,7 @@ impl Refusal {
 
     /// For the page.
     pub fn json(&self) -> Json {
-        json!({ "problem": self.problem, "help": self.help, "path": self.path })
+        json!({ "problem": self.problem, "help": self.help, "path": self.path, "file": self.file })
     }
 
     /// In one sentence.
@@ -45,14 +47,18 @@ impl Refusal {
 
 impl From<Problem> for Refusal {
     fn from(problem: Problem) -> Self {
-        Self { problem: problem.message, help: problem.help, path: None }
+        Self { problem: problem.message, help: problem.help, path: None, file: None }
     }
 }
 
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
         match &error {
-            Error::Input(all) | Error::Data(all) => Self { problem: all.to_string(), help: None, path: None },
+            Error::Input(all) | Error::Data(all) => {
+                let file = std::path::Path::new(&*all.source.name).file_name();
+                let file = file.map(|name| name.to_string_lossy().into_owned());
+                Self { problem: all.to_string(), help: None, path: None, file }
+            }
             _ => error.problem().into(),
         }
     }

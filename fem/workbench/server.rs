@@ -3,26 +3,23 @@
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::io;
-use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use axum::Router;
-use axum::body::{Bytes, to_bytes};
+use axum::body::to_bytes;
 use axum::extract::{Request, State};
-use axum::http::header::{
-    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_LENGTH, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, ORIGIN,
-    REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS, X_FRAME_OPTIONS,
-};
+use axum::http::header::{CONTENT_DISPOSITION, CONTENT_LENGTH};
 use axum::http::request::Parts;
 use axum::http::{HeaderValue, Method, StatusCode};
 use axum::response::sse::{Event, Sse};
 use axum::response::{IntoResponse, Response};
 use percent_encoding::percent_decode_str;
 use serde_json::{Value as Json, json};
-use tokio::net::TcpListener;
 
 use super::assets::asset;
+use super::edits::Row;
+use super::gate::{Gate, guarded};
 use super::job::{Job, Work};
 use super::refusal::Refusal;
 use super::session::Session;
@@ -43,7 +40,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'u
 struct Shared {
     session: Arc<Mutex<Session>>,
     token: Arc<str>,
-    port: u16,
+    gate: Gate,
 }
 
 impl Shared {
@@ -60,16 +57,17 @@ impl Shared {
 pub fn serve(session: Session, port: u16, told: impl FnOnce(&str)) -> io::Result<()> {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     runtime.block_on(async {
-        let listener = TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port))).await?;
-        let port = listener.local_addr()?.port();
+        let (listener, gate, port) = Gate::open(port).await?;
         let token = digits()?;
-        let shared = Shared { session: Arc::new(Mutex::new(session)), token: token.as_str().into(), port };
+        let shared = Shared { session: Arc::new(Mutex::new(session)), token: token.as_str().into(), gate };
         told(&format!("http://127.0.0.1:{port}/{token}/"));
         let looks = shared.clone();
         std::thread::spawn(move || {
             loop {
                 std::thread::sleep(LOOK);
-                looks.session().look();
+                let mut session = looks.session();
+                session.look();
+                session.keep();
             }
         });
         let router = Router::new().fallback(answer).with_state(shared);
@@ -77,23 +75,18 @@ pub fn serve(session: Session, port: u16, told: impl FnOnce(&str)) -> io::Result
     })
 }
 
-/// Answers a browser. A page of another site that sends its readers here, by whatever name, gets nothing.
+/// Answers a browser.
 async fn answer(State(shared): State<Shared>, request: Request) -> Response {
     let (Parts { method, uri, headers, .. }, body) = request.into_parts();
-    let text = |name| headers.get(name).and_then(|value: &HeaderValue| value.to_str().ok());
-    let own = [format!("127.0.0.1:{}", shared.port), format!("localhost:{}", shared.port)];
-    let is_own = text(HOST).is_some_and(|host| own.iter().any(|own| own == host));
-    let is_from_here = headers.get(ORIGIN).is_none_or(|_| {
-        text(ORIGIN).and_then(|origin| origin.strip_prefix("http://")).is_some_and(|o| own.iter().any(|own| own == o))
-    });
+    let length = headers.get(CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse::<usize>().ok());
     let path = uri.path().strip_prefix('/').unwrap_or_default();
     let (token, path) = path.split_once('/').unwrap_or((path, ""));
-    if !is_own || !is_from_here || !is_same(token, &shared.token) {
+    if !shared.gate.admits(&headers) || !is_same(token, &shared.token) {
         return plain(StatusCode::FORBIDDEN, "this page is for the one who started it\n");
     }
     // What says that it is too large is not waited for, nor is what never comes.
-    let is_too_large = || text(CONTENT_LENGTH).and_then(|own| own.parse().ok()).is_some_and(|own: usize| own > LARGEST);
-    let read = async { if is_too_large() { None } else { to_bytes(body, LARGEST).await.ok() } };
+    let is_too_large = length.is_some_and(|length| length > LARGEST);
+    let read = async { if is_too_large { None } else { to_bytes(body, LARGEST).await.ok() } };
     let Some(body) = tokio::time::timeout(LONGEST, read).await.ok().flatten() else {
         let refusal = Refusal::new("that is too large", "a file of measurements may have 64 MB: thin it out first");
         return refused(&refusal);
@@ -106,6 +99,11 @@ async fn answer(State(shared): State<Shared>, request: Request) -> Response {
         (Method::GET, "rows") => {
             let rows = move || shared.session().rows();
             blocking(move || rows().map_or_else(|refusal| refused(&refusal), |rows| told(&rows))).await
+        }
+        (Method::GET, "preview") => {
+            let name = named(&query, "file=");
+            let preview = move || shared.session().preview(&name);
+            blocking(move || preview().map_or_else(|refusal| refused(&refusal), |own| told(&own))).await
         }
         (Method::GET, "") => file("index.html"),
         (Method::GET, name) => file(name),
@@ -128,37 +126,28 @@ async fn blocking(work: impl FnOnce() -> Response + Send + 'static) -> Response 
     tokio::task::spawn_blocking(work).await.unwrap_or_else(none)
 }
 
-fn guarded(status: StatusCode, kind: &'static str, body: impl Into<Bytes>) -> Response {
-    let mut response = (status, [(CONTENT_TYPE, kind)], body.into()).into_response();
-    for (name, value) in [
-        (CONTENT_SECURITY_POLICY, POLICY),
-        (CACHE_CONTROL, "no-store"),
-        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        (X_FRAME_OPTIONS, "DENY"),
-        (REFERRER_POLICY, "no-referrer"),
-    ] {
-        response.headers_mut().insert(name, HeaderValue::from_static(value));
-    }
-    response
-}
-
 fn plain(status: StatusCode, text: &'static str) -> Response {
-    guarded(status, "text/plain; charset=utf-8", text)
+    guarded(status, "text/plain; charset=utf-8", POLICY, text)
 }
 
 fn told(json: &Json) -> Response {
-    guarded(StatusCode::OK, "application/json", json.to_string())
+    guarded(StatusCode::OK, "application/json", POLICY, json.to_string())
 }
 
 fn refused(refusal: &Refusal) -> Response {
-    guarded(StatusCode::UNPROCESSABLE_ENTITY, "application/json", refusal.json().to_string())
+    guarded(StatusCode::UNPROCESSABLE_ENTITY, "application/json", POLICY, refusal.json().to_string())
 }
 
 fn file(name: &str) -> Response {
     match asset(name) {
-        Some((kind, bytes)) => guarded(StatusCode::OK, kind, bytes),
+        Some((kind, bytes)) => guarded(StatusCode::OK, kind, POLICY, bytes),
         None => plain(StatusCode::NOT_FOUND, "there is no such thing here\n"),
     }
+}
+
+/// What a question names.
+fn named(query: &str, key: &str) -> String {
+    percent_decode_str(query.strip_prefix(key).unwrap_or_default()).decode_utf8_lossy().into_owned()
 }
 
 /// New states and the work that runs, as they come.
@@ -194,7 +183,7 @@ fn export(shared: &Shared, query: &str) -> Response {
     };
     match made {
         Ok(text) => {
-            let mut response = guarded(StatusCode::OK, kind, text);
+            let mut response = guarded(StatusCode::OK, kind, POLICY, text);
             let as_file = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""));
             as_file.into_iter().for_each(|value| drop(response.headers_mut().insert(CONTENT_DISPOSITION, value)));
             response
@@ -206,7 +195,7 @@ fn export(shared: &Shared, query: &str) -> Response {
 /// Does what the page asks for.
 fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, Refusal> {
     if verb == "file" {
-        let name = percent_decode_str(query.strip_prefix("name=").unwrap_or_default()).decode_utf8_lossy();
+        let name = named(query, "name=");
         let mut session = shared.session();
         let name = session.store(&name, body)?;
         return Ok(json!({ "name": name, "version": session.version() }));
@@ -231,27 +220,49 @@ fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, R
             return trial.predict();
         }
         "run" => {
-            let work = Work::of(text("what")?)?;
-            let (job, material) = shared.session().begin(work)?;
+            let (job, material) = shared.session().begin(Work::of(&said)?)?;
             let shared = shared.clone();
             std::thread::spawn(move || {
-                let outcome = material.work(work, &job.progress);
+                let outcome = material.work(&job.work, &job.progress);
                 shared.session().end(outcome);
             });
         }
         "open" => shared.session().open_model(text("model")?)?,
         "data" => {
             let names: Vec<String> = list("files").iter().filter_map(|own| own.as_str().map(str::to_string)).collect();
-            shared.session().open_data(&names)?;
+            let pair = |own: &Json| Some((own[0].as_str()?.to_string(), own[1].as_str()?.to_string()));
+            let is_said = said.get("columns").is_some() || said.get("decimal").is_some();
+            let columns = list("columns").iter().filter_map(pair).collect();
+            let reading = is_said.then(|| Session::reading(columns, said["decimal"].as_str())).transpose()?;
+            shared.session().open_data(&names, reading)?;
         }
         "set" => shared.session().set(text("path")?, text("text")?)?,
         "add" => shared.session().add(text("effect")?)?,
+        "row" => {
+            let cells = said["cells"].as_object().into_iter().flatten();
+            let cells: Vec<(String, String)> =
+                cells.filter_map(|(key, own)| Some((key.clone(), own.as_str()?.to_string()))).collect();
+            let number = || said["number"].as_u64().map(|own| own as usize);
+            let row = match (text("what")?, number()) {
+                ("copy", Some(number)) => Row::Copy(number),
+                ("remove", Some(number)) => Row::Remove(number),
+                ("add", _) => Row::Add(&cells),
+                _ => return Err(Refusal::new("that is nothing to be done with a list", "copy, remove or add")),
+            };
+            shared.session().row(text("path")?, row)?;
+        }
+        "write" => {
+            let names = shared.session().write_correction(text("as")?)?;
+            return Ok(json!({ "names": names, "version": shared.session().version() }));
+        }
         "remove" => shared.session().remove(text("effect")?)?,
         "strike" => {
             let rows: Vec<usize> = list("rows").iter().filter_map(|own| Some(own.as_u64()? as usize)).collect();
             shared.session().strike(&rows, said["is_struck"].as_bool().unwrap_or(true))?;
         }
         "readings" => shared.session().readings(text("csv")?)?,
+        "resume" => shared.session().resume()?,
+        "forget" => shared.session().forget()?,
         "undo" => shared.session().undo()?,
         "redo" => shared.session().redo()?,
         "stop" => shared.session().stop()?,

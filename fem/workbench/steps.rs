@@ -15,8 +15,8 @@ pub struct Steps {
 /// A step.
 struct Step {
     label: String,
-    /// The command that would do the same.
-    command: Option<String>,
+    /// The commands that would do the same.
+    commands: Vec<String>,
     /// What was before it, or after it where it was taken back.
     other: Bench,
 }
@@ -24,11 +24,19 @@ struct Step {
 impl Steps {
     /// Takes a step from what is `now` to what is next, by its label and command.
     pub fn take(&mut self, now: &mut Bench, next: Bench, (label, command): (String, Option<String>)) {
-        self.undo.push(Step { label, command, other: std::mem::replace(now, next) });
+        let commands = command.into_iter().collect();
+        self.undo.push(Step { label, commands, other: std::mem::replace(now, next) });
         if self.undo.len() > MOST {
             self.undo.remove(0);
         }
         self.redo.clear();
+    }
+
+    /// What the last step was is done by one more command.
+    pub fn also(&mut self, command: String) {
+        if let Some(step) = self.undo.last_mut() {
+            step.commands.push(command);
+        }
     }
 
     /// Takes the last step back; `None` where there is none.
@@ -51,9 +59,20 @@ impl Steps {
         self.redo.last().map(|step| &*step.label)
     }
 
+    /// A name for the next file of a model that began as `file`, by the number of the step.
+    pub fn short_name(&self, file: &str) -> String {
+        let stem: String = file.chars().take(40).collect();
+        format!("{}-{}.toml", stem.trim_end_matches(".toml"), self.undo.len() + 1)
+    }
+
+    /// Number of the steps.
+    pub fn count(&self) -> usize {
+        self.undo.len()
+    }
+
     /// The commands that would do what was done.
     pub fn commands(&self) -> impl Iterator<Item = &str> {
-        self.undo.iter().filter_map(|step| step.command.as_deref())
+        self.undo.iter().flat_map(|step| step.commands.iter().map(String::as_str))
     }
 }
 

@@ -65,9 +65,12 @@ impl Trial {
         model.require_values()?;
         let data = Data::of(&model, self.counted)?;
         let predicted = model.forward().observe(&data.rows)?;
+        let before = self.compared.as_ref().map(|found| &found.predicted);
+        let moves = before.is_none_or(|before| *before != predicted);
         // The noise is that by which the model is judged as it stands.
         let left = self.compared.map(|found| rms(&data.together(&data.residuals(&predicted), &found.sigma)));
         let left = left.map(|left| data.kind().from_si(left));
-        Ok(told::trial((&self.measured, &self.struck), &predicted, left))
+        let references = model.system.references(&model.system.resolved(&self.measured.rows));
+        Ok(told::trial((&self.measured, &self.struck), (&predicted, references.as_deref()), (left, moves)))
     }
 }

@@ -140,19 +140,8 @@ impl Model {
         let model = self.0.clone();
         compute(py, &Arc::default(), move |progress| {
             let read = program.as_ref().map(|path| ask::program(&model, path)).transpose()?;
-            if model.system.commanded().is_none() && read.is_none() {
-                let found = ask::advise(&model, despite_failure, progress)?;
-                let answer = AdvisedAnswer(&model, &found);
-                written(&answer, (output.as_deref(), overwrite), &model.paths(), progress)?;
-                let nothing = Table { columns: Vec::new() };
-                return Ok(Answer {
-                    tables: vec![vec![("correction".to_string(), nothing)]],
-                    ..Answer::of(&answer, &model)
-                });
-            }
-            let found = ask::correct(&model, despite_failure, progress)?;
-            let own = read.map(|read| ask::programmed(&model, &found, &read, add_blocks)).transpose()?;
-            let answer = CorrectionAnswer(&model, &found, own.as_ref());
+            let found = ask::action(&model, (read.as_ref(), add_blocks), despite_failure, progress)?;
+            let answer = ActionAnswer(&model, &found);
             let reads = [model.paths(), program.iter().cloned().collect()].concat();
             written(&answer, (output.as_deref(), overwrite), &reads, progress)?;
             let tables = vec![vec![("correction".to_string(), answer.table())]];

@@ -6,8 +6,11 @@ export const app = {
   rows: null,
   drafts: new Map(),     // path of a value → text that is not set yet
   problems: new Map(),   // path of a value → why its text was refused
-  trial: { values: new Map(), predicted: null, rms: null, problem: null, path: null },
-  seen: { column: null, view: "residual", observable: 0, picked: null, rowsShown: 50 },
+  trial: { values: new Map(), predicted: null, rms: null, moves: true, problem: null, path: null },
+  // How files are to be read: what was said of columns but not sent, files as they stand, and those that were refused.
+  reading: { file: null, said: new Map(), decimal: undefined, previews: new Map(), refused: null },
+  seen: { column: null, view: "residual", observable: 0, picked: null, rowsShown: 50, effect: null, more: new Set(), keys: new Set(), copied: null,
+    toAdd: "", addProblem: null, program: "", addsBlocks: false, written: [], writeProblem: null },
   isLost: false,
 };
 
@@ -35,8 +38,11 @@ export function say(text) {
   say.timer = setTimeout(() => { place.textContent = ""; }, 6000);
 }
 
+/** Files of the folder by their names alone, as the page lists them. */
+export const withoutFolder = text => app.state ? text.split(app.state.folder + "/").join("") : text;
+
 export function alarm(text) {
-  document.getElementById("alarm").textContent = text;
+  document.getElementById("alarm").textContent = withoutFolder(text);
   clearTimeout(alarm.timer);
   if (text) alarm.timer = setTimeout(() => alarm(""), 15000);
 }
@@ -66,23 +72,27 @@ export function load() {
 /** Asks for the state if it is older than the version told of. */
 export const follow = version => { if (!app.state || version !== app.state.version) load(); };
 
-/** Does something at the server and says that it was done, or why not; true if it was. */
+/** Does something at the server and says that it was done, or why not; what was answered, false if it was not done. */
 export async function change(what, body, said) {
+  let answer;
   try {
-    await post(what, body);
+    answer = await post(what, body);
   } catch (e) {
     refuse(e);
     return false;
   }
   alarm("");
   await load();
-  if (said) say(said);
-  return true;
+  if (said) say(typeof said === "function" ? said(answer) : said);
+  return answer;
 }
+
+/** The field on the page in which a value is written; lists have fields for values that are not there yet. */
+export const fieldOf = path => document.querySelector(`[data-draft="${CSS.escape(path)}"]`);
 
 export function refuse(e) {
   const text = refusalText(e);
-  if (e.path && app.state && app.state.model && app.state.model.values.some(v => v.path === e.path)) {
+  if (e.path && fieldOf(e.path)) {
     app.problems.set(e.path, text);
     say(text);
   } else alarm(text);

@@ -1,30 +1,26 @@
 // The measurements: files, what was read of them, rows that are struck out.
 import { alarm, app, change, redraw, refuse, say } from "./app.js";
+import { columns, forgetSaid, openFiles, readingOf } from "./columns.js";
 import { h } from "./dom.js";
 import { numberText, proseText, unitText } from "./numbers.js";
 import { send } from "./server.js";
 import { T } from "./texts.js";
 
 const used = () => app.state.data ? app.state.data.files : [];
+// Files that were refused are still wanted: what is wrong with them stands below.
+const wanted = () => app.reading.refused ? app.reading.refused.files : used();
 
 function files() {
   const { measurements } = app.state;
   return h("fieldset", { "data-key": "files" }, h("legend", {}, T.measurements),
     measurements.length ? measurements.map((name, i) => h("div", { class: "check", "data-key": "file:" + name },
-      h("input", { type: "checkbox", id: "file-" + i, value: name, checked: used().includes(name), "data-change": "files" }),
-      h("label", { for: "file-" + i }, name))) : h("p", { class: "note" }, T.noMeasurements));
+      h("input", { type: "checkbox", id: "file-" + i, value: name, checked: wanted().includes(name), "data-change": "files" }),
+      h("label", { for: "file-" + i }, name), wanted().includes(name) && !used().includes(name) ? h("span", { class: "warn" }, T.isNotRead) : null)) : h("p", { class: "note" }, T.noMeasurements));
 }
 
 const drop = () => h("div", { class: "drop", id: "drop" },
   h("p", {}, T.drop, " ", h("label", { for: "pick", class: "pick" }, T.choose)),
   h("input", { type: "file", id: "pick", multiple: true, "data-change": "pick", class: "hidden" }));
-
-function columns({ columns }) {
-  return h("div", { class: "tablebox", tabindex: "0", role: "group", "aria-label": T.columns, "data-key": "columns" },
-    h("table", {}, h("caption", {}, T.columns),
-      h("thead", {}, h("tr", {}, [T.column, T.columnUnit, T.heading].map(t => h("th", { scope: "col" }, t)))),
-      h("tbody", {}, columns.map(c => h("tr", {}, h("td", {}, c.name), h("td", {}, unitText(c.unit) || T.none), h("td", {}, c.heading || T.none))))));
-}
 
 function table(rows, struck) {
   const { columns, observables, observable, observed, predicted, lines } = rows;
@@ -60,10 +56,9 @@ export function data() {
   const struck = new Set(data ? data.struck : []);
   return [
     h("h2", { id: "data-title" }, T.panes.data),
-    files(), drop(),
+    files(), drop(), columns(),
     data ? [
       h("p", { "data-key": "count" }, T.rowsRead(data.rows), struck.size ? [" · ", h("span", { class: "warn" }, T.struck(struck.size)), " ", h("button", { type: "button", class: "plain", "data-click": "restoreAll" }, T.restoreAll)] : null),
-      columns(data),
       data.notes.length ? h("details", { id: "notes", open: true }, h("summary", {}, T.notes), h("ul", {}, data.notes.map(n => h("li", {}, proseText(n))))) : null,
       app.rows ? table(app.rows, struck) : null,
     ] : null,
@@ -83,7 +78,9 @@ async function take(list) {
     say(T.dropping(file.name));
     try { names.push((await send(file)).name); } catch (e) { refuse(e); }
   }
-  if (names.length) await change("data", { files: [...used(), ...names] }, names.map(T.dropped).join(" "));
+  if (!names.length) return;
+  const all = [...wanted(), ...names];
+  await openFiles(all, await readingOf(all), names.map(T.dropped).join(" "));
 }
 
 export function listenForDrops() {
@@ -109,8 +106,10 @@ export const clicks = {
 
 export const changes = {
   files: async e => {
-    const names = app.state.measurements.filter(n => n === e.value ? e.checked : used().includes(n));
-    await change("data", { files: names });
+    const names = app.state.measurements.filter(n => n === e.value ? e.checked : wanted().includes(n));
+    // Nothing to be told of: the files that were open before a refusal are open still.
+    if (app.reading.refused && names.join("\n") === used().join("\n")) forgetSaid();
+    else await openFiles(names, await readingOf(names), names.length ? null : T.didClose);
     redraw();
   },
   pick: async e => { const list = [...e.files]; e.value = ""; await take(list); },

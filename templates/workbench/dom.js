@@ -45,25 +45,33 @@ function fill(box, html) {
 }
 
 const isWritten = e => e.tagName === "TEXTAREA" || e.tagName === "INPUT" && !["range", "checkbox", "radio", "file"].includes(e.type);
+// What the page never says a word to: a field of a form that is not sent yet.
+const isOwn = e => e.hasAttribute("data-own");
+// What a select was last told to show: while it has focus it follows what is new, and nothing else.
+const told = new WeakMap();
 const keyOf = e => e.nodeType === 1 ? e.getAttribute("data-key") || e.id || null : null;
 
 /** Makes `old` say what `fresh` says. */
 export function merge(old, fresh) {
   const isOpened = name => name === "open" && old.tagName === "DETAILS";
-  const typed = isWritten(old) && document.activeElement === old && old.value !== old.defaultValue ? old.value : null;
+  const typed = isWritten(old) && !isOwn(old) && document.activeElement === old && old.value !== old.defaultValue ? old.value : null;
   for (const { name, value } of [...fresh.attributes]) {
     if (!isOpened(name) && old.getAttribute(name) !== value) old.setAttribute(name, value);
   }
   for (const { name } of [...old.attributes]) if (!fresh.hasAttribute(name) && !isOpened(name)) old.removeAttribute(name);
   if (fresh.html !== undefined) { fill(old, fresh.html); return; }
   if (!old.hasAttribute("data-live")) children(old, fresh);
+  if (isOwn(old)) return;
   if (isWritten(old)) {
     const value = typed === null ? fresh.value : typed;
     if (old.value !== value) old.value = value;
   } else if (old.tagName === "INPUT" && old.type !== "file") {
     old.checked = fresh.checked;
     if (old.value !== fresh.value) old.value = fresh.value;
-  } else if (old.tagName === "SELECT" && document.activeElement !== old) old.value = fresh.value;
+  } else if (old.tagName === "SELECT") {
+    if (document.activeElement !== old || told.has(old) && told.get(old) !== fresh.value) old.value = fresh.value;
+    told.set(old, fresh.value);
+  }
 }
 
 function children(old, fresh) {

@@ -1,42 +1,45 @@
 // What holds for the whole: the verdict, the error falling, undo, save, history.
-import { app, alarm, change, redraw, say } from "./app.js";
+import { app, alarm, change, redraw, say, withoutFolder } from "./app.js";
+import { bars } from "./bars.js";
+import { isIn } from "./causes.js";
 import { h } from "./dom.js";
-import { numberText, proseText, quantityText } from "./numbers.js";
+import { nameText, numberText, proseText, quantityText } from "./numbers.js";
+import { lacksValues, nextStep } from "./steps.js";
 import { T } from "./texts.js";
 
-function verdict({ model, data, comparison }) {
-  if (!model) return ["", "○", T.noModel];
-  if (!data) return ["", "○", T.noData];
-  if (!comparison || comparison.problem) return ["bad", "⚠", comparison ? proseText(comparison.problem) : T.noComparison];
-  const rms = quantityText(comparison.rms, comparison.unit), noise = quantityText(comparison.noise, comparison.unit);
-  return comparison.is_adequate ? ["good", "✓", T.adequate(rms, noise)] : ["bad", "⚠", T.fails(rms, noise)];
+const MOST_CAUSES = 3;
+/** What an effect does, without what follows from it. */
+const briefly = about => about ? about.split(/[;:]|, (?=and |or |but |which )/)[0] : null;
+
+/** The causes that a diagnosis of this very model found, in plain words; null if there is none. */
+function causesText({ diagnosis }) {
+  if (!diagnosis || !diagnosis.is_current) return null;
+  const out = diagnosis.causes.filter(c => !isIn(c.effect));
+  if (!out.length) return null;
+  const told = out.slice(0, MOST_CAUSES).map(c => T.causeInWords(nameText(c.label), briefly(c.about)));
+  return T.causesInWords(told, out.length - told.length);
 }
 
-function bars({ steps, noise, comparison }) {
-  if (!steps.length) return null;
-  const unit = comparison ? comparison.unit : "um";
-  const all = [...steps.map(s => s.rms), noise].filter(v => v > 0);
-  const low = Math.log(Math.min(...all) / 2), high = Math.log(Math.max(...all));
-  const part = v => high > low && v > 0 ? Math.max(1, Math.min(100, (Math.log(v) - low) / (high - low) * 100)) : 50;
-  const line = noise > 0 ? `--noise:${part(noise).toFixed(1)}%` : null;
-  return h("div", { class: "falling", "data-key": "bars" },
-    h("h2", { class: "small", id: "bars-title" }, T.bars),
-    h("ol", { class: "bars", "aria-labelledby": "bars-title", style: line, title: T.barsAxis(quantityText(noise, unit)) },
-      steps.map((s, i) => h("li", { class: i === steps.length - 1 ? "now" : null },
-        h("span", { class: "step" }, s.label),
-        h("span", { class: "track", "aria-hidden": "true" }, h("span", { class: "fill", style: `width:${part(s.rms).toFixed(1)}%` })),
-        h("span", { class: "num" }, quantityText(s.rms, unit))))),
-    h("p", { class: "note" }, T.barsAxis(quantityText(noise, unit))));
+function verdict(state) {
+  const { model, data, comparison } = state;
+  if (!model) return ["", "○", T.noModel];
+  if (app.reading.refused) return ["bad", "⚠", T.notRead(app.reading.refused.file)];
+  if (!data) return ["", "○", T.noData];
+  if (lacksValues(state)) return ["bad", "⚠", T.lacksValues(proseText(withoutFolder(comparison.problem)))];
+  if (!comparison || comparison.problem) return ["bad", "⚠", comparison ? proseText(withoutFolder(comparison.problem)) : T.noComparison];
+  const rms = quantityText(comparison.rms, comparison.unit), noise = quantityText(comparison.noise, comparison.unit);
+  return comparison.is_adequate ? ["good", "✓", T.adequate(rms, noise)] : ["bad", "⚠", T.fails(rms, noise, causesText(state))];
 }
 
 export function header() {
-  const { model, comparison, folder } = app.state;
+  const { model, comparison, folder, steps, noise } = app.state;
   const [mood, sign, sentence] = verdict(app.state);
   const has = comparison && !comparison.problem;
   return [
     h("p", { class: "kicker" }, [folder, model && model.file, model && model.process].filter(Boolean).join(" · ")),
     h("h1", {}, model ? model.title || model.file : T.page),
     h("p", { class: `verdict ${mood}`, "data-key": "verdict" }, h("span", { class: "sign", "aria-hidden": "true" }, sign), h("span", {}, sentence)),
+    nextStep(),
     h("div", { class: "top", "data-key": "top" },
       has ? h("dl", { class: "facts", "data-key": "facts" },
         h("div", { class: "main" }, h("dt", {}, T.errorNow), h("dd", {}, quantityText(comparison.rms, comparison.unit))),
@@ -44,7 +47,7 @@ export function header() {
         h("div", {}, h("dt", {}, T.noise), h("dd", {}, quantityText(comparison.noise, comparison.unit))),
         h("div", {}, h("dt", {}, T.reducedChi2), h("dd", {}, numberText(comparison.reduced_chi2))),
         h("div", {}, h("dt", {}, T.verdictWord), h("dd", {}, comparison.verdict))) : null,
-      bars(app.state)),
+      bars(steps, { unit: comparison && comparison.unit || "um", noise, title: T.bars, key: "bars" })),
   ];
 }
 
@@ -58,7 +61,7 @@ export function bar() {
       model ? [
         h("button", { type: "button", id: "save", "data-click": "save", disabled: model.is_saved }, model.is_saved ? T.saved : [T.save, h("span", { class: "dot", title: T.unsaved, "aria-hidden": "true" }, " •")]),
         h("details", { class: "menu", id: "save-as" }, h("summary", {}, T.saveAs),
-          h("form", { "data-submit": "saveAs" }, h("label", { for: "save-name" }, T.saveAsName), h("input", { id: "save-name", name: "name", type: "text", autocomplete: "off", spellcheck: "false", placeholder: model.file }), h("button", { type: "submit" }, T.saveAsDo))),
+          h("form", { "data-submit": "saveAs" }, h("label", { for: "save-name" }, T.saveAsName), h("input", { id: "save-name", name: "name", "data-own": "", type: "text", autocomplete: "off", spellcheck: "false", placeholder: model.file }), h("button", { type: "submit" }, T.saveAsDo))),
         h("details", { class: "menu", id: "export" }, h("summary", {}, T.exportMenu),
           h("ul", {}, [["page", T.exportPage], ["csv", T.exportCsv], ["notebook", T.exportNotebook]].map(([what, name]) => h("li", {}, h("a", { href: "export?what=" + what, download: true }, name))))),
       ] : null,
@@ -70,16 +73,16 @@ export function bar() {
 export function trouble() {
   const { trouble } = app.state;
   return [
-    app.isLost ? h("p", { class: "caution", role: "alert" }, h("span", { "aria-hidden": "true" }, "⚠ "), T.lost) : null,
+    app.isLost ? h("p", { class: "caution", role: "alert" }, h("span", { "aria-hidden": "true" }, "⚠ "), app.isLost === "over" ? T.lostForGood : T.lost) : null,
     trouble ? h("div", { class: "caution", role: "alert", "data-key": "trouble" }, h("p", {}, h("span", { "aria-hidden": "true" }, "⚠ "), T.trouble), h("pre", { tabindex: "0", role: "group", "aria-label": T.trouble }, h("code", {}, trouble))) : null,
   ];
 }
 
 export function trialBar() {
-  const { values, rms, problem } = app.trial;
+  const { values, rms, moves, problem } = app.trial;
   const unit = app.state.comparison ? app.state.comparison.unit : "um";
   return [
-    h("p", {}, h("span", { class: "dashes", "aria-hidden": "true" }), problem || T.trialBar(values.size, rms === null ? T.trialWaits : quantityText(rms, unit)), " ", h("span", { class: "note" }, T.trialNote)),
+    h("p", {}, h("span", { class: "dashes", "aria-hidden": "true" }), problem || (moves ? null : T.nothingMoves) || T.trialBar(values.size, rms === null ? T.trialWaits : quantityText(rms, unit)), " ", h("span", { class: "note" }, T.trialNote)),
     h("button", { type: "button", "data-click": "resetAll" }, T.resetAll),
   ];
 }

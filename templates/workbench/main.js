@@ -1,24 +1,29 @@
 // The page of the workbench: it draws what the server says and hands on what the user does. Nothing is computed here
 // but residuals as differences and means along a coordinate.
-import { app, alarm, follow, load, onChanged, onDraw, redraw, refuse, say } from "./app.js";
+import * as absent from "./absent.js";
+import { app, alarm, fieldOf, follow, load, onChanged, onDraw, redraw, refuse, say } from "./app.js";
 import * as causes from "./causes.js";
-import { correct } from "./correct.js";
+import * as columns from "./columns.js";
+import * as correct from "./correct.js";
 import * as data from "./data.js";
 import { onFilled, put } from "./dom.js";
 import { livenAll } from "./figures.js";
+import * as field from "./field.js";
 import * as header from "./header.js";
 import * as job from "./job.js";
+import * as lists from "./lists.js";
 import * as model from "./model.js";
+import * as readings from "./readings.js";
 import * as residuals from "./residuals.js";
 import { listen } from "./server.js";
+import * as steps from "./steps.js";
 import { T } from "./texts.js";
 import { renew } from "./trial.js";
 
 const at = id => document.getElementById(id);
-const clicks = { ...header.clicks, ...data.clicks, ...model.clicks, ...residuals.clicks, ...causes.clicks, ...job.clicks };
-const changes = { ...data.changes, ...model.changes, ...residuals.changes };
-const inputs = { ...model.inputs, ...causes.inputs };
-const submits = { ...header.submits, ...model.submits, ...causes.submits };
+const all = [absent, causes, columns, correct, data, field, header, job, lists, model, readings, residuals, steps];
+const of = kind => Object.assign({}, ...all.map(own => own[kind]));
+const clicks = of("clicks"), changes = of("changes"), inputs = of("inputs"), submits = of("submits");
 
 // A downloaded figure carries the style of all figures with it.
 const sheet = () => {
@@ -40,16 +45,30 @@ onDraw(all => {
   put(at("trouble"), header.trouble());
   put(at("data"), data.data());
   put(at("causes"), causes.causes());
-  put(at("correct"), correct());
+  put(at("correct"), correct.correct());
   const { model: open } = app.state;
   document.title = (open ? (open.is_saved ? "" : "• ") + open.file + " · " : "") + "fem";
 });
 
+let readingOf = "", openFile = null;
 onChanged(() => {
   renew();
   // Problems of values that are gone have no field to stand at.
   const paths = new Set(app.state.model ? app.state.model.values.map(v => v.path) : []);
-  for (const kept of [app.drafts, app.problems]) for (const path of kept.keys()) if (!paths.has(path)) kept.delete(path);
+  for (const kept of [app.drafts, app.problems]) for (const path of kept.keys()) if (!paths.has(path) && !fieldOf(path)) kept.delete(path);
+  for (const path of app.seen.more) if (!paths.has(path)) app.seen.more.delete(path);
+  // What was about to be added was for the model that was open.
+  const file = app.state.model && app.state.model.file;
+  if (file !== openFile) {
+    Object.assign(app.seen, { toAdd: "", addProblem: null, copied: null });
+    const place = at("to-add");
+    if (place) place.value = "";
+  }
+  openFile = file;
+  // What was said of columns is of the files and the process to which it was said.
+  const about = app.state.model ? [app.state.model.process, ...app.state.data ? app.state.data.files : []].join("\n") : "";
+  if (about !== readingOf && !(app.reading.refused && about.split("\n")[0] === readingOf.split("\n")[0])) columns.forgetSaid();
+  readingOf = about;
   if (app.rows && app.seen.picked !== null && app.seen.picked >= app.rows.lines.length) app.seen.picked = null;
 });
 
@@ -67,7 +86,9 @@ hand("click", clicks);
 hand("change", changes);
 hand("input", inputs);
 hand("submit", submits);
-document.addEventListener("input", e => { if (e.target.dataset && e.target.dataset.draft) model.noteDraft(e.target); });
+document.addEventListener("input", e => { if (e.target.dataset && e.target.dataset.draft) field.noteDraft(e.target); });
+// What opens is drawn only then; the event does not bubble.
+document.addEventListener("toggle", e => { if (e.target.id === "columns") redraw(); }, true);
 
 const isText = e => e.isContentEditable || e.tagName === "TEXTAREA" || e.tagName === "INPUT" && !["range", "checkbox", "radio", "file"].includes(e.type);
 document.addEventListener("keydown", e => {
@@ -84,7 +105,7 @@ document.addEventListener("keydown", e => {
     const menu = e.target.closest && e.target.closest("details.menu[open]");
     if (menu) { menu.open = false; menu.querySelector("summary").focus(); }
   }
-  model.keyInField(e);
+  field.keyInField(e);
   if (!e.ctrlKey && !e.metaKey) residuals.keyInPlot(e);
 });
 // A menu closes when something else is done.
@@ -103,11 +124,11 @@ listen({
   state: follow,
   job: now => {
     if (!app.state) return;
-    if (lastJob && !now) { say(T.ended(T.working[lastJob.what])); load(); }
+    if (lastJob && !now) { say(T.ended(T.working[lastJob.what] || lastJob.what)); load(); }
     lastJob = now;
     app.state.job = now;
     redraw();
   },
-  lost: () => { app.isLost = true; redraw(); },
+  lost: isOver => { app.isLost = isOver ? "over" : true; redraw(); },
   back: () => { app.isLost = false; say(T.back); load(); },
 });

@@ -17,3 +17,9 @@ export const quantityText = (v, unit, digits) => (numberText(v, digits) + " " + 
 
 /** As it is written into the model: no typographic signs. */
 export const writtenNumber = v => String(Number(v.toPrecision(5)));
+
+/** Names of effects as words: tool wear. */
+export const nameText = name => (name || "").replace(/[._-]/g, " ");
+
+/** Paths of values as words, counted as people do: workpiece segments 1 length. */
+export const pathText = path => path.replace(/\[(\d+)\]/g, (_, n) => ` ${Number(n) + 1} `).replace(/[._]/g, " ").replace(/ +/g, " ").trim();

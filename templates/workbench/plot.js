@@ -4,6 +4,12 @@ import { numberText } from "./numbers.js";
 const MOST_DISTINCT = 40;   // more different places than this are taken together for the line of means
 const BINS = 25;
 
+// Limits are drawn into view unless that would press the points into less than this part of the height.
+const LEAST_HEIGHT = 0.2;
+
+/** Whether a value is beyond limits, either of which may be none. */
+export const isOutside = (v, limits) => Boolean(limits) && v !== null && (limits[0] !== null && v < limits[0] || limits[1] !== null && v > limits[1]);
+
 const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** Means of `ys` at each place of the sorted `xs`, or over neighbours where there are many places; null elsewhere. */
@@ -19,6 +25,7 @@ function means(xs, ys, isUsed) {
 }
 
 const shapes = {
+  ring: (c, x, y, r) => { c.beginPath(); c.moveTo(x, y - 2 * r); c.lineTo(x + 2 * r, y); c.lineTo(x, y + 2 * r); c.lineTo(x - 2 * r, y); c.closePath(); c.stroke(); },
   dot: (c, x, y, r) => { c.beginPath(); c.arc(x, y, r, 0, 7); c.fill(); },
   dash: (c, x, y, r) => { c.beginPath(); c.moveTo(x - 1.8 * r, y); c.lineTo(x + 1.8 * r, y); c.stroke(); },
   cross: (c, x, y, r) => { c.beginPath(); c.moveTo(x - r, y - r); c.lineTo(x + r, y + r); c.moveTo(x - r, y + r); c.lineTo(x + r, y - r); c.stroke(); },
@@ -34,15 +41,16 @@ export class Plot {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.kind = null; if (this.last) this.show(this.last); });
   }
 
-  /** what: { x, words, xName, yName, view, observed, predicted, trial, sigma, struck, rows, picked }, parallel over the rows shown. */
+  /** what: { x, words, xName, yName, view, observed, predicted, trial, sigma, limits, struck, rows, picked }, parallel over the rows shown. */
   show(what) {
     this.last = what;
     const order = [...what.x.keys()].filter(i => what.x[i] !== null).sort((a, b) => what.x[a] - what.x[b]);
     const by = list => list ? order.map(i => list[i]) : null;
-    const d = { x: by(what.x), observed: by(what.observed), predicted: by(what.predicted), trial: by(what.trial), sigma: by(what.sigma), struck: by(what.struck), rows: by(what.rows) };
+    const d = { x: by(what.x), observed: by(what.observed), predicted: by(what.predicted), trial: by(what.trial), sigma: by(what.sigma), limits: by(what.limits), struck: by(what.struck), rows: by(what.rows) };
     const isUsed = d.struck.map(s => !s);
     const less = (a, b) => a.map((v, i) => v === null || b[i] === null || b[i] === undefined ? null : v - b[i]);
     const isResidual = what.view === "residual" && d.predicted;
+    if (isResidual) d.limits = null;
     d.main = isResidual ? less(d.observed, d.predicted) : d.observed;
     d.second = isResidual ? null : d.predicted;
     d.trialMarks = d.trial ? isResidual ? less(d.observed, d.trial) : d.trial : null;
@@ -50,7 +58,7 @@ export class Plot {
     this.d = d;
     const lineOf = ys => ys ? means(d.x, ys, isUsed) : d.x.map(() => null);
     // The two ends of what has to fit into the height, drawn by nothing.
-    const both = [d.main, d.second, d.trialMarks].filter(Boolean);
+    const both = [d.main, d.second, d.trialMarks, ...this.limitsInView([d.main, d.second, d.trialMarks])].filter(Boolean);
     const extreme = pick => d.x.map((_, i) => { const all = both.map(l => l[i]).filter(v => v !== null && v !== undefined); return all.length ? pick(...all) : null; });
     const band = isResidual ? d.sigma.map(s => s === null ? null : 2 * s) : d.x.map(() => null);
     const data = [d.x, band.map(v => v === null ? null : -v), band, extreme(Math.min), extreme(Math.max), lineOf(isResidual ? d.main : d.second), lineOf(d.trialMarks)];
@@ -71,11 +79,20 @@ export class Plot {
     this.lastPicked = d.picked;
   }
 
+  /** The limits as two lists, if they leave room for the points. */
+  limitsInView(lists) {
+    const { limits } = this.d;
+    if (!limits) return [];
+    const span = all => { const own = all.flat().filter(v => v !== null && v !== undefined); return own.length ? Math.max(...own) - Math.min(...own) : 0; };
+    const own = [0, 1].map(end => limits.map(l => l ? l[end] : null)), points = lists.filter(Boolean);
+    return span(points) >= LEAST_HEIGHT * span([...points, ...own]) ? own : [];
+  }
+
   make(data, what, isResidual) {
     if (this.u) this.u.destroy();
     this.isZoomed = false;
     const ink = css("--ink"), soft = css("--soft"), line = css("--line"), first = css("--first"), second = css("--second"), third = css("--third");
-    this.colours = { ink, soft, first, second, third };
+    this.colours = { ink, soft, first, second, third, bad: css("--bad"), good: css("--good") };
     const none = { paths: () => null, points: { show: false } };
     const axis = { stroke: soft, grid: { stroke: line, width: 1 }, ticks: { stroke: line }, font: "12px system-ui, sans-serif", labelFont: "13px system-ui, sans-serif", labelSize: 22 };
     const opts = {
@@ -93,7 +110,7 @@ export class Plot {
       ],
       hooks: {
         setScale: [(u, key) => { if (key === "x") this.noteZoom(u); }],
-        drawAxes: [u => this.drawBand(u, isResidual)],
+        drawAxes: [u => this.drawLimits(u), u => this.drawBand(u, isResidual)],
         draw: [u => this.drawMarks(u)],
       },
     };
@@ -161,7 +178,47 @@ export class Plot {
     c.restore();
   }
 
+  /** The tolerance: a light area between thin lines, from place to place; open where a limit is none. */
+  drawLimits(u) {
+    const { x, limits } = this.d;
+    if (!limits || !limits.some(Boolean)) return;
+    this.inFrame(u, (c, dpr) => {
+      const top = u.bbox.top - 2 * dpr, bottom = u.bbox.top + u.bbox.height + 2 * dpr, out = 6 * dpr;
+      const y = (v, end) => v === null ? end : u.valToPos(v, "y", true);
+      // The strictest at each place; places without a limit part the band.
+      const runs = [[]];
+      let last = null;
+      x.forEach((v, i) => {
+        const own = limits[i], run = runs.at(-1);
+        if (!own) { if (run.length && v !== last) runs.push([]); return; }
+        const strict = (a, b, pick) => a === null ? b : b === null ? a : pick(a, b);
+        if (run.length && v === last) { const p = run.at(-1); p.low = strict(p.low, own[0], Math.max); p.high = strict(p.high, own[1], Math.min); }
+        else run.push({ v, low: own[0], high: own[1] });
+        last = v;
+      });
+      c.fillStyle = c.strokeStyle = this.colours.good;
+      c.lineWidth = dpr;
+      for (const run of runs.filter(own => own.length)) {
+        const at = run.map(p => u.valToPos(p.v, "x", true));
+        const line = (end, edge) => [[at[0] - out, y(run[0][end], edge)], ...run.map((p, i) => [at[i], y(p[end], edge)]), [at.at(-1) + out, y(run.at(-1)[end], edge)]];
+        const low = line("low", bottom), high = line("high", top);
+        const along = points => points.forEach(([px, py], i) => i ? c.lineTo(px, py) : c.moveTo(px, py));
+        c.globalAlpha = 0.12;
+        c.beginPath();
+        along([...low, ...high.reverse()]);
+        c.fill();
+        c.globalAlpha = 0.8;
+        c.beginPath();
+        along(low);
+        along(high);
+        c.stroke();
+      }
+      c.globalAlpha = 1;
+    });
+  }
+
   drawBand(u, isResidual) {
+    // Without a comparison there is no uncertainty either.
     const { x, sigma, main } = this.d;
     this.inFrame(u, (c, dpr) => {
       const at = i => u.valToPos(x[i], "x", true), y = v => u.valToPos(v, "y", true);
@@ -191,7 +248,7 @@ export class Plot {
         c.lineWidth = dpr;
         c.beginPath();
         main.forEach((v, i) => {
-          if (v === null || !sigma[i]) return;
+          if (v === null || !sigma || !sigma[i]) return;
           c.moveTo(at(i), y(v - 2 * sigma[i]));
           c.lineTo(at(i), y(v + 2 * sigma[i]));
         });
@@ -216,6 +273,7 @@ export class Plot {
       each(d.main, "cross", colours.soft, i => d.struck[i]);
       each(d.second, "dash", colours.second, i => !d.struck[i]);
       each(d.trialMarks, "triangle", colours.third, i => !d.struck[i], 0.8);
+      if (d.limits) each(d.main, "ring", colours.bad, i => !d.struck[i] && isOutside(d.main[i], d.limits[i]));
       const at = d.rows.indexOf(d.picked);
       if (at >= 0 && d.main[at] !== null) {
         c.strokeStyle = colours.ink;

@@ -1,9 +1,9 @@
 // Where the model fails: residuals over any coordinate, with what a trial would make of them.
-import { app, redraw, say } from "./app.js";
+import { app, redraw, say, withoutFolder } from "./app.js";
 import { strike, strikeButton } from "./data.js";
 import { blob, h } from "./dom.js";
 import { numberText, proseText, quantityText, unitText } from "./numbers.js";
-import { Plot } from "./plot.js";
+import { Plot, isOutside } from "./plot.js";
 import { T } from "./texts.js";
 
 const nameOf = (name, unit) => unit ? `${name.replace(/_/g, " ")} [${unitText(unit)}]` : name.replace(/_/g, " ");
@@ -11,7 +11,7 @@ const MOST_WORST = 8;
 
 /** What is looked at now, over the rows of one observable. */
 function looked() {
-  const { columns, observables, observable, observed, predicted, sigma, lines } = app.rows;
+  const { columns, observables, observable, observed, predicted, sigma, lines, limits } = app.rows;
   const column = columns.find(c => c.name === app.seen.column) || columns.find(c => !c.words) || columns[0];
   const kind = Math.min(app.seen.observable, observables.length - 1);
   const rows = lines.map((_, i) => i).filter(i => observables.length < 2 || observable[i] === kind);
@@ -26,7 +26,7 @@ function looked() {
     x: rows.map(i => !column ? i : words ? words.indexOf(column.words[i]) : column.values[i]),
     xName: column ? nameOf(column.name, column.unit) : T.line,
     yName: view === "residual" ? `${T.residual} [${unitText(about.unit)}]` : nameOf(about.name, about.unit),
-    observed: by(observed), predicted: by(predicted), trial: by(trial), sigma: by(sigma),
+    observed: by(observed), predicted: by(predicted), trial: by(trial), sigma: by(sigma), limits: by(limits || null),
     struck: rows.map(i => struck.has(i)), picked: app.seen.picked, isStruck: struck,
   };
 }
@@ -48,13 +48,14 @@ function controls(seen) {
 }
 
 function legend(seen) {
-  const entry = (mark, text) => h("li", {}, h("span", { class: "mark " + mark, "aria-hidden": "true" }, { dot: "●", cross: "×", dash: "━", triangle: "△" }[mark] || ""), text);
+  const entry = (mark, text) => h("li", {}, h("span", { class: "mark " + mark, "aria-hidden": "true" }, { dot: "●", cross: "×", dash: "━", triangle: "△", ring: "◇" }[mark] || ""), text);
   const isResidual = seen.view === "residual";
   return h("ul", { class: "legend", "data-key": "legend" },
     entry("dot", isResidual ? T.legendResidual : T.legendMeasured),
     isResidual ? null : seen.predicted ? entry("dash", T.legendPredicted) : null,
     seen.predicted ? entry("line", T.legendMean) : null,
-    entry("band", T.legendBand),
+    seen.sigma ? entry("band", T.legendBand) : null,
+    !isResidual && seen.limits && seen.limits.some(Boolean) ? [entry("limits", T.legendLimits), seen.struck.some((s, i) => !s && isOutside(seen.observed[i], seen.limits[i])) ? entry("ring", T.legendOutside) : null] : null,
     seen.trial ? [entry("triangle", ""), entry("dashes", T.legendTrial)] : null,
     seen.struck.some(Boolean) ? entry("cross", T.legendStruck) : null);
 }
@@ -62,13 +63,22 @@ function legend(seen) {
 const residualOf = i => app.rows.predicted && app.rows.predicted[i] !== null ? app.rows.observed[i] - app.rows.predicted[i] : null;
 const unitOf = i => (app.rows.observables[app.rows.observable[i] ?? 0] || app.rows.observables[0] || { unit: "" }).unit;
 
+/** Measured rows that the tolerance does not allow, of those that it speaks of. */
+function outside(seen) {
+  if (!seen.limits) return null;
+  const own = seen.limits.map((l, i) => i).filter(i => seen.limits[i] && !seen.struck[i] && seen.observed[i] !== null);
+  if (!own.length) return null;
+  const out = own.filter(i => isOutside(seen.observed[i], seen.limits[i])).length;
+  return h("p", { class: out ? "outside warn" : "outside", "data-key": "outside" }, h("span", { "aria-hidden": "true" }, out ? "⚠ " : "✓ "), T.outOfTolerance(out, own.length));
+}
+
 /** One row as a sentence: where, measured, predicted, residual. */
 function told(i) {
   const { columns, observed, predicted, sigma, lines } = app.rows;
   const unit = unitOf(i);
   const where = columns.map(c => c.words ? `${c.name} ${c.words[i]}` : `${c.name} ${quantityText(c.values[i], c.unit, 4)}`).join(", ");
   const res = residualOf(i);
-  return T.pointAt(lines[i], where, `${T.observed} ${quantityText(observed[i], unit, 4)}` + (res === null ? "" : `, ${T.predicted} ${quantityText(predicted[i], unit, 4)}, ${T.residual} ${quantityText(res, unit)}`) + ` (σ ${quantityText(sigma[i], unit)})`);
+  return T.pointAt(lines[i], where, `${T.observed} ${quantityText(observed[i], unit, 4)}` + (res === null ? "" : `, ${T.predicted} ${quantityText(predicted[i], unit, 4)}, ${T.residual} ${quantityText(res, unit)}`) + (sigma && sigma[i] !== null ? ` (σ ${quantityText(sigma[i], unit)})` : ""));
 }
 
 function picked(seen) {
@@ -101,11 +111,12 @@ export function residuals() {
   const seen = looked();
   return [
     title,
-    comparison && comparison.problem ? h("p", { class: "caution", "data-key": "problem" }, h("span", { "aria-hidden": "true" }, "⚠ "), proseText(comparison.problem)) : null,
+    comparison && comparison.problem ? h("p", { class: "caution", "data-key": "problem" }, h("span", { "aria-hidden": "true" }, "⚠ "), proseText(withoutFolder(comparison.problem))) : null,
     seen.predicted ? null : h("p", { class: "note", "data-key": "alone" }, T.noPrediction),
     controls(seen),
     h("div", { id: "plot", "data-live": "", tabindex: "0", role: "group", "aria-label": T.plotLabel(seen.yName, seen.xName, seen.rows.length), "aria-describedby": app.seen.picked === null ? "plot-hint" : null }),
     legend(seen),
+    outside(seen),
     picked(seen),
     worst(seen),
     comparison && comparison.html ? h("details", { id: "comparison" }, h("summary", {}, T.comparisonAll), blob(comparison.html, { class: "served" })) : null,

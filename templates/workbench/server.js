@@ -8,6 +8,7 @@ export class Refusal extends Error {
     super(answer.problem);
     this.help = answer.help || null;
     this.path = answer.path || null;
+    this.file = answer.file || null;
   }
 }
 
@@ -39,12 +40,16 @@ export const send = async file => answer(await fetch("file?name=" + encodeURICom
   body: file,
 }));
 
-/** Listens to what happens at the server; the browser connects again by itself. */
+/** Listens to what happens at the server; the browser connects again by itself, unless it is another server that answers. */
 export function listen({ state, job, lost, back }) {
   const source = new EventSource("events");
   let isLost = false;
   source.addEventListener("state", e => state(Number(e.data)));
   source.addEventListener("job", e => job(JSON.parse(e.data)));
   source.addEventListener("open", () => { if (isLost) back(); isLost = false; });
-  source.addEventListener("error", () => { if (!isLost) lost(); isLost = true; });
+  source.addEventListener("error", () => {
+    const isOver = source.readyState === EventSource.CLOSED;
+    if (!isLost || isOver) lost(isOver);
+    isLost = true;
+  });
 }

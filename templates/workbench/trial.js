@@ -16,7 +16,7 @@ export function reset(path) {
   else app.trial.values.clear();
   app.trial.problem = null;
   if (app.trial.values.size) ask();
-  else Object.assign(app.trial, { predicted: null, rms: null, path: null });
+  else Object.assign(app.trial, { predicted: null, rms: null, moves: true, path: null });
   redraw("trial");
 }
 
@@ -44,10 +44,10 @@ async function next() {
   if (!app.trial.values.size) return;
   isUnderWay = true;
   try {
-    const { predicted, rms } = await post("try", { values: Object.fromEntries(app.trial.values) });
-    if (app.trial.values.size) Object.assign(app.trial, { predicted, rms, problem: null });
+    const { predicted, rms, moves } = await post("try", { values: Object.fromEntries(app.trial.values) });
+    if (app.trial.values.size) Object.assign(app.trial, { predicted, rms, moves: moves !== false, problem: null });
   } catch (e) {
-    Object.assign(app.trial, { predicted: null, rms: null, problem: refusalText(e) });
+    Object.assign(app.trial, { predicted: null, rms: null, moves: true, problem: refusalText(e) });
     if (e.path) app.trial.path = e.path;
   }
   isUnderWay = false;

@@ -93,9 +93,13 @@ impl Served {
 
     /// Waits until the page holds a text.
     fn until(&self, text: &str) -> String {
+        self.until_at("/", text)
+    }
+
+    fn until_at(&self, path: &str, text: &str) -> String {
         let start = Instant::now();
         loop {
-            let page = self.get("/", &self.host);
+            let page = self.get(path, &self.host);
             if page.contains(text) {
                 return page;
             }
@@ -122,11 +126,28 @@ fn a_served_page_follows_its_files() {
     let wrong = text.replacen("[joint]", "[joynt]", 1);
     assert_ne!(wrong, text);
     place.write("model.toml", &wrong);
-    let told = served.until("The page cannot be made");
-    assert!(told.contains("model.toml:") && told.contains("joynt") && told.contains("joint"), "{told}");
+    let told = served.until_at("/version", "joynt");
+    assert!(told.contains("model.toml:") && told.contains("joint"), "{told}");
+    // The last good page stays, with a place for what is wrong.
+    let kept = served.get("/", &served.host);
+    assert_eq!(version(&kept), version(&first));
+    assert!(kept.contains("this is the last good page") && !kept.contains("joynt"), "{kept}");
     place.write("model.toml", format!("title = \"Mended\"\n{}", text.replacen("title", "# title", 1)));
     let mended = served.until("<h1>Mended</h1>");
     assert_ne!(version(&mended), version(&first));
+    assert!(served.get("/version", &served.host).ends_with(&format!("\r\n\r\n{}", version(&mended))));
+}
+
+#[test]
+fn a_served_page_of_a_wrong_file_says_so_and_comes_when_it_is_mended() {
+    let place = Place::new();
+    let text = model("stiffness.toml");
+    place.write("model.toml", text.replacen("[joint]", "[joynt]", 1));
+    let served = Served::of(&place, &["report", "model.toml", "--serve"]);
+    let told = served.until("The page cannot be made");
+    assert!(told.contains("model.toml:") && told.contains("joynt") && told.contains("joint"), "{told}");
+    place.write("model.toml", &text);
+    served.until("id=\"prediction\"");
 }
 
 #[test]

@@ -118,12 +118,7 @@ fn the_error_falls_by_what_the_diagnosis_adds_and_comes_back() {
     assert_eq!(left, ["43.21", "8.79", "3.96", "0.90"]);
     assert!(state["comparison"]["is_adequate"] == true && state["model"]["is_saved"] == false);
     // What was done by clicks is done by the commands that it tells.
-    for command in state["history"].as_array().unwrap() {
-        let words = words(command.as_str().unwrap());
-        let words: Vec<&str> = words.iter().map(String::as_str).collect();
-        let answer = within_shop(&place, &words[1..]);
-        assert_eq!(answer.status, 0, "{command}: {}", answer.err);
-    }
+    run_history(&place, &state);
     let last = "rigid-tool-wear-headstock-compliance-guideway-wear.toml";
     let again = within_shop(&place, &["compare", last, "--with", "measured.csv", "--json"]);
     let again: Json = serde_json::from_str(&again.out).unwrap();
@@ -201,6 +196,221 @@ fn what_is_refused_is_said_at_its_place_and_changes_nothing() {
     assert_eq!(bench.state()["data"], before["data"]);
 }
 
+/// The history of a workbench, run as commands in its folder; the last answer.
+fn run_history(place: &Place, state: &Json) -> Answer {
+    let mut last = None;
+    for command in state["history"].as_array().unwrap() {
+        let words = words(command.as_str().unwrap());
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        let answer = within_shop(place, &words[1..]);
+        assert_eq!(answer.status, 0, "{command}: {}", answer.err);
+        last = Some(answer);
+    }
+    last.unwrap()
+}
+
+fn value<'s>(state: &'s Json, path: &str) -> &'s Json {
+    state["model"]["values"].as_array().unwrap().iter().find(|own| own["path"] == path).unwrap()
+}
+
+#[test]
+fn every_key_of_a_model_is_told_and_lists_grow_and_shrink() {
+    let place = story();
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    let state = bench.state();
+    assert_eq!(value(&state, "workholding.type")["choices"], json!(["centres", "chuck", "chuck-and-centre"]));
+    assert_eq!(value(&state, "batch.parts")["kind"], "number");
+    assert_eq!(value(&state, "cut.depth")["about"], "set depth of cut");
+    let list = |state: &Json, path: &str| {
+        let lists = state["model"]["lists"].as_array().unwrap();
+        lists.iter().find(|own| own["path"] == path).unwrap()["rows"].clone()
+    };
+    assert_eq!([list(&state, "workpiece.segments"), list(&state, "workholding.steady_rests")], [json!(1), json!(0)]);
+    let rest = json!({ "at": "250 mm", "stiffness": "60 N/um" });
+    let row = |path: &str, what: &str, more: Json| {
+        let mut said = json!({ "path": path, "what": what });
+        said.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        said
+    };
+    bench.done("row", &row("workholding.steady_rests", "add", json!({ "cells": rest })));
+    bench.done("row", &row("workholding.steady_rests", "copy", json!({ "number": 0 })));
+    bench.done("set", &json!({ "path": "workholding.steady_rests[1].at", "text": "300 mm" }));
+    bench.done("row", &row("workholding.steady_rests", "remove", json!({ "number": 0 })));
+    bench.done("row", &row("batch.pauses", "add", json!({ "cells": { "after": "9", "duration": "10 min" } })));
+    bench.done("set", &json!({ "path": "workpiece.material", "text": "brass" }));
+    bench.done(
+        "set",
+        &json!({ "path": "tool", "text": "{ overhang = \"40 mm\", width = \"25 mm\", height = \"25 mm\", material = \"steel\" }" }),
+    );
+    let state = bench.state();
+    let text = state["model"]["text"].as_str().unwrap();
+    for line in [
+        "steady_rests = [{ at = \"300 mm\", stiffness = \"60 N/um\" }]\n",
+        "pauses = [{ after = 6, duration = \"30 min\" }, { after = 9, duration = \"10 min\" }]\n",
+        "tool = { overhang = \"40 mm\", width = \"25 mm\", height = \"25 mm\", material = \"steel\" }\n",
+        "material = \"brass\"\n",
+        "# ISO 286-1: 50 mm within 8 um either way\n",
+    ] {
+        assert!(text.contains(line), "{line} is not in\n{text}");
+    }
+    assert_eq!(value(&state, "tool.overhang")["text"], "40 mm");
+    // The same by commands.
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    let state = bench.state();
+    let told: Json = {
+        let mut all = state.clone();
+        let last = all["history"].as_array().unwrap().len() - 1;
+        all["history"][last] = json!(format!("{} --json", all["history"][last].as_str().unwrap()));
+        serde_json::from_str(&run_history(&place, &all).out).unwrap()
+    };
+    let here = state["comparison"]["rms"].as_f64().unwrap();
+    assert!((told["models"][0]["rms"].as_f64().unwrap() - here).abs() < 1e-9 * here, "{here} {told}");
+    // What is no list, no table of one, or makes no model, changes nothing.
+    for (said, told) in [
+        (row("workpiece.segments", "copy", json!({ "number": 7 })), "no table of a list"),
+        (row("workpiece.segments", "remove", json!({ "number": 7 })), "no table 7"),
+        (row("workpiece.segments", "remove", json!({ "number": 0 })), "segments"),
+        (row("workpiece", "copy", json!({ "number": 0 })), "no table of a list"),
+        (row("workpiece.segments", "add", json!({ "cells": { "length": "x" } })), "length"),
+        (row("workpiece.segments", "turn", json!({})), "nothing to be done"),
+    ] {
+        let (status, answer) = bench.post("row", &said);
+        assert!(status == 422 && answer["problem"].as_str().unwrap().contains(told), "{said}: {status} {answer}");
+    }
+    let after = bench.state();
+    // The commands have written files beside it.
+    assert!(["model", "history", "comparison"].iter().all(|key| after[key] == state[key]));
+}
+
+#[test]
+fn a_file_with_other_headings_is_explained_by_hand() {
+    let place = story();
+    let measured = model("story/measured.csv");
+    let rows: Vec<String> =
+        measured.lines().filter(|line| !line.starts_with('#')).skip(1).map(str::to_string).collect();
+    let foreign = |line: &String| line.replace(',', ";").replace('.', ",");
+    let rows: Vec<String> = rows.iter().map(foreign).collect();
+    place.write("shop/foreign.csv", format!("Nr;Ort;Kraft;Wert;Anm\n{}\n", rows.join("\n")));
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    let (status, answer) = bench.post("data", &json!({ "files": ["foreign.csv"] }));
+    assert!(status == 422 && answer["problem"].as_str().unwrap().contains("no column holds"), "{answer}");
+    let seen = bench.get("preview?file=foreign.csv");
+    assert_eq!(seen["headings"], json!(["Nr", "Ort", "Kraft", "Wert", "Anm"]));
+    assert_eq!((&seen["rows"][0], &seen["lines"]), (&json!(["1", "20,0", "450,0", "29,737", "1"]), &json!(108)));
+    let names: Vec<Json> =
+        bench.state()["model"]["columns"].as_array().unwrap().iter().map(|c| c["name"].clone()).collect();
+    assert!(
+        ["part", "x", "radial_force", "diameter_error", "u"].iter().all(|own| names.contains(&json!(own))),
+        "{names:?}"
+    );
+    let columns = json!([
+        ["Nr", "part"],
+        ["Ort", "x [mm]"],
+        ["Kraft", "radial_force [N]"],
+        ["Wert", "diameter_error [um]"],
+        ["Anm", "-"]
+    ]);
+    let said = json!({ "files": ["foreign.csv"], "columns": columns, "decimal": "comma" });
+    bench.done("data", &said);
+    let state = bench.state();
+    assert_eq!(state["data"]["reading"], json!({ "columns": columns, "decimal": "comma" }));
+    assert_eq!(format!("{:.2}", state["comparison"]["rms"].as_f64().unwrap()), "43.21");
+    run_history(&place, &state);
+    // It holds for that file as long as it is open, and no longer.
+    bench.done("set", &json!({ "path": "cut.depth", "text": "0.6 mm" }));
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    assert_eq!(bench.state()["data"]["reading"], json!({ "columns": [], "decimal": null }));
+    for (said, told) in [
+        (json!({ "files": ["foreign.csv"], "columns": [["Nr", "part"], ["Nr", "x [mm]"]] }), "two things"),
+        (json!({ "files": ["foreign.csv"], "columns": [["Ort", "colour"]] }), "no column of turning"),
+        (json!({ "files": ["foreign.csv"], "columns": [["No", "part"]] }), "no column `No`"),
+        (json!({ "files": ["foreign.csv"], "decimal": "dash" }), "no decimal mark"),
+    ] {
+        let (status, answer) = bench.post("data", &said);
+        assert!(status == 422 && answer["problem"].as_str().unwrap().contains(told), "{said}: {status} {answer}");
+    }
+}
+
+#[test]
+fn deviations_from_nominal_are_shown_with_what_the_drawing_allows() {
+    let place = story();
+    let size = |line: &str| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_string).collect();
+        cells[3] = format!("{:.6}", 50.0 + cells[3].parse::<f64>().unwrap() / 1000.0);
+        cells.join(",")
+    };
+    let measured = model("story/measured.csv");
+    let rows: Vec<String> = measured.lines().filter(|line| !line.starts_with('#')).skip(1).map(size).collect();
+    place.write("shop/sizes.csv", format!("part,x [mm],radial_force [N],diameter [mm],u [um]\n{}\n", rows.join("\n")));
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    let errors = bench.get("rows");
+    bench.done("data", &json!({ "files": ["sizes.csv"] }));
+    let sizes = bench.get("rows");
+    assert_eq!(sizes["observables"][0], json!({ "name": "diameter less nominal", "unit": "um" }));
+    for key in ["observed", "predicted"] {
+        let numbers =
+            |rows: &Json| -> Vec<f64> { rows[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect() };
+        let (a, b) = (numbers(&errors), numbers(&sizes));
+        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-6), "{key}");
+    }
+    let limits = sizes["limits"][0].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
+    assert!(limits.zip([-8.0, 8.0]).all(|(a, b)| (a - b).abs() < 1e-6), "{}", sizes["limits"][0]);
+    // A trial is shown alike; what every row states itself moves nothing.
+    let tried = bench.done("try", &json!({ "values": { "workpiece.segments[0].diameter": 49 } }));
+    assert_eq!(tried["moves"], true);
+    assert!(tried["predicted"][0].as_f64().unwrap().abs() < 100.0, "{}", tried["predicted"][0]);
+    assert_eq!(bench.done("try", &json!({ "values": { "cut.radial_force": 500 } }))["moves"], false);
+}
+
+#[test]
+fn what_is_to_be_done_is_written_into_a_folder_of_its_own() {
+    let place = story();
+    let part = "G0 X60 Z5\nG1 X50 Z0 F0.2\nG1 Z-500\nG0 X60\nM30\n";
+    place.write("shop/part.ngc", part);
+    place.write("shop/stiff.toml", model("story/rigid.toml"));
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    assert_eq!(bench.state()["programs"], json!(["part.ngc"]));
+    assert!(bench.state()["model"]["has_settings"] == true);
+    assert!(
+        bench.post("write", &json!({ "as": "out" })).1["problem"].as_str().unwrap().contains("nothing was corrected")
+    );
+    let state = bench.run("correct");
+    assert!(state["correction"]["is_current"] == true && !state["tolerance"].as_array().unwrap().is_empty(), "{state}");
+    let names = bench.done("write", &json!({ "as": "out" }))["names"].clone();
+    for name in names.as_array().unwrap() {
+        assert!(place.files().contains(&format!("shop/{}", name.as_str().unwrap())), "{name}");
+    }
+    assert!(names.as_array().unwrap().contains(&json!("out/correction.csv")), "{names}");
+    for (name, told) in
+        [("out", "already"), ("../out", "no name"), ("rigid.toml", "already"), ("a/b", "no name"), (".git", "no name")]
+    {
+        let (status, answer) = bench.post("write", &json!({ "as": name }));
+        assert!(status == 422 && answer["problem"].as_str().unwrap().contains(told), "{name}: {answer}");
+    }
+    // The command that it tells writes the same.
+    let written = place.read("shop/out/correction.csv");
+    std::fs::remove_dir_all(place.path("shop/out")).unwrap();
+    run_history(&place, &bench.state());
+    assert_eq!(place.read("shop/out/correction.csv"), written);
+    // What the shop can change, and what it may cost.
+    bench.done("run", &json!({ "what": "remedies", "minutes": 30 }));
+    let state = bench.until(|state| state["job"].is_null());
+    assert!(state["trouble"].is_null(), "{}", state["trouble"]);
+    assert!(state["remedies"]["html"].as_str().unwrap().contains("steady rest"), "{}", state["remedies"]);
+    let last = state["history"].as_array().unwrap().last().unwrap().clone();
+    assert_eq!(last, "fem correct rigid.toml --remedies --minutes 30");
+    // By the shop's own program.
+    bench.done("run", &json!({ "what": "correct", "program": "part.ngc", "add_blocks": true }));
+    let state = bench.until(|state| state["job"].is_null());
+    assert!(state["trouble"].is_null(), "{}", state["trouble"]);
+    bench.done("write", &json!({ "as": "by-program" }));
+    let own = place.read("shop/by-program/part.ngc");
+    assert!(own != part && own.contains("M30"), "{own}");
+    assert_eq!(place.read("shop/part.ngc"), part);
+    assert_eq!(bench.post("run", &json!({ "what": "correct", "program": "../part.ngc" })).0, 422);
+}
+
 #[test]
 fn nobody_else_gets_in_and_nothing_else_gets_out() {
     let place = story();
@@ -249,6 +459,21 @@ fn nobody_else_gets_in_and_nothing_else_gets_out() {
     bench.done("open", &json!({ "model": "rigid.toml" }));
     let (status, answer) = bench.post("set", &json!({ "path": "cut.radial_force", "text": "../secret.csv" }));
     assert!(status == 422 && answer["problem"].as_str().unwrap().contains("not in this folder"), "{answer}");
+    let table = json!({ "path": "cut.radial_force", "text": "{ file = \"../secret.csv\" }" });
+    let list = json!({ "path": "workpiece.lobes", "text": "[{ lobes = 3, amplitude = \"../secret.csv\" }]" });
+    let row =
+        json!({ "path": "batch.corrections", "what": "add", "cells": { "after": "1", "diameter": "../secret.csv" } });
+    for (verb, said) in [("set", table), ("set", list), ("row", row)] {
+        let (status, answer) = bench.post(verb, &said);
+        assert!(
+            status == 422 && answer["problem"].as_str().unwrap().contains("not in this folder"),
+            "{said}: {answer}"
+        );
+    }
+    for name in ["..%2Fsecret.csv", "link.csv", "%2Fetc%2Fpasswd", "none.csv"] {
+        let (status, _, body) = bench.ask("GET", &format!("preview?file={name}"), "", b"");
+        assert!(status == 422 && !String::from_utf8_lossy(&body).contains("diameter_error"), "{name}: {status}");
+    }
     // What is too large is refused, and what is dropped takes no other file's place.
     let head = format!(
         "POST /{token}/file?name=big.csv HTTP/1.1\r\nHost: {own}\r\nConnection: close\r\nContent-Length: {}\r\n\r\n",
@@ -288,6 +513,56 @@ fn the_file_is_the_truth_and_a_wrong_one_keeps_what_was() {
     bench.until(|state| state["trouble"].is_string());
     place.write("shop/rigid.toml", &text);
     bench.until(|state| state["trouble"].is_null());
+}
+
+#[test]
+fn what_is_not_saved_outlives_the_program() {
+    let place = story();
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    bench.done("data", &json!({ "files": ["measured.csv"] }));
+    bench.done("set", &json!({ "path": "cut.radial_force", "text": "500 N" }));
+    bench.done("strike", &json!({ "rows": [3], "is_struck": true }));
+    let kept = "shop/.fem-session.json".to_string();
+    let until = |is_there: bool, has: &str| {
+        let began = Instant::now();
+        while place.files().contains(&kept) != is_there || (is_there && !place.read(&kept).contains(has)) {
+            assert!(began.elapsed() < Duration::from_secs(60), "{kept}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    until(true, "\"struck\":[3]");
+    let before = bench.state();
+    // Killed, as by -9.
+    drop(bench);
+    assert_eq!(place.read("shop/rigid.toml"), model("story/rigid.toml"));
+    let bench = Bench::open(&place, "shop/rigid.toml");
+    assert_eq!(bench.state()["session"], json!({ "steps": 4 }));
+    bench.done("resume", &Json::Null);
+    let after = bench.state();
+    for key in ["model", "data", "comparison", "history"] {
+        assert!(after[key] == before[key], "{key}: {:.400} and {:.400}", after[key], before[key]);
+    }
+    assert!(after["session"].is_null() && bench.post("resume", &Json::Null).0 == 422);
+    // Saved, nothing need be kept any more.
+    bench.done("save", &json!({ "as": "mine.toml" }));
+    until(false, "");
+    bench.done("set", &json!({ "path": "cut.radial_force", "text": "510 N" }));
+    until(true, "510 N");
+    drop(bench);
+    let bench = Bench::open(&place, "shop");
+    bench.done("forget", &Json::Null);
+    assert!(bench.state()["session"].is_null() && !place.files().contains(&kept));
+    // What somebody else has put there is nothing that is taken up, nor does it lead out of the folder.
+    place.write("secret.csv", "x\n1\n");
+    place.write(
+        "shop/.fem-session-9.json",
+        "{\"schema\":\"fem-session/1\",\"steps\":1,\"file\":\"../secret.csv\",\"text\":\"\"}",
+    );
+    place.write("shop/.fem-session-8.txt", "no session");
+    drop(bench);
+    let bench = Bench::open(&place, "shop");
+    let (status, answer) = bench.post("resume", &Json::Null);
+    assert!(status == 422 && answer["problem"].as_str().unwrap().contains("no name of a file here"), "{answer}");
 }
 
 #[test]

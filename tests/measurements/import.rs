@@ -234,6 +234,52 @@ const CASES: &[Case] = &[
         told: "a row for each of 2 places in the header",
         ..PLAIN
     },
+    Case {
+        name: "German",
+        process: "axis",
+        written: "Sollposition [mm];Richtung;Abweichung [um]\n10;vor;1,5\n10;zur\u{fc}ck;-2,5\n",
+        own: AXIS,
+        told: "`Sollposition [mm]` as position [mm]; `Richtung` as direction",
+        ..PLAIN
+    },
+    Case {
+        name: "French",
+        written: "Position (mm);Pi\u{e8}ce;\u{c9}cart de diam\u{e8}tre (um);Incertitude-type (um)\n20,5;1;-29,737;1\n77;2;3,5;1\n",
+        told: "`Position (mm)` as x [mm]; `Pi\u{e8}ce` as part",
+        ..PLAIN
+    },
+    Case {
+        name: "Italian",
+        process: "axis",
+        written: "posizione [mm];direzione;scostamento [um]\n10;avanti;1,5\n10;indietro;-2,5\n",
+        own: AXIS,
+        told: "`posizione [mm]` as position [mm]",
+        ..PLAIN
+    },
+    Case {
+        name: "Spanish",
+        process: "thermal",
+        written: "tiempo [s];posici\u{f3}n [m];temperatura [degC]\n0;0,1;20,5\n0;0,2;21\n60;0,1;22,5\n60;0,2;23\n",
+        own: ROD,
+        told: "`temperatura [degC]` as temperature [degC]",
+        ..PLAIN
+    },
+    Case {
+        name: "Russian",
+        process: "axis",
+        written: "\u{43f}\u{43e}\u{43b}\u{43e}\u{436}\u{435}\u{43d}\u{438}\u{435} [mm];\u{43d}\u{430}\u{43f}\u{440}\u{430}\u{432}\u{43b}\u{435}\u{43d}\u{438}\u{435};\u{43e}\u{442}\u{43a}\u{43b}\u{43e}\u{43d}\u{435}\u{43d}\u{438}\u{435} [um]\n10;\u{432}\u{43f}\u{435}\u{440}\u{451}\u{434};1,5\n10;\u{43d}\u{430}\u{437}\u{430}\u{434};-2,5\n",
+        own: AXIS,
+        told: "as direction",
+        ..PLAIN
+    },
+    Case {
+        name: "a word of another language beside the column that it would be",
+        process: "axis",
+        written: "position [mm],direction,deviation [um],Fehler\n10,+,1.5,7\n10,-,-2.5,8\n",
+        own: AXIS,
+        told: "`Fehler`",
+        ..PLAIN
+    },
 ];
 
 fn process(name: &str) -> &'static dyn Process {

@@ -82,5 +82,8 @@ fn a_diagnosis_can_be_read_asked_and_printed() {
 fn a_prediction_has_a_page_too() {
     let Some((page, seen)) = seen(&["models/lathe.toml"]) else { return };
     is_sound(&page, &seen);
-    assert!(seen["plain_verdict"].as_str().unwrap().contains("+173.587 um at x = 312.0 mm on part 12"), "{seen:#}");
+    assert!(
+        seen["plain_verdict"].as_str().unwrap().contains("+173.587 \u{b5}m at x = 312.0 mm on part 12"),
+        "{seen:#}"
+    );
 }

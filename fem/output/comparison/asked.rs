@@ -33,8 +33,9 @@ impl Asked {
         let off = sized.filter(|_| measurements.observables.len() == 1).map(|requirement| {
             let references = system.places(&rows).map(|places| places.references);
             let reference = |row: usize| references.as_ref().map_or(0.0, |all| all[row]);
-            let aims = system.aims(&rows);
-            let errors = (0..rows.len()).map(|row| measured[row] - reference(row) - aims[row]);
+            let limits = system.limits(&rows);
+            let aim = |row: usize| limits[row].and_then(|own| own.middle()).unwrap_or_else(|| reference(row));
+            let errors = (0..rows.len()).map(|row| measured[row] - aim(row));
             (requirement.kind, rms(&errors.collect::<Vec<f64>>()))
         });
         (!standings.is_empty()).then_some(Self { standings, off, uncertainty })

@@ -124,7 +124,7 @@ pub fn add(from: &str, name: &str, settings: &[Setting]) -> (String, String) {
 /// The command that puts another value into the model in a file, and the name of the file that it writes.
 pub fn set(from: &str, Setting { key, value }: &Setting) -> (String, String) {
     let to = file_with(from, key.rsplit('.').next().unwrap_or(key));
-    (format!("fem set {} '{key}={value}' -o {}", quoted(from), quoted(&to)), to)
+    (format!("fem set {} {} -o {}", quoted(from), quoted(&format!("{key}={value}")), quoted(&to)), to)
 }
 
 /// The command that leaves an effect out of the model in a file, and the name of the file that it writes.

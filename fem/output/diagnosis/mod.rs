@@ -15,10 +15,11 @@ pub(super) use additions::name;
 pub use additions::{Addition, add, additions, leave_out, quoted, set};
 pub(super) use commands::commands;
 pub use commands::with;
+pub use short::some_of as group_sentence;
 pub(super) use text::{
     errors, experiment, next_measurement, separated, separated_pairs, separations, told_apart, unexplained,
 };
-pub(super) use verdict::verdict;
+pub(super) use verdict::{counted, verdict};
 pub(super) use words::{bent, chance, changed, label, largest_change, traits};
 
 use serde_json::{Map, Value as Json, json};

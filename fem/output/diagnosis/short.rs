@@ -136,7 +136,7 @@ fn lines(records: &[usize], data: &Data, d: &Diagnosis) -> String {
 }
 
 /// Effects of which some are there.
-fn some_of(group: &Group, d: &Diagnosis) -> String {
+pub fn some_of(group: &Group, d: &Diagnosis) -> String {
     let members: Vec<String> =
         group.effects.iter().map(|name| whole(&format!("{name} {}", percent(d.posterior.of(name))))).collect();
     let (least, count, sure) = (group.at_least, members.len(), percent(group.probability));

@@ -65,6 +65,19 @@ fn names(d: &Diagnosis) -> String {
     own.chain(groups).chain(perhaps).collect::<Vec<_>>().join(", ")
 }
 
+/// How many effects are told, each kind by itself: what stands for another counts once.
+pub fn counted(d: &Diagnosis) -> String {
+    let kinds = Kinds::of(d);
+    let is_told = |group: &&Group| d.missing.iter().any(|m| group.effects.contains(&m.effect.name));
+    let groups = d.posterior.groups.iter().filter(is_told);
+    let of_group = groups.map(|group| format!("{} of {}", group.at_least, group.effects.len()));
+    let some = |number: usize, word: &str| (number > 0).then(|| format!("{number} {word}"));
+    let certain = some(kinds.certain.len(), "certain").into_iter().chain(of_group);
+    let others = [some(kinds.described.len(), "described"), some(kinds.perhaps.len(), "perhaps")];
+    let all: Vec<String> = certain.chain(others.into_iter().flatten()).collect();
+    if all.is_empty() { "none".into() } else { all.join(", ") }
+}
+
 /// How many of a group are there.
 fn some_of(group: &Group) -> String {
     match group.effects.len() {

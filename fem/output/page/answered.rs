@@ -55,6 +55,7 @@ pub fn answered(head: Head, answer: &impl Answer) -> String {
         verdict: html::sentence(&head.verdict),
         mood: "",
         sign: "\u{25b8}",
+        plain: Vec::new(),
         facts: Vec::new(),
         sections,
         sheet: sheet(),

@@ -10,6 +10,7 @@ use crate::output::chart::{Chart, named, number};
 use crate::output::comparison::Asked;
 use crate::output::falling::Falling;
 use crate::output::plots::Rows;
+use crate::output::text::micro;
 use crate::output::{comparison, diagnosis, drawing, plots};
 use crate::process::range;
 
@@ -39,7 +40,7 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
             let [b, a] = [&d.before, &d.after].map(|g| shown(g.reduced_chi2));
             facts.push(fact("reduced \u{3c7}\u{b2}", fall(b, a)));
             facts.push(fact("noise", format!("{:.3} {}", kind.from_si(d.noise.together()), kind.unit)));
-            facts.push(fact("missing effects", d.missing.len().to_string()));
+            facts.push(fact("missing effects", diagnosis::counted(d)));
         }
         (None, [.., c]) => {
             facts.push(fact("root mean square error", format!("{:.3} {}", kind.from_si(c.rms), kind.unit)));
@@ -49,7 +50,7 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
         (None, []) => {}
     }
     facts.push(fact("observations", data.len().to_string()));
-    facts
+    facts.into_iter().map(|(name, value)| (name, micro(&value))).collect()
 }
 
 /// All sections that come of measurements.

@@ -18,6 +18,7 @@ use html::Section;
 
 use super::chart::sheet;
 use super::run::RunAnswer;
+use super::text::micro;
 use super::{comparison, diagnosis};
 use crate::diagnose::Verdict;
 
@@ -30,6 +31,8 @@ struct Page {
     /// Class and sign of the verdict.
     mood: &'static str,
     sign: &'static str,
+    /// Every cause that is told, and what it is in plain words.
+    plain: Vec<(String, String)>,
     facts: Vec<(String, String)>,
     sections: Vec<Section>,
     sheet: &'static str,
@@ -71,6 +74,7 @@ pub fn page(subject: &Subject, live: Option<u64>) -> String {
             "bad" => "\u{26a0}",
             _ => "\u{25b8}",
         },
+        plain: plain(subject),
         facts: subject.evidence.as_ref().map_or(Vec::new(), evidence::facts),
         sections: sections(subject),
         sheet: sheet(),
@@ -102,6 +106,13 @@ fn kicker(subject: &Subject) -> String {
     }
 }
 
+/// The causes in plain words.
+fn plain(subject: &Subject) -> Vec<(String, String)> {
+    let found = subject.evidence.as_ref().and_then(|found| found.diagnosis);
+    let missing = found.map_or(&[][..], |d| &d.missing);
+    missing.iter().map(|own| (diagnosis::label(own), html::sentence(&own.effect.about))).collect()
+}
+
 /// The verdict as a sentence, and whether it is good news.
 fn verdict(subject: &Subject) -> (String, &'static str) {
     let (text, mood) = match &subject.evidence {
@@ -125,5 +136,5 @@ fn verdict(subject: &Subject) -> (String, &'static str) {
             (told.unwrap_or_default(), "")
         }
     };
-    (html::sentence(&text), mood)
+    (micro(&html::sentence(&text)), mood)
 }

@@ -22,6 +22,8 @@ pub struct Rows<'a> {
     pub resolved: process::Rows,
     /// The rows of each observable that was measured.
     pub layouts: Vec<Layout>,
+    /// The value of each row from which it is shown, SI: the set diameter. None where all are shown as they are.
+    references: Option<Vec<f64>>,
 }
 
 /// Measured values of rows, and what a model says of them, SI.
@@ -41,13 +43,28 @@ impl<'a> Rows<'a> {
     pub fn of(model: &'a Model, measurements: &'a Measurements) -> Self {
         let resolved = model.system.resolved(&measurements.rows);
         let seen: Vec<usize> = measurements.observables.iter().map(|seen| seen.position).collect();
-        let layouts = Layout::each(&*model.process, &resolved, &measurements.given, &seen);
-        Self { model, measurements, resolved, layouts }
+        let mut layouts = Layout::each(&*model.process, &resolved, &measurements.given, &seen);
+        let references = model.system.references(&resolved);
+        // Errors of micrometres are not seen on sizes of many millimetres.
+        for layout in &mut layouts {
+            if is_referred(references.as_deref(), layout) {
+                let observable = &model.process.observables()[layout.observable];
+                let name = format!("{} less nominal", observable.name.replace('_', " "));
+                layout.value = Axis::new(name, observable.error_kind().unit);
+            }
+        }
+        Self { model, measurements, resolved, layouts, references }
     }
 
-    /// Kind of the observable of a layout.
+    /// Kind in which the observable of a layout is shown.
     fn kind(&self, layout: &Layout) -> Kind {
-        self.model.process.observables()[layout.observable].kind
+        let observable = &self.model.process.observables()[layout.observable];
+        if is_referred(self.references.as_deref(), layout) { observable.error_kind() } else { observable.kind }
+    }
+
+    /// A value of a row as it is shown, SI.
+    fn shown(&self, row: usize, value: f64) -> f64 {
+        value - self.references.as_ref().map_or(0.0, |all| all[row])
     }
 
     /// Factor from SI to the unit in which differences of an observable are told, and that unit.
@@ -55,6 +72,10 @@ impl<'a> Rows<'a> {
         let kind = self.model.process.observables()[layout.observable].error_kind();
         (1.0 / kind.canonical().factor, kind.unit)
     }
+}
+
+fn is_referred(references: Option<&[f64]>, layout: &Layout) -> bool {
+    references.is_some_and(|all| layout.rows.iter().any(|row| all[*row] != 0.0))
 }
 
 /// Every so many of these rows are drawn.
@@ -83,8 +104,9 @@ pub fn measured(rows: &Rows, judged: &Judged) -> Vec<Chart> {
     }
     for layout in &rows.layouts {
         let kind = rows.kind(layout);
-        let value = |at: usize| kind.from_si(judged.measured[layout.rows[at]]);
-        let foretold = |at: usize| kind.from_si(judged.predicted[layout.rows[at]]);
+        let shown = |row: usize, value: f64| kind.from_si(rows.shown(row, value));
+        let value = |at: usize| shown(layout.rows[at], judged.measured[layout.rows[at]]);
+        let foretold = |at: usize| shown(layout.rows[at], judged.predicted[layout.rows[at]]);
         let bar = |at: usize| bar(judged, kind, layout.rows[at]);
         let none = |_| f64::NAN;
         let chosen = layout.chosen();
@@ -127,8 +149,8 @@ pub fn agreement(rows: &Rows, judged: &Judged) -> Vec<Chart> {
     let chart = |layout: &Layout| {
         let kind = rows.kind(layout);
         let point = |row: &usize| Point {
-            x: kind.from_si(judged.predicted[*row]),
-            y: kind.from_si(judged.measured[*row]),
+            x: kind.from_si(rows.shown(*row, judged.predicted[*row])),
+            y: kind.from_si(rows.shown(*row, judged.measured[*row])),
             u: bar(judged, kind, *row),
         };
         let points: Vec<Point> = layout.rows.iter().step_by(every(layout.rows.len())).map(point).collect();

@@ -1,0 +1,37 @@
+//! The first rows of a file as it stands, for somebody who has to say what its columns are.
+
+use std::path::Path;
+
+use super::instrument::{self, text_of_rtx};
+use super::read::LARGEST_FILE;
+use super::sheet;
+use crate::input::{InputError, Source};
+
+/// Most rows that are shown.
+const SHOWN: usize = 6;
+
+/// Headings and first rows, cell by cell, with nothing understood of them yet.
+#[derive(Clone, Debug)]
+pub struct Preview {
+    /// Cells of the header.
+    pub headings: Vec<String>,
+    /// Cells of the first rows.
+    pub rows: Vec<Vec<String>>,
+    /// Number of all rows.
+    pub count: usize,
+}
+
+impl Preview {
+    /// Looks at a file.
+    ///
+    /// # Errors
+    /// It cannot be read, or is no table.
+    pub fn of(path: &Path) -> Result<Self, InputError> {
+        let source = Source::read_exported(path, LARGEST_FILE, text_of_rtx)?;
+        let sheet = instrument::read(&source).unwrap_or_else(|| sheet::read(&source));
+        let sheet = sheet.map_err(|problem| InputError::one(source, problem))?;
+        let shown = (0..sheet.records.len()).take(SHOWN);
+        let rows = shown.map(|row| sheet.records.get(row).iter().map(str::to_string).collect()).collect();
+        Ok(Self { headings: sheet.header, rows, count: sheet.records.len() })
+    }
+}

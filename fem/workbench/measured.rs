@@ -1,0 +1,127 @@
+//! The measurements of a session: files are opened, explained, dropped on the page, and rows struck out.
+
+use std::sync::Arc;
+
+use serde_json::{Value as Json, json};
+
+use super::bench::Bench;
+use super::refusal::Refusal;
+use super::session::Session;
+use crate::measure::{Decimal, Measurements, Preview, Reading};
+use crate::output::quoted;
+
+/// Rows of a file up to which it is tried whether it fits the model.
+const MANY: usize = 100_000;
+
+impl Session {
+    /// Opens files of measurements of the folder, to be read as `said`, or else as was said of them before.
+    ///
+    /// # Errors
+    /// They are none, or do not fit the model.
+    pub fn open_data(&mut self, names: &[String], said: Option<Reading>) -> Result<(), Refusal> {
+        let mut next = self.now.clone();
+        let stay = !next.files.is_empty() && next.files.iter().all(|own| names.contains(own));
+        next.reading = said.unwrap_or_else(|| if stay { next.reading.clone() } else { Reading::default() });
+        let Some(model) = &next.model else {
+            return Err(Refusal::new("no model is open", "open the model first: it says what its measurements are"));
+        };
+        next.struck.clear();
+        next.files = names.to_vec();
+        (next.measured, next.diagnosed) = (None, None);
+        if !names.is_empty() {
+            let paths = names.iter().map(|name| self.folder.file(name)).collect::<Result<Vec<_>, Refusal>>()?;
+            let read = Measurements::load_all(&paths, &*model.process, &next.reading, false)?;
+            let model = model.with_recorded(&read.recorded)?;
+            // What lies off the model is told now.
+            let measured = Arc::new(read);
+            Bench::data(&model, (*measured).clone(), &Arc::default())?;
+            (next.model, next.measured) = (Some(model), Some(measured));
+        }
+        next.steps.clear();
+        next.compare();
+        next.note(next.file.clone());
+        let command = (!names.is_empty()).then(|| format!("fem compare {} {}", quoted(&next.by_commands), next.with()));
+        self.step("open measurements", command, next);
+        Ok(())
+    }
+
+    /// What is said of the columns and of the decimal mark of files.
+    ///
+    /// # Errors
+    /// There is no such mark, or a column is said to be two things.
+    pub fn reading(columns: Vec<(String, String)>, decimal: Option<&str>) -> Result<Reading, Refusal> {
+        let decimal = match decimal {
+            None => None,
+            Some("comma") => Some(Decimal::Comma),
+            Some("point") => Some(Decimal::Point),
+            Some(other) => return Err(Refusal::new(format!("`{other}` is no decimal mark"), "say comma or point")),
+        };
+        Ok(Reading::of_columns(columns, decimal)?)
+    }
+
+    /// The first rows of a file of the folder as they stand there.
+    ///
+    /// # Errors
+    /// It is none, or no table.
+    pub fn preview(&self, name: &str) -> Result<Json, Refusal> {
+        let path = self.folder.file(name)?;
+        let own = Preview::of(&path)?;
+        let process = self.now.model.as_ref().map(|model| &*model.process).filter(|_| own.count < MANY);
+        let fits = process.map(|process| Measurements::load(&path, process).is_ok());
+        Ok(json!({ "file": name, "headings": own.headings, "rows": own.rows, "lines": own.count, "fits": fits }))
+    }
+
+    /// Stores a file that was dropped on the page, under a name that nothing has yet.
+    ///
+    /// # Errors
+    /// It is no name of a file here, or it cannot be written.
+    pub fn store(&mut self, name: &str, bytes: &[u8]) -> Result<String, Refusal> {
+        let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "csv"));
+        let free = self.folder.free(stem, ending);
+        self.folder.write(&free, bytes, false)?;
+        self.version += 1;
+        Ok(free)
+    }
+
+    /// Strikes rows out by hand, or takes them in again.
+    ///
+    /// # Errors
+    /// There is no such row, or none would be left.
+    pub fn strike(&mut self, rows: &[usize], is_struck: bool) -> Result<(), Refusal> {
+        let count = self.now.measured.as_ref().map_or(0, |own| own.len());
+        if rows.iter().any(|row| *row >= count) {
+            return Err(Refusal::new("there is no such row", "name rows of the measurements, from 0"));
+        }
+        let mut next = self.now.clone();
+        for row in rows {
+            if is_struck {
+                next.struck.insert(*row)
+            } else {
+                next.struck.remove(row)
+            };
+        }
+        if next.struck.len() == count {
+            return Err(Refusal::new("no row would be left", "leave some of them in"));
+        }
+        next.diagnosed = None;
+        next.compare();
+        let label = if is_struck { "strike rows out" } else { "take rows in again" };
+        self.step(label, None, next);
+        Ok(())
+    }
+
+    /// Stores rows that were measured, as a file of measurements beside those that are open.
+    ///
+    /// # Errors
+    /// They are no measurements of the model.
+    pub fn readings(&mut self, csv: &str) -> Result<(), Refusal> {
+        let name = self.folder.free("readings", "csv");
+        let path = self.folder.write(&name, csv.as_bytes(), false)?;
+        let mut files = self.now.files.clone();
+        files.push(name);
+        self.open_data(&files, None).inspect_err(|_| {
+            // It was ours, and holds nothing that the page has not.
+            let _ = std::fs::remove_file(&path);
+        })
+    }
+}
