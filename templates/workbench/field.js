@@ -42,6 +42,17 @@ function slider(v, id) {
     ] : null);
 }
 
+/** Says what stands on trial at its sliders, and changes nothing else. */
+export function tellTrials() {
+  for (const [path, value] of app.trial.values) {
+    const v = find(path), slider = document.getElementById(idOf(path) + "-try");
+    if (!v || !slider) continue;
+    const text = quantityText(value, v.unit, 4), told = slider.parentElement.querySelector("output");
+    slider.setAttribute("aria-valuetext", text);
+    if (told) told.textContent = T.trialValue(text);
+  }
+}
+
 function knowledge(v) {
   return h("div", { class: "knowledge", role: "group", "aria-label": T.knowledgeOf(nameOf(v)), "data-key": "knowledge" },
     ["known", "roughly", "unknown"].map(k => h("button", { type: "button", "data-click": "know", "data-path": v.path, "data-knowledge": k, "aria-pressed": String(v.knowledge === k), "data-key": k },

@@ -31,11 +31,20 @@ const sheet = () => {
   return link && link.sheet ? [...link.sheet.cssRules].map(r => r.cssText).join("\n") : "";
 };
 onFilled(place => livenAll(place, T, sheet));
+let trialBefore = "";
 onDraw(all => {
   if (!app.state) return;
+  // While a slider moves only what says its value changes: the panes are long.
+  const { values, problem, predicted } = app.trial;
+  const trialNow = [...values.keys(), problem, predicted === null, app.trial.moves].join("\n");
+  const isSame = !all && trialNow === trialBefore;
+  trialBefore = trialNow;
   put(at("head"), header.header());
-  put(at("model"), model.model());
-  put(at("residuals"), residuals.residuals());
+  if (isSame) field.tellTrials();
+  else {
+    put(at("model"), model.model());
+    put(at("residuals"), residuals.residuals());
+  }
   residuals.drawPlot();
   const isTrial = app.trial.values.size > 0;
   at("trial").hidden = !isTrial;

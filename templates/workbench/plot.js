@@ -24,12 +24,13 @@ function means(xs, ys, isUsed) {
   return out;
 }
 
+// Each adds itself to a path, which is drawn once for all of its kind.
 const shapes = {
-  ring: (c, x, y, r) => { c.beginPath(); c.moveTo(x, y - 2 * r); c.lineTo(x + 2 * r, y); c.lineTo(x, y + 2 * r); c.lineTo(x - 2 * r, y); c.closePath(); c.stroke(); },
-  dot: (c, x, y, r) => { c.beginPath(); c.arc(x, y, r, 0, 7); c.fill(); },
-  dash: (c, x, y, r) => { c.beginPath(); c.moveTo(x - 1.8 * r, y); c.lineTo(x + 1.8 * r, y); c.stroke(); },
-  cross: (c, x, y, r) => { c.beginPath(); c.moveTo(x - r, y - r); c.lineTo(x + r, y + r); c.moveTo(x - r, y + r); c.lineTo(x + r, y - r); c.stroke(); },
-  triangle: (c, x, y, r) => { c.beginPath(); c.moveTo(x, y - 1.3 * r); c.lineTo(x + 1.2 * r, y + r); c.lineTo(x - 1.2 * r, y + r); c.closePath(); c.stroke(); },
+  ring: (c, x, y, r) => { c.moveTo(x, y - 2 * r); c.lineTo(x + 2 * r, y); c.lineTo(x, y + 2 * r); c.lineTo(x - 2 * r, y); c.closePath(); },
+  dot: (c, x, y, r) => { c.moveTo(x + r, y); c.arc(x, y, r, 0, 7); },
+  dash: (c, x, y, r) => { c.moveTo(x - 1.8 * r, y); c.lineTo(x + 1.8 * r, y); },
+  cross: (c, x, y, r) => { c.moveTo(x - r, y - r); c.lineTo(x + r, y + r); c.moveTo(x - r, y + r); c.lineTo(x + r, y - r); },
+  triangle: (c, x, y, r) => { c.moveTo(x, y - 1.3 * r); c.lineTo(x + 1.2 * r, y + r); c.lineTo(x - 1.2 * r, y + r); c.closePath(); },
 };
 
 export class Plot {
@@ -266,7 +267,9 @@ export class Plot {
         c.fillStyle = c.strokeStyle = colour;
         c.lineWidth = 1.4 * dpr;
         c.globalAlpha = alpha;
+        c.beginPath();
         ys.forEach((v, i) => { if (v !== null && v !== undefined && which(i)) shapes[shape](c, u.valToPos(d.x[i], "x", true), u.valToPos(v, "y", true), r); });
+        if (shape === "dot") c.fill(); else c.stroke();
         c.globalAlpha = 1;
       };
       each(d.main, "dot", colours.first, i => !d.struck[i]);

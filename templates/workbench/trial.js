@@ -31,26 +31,24 @@ export function renew() {
   else reset();
 }
 
-// One question a frame and one under way: the last value wins.
+// One question under way: the last value wins.
 function ask() {
-  if (isWanted) return;
   isWanted = true;
-  requestAnimationFrame(next);
+  if (!isUnderWay) next();
 }
 
 async function next() {
-  if (isUnderWay) return;
-  isWanted = false;
-  if (!app.trial.values.size) return;
   isUnderWay = true;
-  try {
-    const { predicted, rms, moves } = await post("try", { values: Object.fromEntries(app.trial.values) });
-    if (app.trial.values.size) Object.assign(app.trial, { predicted, rms, moves: moves !== false, problem: null });
-  } catch (e) {
-    Object.assign(app.trial, { predicted: null, rms: null, moves: true, problem: refusalText(e) });
-    if (e.path) app.trial.path = e.path;
+  while (isWanted && app.trial.values.size) {
+    isWanted = false;
+    try {
+      const { predicted, rms, moves } = await post("try", { values: Object.fromEntries(app.trial.values) });
+      if (app.trial.values.size) Object.assign(app.trial, { predicted, rms, moves: moves !== false, problem: null });
+    } catch (e) {
+      Object.assign(app.trial, { predicted: null, rms: null, moves: true, problem: refusalText(e) });
+      if (e.path) app.trial.path = e.path;
+    }
+    redraw("trial");
   }
   isUnderWay = false;
-  redraw("trial");
-  if (isWanted) requestAnimationFrame(next);
 }
