@@ -10,6 +10,9 @@ use crate::input::{InputError, Source};
 /// Most rows that are shown.
 const SHOWN: usize = 6;
 
+/// Most characters of a cell.
+const WIDEST: usize = 80;
+
 /// Headings and first rows, cell by cell, with nothing understood of them yet.
 #[derive(Clone, Debug)]
 pub struct Preview {
@@ -31,7 +34,12 @@ impl Preview {
         let sheet = instrument::read(&source).unwrap_or_else(|| sheet::read(&source));
         let sheet = sheet.map_err(|problem| InputError::one(source, problem))?;
         let shown = (0..sheet.records.len()).take(SHOWN);
-        let rows = shown.map(|row| sheet.records.get(row).iter().map(str::to_string).collect()).collect();
-        Ok(Self { headings: sheet.header, rows, count: sheet.records.len() })
+        let rows = shown.map(|row| sheet.records.get(row).iter().map(cut).collect()).collect();
+        Ok(Self { headings: sheet.header.iter().map(|own| cut(own)).collect(), rows, count: sheet.records.len() })
     }
+}
+
+/// What no longer has room in a cell is left out.
+fn cut(cell: &str) -> String {
+    cell.chars().take(WIDEST).collect()
 }

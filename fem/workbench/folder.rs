@@ -6,6 +6,8 @@ use super::refusal::Refusal;
 use crate::model::Model;
 use crate::output::files::{self, Guard};
 
+/// Most bytes of a file of measurements.
+pub const LARGEST: usize = 64 << 20;
 /// Most entries of a folder that are looked at.
 const MOST: usize = 2_000;
 /// Endings of files that may hold measurements.
@@ -84,6 +86,21 @@ impl Folder {
         match real {
             Some(_) => Ok(path),
             None => Err(Refusal::new(format!("there is no file `{name}` in this folder"), "name one that is there")),
+        }
+    }
+
+    /// The path of a file of measurements that is there, and not too large for a page.
+    ///
+    /// # Errors
+    /// It is none, or it is.
+    pub fn measurements(&self, name: &str) -> Result<PathBuf, Refusal> {
+        let path = self.file(name).map_err(|refusal| refusal.of(name))?;
+        match path.metadata().is_ok_and(|own| own.len() > LARGEST as u64) {
+            false => Ok(path),
+            true => {
+                let problem = format!("{name} is too large for a page, which takes {} MB", LARGEST >> 20);
+                Err(Refusal::new(problem, "thin it out first, or ask by commands: `fem compare`").of(name))
+            }
         }
     }
 

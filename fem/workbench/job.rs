@@ -146,9 +146,9 @@ impl Job {
 
 /// What came of it.
 pub enum Outcome {
-    Diagnosed(Diagnosed),
+    Diagnosed(Box<Diagnosed>),
     Fitted(Box<Model>),
-    Corrected(Corrected),
+    Corrected(Box<Corrected>),
     Remedied(Remedied),
 }
 
@@ -171,13 +171,13 @@ impl Material {
     /// It cannot be done.
     pub fn work(mut self, work: &Work, progress: &Arc<Progress>) -> Result<Outcome, Refusal> {
         match work {
-            Work::Diagnose => self.diagnosed(progress).map(Outcome::Diagnosed),
+            Work::Diagnose => self.diagnosed(progress).map(|own| Outcome::Diagnosed(Box::new(own))),
             Work::Fit => {
                 let measured = self.measured()?;
                 let data = Bench::data(&self.model, measured, progress)?;
                 Ok(Outcome::Fitted(Box::new(fitted(&data, &fit(&data)?)?)))
             }
-            Work::Correct { adds, .. } => self.corrected(*adds, progress).map(Outcome::Corrected),
+            Work::Correct { adds, .. } => self.corrected(*adds, progress).map(|own| Outcome::Corrected(Box::new(own))),
             Work::Remedies { minutes } => {
                 let limit = minutes.map(|minutes| TIME.to_si(minutes));
                 let found = remedies(&self.model, limit, false, progress)?;

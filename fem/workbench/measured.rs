@@ -1,5 +1,6 @@
 //! The measurements of a session: files are opened, explained, dropped on the page, and rows struck out.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
@@ -8,10 +9,31 @@ use super::bench::Bench;
 use super::refusal::Refusal;
 use super::session::Session;
 use crate::measure::{Decimal, Measurements, Preview, Reading};
+use crate::model::ModelProcess;
 use crate::output::quoted;
 
 /// Rows of a file up to which it is tried whether it fits the model.
 const MANY: usize = 100_000;
+
+/// A file whose first rows are asked for.
+pub struct Previewed {
+    name: String,
+    path: PathBuf,
+    process: Option<ModelProcess>,
+}
+
+impl Previewed {
+    /// Reads them, and whether the file fits the model that is open.
+    ///
+    /// # Errors
+    /// It is no table.
+    pub fn read(&self) -> Result<Json, Refusal> {
+        let own = Preview::of(&self.path)?;
+        let process = self.process.as_ref().filter(|_| own.count < MANY);
+        let fits = process.map(|process| Measurements::load(&self.path, &**process).is_ok());
+        Ok(json!({ "file": self.name, "headings": own.headings, "rows": own.rows, "lines": own.count, "fits": fits }))
+    }
+}
 
 impl Session {
     /// Opens files of measurements of the folder, to be read as `said`, or else as was said of them before.
@@ -29,13 +51,16 @@ impl Session {
         next.files = names.to_vec();
         (next.measured, next.diagnosed) = (None, None);
         if !names.is_empty() {
-            let paths = names.iter().map(|name| self.folder.file(name)).collect::<Result<Vec<_>, Refusal>>()?;
+            let paths = names.iter().map(|name| self.folder.measurements(name)).collect::<Result<Vec<_>, Refusal>>()?;
             let read = Measurements::load_all(&paths, &*model.process, &next.reading, false)?;
             let model = model.with_recorded(&read.recorded)?;
             // What lies off the model is told now.
             let measured = Arc::new(read);
             Bench::data(&model, (*measured).clone(), &Arc::default())?;
             (next.model, next.measured) = (Some(model), Some(measured));
+        }
+        for name in names {
+            self.disk.is_other(self.folder.path(), name);
         }
         next.steps.clear();
         next.compare();
@@ -59,16 +84,14 @@ impl Session {
         Ok(Reading::of_columns(columns, decimal)?)
     }
 
-    /// The first rows of a file of the folder as they stand there.
+    /// The first rows of a file of the folder as they stand there, to be read.
     ///
     /// # Errors
-    /// It is none, or no table.
-    pub fn preview(&self, name: &str) -> Result<Json, Refusal> {
-        let path = self.folder.file(name)?;
-        let own = Preview::of(&path)?;
-        let process = self.now.model.as_ref().map(|model| &*model.process).filter(|_| own.count < MANY);
-        let fits = process.map(|process| Measurements::load(&path, process).is_ok());
-        Ok(json!({ "file": name, "headings": own.headings, "rows": own.rows, "lines": own.count, "fits": fits }))
+    /// It is none, or too large.
+    pub fn to_preview(&self, name: &str) -> Result<Previewed, Refusal> {
+        let path = self.folder.measurements(name)?;
+        let process = self.now.model.as_ref().map(|model| model.process.clone());
+        Ok(Previewed { name: name.to_string(), path, process })
     }
 
     /// Stores a file that was dropped on the page, under a name that nothing has yet.
@@ -76,6 +99,10 @@ impl Session {
     /// # Errors
     /// It is no name of a file here, or it cannot be written.
     pub fn store(&mut self, name: &str, bytes: &[u8]) -> Result<String, Refusal> {
+        // Dropped again it is the same file.
+        if self.folder.file(name).is_ok_and(|path| std::fs::read(path).is_ok_and(|own| own == bytes)) {
+            return Ok(name.to_string());
+        }
         let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "csv"));
         let free = self.folder.free(stem, ending);
         self.folder.write(&free, bytes, false)?;

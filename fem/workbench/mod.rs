@@ -5,12 +5,14 @@
 
 mod assets;
 mod bench;
+mod disk;
 mod edits;
 mod export;
 mod folder;
 mod gate;
 mod job;
 mod kept;
+mod look;
 mod measured;
 mod refusal;
 mod resume;

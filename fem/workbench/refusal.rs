@@ -31,6 +31,13 @@ impl Refusal {
         self
     }
 
+    /// It is about a file.
+    #[must_use]
+    pub fn of(mut self, file: &str) -> Self {
+        self.file = Some(file.to_string());
+        self
+    }
+
     /// For the page.
     pub fn json(&self) -> Json {
         json!({ "problem": self.problem, "help": self.help, "path": self.path, "file": self.file })

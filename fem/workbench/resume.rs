@@ -64,10 +64,15 @@ impl Session {
         let said = told["reading"]["columns"].as_array().into_iter().flatten().filter_map(pair).collect();
         let reading = Self::reading(said, told["reading"]["decimal"].as_str())?;
         let files = texts("files");
-        let paths = files.iter().map(|name| self.folder.file(name)).collect::<Result<Vec<_>, Refusal>>()?;
-        let measured = match paths.is_empty() {
-            true => None,
-            false => Some(Measurements::load_all(&paths, draft.process(), &reading, false)?),
+        let measured = |files: &[String]| -> Result<Option<Measurements>, Refusal> {
+            let paths = files.iter().map(|name| self.folder.file(name)).collect::<Result<Vec<_>, Refusal>>()?;
+            let is_none = paths.is_empty();
+            Ok(if is_none { None } else { Some(Measurements::load_all(&paths, draft.process(), &reading, false)?) })
+        };
+        // The model is worth more than what it was compared with, which may have gone.
+        let (measured, files, lost) = match measured(&files) {
+            Ok(measured) => (measured, files, None),
+            Err(refusal) => (None, Vec::new(), Some(refusal.text())),
         };
         let model = draft.with(measured.as_ref().map_or(&[][..], |own| &own.recorded))?;
         self.folder.holds(&model)?;
@@ -86,7 +91,8 @@ impl Session {
         };
         next.compare();
         next.note(next.file.clone());
-        self.saved = std::fs::read_to_string(&own).unwrap_or_default();
+        self.disk.note(&next.file, std::fs::read_to_string(&own).unwrap_or_default());
+        self.trouble = lost;
         self.step("take up the last session", None, next);
         texts("history").into_iter().for_each(|command| self.steps.also(command));
         // From now on this session keeps it.

@@ -58,11 +58,11 @@ impl Session {
             Ok(Outcome::Fitted(_)) if !is_of => self.trouble = again("the model"),
             Ok(Outcome::Fitted(model)) => self.change("fit".into(), Some((job.command, job.to)), *model, true),
             Ok(Outcome::Diagnosed(found)) => {
-                self.take("diagnose", job.command, |next| next.diagnosed = Some(Arc::new(found)));
+                self.take("diagnose", job.command, |next| next.diagnosed = Some(Arc::new(*found)));
             }
             Ok(Outcome::Corrected(mut found)) => {
                 found.command.clone_from(&job.command);
-                self.take("correct", job.command, |next| next.corrected = Some(Arc::new(found)));
+                self.take("correct", job.command, |next| next.corrected = Some(Arc::new(*found)));
             }
             Ok(Outcome::Remedied(found)) => {
                 self.take("look for remedies", job.command, |next| next.remedied = Some(Arc::new(found)));

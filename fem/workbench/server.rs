@@ -19,14 +19,13 @@ use serde_json::{Value as Json, json};
 
 use super::assets::asset;
 use super::edits::Row;
+use super::folder::LARGEST;
 use super::gate::{Gate, guarded};
 use super::job::{Job, Work};
 use super::refusal::Refusal;
 use super::session::Session;
 use crate::output::files::digits;
 
-/// Most bytes of a question: files of measurements are dropped whole.
-const LARGEST: usize = 64 << 20;
 /// Longest time in which a question has to come.
 const LONGEST: Duration = Duration::from_secs(60);
 /// Time between two looks at the state and at the files.
@@ -58,6 +57,8 @@ pub fn serve(session: Session, port: u16, told: impl FnOnce(&str)) -> io::Result
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     runtime.block_on(async {
         let (listener, gate, port) = Gate::open(port).await?;
+        let mut session = session;
+        session.served_at(port);
         let token = digits()?;
         let shared = Shared { session: Arc::new(Mutex::new(session)), token: token.as_str().into(), gate };
         told(&format!("http://127.0.0.1:{port}/{token}/"));
@@ -102,8 +103,12 @@ async fn answer(State(shared): State<Shared>, request: Request) -> Response {
         }
         (Method::GET, "preview") => {
             let name = named(&query, "file=");
-            let preview = move || shared.session().preview(&name);
-            blocking(move || preview().map_or_else(|refusal| refused(&refusal), |own| told(&own))).await
+            blocking(move || {
+                // The page goes on while a file is read.
+                let asked = shared.session().to_preview(&name);
+                asked.and_then(|asked| asked.read()).map_or_else(|refusal| refused(&refusal), |own| told(&own))
+            })
+            .await
         }
         (Method::GET, "") => file("index.html"),
         (Method::GET, name) => file(name),
@@ -272,5 +277,8 @@ fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, R
         }
         _ => return Err(Refusal::new(format!("`{verb}` is nothing to be asked for"), "ask as the page does")),
     }
-    Ok(json!({ "version": shared.session().version() }))
+    // What was answered is kept.
+    let mut session = shared.session();
+    session.keep();
+    Ok(json!({ "version": session.version() }))
 }

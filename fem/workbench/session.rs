@@ -6,13 +6,13 @@ use std::sync::Arc;
 use serde_json::{Value as Json, json};
 
 use super::bench::{Bench, Corrected, Remedied};
+use super::disk::Disk;
 use super::folder::Folder;
 use super::job::Job;
 use super::kept::Kept;
 use super::refusal::Refusal;
 use super::steps::Steps;
 use super::told;
-use crate::input::{Stamp, stamp};
 use crate::model::{Draft, Model};
 
 /// What is open on the page.
@@ -21,9 +21,8 @@ pub struct Session {
     pub(super) now: Bench,
     pub(super) steps: Steps,
     pub(super) version: u64,
-    /// Text of the model as its file has it, and the stamp of the file when that was looked at.
-    pub(super) saved: String,
-    stamp: Option<Stamp>,
+    /// What the files have that were opened or written.
+    pub(super) disk: Disk,
     /// What is wrong with a file that was changed elsewhere; what was open stays.
     pub(super) trouble: Option<String>,
     pub(super) job: Option<Job>,
@@ -50,8 +49,7 @@ impl Session {
             now: Bench::default(),
             steps: Steps::default(),
             version: 1,
-            saved: String::new(),
-            stamp: None,
+            disk: Disk::default(),
             trouble: None,
             job: None,
         };
@@ -59,6 +57,11 @@ impl Session {
             own.open_model(name)?;
         }
         Ok(own)
+    }
+
+    /// The port at which it is served: another program that finds what it keeps knows by that that it runs.
+    pub fn served_at(&mut self, port: u16) {
+        self.kept.port = port;
     }
 
     /// Number of the state: another one is another number.
@@ -86,7 +89,7 @@ impl Session {
             "models": listing.models,
             "measurements": listing.measurements,
             "programs": listing.programs,
-            "model": told::model(&self.now, text.as_deref().unwrap_or_default(), is_of(&self.saved)),
+            "model": told::model(&self.now, text.as_deref().unwrap_or_default(), self.is_saved()),
             "trouble": self.trouble,
             "data": told::data(&self.now),
             "comparison": told::comparison(self.now.compared.as_ref()),
@@ -114,7 +117,7 @@ impl Session {
     }
 
     pub(super) fn is_saved(&self) -> bool {
-        self.now.model.as_ref().is_none_or(|model| model.text() == self.saved)
+        self.now.model.as_ref().is_none_or(|model| self.disk.has(&self.now.file, &model.text()))
     }
 
     pub(super) fn model(&self) -> Result<&Model, Refusal> {
@@ -133,7 +136,7 @@ impl Session {
     /// It is none, or it is wrong.
     pub fn open_model(&mut self, name: &str) -> Result<(), Refusal> {
         let model = self.read_model(name)?;
-        self.saved = model.source.text.to_string();
+        self.disk.note(name, model.source.text.to_string());
         let file = name.to_string();
         let mut next = Bench { by_commands: file.clone(), file, model: Some(model), ..Bench::default() };
         if let Some(measured) = self.now.measured.clone() {
@@ -150,7 +153,7 @@ impl Session {
         Ok(())
     }
 
-    fn read_model(&self, name: &str) -> Result<Model, Refusal> {
+    pub(super) fn read_model(&self, name: &str) -> Result<Model, Refusal> {
         let recorded = self.now.measured.as_ref().map_or(&[][..], |own| &own.recorded);
         let draft = Draft::load(&self.folder.file(name)?)?;
         draft.texts().into_iter().try_for_each(|text| self.folder.keeps(&text))?;
@@ -187,45 +190,16 @@ impl Session {
     pub fn save(&mut self, name: Option<&str>) -> Result<String, Refusal> {
         let own = self.now.file.clone();
         let name = name.unwrap_or(&own).to_string();
+        if name == own {
+            self.disk.check(self.folder.path(), &own)?;
+        }
         let model = self.model()?;
         let text = model.text_at(&self.folder.path().join(&name));
         self.folder.write(&name, text.as_bytes(), name == own)?;
-        (self.now.file, self.saved) = (name.clone(), text);
+        self.disk.note(&name, text);
+        self.now.file.clone_from(&name);
+        self.trouble = None;
         self.version += 1;
         Ok(name)
-    }
-
-    /// Looks whether the file of the model was changed elsewhere: the page follows, and a wrong file keeps what was.
-    pub fn look(&mut self) {
-        let Some(path) = self.now.model.as_ref().and_then(|_| self.folder.file(&self.now.file).ok()) else { return };
-        let now = stamp(&path);
-        if now == self.stamp || !self.is_saved() {
-            return;
-        }
-        self.stamp = now;
-        let text = std::fs::read_to_string(path).unwrap_or_default();
-        if text.is_empty() {
-            return;
-        }
-        if text == self.saved {
-            // Mended again.
-            self.version += u64::from(self.trouble.take().is_some());
-            return;
-        }
-        let name = self.now.file.clone();
-        match self.read_model(&name) {
-            Ok(model) => {
-                self.saved = text;
-                self.trouble = None;
-                self.change(format!("{name} was changed elsewhere"), None, model, true);
-            }
-            Err(refusal) => {
-                let told = format!("{name} is wrong now, and what was open stays: {}", refusal.text());
-                if self.trouble.as_ref() != Some(&told) {
-                    self.trouble = Some(told);
-                    self.version += 1;
-                }
-            }
-        }
     }
 }

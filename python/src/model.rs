@@ -11,10 +11,9 @@ use fem::model::{self, Data, Entry, Setting, add_effect};
 use fem::output;
 use fem::output::files::Guard;
 use fem::output::{
-    AdvisedAnswer, ComparisonAnswer, CompensationAnswer, CorrectionAnswer, DiagnosisAnswer, FitAnswer, Folder,
-    LawsAnswer, PlanAnswer, RemedyAnswer, RunAnswer, tables_of_band, text,
+    ActionAnswer, ComparisonAnswer, CompensationAnswer, DiagnosisAnswer, FitAnswer, Folder, LawsAnswer, PlanAnswer,
+    RemedyAnswer, RunAnswer, tables_of_band, text,
 };
-use fem::process::Table;
 use fem::progress::Progress;
 use fem::units::{Knowledge, TIME};
 use pyo3::prelude::*;

@@ -29,6 +29,9 @@ export function redraw(what) {
   });
 }
 
+/** Draws what a trial changes at once: its answer has taken its time already. */
+export const drawTrial = () => draw(false);
+
 export function say(text) {
   const place = document.getElementById("said");
   place.textContent = "";
@@ -47,7 +50,7 @@ export function alarm(text) {
   if (text) alarm.timer = setTimeout(() => alarm(""), 15000);
 }
 
-let loading = null, isStale = false;
+let loading = null, isStale = false, told = null;
 let changed = () => {};
 export const onChanged = call => { changed = call; };
 
@@ -64,13 +67,16 @@ export function load() {
       app.rows = rows;
       if (isNew) changed();
       redraw();
-    } while (isStale);
+    } while (isStale || told !== null && told > app.state.version);
   })().catch(e => { if (!app.isLost) alarm(e.message); }).finally(() => { loading = null; });
   return loading;
 }
 
-/** Asks for the state if it is older than the version told of. */
-export const follow = version => { if (!app.state || version !== app.state.version) load(); };
+/** Asks for the state if it is older than the version told of, unless it is being asked for already. */
+export function follow(version) {
+  told = version;
+  if (!loading && (!app.state || version !== app.state.version)) load();
+}
 
 /** Does something at the server and says that it was done, or why not; what was answered, false if it was not done. */
 export async function change(what, body, said) {

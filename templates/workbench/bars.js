@@ -3,7 +3,7 @@ import { h } from "./dom.js";
 import { quantityText } from "./numbers.js";
 import { T } from "./texts.js";
 
-const MOST_LINEAR = 50;   // beyond this ratio the shortest bar could not be seen
+const MOST_LINEAR = 100;   // beyond this ratio the shortest bar could not be seen
 
 /** items: [{ label, rms }]; bars begin at zero, unless that would hide the shortest of them. */
 export function bars(items, { unit, noise, title, key }) {

@@ -80,7 +80,9 @@ export function causes() {
     h("div", { class: "run", "data-key": "run" }, runButton("diagnose", T.diagnose, !data, true), h("span", { class: "note" }, T.diagnoseNote)),
     progress(["diagnose"]),
     diagnosis ? [
-      diagnosis.is_current ? null : h("p", { class: "caution", "data-key": "old" }, h("span", { "aria-hidden": "true" }, "⚠ "), T.old),
+      diagnosis.is_current ? null
+        : diagnosis.causes.length && diagnosis.causes.every(c => isIn(c.effect)) ? h("p", { class: "note", "data-key": "old" }, T.allIn)
+          : h("p", { class: "caution", "data-key": "old" }, h("span", { "aria-hidden": "true" }, "⚠ "), T.old),
       h("p", { class: "sentence", "data-key": "verdict" }, proseText(diagnosis.verdict)),
       gains(diagnosis, before),
       diagnosis.causes.map((c, i) => cause(c, i, i ? diagnosis.causes[i - 1].rms_after : before)),

@@ -79,7 +79,7 @@ async function take(list) {
     try { names.push((await send(file)).name); } catch (e) { refuse(e); }
   }
   if (!names.length) return;
-  const all = [...wanted(), ...names];
+  const all = [...new Set([...wanted(), ...names])];
   await openFiles(all, await readingOf(all), names.map(T.dropped).join(" "));
 }
 

@@ -36,7 +36,7 @@ export function header() {
   const [mood, sign, sentence] = verdict(app.state);
   const has = comparison && !comparison.problem;
   return [
-    h("p", { class: "kicker" }, [folder, model && model.file, model && model.process].filter(Boolean).join(" · ")),
+    h("p", { class: "kicker", title: folder }, [folder.split(/[\\/]/).at(-1), model && model.file, model && model.process].filter(Boolean).join(" · ")),
     h("h1", {}, model ? model.title || model.file : T.page),
     h("p", { class: `verdict ${mood}`, "data-key": "verdict" }, h("span", { class: "sign", "aria-hidden": "true" }, sign), h("span", {}, sentence)),
     nextStep(),

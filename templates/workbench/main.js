@@ -31,7 +31,7 @@ const sheet = () => {
   return link && link.sheet ? [...link.sheet.cssRules].map(r => r.cssText).join("\n") : "";
 };
 onFilled(place => livenAll(place, T, sheet));
-let trialBefore = "";
+let trialBefore = "", drawn = null;
 onDraw(all => {
   if (!app.state) return;
   // While a slider moves only what says its value changes: the panes are long.
@@ -45,7 +45,8 @@ onDraw(all => {
     put(at("model"), model.model());
     put(at("residuals"), residuals.residuals());
   }
-  residuals.drawPlot();
+  if (!isSame || predicted !== drawn) residuals.drawPlot();
+  drawn = predicted;
   const isTrial = app.trial.values.size > 0;
   at("trial").hidden = !isTrial;
   put(at("trial"), isTrial ? header.trialBar() : []);

@@ -60,7 +60,12 @@ export class Plot {
     const lineOf = ys => ys ? means(d.x, ys, isUsed) : d.x.map(() => null);
     // The two ends of what has to fit into the height, drawn by nothing.
     const both = [d.main, d.second, d.trialMarks, ...this.limitsInView([d.main, d.second, d.trialMarks])].filter(Boolean);
-    const extreme = pick => d.x.map((_, i) => { const all = both.map(l => l[i]).filter(v => v !== null && v !== undefined); return all.length ? pick(...all) : null; });
+    // Without lists in between: a slider asks for it at every move.
+    const extreme = pick => d.x.map((_, i) => {
+      let best = null;
+      for (const list of both) { const v = list[i]; if (v !== null && v !== undefined) best = best === null ? v : pick(best, v); }
+      return best;
+    });
     const band = isResidual ? d.sigma.map(s => s === null ? null : 2 * s) : d.x.map(() => null);
     const data = [d.x, band.map(v => v === null ? null : -v), band, extreme(Math.min), extreme(Math.max), lineOf(isResidual ? d.main : d.second), lineOf(d.trialMarks)];
 
@@ -156,7 +161,9 @@ export class Plot {
     const n = this.d ? this.d.rows.length : 0;
     if (!n) return;
     const at = this.d.rows.indexOf(this.d.picked);
-    this.pick(this.d.rows[at < 0 ? (step > 0 ? 0 : n - 1) : (at + step + n) % n]);
+    // Keys come faster than frames: the next one goes on from here.
+    this.d.picked = this.d.rows[at < 0 ? (step > 0 ? 0 : n - 1) : (at + step + n) % n];
+    this.pick(this.d.picked);
   }
 
   nearest(px, py) {

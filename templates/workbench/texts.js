@@ -134,6 +134,7 @@ export const T = {
   runs: (what, seconds, percent) => `${what}: ${seconds} s` + (percent === null ? "" : `, ${percent} %`),
   progressOf: what => `progress: ${what}`,
   began: what => `${what} …`, ended: what => `${what}: finished.`, stopped: "Stopped.",
+  allIn: "All that this answer found is in the model now.",
   old: "This answer is of an earlier state of the model or the data.",
   noDiagnosis: "Nothing has been diagnosed yet.",
   classes: { certain: "certain", perhaps: "perhaps", open: "open" },

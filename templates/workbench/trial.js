@@ -1,5 +1,5 @@
 // Values that are tried by the sliders. They are no estimates, are never stored, and are drawn otherwise.
-import { app, redraw } from "./app.js";
+import { app, drawTrial, redraw } from "./app.js";
 import { post, refusalText } from "./server.js";
 
 let isUnderWay = false, isWanted = false;
@@ -48,7 +48,7 @@ async function next() {
       Object.assign(app.trial, { predicted: null, rms: null, moves: true, problem: refusalText(e) });
       if (e.path) app.trial.path = e.path;
     }
-    redraw("trial");
+    drawTrial();
   }
   isUnderWay = false;
 }

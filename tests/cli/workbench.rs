@@ -194,6 +194,8 @@ fn what_is_refused_is_said_at_its_place_and_changes_nothing() {
     assert!(bench.state()["data"].is_null());
     bench.done("undo", &Json::Null);
     assert_eq!(bench.state()["data"], before["data"]);
+    // A step back to a model that its file has is a saved one.
+    assert_eq!(bench.state()["model"]["is_saved"], true);
 }
 
 /// The history of a workbench, run as commands in its folder; the last answer.
@@ -485,6 +487,16 @@ fn nobody_else_gets_in_and_nothing_else_gets_out() {
     let stored: Json = serde_json::from_slice(&body).unwrap();
     assert_eq!((status, &stored["name"]), (200, &json!("measured-2.csv")));
     assert_eq!(place.read("shop/measured.csv"), model("story/measured.csv"));
+    // Nor is what lies there too large.
+    std::fs::File::create(place.path("shop/huge.csv")).unwrap().set_len(100 << 20).unwrap();
+    for (verb, path) in [("GET", "preview?file=huge.csv"), ("POST", "data")] {
+        let (status, _, body) = bench.ask(verb, path, "", b"{\"files\":[\"huge.csv\"]}");
+        assert!(status == 422 && String::from_utf8_lossy(&body).contains("too large for a page"), "{verb} {status}");
+    }
+    // The same file dropped again is the same file.
+    let own = model("story/measured.csv");
+    let (status, _, body) = bench.ask("POST", "file?name=measured.csv", "", own.as_bytes());
+    assert_eq!((status, &serde_json::from_slice::<Json>(&body).unwrap()["name"]), (200, &json!("measured.csv")));
     for name in ["..%2Fout.csv", "%2Ftmp%2Fout.csv", ".hidden.csv", "", "a%5Cb.csv", "a%00.csv"] {
         assert_eq!(bench.ask("POST", &format!("file?name={name}"), "", b"x").0, 422, "{name}");
     }
@@ -508,6 +520,40 @@ fn the_file_is_the_truth_and_a_wrong_one_keeps_what_was() {
     place.write("shop/rigid.toml", &text);
     let state = bench.until(|state| force(state) == "450 N");
     assert!(state["trouble"].is_null());
+    // Changed on both sides: neither is lost without a word.
+    bench.done("set", &json!({ "path": "cut.depth", "text": "0.7 mm" }));
+    let elsewhere = text.replace("\"450 N\"", "\"510 N\"");
+    place.write("shop/rigid.toml", &elsewhere);
+    bench.until(|state| state["trouble"].as_str().is_some_and(|told| told.contains("something is not saved here")));
+    let (status, answer) = bench.post("save", &Json::Null);
+    assert!(status == 422 && answer["problem"].as_str().unwrap().contains("changed elsewhere"), "{answer}");
+    assert_eq!(place.read("shop/rigid.toml"), elsewhere);
+    bench.done("undo", &Json::Null);
+    bench.until(|state| force(state) == "510 N" && state["trouble"].is_null());
+    // Emptied or gone: what is open is not said to be saved, and can be written again.
+    for is_gone in [false, true] {
+        match is_gone {
+            true => std::fs::remove_file(place.path("shop/rigid.toml")).unwrap(),
+            false => place.write("shop/rigid.toml", ""),
+        }
+        let state = bench.until(|state| state["trouble"].is_string());
+        assert!(state["model"]["is_saved"] == false && state["data"]["rows"] == 108, "{}", state["trouble"]);
+        bench.done("save", &Json::Null);
+        let state = bench.until(|state| state["trouble"].is_null());
+        assert!(state["model"]["is_saved"] == true && place.read("shop/rigid.toml") == elsewhere);
+    }
+    place.write("shop/rigid.toml", &text);
+    bench.until(|state| force(state) == "450 N");
+    // What was measured is followed as well.
+    let measured = model("story/measured.csv");
+    let few: Vec<&str> = measured.lines().take(40).collect();
+    place.write("shop/measured.csv", few.join("\n") + "\n");
+    bench.until(|state| state["data"]["rows"] == 38);
+    place.write("shop/measured.csv", "x\n");
+    let state = bench.until(|state| state["trouble"].is_string());
+    assert!(state["data"]["rows"] == 38 && state["trouble"].as_str().unwrap().contains("measured.csv"), "{state:.300}");
+    place.write("shop/measured.csv", &measured);
+    bench.until(|state| state["data"]["rows"] == 108 && state["trouble"].is_null());
     // Wrong, and just as it was before.
     place.write("shop/rigid.toml", text.replace("\"450 N\"", "\"450 m\""));
     bench.until(|state| state["trouble"].is_string());
