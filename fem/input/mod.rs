@@ -34,7 +34,7 @@ pub use listing::{ListedRow, Listing};
 pub use name::Name;
 pub use parameter::{Parameter, ParameterId};
 pub use problem::{InputError, Problem, did_you_mean, nearest};
-pub use raw::Raw;
+pub use raw::{Raw, texts};
 pub use reader::{FileKey, Found, Instead, Names, Reader, Shape, is_one_of, numbered};
 pub use record::{Along, Record, Varying};
 pub use source::Source;

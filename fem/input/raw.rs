@@ -73,15 +73,7 @@ impl Raw {
 
     /// Every text in it.
     pub fn texts(&self) -> Vec<&str> {
-        fn of(value: &Value) -> Vec<&str> {
-            match value {
-                Value::String(text) => vec![text.value()],
-                Value::Array(list) => list.iter().flat_map(of).collect(),
-                Value::InlineTable(table) => table.iter().flat_map(|(_, own)| of(own)).collect(),
-                _ => Vec::new(),
-            }
-        }
-        of(&self.value)
+        texts(&self.value)
     }
 
     /// A text, or a number as a text.
@@ -92,6 +84,16 @@ impl Raw {
     /// A whole number.
     pub fn whole(&self) -> Option<i64> {
         self.value.as_integer()
+    }
+}
+
+/// Every text in a value.
+pub fn texts(value: &Value) -> Vec<&str> {
+    match value {
+        Value::String(text) => vec![text.value()],
+        Value::Array(list) => list.iter().flat_map(texts).collect(),
+        Value::InlineTable(table) => table.iter().flat_map(|(_, own)| texts(own)).collect(),
+        _ => Vec::new(),
     }
 }
 

@@ -28,7 +28,7 @@ pub use decimal::Decimal;
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
 pub use ordinals::Ordinals;
-pub use preview::Preview;
+pub use preview::{Preview, meant};
 pub use reading::Reading;
 pub use records::{RecordReader, Records};
 pub use repeats::{LEAST_FREEDOM, Repeats, Scatter, repeats};

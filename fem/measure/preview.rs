@@ -2,10 +2,13 @@
 
 use std::path::Path;
 
+use super::heading::Heading;
 use super::instrument::{self, text_of_rtx};
 use super::read::LARGEST_FILE;
 use super::sheet;
-use crate::input::{InputError, Source};
+use super::vocabulary::Vocabulary;
+use crate::input::{InputError, Source, name_and_unit};
+use crate::process::Process;
 
 /// Most rows that are shown.
 const SHOWN: usize = 6;
@@ -22,6 +25,13 @@ pub struct Preview {
     pub rows: Vec<Vec<String>>,
     /// Number of all rows.
     pub count: usize,
+}
+
+/// The column that each heading is read as by itself, `name [unit]`; `None` where a process knows none of the name.
+pub fn meant(headings: &[String], process: &dyn Process) -> Vec<Option<String>> {
+    let names: Vec<String> = headings.iter().map(|cell| name_and_unit(cell).0.to_string()).collect();
+    let read = |cell: &String| Heading::read(cell, Vocabulary::of(process), &names).ok().filter(|own| own.is_known);
+    headings.iter().map(|cell| read(cell).map(|own| own.cell())).collect()
 }
 
 impl Preview {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use toml_edit::{Array, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::way::{copy, entry_of, erase, replace, set, way, write};
-use crate::input::{InputError, ParameterId, Problem, Raw, Source};
+use crate::input::{InputError, ParameterId, Problem, Raw, Source, texts};
 
 /// A change of a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -168,17 +168,9 @@ impl Tables {
 
     /// Every text that stands for a value.
     pub(super) fn texts(&self) -> Vec<String> {
-        fn of_value(value: &Value) -> Vec<String> {
-            match value {
-                Value::String(text) => vec![text.value().clone()],
-                Value::Array(list) => list.iter().flat_map(of_value).collect(),
-                Value::InlineTable(table) => table.iter().flat_map(|(_, own)| of_value(own)).collect(),
-                _ => Vec::new(),
-            }
-        }
         fn of_table(table: &Table) -> Vec<String> {
             let of_item = |(_, item): (&str, &Item)| match item {
-                Item::Value(value) => of_value(value),
+                Item::Value(value) => texts(value).into_iter().map(str::to_string).collect(),
                 Item::Table(table) => of_table(table),
                 Item::ArrayOfTables(list) => list.iter().flat_map(of_table).collect(),
                 Item::None => Vec::new(),

@@ -8,7 +8,7 @@ use serde_json::{Value as Json, json};
 use super::bench::Bench;
 use super::refusal::Refusal;
 use super::session::Session;
-use crate::measure::{Decimal, Measurements, Preview, Reading};
+use crate::measure::{Decimal, Measurements, Preview, Reading, meant};
 use crate::model::ModelProcess;
 use crate::output::quoted;
 
@@ -31,7 +31,15 @@ impl Previewed {
         let own = Preview::of(&self.path)?;
         let process = self.process.as_ref().filter(|_| own.count < MANY);
         let fits = process.map(|process| Measurements::load(&self.path, &**process).is_ok());
-        Ok(json!({ "file": self.name, "headings": own.headings, "rows": own.rows, "lines": own.count, "fits": fits }))
+        let meant = self.process.as_ref().map(|process| meant(&own.headings, &**process));
+        Ok(json!({
+            "file": self.name,
+            "headings": own.headings,
+            "meant": meant,
+            "rows": own.rows,
+            "lines": own.count,
+            "fits": fits,
+        }))
     }
 }
 

@@ -30,7 +30,15 @@ function saidOf(heading) {
   return found ? parse(found[1]) : { name: "", unit: "" };
 }
 
-const readAs = heading => (app.state.data && !app.reading.refused ? app.state.data.columns : []).find(c => c.heading === heading) || null;
+/** What a heading is read as by itself: by the server as it read it, or as it would be where the file was refused. */
+function readAs(heading) {
+  if (app.state.data && !app.reading.refused) return app.state.data.columns.find(c => c.heading === heading) || null;
+  for (const { headings, meant } of app.reading.previews.values()) {
+    const name = meant && headings.includes(heading) ? meant[headings.indexOf(heading)] : null;
+    if (name) return { ...parse(name), heading };
+  }
+  return null;
+}
 
 /** All that is said of columns, as the server takes it. */
 function reading() {

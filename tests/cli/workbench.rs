@@ -298,6 +298,7 @@ fn a_file_with_other_headings_is_explained_by_hand() {
     assert!(status == 422 && answer["problem"].as_str().unwrap().contains("no column holds"), "{answer}");
     let seen = bench.get("preview?file=foreign.csv");
     assert_eq!(seen["headings"], json!(["Nr", "Ort", "Kraft", "Wert", "Anm"]));
+    assert_eq!(seen["meant"], json!([null, "x", "radial_force", null, null]));
     assert_eq!((&seen["rows"][0], &seen["lines"]), (&json!(["1", "20,0", "450,0", "29,737", "1"]), &json!(108)));
     let names: Vec<Json> =
         bench.state()["model"]["columns"].as_array().unwrap().iter().map(|c| c["name"].clone()).collect();
