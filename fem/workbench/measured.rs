@@ -141,7 +141,14 @@ impl Session {
         next.diagnosed = None;
         next.compare();
         let label = if is_struck { "strike rows out" } else { "take rows in again" };
-        self.step(label, None, next);
+        // No command leaves rows out: who does the same has to know.
+        let lines = self.now.measured.iter().flat_map(|all| next.struck.iter().map(|row| all.line(*row).to_string()));
+        let lines: Vec<String> = lines.collect();
+        let told = match lines.len() {
+            0 => "# no line is struck out any more".to_string(),
+            _ => format!("# struck out by hand, to be left out of the file: lines {}", lines.join(", ")),
+        };
+        self.step(label, Some(told), next);
         Ok(())
     }
 

@@ -628,6 +628,8 @@ fn work_is_stopped_and_goes_on_beside_the_page() {
     bench.done("strike", &json!({ "rows": [0, 1], "is_struck": true }));
     let rows = bench.get("rows");
     assert!(rows["predicted"][0].is_null() && rows["predicted"][2].is_number());
+    let last = bench.state()["history"].as_array().unwrap().last().unwrap().clone();
+    assert_eq!(last, "# struck out by hand, to be left out of the file: lines 3, 4");
     bench.done("strike", &json!({ "rows": [0, 1], "is_struck": false }));
     assert!(bench.get("rows")["predicted"][0].is_number());
 }
