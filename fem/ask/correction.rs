@@ -1,6 +1,7 @@
 //! What to command so that the part comes out as the drawing asks.
 
-use super::{Error, programmed};
+use super::Error;
+use super::program::programmed;
 use crate::correct::{Action, Advised, Correction};
 use crate::gcode::Program;
 use crate::input::Problem;
@@ -15,7 +16,7 @@ use crate::units::MICRO;
 /// given, by it, with blocks put between where it `adds` them.
 ///
 /// # Errors
-/// As those of [`correct`], [`advise`] and [`programmed`].
+/// As those of [`correct`]; no block of the program finishes the part.
 pub fn action(
     model: &Model,
     (program, adds): (Option<&Program>, bool),
@@ -51,7 +52,7 @@ pub fn correct(model: &Model, is_forced: bool, progress: &Progress) -> Result<Co
 ///
 /// # Errors
 /// Values are unknown, or the model cannot be computed.
-pub fn advise(model: &Model, is_forced: bool, progress: &Progress) -> Result<Advised, Error> {
+fn advise(model: &Model, is_forced: bool, progress: &Progress) -> Result<Advised, Error> {
     model.require_part()?;
     require_fit(model, is_forced)?;
     // On a thread of the pool, as above.

@@ -32,6 +32,8 @@ pub struct Bench {
     pub measured: Option<Arc<Measurements>>,
     /// Rows that somebody has struck out, from 0.
     pub struck: BTreeSet<usize>,
+    /// The value of each row from which it is shown, SI: the set diameter. None where all are shown as they are.
+    pub references: Option<Arc<Vec<f64>>>,
     /// What the model draws, and how its parts stand against the drawing.
     pub drawn: String,
     pub standing: Vec<String>,
@@ -107,6 +109,9 @@ impl Bench {
     /// Holds the model against the measurements, after something has changed.
     pub fn compare(&mut self) {
         self.compared = self.comparison();
+        let rows = self.model.as_ref().zip(self.measured.as_ref());
+        let references = rows.and_then(|(model, all)| model.system.references(&model.system.resolved(&all.rows)));
+        self.references = references.map(Arc::new);
         let run = self.model.as_ref().filter(|model| model.require_part().is_ok());
         let run = run.and_then(|model| model.run(&Progress::default()).ok());
         self.standing = run.as_ref().map_or(Vec::new(), |run| standing_lines(&run.standings));

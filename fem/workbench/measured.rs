@@ -11,6 +11,7 @@ use super::session::Session;
 use crate::measure::{Decimal, Measurements, Preview, Reading, meant};
 use crate::model::ModelProcess;
 use crate::output::quoted;
+use crate::process::Process;
 
 /// Rows of a file up to which it is tried whether it fits the model.
 const MANY: usize = 100_000;
@@ -59,16 +60,12 @@ impl Session {
         next.files = names.to_vec();
         (next.measured, next.diagnosed) = (None, None);
         if !names.is_empty() {
-            let paths = names.iter().map(|name| self.folder.measurements(name)).collect::<Result<Vec<_>, Refusal>>()?;
-            let read = Measurements::load_all(&paths, &*model.process, &next.reading, false)?;
+            let read = self.load(names, &*model.process, &next.reading)?;
             let model = model.with_recorded(&read.recorded)?;
             // What lies off the model is told now.
             let measured = Arc::new(read);
             Bench::data(&model, (*measured).clone(), &Arc::default())?;
             (next.model, next.measured) = (Some(model), Some(measured));
-        }
-        for name in names {
-            self.disk.is_other(self.folder.path(), name);
         }
         next.steps.clear();
         next.compare();
@@ -78,18 +75,37 @@ impl Session {
         Ok(())
     }
 
-    /// What is said of the columns and of the decimal mark of files.
+    /// How files are to be read, as `told::reading` tells it.
     ///
     /// # Errors
     /// There is no such mark, or a column is said to be two things.
-    pub fn reading(columns: Vec<(String, String)>, decimal: Option<&str>) -> Result<Reading, Refusal> {
-        let decimal = match decimal {
+    pub fn reading(said: &Json) -> Result<Reading, Refusal> {
+        let decimal = match said["decimal"].as_str() {
             None => None,
             Some("comma") => Some(Decimal::Comma),
             Some("point") => Some(Decimal::Point),
             Some(other) => return Err(Refusal::new(format!("`{other}` is no decimal mark"), "say comma or point")),
         };
+        let pair = |own: &Json| Some((own[0].as_str()?.to_string(), own[1].as_str()?.to_string()));
+        let columns = said["columns"].as_array().into_iter().flatten().filter_map(pair).collect();
         Ok(Reading::of_columns(columns, decimal)?)
+    }
+
+    /// Reads files of the folder; from now on they are looked at for changes.
+    ///
+    /// # Errors
+    /// They are none, too large, or no measurements of the process.
+    pub(super) fn load(
+        &mut self,
+        names: &[String],
+        process: &dyn Process,
+        said: &Reading,
+    ) -> Result<Measurements, Refusal> {
+        let paths = names.iter().map(|name| self.folder.measurements(name)).collect::<Result<Vec<_>, Refusal>>()?;
+        for name in names {
+            self.disk.is_other(self.folder.path(), name);
+        }
+        Ok(Measurements::load_all(&paths, process, said, false)?)
     }
 
     /// The first rows of a file of the folder as they stand there, to be read.

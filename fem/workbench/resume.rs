@@ -59,23 +59,17 @@ impl Session {
         let file = text("file");
         let own = self.folder.file(&file)?;
         let draft = Draft::parse(Source::new(own.display().to_string(), text("text")))?;
-        draft.texts().into_iter().try_for_each(|own| self.folder.keeps(&own))?;
-        let pair = |own: &Json| Some((own[0].as_str()?.to_string(), own[1].as_str()?.to_string()));
-        let said = told["reading"]["columns"].as_array().into_iter().flatten().filter_map(pair).collect();
-        let reading = Self::reading(said, told["reading"]["decimal"].as_str())?;
+        let reading = Self::reading(&told["reading"])?;
         let files = texts("files");
-        let measured = |files: &[String]| -> Result<Option<Measurements>, Refusal> {
-            let paths = files.iter().map(|name| self.folder.file(name)).collect::<Result<Vec<_>, Refusal>>()?;
-            let is_none = paths.is_empty();
-            Ok(if is_none { None } else { Some(Measurements::load_all(&paths, draft.process(), &reading, false)?) })
-        };
         // The model is worth more than what it was compared with, which may have gone.
-        let (measured, files, lost) = match measured(&files) {
-            Ok(measured) => (measured, files, None),
-            Err(refusal) => (None, Vec::new(), Some(refusal.text())),
+        let (measured, files, lost) = match files.is_empty() {
+            true => (None, files, None),
+            false => match self.load(&files, draft.process(), &reading) {
+                Ok(measured) => (Some(measured), files, None),
+                Err(refusal) => (None, Vec::new(), Some(refusal.text())),
+            },
         };
-        let model = draft.with(measured.as_ref().map_or(&[][..], |own| &own.recorded))?;
-        self.folder.holds(&model)?;
+        let model = self.admitted(draft, measured.as_ref().map_or(&[][..], |own| &own.recorded))?;
         let count = measured.as_ref().map_or(0, Measurements::len);
         let struck =
             list("struck").into_iter().filter_map(|own| Some(own.as_u64()? as usize)).filter(|row| *row < count);
@@ -92,6 +86,7 @@ impl Session {
         next.compare();
         next.note(next.file.clone());
         self.disk.note(&next.file, std::fs::read_to_string(&own).unwrap_or_default());
+        self.disk.is_other(self.folder.path(), &next.file);
         self.trouble = lost;
         self.step("take up the last session", None, next);
         texts("history").into_iter().for_each(|command| self.steps.also(command));

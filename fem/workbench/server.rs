@@ -235,10 +235,8 @@ fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, R
         "open" => shared.session().open_model(text("model")?)?,
         "data" => {
             let names: Vec<String> = list("files").iter().filter_map(|own| own.as_str().map(str::to_string)).collect();
-            let pair = |own: &Json| Some((own[0].as_str()?.to_string(), own[1].as_str()?.to_string()));
             let is_said = said.get("columns").is_some() || said.get("decimal").is_some();
-            let columns = list("columns").iter().filter_map(pair).collect();
-            let reading = is_said.then(|| Session::reading(columns, said["decimal"].as_str())).transpose()?;
+            let reading = is_said.then(|| Session::reading(&said)).transpose()?;
             shared.session().open_data(&names, reading)?;
         }
         "set" => shared.session().set(text("path")?, text("text")?)?,

@@ -14,6 +14,7 @@ use super::refusal::Refusal;
 use super::steps::Steps;
 use super::told;
 use crate::model::{Draft, Model};
+use crate::process::Coordinate;
 
 /// What is open on the page.
 pub struct Session {
@@ -80,8 +81,7 @@ impl Session {
         let text = self.now.model.as_ref().map(Model::text);
         let is_of = |of: &str| text.as_deref() == Some(of);
         let noise = self.now.compared.as_ref().and_then(|found| found.as_ref().ok()).map(|found| found.noise);
-        let correction =
-            |own: &Arc<Corrected>| json!({ "is_current": is_of(&own.of), "html": own.html, "files": true });
+        let correction = |own: &Arc<Corrected>| json!({ "is_current": is_of(&own.of), "html": own.html });
         let remedies = |own: &Arc<Remedied>| json!({ "is_current": is_of(&own.of), "html": own.html });
         json!({
             "version": self.version,
@@ -156,9 +156,17 @@ impl Session {
     pub(super) fn read_model(&self, name: &str) -> Result<Model, Refusal> {
         let recorded = self.now.measured.as_ref().map_or(&[][..], |own| &own.recorded);
         let draft = Draft::load(&self.folder.file(name)?)?;
-        draft.texts().into_iter().try_for_each(|text| self.folder.keeps(&text))?;
         let same = self.now.model.as_ref().is_some_and(|own| own.process.name() == draft.process().name());
-        let model = draft.with(if same { recorded } else { &[] })?;
+        self.admitted(draft, if same { recorded } else { &[] })
+    }
+
+    /// The model of a draft that reads nothing from elsewhere.
+    ///
+    /// # Errors
+    /// It does, or it is wrong.
+    pub(super) fn admitted(&self, draft: Draft, recorded: &[Coordinate]) -> Result<Model, Refusal> {
+        draft.texts().into_iter().try_for_each(|text| self.folder.keeps(&text))?;
+        let model = draft.with(recorded)?;
         self.folder.holds(&model)?;
         Ok(model)
     }

@@ -21,6 +21,7 @@ pub struct Trial {
     counted: Measurements,
     struck: std::collections::BTreeSet<usize>,
     compared: Option<Arc<Compared>>,
+    references: Option<Arc<Vec<f64>>>,
 }
 
 impl Session {
@@ -51,6 +52,8 @@ impl Session {
             counted,
             struck: self.now.struck.clone(),
             compared: self.now.compared.clone().and_then(Result::ok),
+            // Those of what is measured: another set diameter is an error of the prediction.
+            references: self.now.references.clone(),
         })
     }
 }
@@ -70,7 +73,7 @@ impl Trial {
         // The noise is that by which the model is judged as it stands.
         let left = self.compared.map(|found| rms(&data.together(&data.residuals(&predicted), &found.sigma)));
         let left = left.map(|left| data.kind().from_si(left));
-        let references = model.system.references(&model.system.resolved(&self.measured.rows));
-        Ok(told::trial((&self.measured, &self.struck), (&predicted, references.as_deref()), (left, moves)))
+        let references = self.references.as_ref().map(|all| all.as_slice());
+        Ok(told::trial((&self.measured, &self.struck), (&predicted, references), (left, moves)))
     }
 }

@@ -30,7 +30,7 @@ const nextName = name => {
 };
 
 function write({ correction }) {
-  if (!correction || !correction.files) return null;
+  if (!correction) return null;
   const { written, writeProblem } = app.seen;
   return h("div", { class: "write", "data-key": "write" },
     h("form", { class: "row", "data-submit": "write" },

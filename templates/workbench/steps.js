@@ -45,7 +45,7 @@ function toExplain({ diagnosis }) {
 
 function toCorrect({ correction }) {
   if (!correction || !correction.is_current) return runButton("correct", T.correct, false, true, "step-");
-  return correction.files ? goTo("write-name", T.writeFiles, true) : goTo("correct-title", T.seeCorrection);
+  return goTo("write-name", T.writeFiles, true);
 }
 
 function what(state) {

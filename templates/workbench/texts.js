@@ -41,7 +41,7 @@ export const T = {
   nextStep: "Next step",
   openIt: file => `Open ${file}`, chooseModel: "Choose a model", chooseData: "Add measurements", compareWith: file => `Compare with ${file}`,
   didCompare: file => `The model is compared with ${file}.`,
-  addAll: n => `Add the ${n} certain causes`, seeCauses: "See the causes", seeCorrection: "See the correction", sayColumns: "Say what its columns are",
+  addAll: n => `Add the ${n} certain causes`, seeCauses: "See the causes", sayColumns: "Say what its columns are",
   resume: n => `Take up the last session (${many(n, "step", "steps")})`, forget: "Discard",
   didResume: "The last session is taken up.", didForget: "The last session is discarded.",
 

@@ -82,10 +82,9 @@ pub fn rows(bench: &Bench, version: u64) -> Option<Json> {
         json!({ "name": &*coordinate.name, "unit": unit, "values": shown, "words": words })
     };
     let found = bench.compared.as_ref().and_then(|found| found.as_ref().ok());
-    let resolved = model.system.resolved(&all.rows);
-    let limits = model.system.limits(&resolved);
-    let references = model.system.references(&resolved);
-    let reference = |row: usize| references.as_ref().map_or(0.0, |all| all[row]);
+    let limits = model.system.limits(&model.system.resolved(&all.rows));
+    let references = bench.references.as_ref().map(|all| all.as_slice());
+    let reference = |row: usize| references.map_or(0.0, |all| all[row]);
     let within = |(row, own): (usize, &Option<Limits>)| match own {
         Some(own) => json!([own.lower, own.upper].map(|end| finite(kind(all, row).from_si(end - reference(row))))),
         None => Json::Null,
@@ -104,7 +103,7 @@ pub fn rows(bench: &Bench, version: u64) -> Option<Json> {
         "observables": all.observables.iter().map(observable).collect::<Vec<_>>(),
         "observable": (0..all.len()).map(|row| all.observable(row)).collect::<Vec<_>>(),
         "observed": (0..all.len()).map(|row| finite(kind(all, row).from_si(all.observed[row] - reference(row)))).collect::<Vec<_>>(),
-        "predicted": found.map(|found| in_rows((all, &bench.struck), &found.predicted, references.as_deref())),
+        "predicted": found.map(|found| in_rows((all, &bench.struck), &found.predicted, references)),
         "sigma": found.map(|found| in_rows((all, &bench.struck), &found.sigma.to_vec(), None)),
         "limits": is_asked.then(|| limits.iter().enumerate().map(within).collect::<Vec<_>>()),
         "lines": (0..all.len()).map(|row| all.line(row)).collect::<Vec<_>>(),
