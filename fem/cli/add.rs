@@ -39,7 +39,8 @@ fn model(args: &args::Add) -> Result<Model, Error> {
         return Ok(Model::load(&args.model)?);
     }
     let said = args.reading.said()?;
-    let (model, _) =
-        read(&args.model, |process| Measurements::load_all(&args.with, process, &said, false).map_err(Error::from))?;
+    let (model, _) = read(&args.model, |process, kept| {
+        Measurements::load_all(&args.with, process, &said.over(kept), false).map_err(Error::from)
+    })?;
     Ok(model)
 }

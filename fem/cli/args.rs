@@ -479,23 +479,35 @@ pub struct Demo {
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Every command reads such files as they are; this one shows what is taken, and keeps it. `fem effects PROCESS` names the columns.
-Reports by ISO 230-2, Q-DAS .dfq and Renishaw .rtx are read as well.
+    after_help = "Every command reads such files as they are. Alone, this one shows how; with -o it writes what was taken, and with --keep a
+model that knows how its files are read. `fem effects PROCESS` names the columns. Workbooks (.xlsx, .ods), reports by ISO 230-2,
+Q-DAS .dfq and Renishaw .rtx are read as well.
 
 Examples:
+  fem import test.csv
   fem import test.csv --process axis -o measured.csv
+  fem import log.xlsx --model axis.toml --columns 'Ort=position [mm],Wert=deviation [um]' --keep axis.toml --force
   fem import parts.dfq --process turning --columns 'Near=diameter_error@x=20 mm' -o measured.csv
   fem import log.csv --process thermal --columns 'Zeit=time [s],T1=temperature@x=12 mm [degC]' -o measured.csv"
 )]
 pub struct Import {
     /// The file of an instrument or a spreadsheet
     pub file: PathBuf,
-    /// The process that was measured
-    #[arg(long, value_name = "PROCESS")]
-    pub process: String,
-    /// The file to write
+    /// The process that was measured; else that whose columns they are
+    #[arg(long, value_name = "PROCESS", conflicts_with = "model")]
+    pub process: Option<String>,
+    /// The model that the file is for
+    #[arg(long, value_name = "MODEL.toml")]
+    pub model: Option<PathBuf>,
+    /// Write what was taken, in the program's form
     #[arg(short, long, value_name = "FILE.csv")]
-    pub output: PathBuf,
+    pub output: Option<PathBuf>,
+    /// Write the model, with how the file is read
+    #[arg(long, value_name = "NEW.toml", requires = "model", conflicts_with = "output")]
+    pub keep: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long, conflicts_with_all = ["output", "keep"])]
+    pub json: bool,
     /// Replace a file that is there already
     #[arg(long)]
     pub force: bool,

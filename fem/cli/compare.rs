@@ -14,7 +14,7 @@ use crate::output::files::Guard;
 use crate::output::{ComparisonAnswer, Folder};
 
 pub fn run(args: &args::Compare) -> Result<(), Error> {
-    let read = read_all(&args.models, |process| args.data.load(process, args.output.is_some()));
+    let read = read_all(&args.models, |process, kept| args.data.load(process, kept, args.output.is_some()));
     let Some((models, measurements)) = read? else { return Ok(()) };
     let Some(process) = models.first().map(|model| &*model.process) else { return Ok(()) };
     let progress = Arc::default();

@@ -15,7 +15,7 @@ use crate::output::{CONTROLS, CompensationAnswer, Control, Folder, LINUXCNC, Sup
 pub fn run(args: &args::Compensate) -> Result<(), Error> {
     let is_asked = |control: &&Control| args.controls.iter().any(|name| name == control.name);
     let controls: Vec<&'static Control> = CONTROLS.iter().filter(is_asked).collect();
-    let (model, measured) = read(&args.model, |process| args.data.load(process, false))?;
+    let (model, measured) = read(&args.model, |process, kept| args.data.load(process, kept, false))?;
     let data = Data::of(&model, measured)?;
     let found = watched(&data.progress, || compensate(&data))?;
     let files = match &controls[..] {

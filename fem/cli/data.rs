@@ -19,15 +19,16 @@ impl args::Reading {
             args::Mark::Comma => Decimal::Comma,
             args::Mark::Point => Decimal::Point,
         });
-        Ok(Reading::new(&self.columns, decimal)?)
+        let headings = self.header.map(|line| (line > 0).then_some(line));
+        Ok(Reading::new(&self.columns, decimal)?.within(headings, self.sheet.clone()).as_typed(self.as_typed))
     }
 }
 
 impl args::Data {
     /// Reads the measurements of a process, of several files as one; their text stays with those that `are_written`
-    /// again.
-    pub fn load(&self, process: &dyn Process, are_written: bool) -> Result<Measurements, Error> {
-        let all = Measurements::load_all(&self.with, process, &self.reading.said()?, false)?;
+    /// again. `kept` is how the model's files are read.
+    pub fn load(&self, process: &dyn Process, kept: &Reading, are_written: bool) -> Result<Measurements, Error> {
+        let all = Measurements::load_all(&self.with, process, &self.reading.said()?.over(kept), false)?;
         Ok(if are_written { all } else { all.without_records() })
     }
 
@@ -47,7 +48,9 @@ impl args::Report {
             }
             false => {
                 let said = self.reading.said()?;
-                let measured = |process: &dyn Process| Ok(Measurements::load_all(&self.with, process, &said, false)?);
+                let measured = |process: &dyn Process, kept: &Reading| {
+                    Ok(Measurements::load_all(&self.with, process, &said.over(kept), false)?)
+                };
                 read_all::<_, ask::Error>(&self.models, measured)?
                     .map_or((Vec::new(), None), |(models, measured)| (models, Some(measured)))
             }

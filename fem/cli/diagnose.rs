@@ -12,7 +12,7 @@ use crate::ask::{self, completed};
 use crate::diagnose::Diagnosis;
 use crate::discover::{diagnose_with, read_candidates};
 use crate::input::{InputError, Problem};
-use crate::measure::Measurements;
+use crate::measure::{Measurements, Reading};
 use crate::model::{Data, Draft, Model};
 use crate::output::files::{self, Guard};
 use crate::output::{DiagnosisAnswer, Folder, quoted, rows_to_measure, with};
@@ -30,7 +30,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
         guard.check(rows)?;
     }
     let progress = args.limit.progress();
-    let (model, measured) = ask::read(path, |process| args.data.load(process, false))?;
+    let (model, measured) = ask::read(path, |process, kept| args.data.load(process, kept, false))?;
     let data = Data::of(&model, measured)?.watched(progress.clone());
     let diagnosis = searched(args, &data, &progress, guard)?;
     if let Some(new) = &args.add_to {
@@ -93,8 +93,10 @@ fn of_tests(args: &args::Diagnose) -> Result<(), Error> {
     }
     let drafts: Vec<Draft> = args.models.iter().map(|path| Draft::load(path)).collect::<Result<_, InputError>>()?;
     let reading = args.data.reading.said()?;
-    let each: Vec<(&PathBuf, &dyn Process)> =
-        args.data.with.iter().zip(&drafts).map(|(path, draft)| (path, draft.process())).collect();
+    let kept: Vec<Reading> = drafts.iter().map(Draft::reading).collect::<Result<_, InputError>>()?;
+    let files = args.data.with.iter().zip(&drafts).zip(&kept);
+    let each: Vec<(&PathBuf, &dyn Process, &Reading)> =
+        files.map(|((path, draft), kept)| (path, draft.process(), kept)).collect();
     let measured = Measurements::load_each(&each, &reading, false)?;
     let loaded = drafts.into_iter().zip(&measured).map(|(draft, measured)| draft.with(&measured.recorded));
     let model = Model::of_tests(loaded.collect::<Result<_, InputError>>()?)?;

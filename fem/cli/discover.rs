@@ -18,7 +18,7 @@ pub fn run(args: &args::Discover) -> Result<(), Error> {
         guard.check(new)?;
     }
     let candidates = read_candidates(&args.own.candidates)?;
-    let (model, measured) = read(&args.model, |process| args.data.load(process, false))?;
+    let (model, measured) = read(&args.model, |process, kept| args.data.load(process, kept, false))?;
     let progress = args.limit.progress();
     let data = Data::of(&model, measured)?.watched(progress.clone());
     let found = watched(&progress, || discover(&data, &candidates, &progress))?;

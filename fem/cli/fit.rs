@@ -16,7 +16,7 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
-    let (model, measured) = read(&args.model, |process| args.data.load(process, false))?;
+    let (model, measured) = read(&args.model, |process, kept| args.data.load(process, kept, false))?;
     let data = Data::of(&model, measured)?.watched(args.limit.progress());
     let fit = watched(&data.progress, || fit(&data))?;
     if let Some(new) = &args.add_to {

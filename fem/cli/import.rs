@@ -2,30 +2,75 @@
 
 use super::args;
 use super::error::Error;
-use super::terminal::{notes, print};
+use super::terminal::{notes, page, print};
+use crate::ask::look;
 use crate::input::{Problem, did_you_mean};
-use crate::measure::Measurements;
+use crate::measure::{Measurements, Reading};
+use crate::model::{Model, kept};
 use crate::output::files::{self, Guard};
-use crate::output::measurements;
+use crate::output::{ImportAnswer, measurements};
+use crate::process::Process;
 use crate::processes;
 
 pub fn import(args: &args::Import) -> Result<(), Error> {
-    let Some(process) = processes::ALL.iter().find(|p| p.name() == args.process) else {
-        let names = || processes::ALL.iter().map(|p| p.name());
-        let meant = did_you_mean(&args.process, names(), '`');
-        let problem = Problem::new(format!("`{}` is no process known here", args.process));
-        let known = names().collect::<Vec<_>>().join(", ");
-        return Err(Error::from(problem.help(format!("{meant}known are {known}"))));
+    let model = args.model.as_ref().map(|path| Model::load(path)).transpose()?;
+    let process = match (&args.process, &model) {
+        (Some(name), _) => Some(named(name)?),
+        (None, Some(model)) => Some(named(model.process.name())?),
+        (None, None) => None,
     };
-    let reads = [args.file.clone()];
+    let own = args.reading.said()?;
+    let said = own.clone().over(model.as_ref().map_or(&Reading::default(), |model| &model.reading));
+    let mut reads = vec![args.file.clone()];
+    reads.extend(args.model.clone());
     let guard = Guard { reads: &reads, force: args.force };
-    guard.check(&args.output)?;
-    let taken = Measurements::load_as(&args.file, *process, &args.reading.said()?)?;
-    let text = measurements(&taken, *process, &format!("Taken from {}.", taken.name));
-    files::write(&args.output, text.as_bytes(), guard)?;
+    if let (Some(keep), Some(model)) = (&args.keep, &model) {
+        guard.check(keep)?;
+        // What is kept reads the file, or it is of no use.
+        Measurements::load_as(&args.file, &*model.process, &said)?;
+        let new = model.edited(&[kept(&said)])?;
+        files::write(keep, new.text_at(keep).as_bytes(), guard)?;
+        let (keep, from) = (keep.display(), args.file.display());
+        return Ok(print(&format!("written {keep}: {} with how files like {from} are read\n", model.source.name))?);
+    }
+    if let Some(output) = &args.output {
+        guard.check(output)?;
+        let Some(process) = process.or(look(&args.file, None, &said)?.process) else {
+            let problem = Problem::new("of which process the file is cannot be told by its columns");
+            return Err(Error::from(problem.help("say it: --process PROCESS; `fem effects` lists all")));
+        };
+        return written(args, (process, &said), output, guard);
+    }
+    let imported = look(&args.file, process, &said)?;
+    let file = args.file.display().to_string();
+    let answer = ImportAnswer { file: &file, imported: &imported, said: &own.options() };
+    Ok(print(&page(&answer, args.json))?)
+}
+
+/// The process of a name.
+fn named(name: &str) -> Result<&'static dyn Process, Error> {
+    let names = || processes::ALL.iter().map(|p| p.name());
+    processes::ALL.iter().copied().find(|p| p.name() == name).ok_or_else(|| {
+        let meant = did_you_mean(name, names(), '`');
+        let problem = Problem::new(format!("`{name}` is no process known here"));
+        let known = names().collect::<Vec<_>>().join(", ");
+        Error::from(problem.help(format!("{meant}known are {known}")))
+    })
+}
+
+/// Writes what was taken of the file.
+fn written(
+    args: &args::Import,
+    (process, said): (&dyn Process, &Reading),
+    output: &std::path::Path,
+    guard: Guard,
+) -> Result<(), Error> {
+    let taken = Measurements::load_as(&args.file, process, said)?;
+    let text = measurements(&taken, process, &format!("Taken from {}.", taken.name));
+    files::write(output, text.as_bytes(), guard)?;
     notes(&taken.notes);
     let observed: Vec<&str> = taken.observables.iter().map(|o| &*o.name).collect();
     let rows = if taken.len() == 1 { "observation" } else { "observations" };
-    let (to, from) = (args.output.display(), args.file.display());
+    let (to, from) = (output.display(), args.file.display());
     print(&format!("written {to}: {} {rows} of {} from {from}\n", taken.len(), observed.join(" and ")))
 }

@@ -19,8 +19,9 @@ pub fn run(args: &args::Next) -> Result<(), Error> {
     let measured = match args.with.is_empty() {
         true => None,
         false => {
-            let process = &*log.history.jobs[job].model.process;
-            Some(Measurements::load_all(&args.with, process, &args.reading.said()?, false)?)
+            let model = &log.history.jobs[job].model;
+            let said = args.reading.said()?.over(&model.reading);
+            Some(Measurements::load_all(&args.with, &*model.process, &said, false)?)
         }
     };
     let change = Change {

@@ -6,7 +6,7 @@ use super::terminal::{notes, page, print};
 use super::watch::watched;
 use crate::ask::{plan, read};
 use crate::input::InputError;
-use crate::measure::Measurements;
+use crate::measure::{Measurements, Reading};
 use crate::model::{Data, Model};
 use crate::output::PlanAnswer;
 use crate::process::Process;
@@ -16,7 +16,9 @@ pub fn run(args: &args::Plan) -> Result<(), Error> {
         true => (Model::load(&args.model)?, None),
         false => {
             let said = args.reading.said()?;
-            let rows = |process: &dyn Process| Measurements::load_all(&args.with, process, &said, true);
+            let rows = |process: &dyn Process, kept: &Reading| {
+                Measurements::load_all(&args.with, process, &said.over(kept), true)
+            };
             let (model, rows) = read::<InputError>(&args.model, rows)?;
             (model, Some(rows))
         }

@@ -6,7 +6,8 @@ use std::string::FromUtf8Error;
 use std::sync::Arc;
 use std::time::SystemTime;
 
-use encoding_rs::WINDOWS_1252;
+use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
+use encoding_rs::{Encoding, WINDOWS_1252};
 
 use super::{InputError, Problem, Source};
 
@@ -21,8 +22,8 @@ impl Source {
     }
 
     /// Reads a table as an instrument or a spreadsheet writes it, of at most `limit` bytes: UTF-8; UTF-16 with a byte
-    /// order mark; else a code page in which `µ` and `°` stand where Windows-1252 has them, as all western, Greek and
-    /// Cyrillic ones do. `binary` makes a text of the bytes of files that hold more than text, as far as it knows them.
+    /// order mark; else a code page, by the letters that stand in it. `binary` makes a text of the bytes of files that hold
+    /// more than text, as far as it knows them. Gives the name of a code page other than the western one too.
     ///
     /// # Errors
     /// The file cannot be read, is larger than `limit`, or is no text.
@@ -30,17 +31,21 @@ impl Source {
         path: &Path,
         limit: u64,
         binary: impl FnOnce(&[u8]) -> Option<Result<String, Problem>>,
-    ) -> Result<Self, InputError> {
-        Self::decoded(path, limit, binary, |e| {
+    ) -> Result<(Self, Option<&'static str>), InputError> {
+        let mut name = None;
+        let source = Self::decoded(path, limit, binary, |e| {
+            let encoding = code_page(e.as_bytes());
+            name = (encoding != WINDOWS_1252).then(|| encoding.name());
             // The mark of UTF-16 is heeded.
-            let text = WINDOWS_1252.decode(e.as_bytes()).0.into_owned();
+            let text = encoding.decode(e.as_bytes()).0.into_owned();
             // Characters 15 and 20 part the values of measuring machines (AQDEF).
             let is_part = |c: char| matches!(c, '\u{f}' | '\u{14}');
             match text.chars().any(|c| c.is_control() && !c.is_whitespace() && !is_part(c)) {
-                true => Err(Problem::new("this is no text").help("save it as CSV: .xlsx and .ods are no text")),
+                true => Err(Problem::new("this is no text").help("save it as CSV, or as .xlsx or .ods")),
                 false => Ok(text),
             }
-        })
+        })?;
+        Ok((source, name))
     }
 
     /// Reads a file, and decodes in another way what is not UTF-8, or is known by its bytes.
@@ -59,6 +64,24 @@ impl Source {
         }
     }
 }
+
+/// The code page of a text that is not UTF-8. Signs of units stand alike in western, Greek and Cyrillic ones, so that a text
+/// without other letters is western; else frequencies of letters tell.
+fn code_page(bytes: &[u8]) -> &'static Encoding {
+    let is_sign = |byte: &u8| byte.is_ascii() || matches!(byte, 0xA0 | 0xB0 | 0xB1 | 0xB2 | 0xB3 | 0xB5 | 0xB7 | 0xD8 | 0xF8);
+    let has_mark = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF");
+    if has_mark || bytes.iter().all(is_sign) {
+        return WINDOWS_1252;
+    }
+    let mut detector = EncodingDetector::new(Iso2022JpDetection::Deny);
+    // Numbers tell nothing of a language.
+    let judged = &bytes[..bytes.len().min(LONGEST_JUDGED)];
+    detector.feed(judged, true);
+    detector.guess(None, Utf8Detection::Deny)
+}
+
+/// Bytes by which a code page is found.
+const LONGEST_JUDGED: usize = 1_000_000;
 
 /// When a file was last written, and how long it is: another one is another text.
 pub type Stamp = (SystemTime, u64);

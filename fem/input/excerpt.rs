@@ -50,6 +50,8 @@ impl Excerpt {
             excerpt.text.push('\n');
             excerpt.text.push_str(&shortened(behind, LONGEST));
         }
+        // A carriage return before a line feed would count as a line of its own where lines are numbered.
+        excerpt.text = excerpt.text.replace('\r', " ");
         excerpt
     }
 }

@@ -275,7 +275,7 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
 
     /// The meaning of the word; an absent key is a problem, and `fallback` lets the reading go on after one.
     pub fn required(self, fallback: T) -> T {
-        self.describe(None);
+        self.describe(None, true);
         self.read(fallback).unwrap_or_else(|| {
             let first = self.words.first().map_or("", |w| w.0);
             self.reader.missing(self.key, &format!("{} = \"{first}\"", self.key), self.about);
@@ -283,9 +283,15 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
         })
     }
 
+    /// The meaning of the word, if the key is there.
+    pub fn optional(self) -> Option<T> {
+        self.describe(None, false);
+        self.words.first().and_then(|(_, first)| self.read(*first))
+    }
+
     /// The meaning of the word; that of the first of the list where the key is absent.
     pub fn or_first(self, fallback: T) -> T {
-        self.describe(self.words.first().map(|w| w.0));
+        self.describe(self.words.first().map(|w| w.0), false);
         self.read(fallback).unwrap_or(fallback)
     }
 
@@ -335,7 +341,7 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
         if found.is_empty() { all() } else { found }
     }
 
-    fn describe(&self, default: Option<&str>) {
+    fn describe(&self, default: Option<&str>, is_required: bool) {
         let schema = || {
             let words: Vec<&str> = self.words.iter().map(|w| w.0).collect();
             let mut shape = json!({ "enum": words, "description": self.about });
@@ -344,7 +350,7 @@ impl<'r, 'a, T: Copy + 'static> Choice<'r, 'a, T> {
             }
             shape
         };
-        self.reader.describe(self.key, schema, default.is_none());
+        self.reader.describe(self.key, schema, is_required);
     }
 
     fn read(&self, fallback: T) -> Option<T> {

@@ -1,10 +1,31 @@
 //! Actual values beside commanded ones: what is observed is their difference.
 
+use csv::StringRecord;
+
 use super::heading::Heading;
 use super::records::Records;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
 use crate::units::Unit;
+
+/// A column that was made of an actual value less a commanded one in the same unit.
+#[derive(Clone, Copy, Debug)]
+pub struct Difference {
+    /// The column.
+    pub column: usize,
+    /// That of the commanded value.
+    pub commanded: usize,
+}
+
+impl Difference {
+    /// The actual value of which a cell was made, as it was written.
+    pub fn actual(&self, cells: &StringRecord) -> Option<String> {
+        let [apart, commanded] = [self.column, self.commanded].map(|column| &cells[column]);
+        let digits = apart.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+        let sum = apart.parse::<f64>().ok()? + commanded.parse::<f64>().ok()?;
+        Some(format!("{sum:.digits$}"))
+    }
+}
 
 /// Puts actual − commanded in the place of an actual value, in its unit. Beside a column of what is observed an
 /// actual value is not used.
@@ -16,7 +37,8 @@ pub fn less_commanded(
     records: &mut Records,
     vocabulary: Vocabulary,
     told: &mut Vec<String>,
-) -> Result<(), Problem> {
+) -> Result<Option<Difference>, Problem> {
+    let mut made = None;
     for coordinate in vocabulary.coordinates {
         let (Some(observable), Some(kind)) = (coordinate.actual, coordinate.holds.kind()) else { continue };
         let observable = &vocabulary.observables[observable].name;
@@ -40,8 +62,9 @@ pub fn less_commanded(
         });
         told.push(format!("{observable} = {} - {}", headings[actual].name, coordinate.name));
         headings[actual].name = observable.to_string();
+        made = (unit == of_commanded).then_some(Difference { column: actual, commanded });
     }
-    Ok(())
+    Ok(made)
 }
 
 /// The difference of two cells in the unit of the first, to the last of their digits where the units agree;

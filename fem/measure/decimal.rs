@@ -1,7 +1,6 @@
 //! Decimal marks: which of comma and point is one, and numbers written with a point.
 
-use super::records::Records;
-use super::sheet::MOST_PROBLEMS;
+use super::records::{Records, Refused};
 use crate::input::Problem;
 
 /// The decimal mark of a file.
@@ -35,9 +34,9 @@ enum Style {
 }
 
 /// Writes the numbers of the `numeric` columns with a point. Where nobody `said` which mark is the decimal one,
-/// it is the only one that occurs; commas then are not the separator of the columns.
+/// it is the only one that occurs, or the one that is `kept`; commas then are not the separator of the columns.
 ///
-/// Gives the problems of single numbers that have marks where none can stand.
+/// Refuses single numbers that have marks where none can stand.
 ///
 /// # Errors
 /// Which mark is the decimal one cannot be told, so that no number can be read.
@@ -45,33 +44,23 @@ pub fn settle(
     records: &mut Records,
     numeric: &[bool],
     separator: char,
-    said: Option<Decimal>,
+    (said, kept): (Option<Decimal>, Option<Decimal>),
     told: &mut Vec<String>,
-) -> Result<Vec<Problem>, Problem> {
+) -> Result<Refused, Problem> {
     let decimal = match said {
         Some(decimal) => decimal,
         // Quoted cells such as "1,500" are refused as no numbers.
-        None if separator == ',' => return Ok(Vec::new()),
-        None => found(records, numeric)?,
+        None if separator == ',' => return Ok(Refused::default()),
+        None => found(records, numeric).or_else(|problem| kept.ok_or(problem))?,
     };
     if decimal == Decimal::Comma {
         told.push("a decimal comma".into());
     }
-    if decimal == Decimal::Point && said.is_none() {
-        return Ok(Vec::new());
+    if decimal == Decimal::Point && said.or(kept).is_none() {
+        return Ok(Refused::default());
     }
     let numeric: Vec<usize> = (0..numeric.len()).filter(|column| numeric[*column]).collect();
-    let mut problems = Vec::new();
-    records.rewrite(&numeric, |record, cells, column| match plain(&cells[column], decimal)? {
-        Ok(number) => Some(number),
-        Err(problem) => {
-            if problems.len() < MOST_PROBLEMS {
-                problems.push((record, problem));
-            }
-            None
-        }
-    });
-    Ok(problems.into_iter().map(|(record, problem)| problem.at(Some(records.place(record)))).collect())
+    Ok(records.rewrite_or_refuse(&numeric, |_, cells, column| plain(&cells[column], decimal).transpose()))
 }
 
 /// The mark that alone occurs; a point where none does.

@@ -2,7 +2,7 @@
 
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
 use crate::input::{Problem, name_and_unit, nearest};
-use crate::process::{Absent, Holds};
+use crate::process::{Absent, Coordinate, Holds};
 use crate::units::{Kind, TIME, Unit, UnitError};
 
 /// Meaning of a column.
@@ -62,11 +62,12 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
         }
     }
     // A column that is wrong has been reported already, and is not missing.
-    let absent = missing(&header, &unknown, vocabulary);
     let observable_told = vocabulary.observables.iter().any(|o| wrong.contains(&&*o.name));
-    let not_asked = observable_told || purpose == Purpose::Design;
-    let told = |name: &str| wrong.contains(&name) || (name.is_empty() && not_asked);
-    problems.extend(absent.into_iter().filter(|(name, _)| !told(name)).map(|(_, problem)| problem));
+    let absent = Absence {
+        observed: header.observables.is_empty() && !observable_told && purpose != Purpose::Design,
+        coordinates: missing(&header, vocabulary).filter(|c| !wrong.contains(&&*c.name)).collect(),
+    };
+    problems.extend(absent.problem(&unknown, vocabulary));
     check_uncertainty(&mut header, vocabulary, &mut problems);
     if problems.is_empty() { Ok(header) } else { Err(problems) }
 }
@@ -104,48 +105,80 @@ fn note(name: &str, vocabulary: Vocabulary) -> Option<String> {
     Some(format!("the column `{name}` is none of the process's; did you mean `{near}`?"))
 }
 
-/// Lists the columns that must be there and are not, by name; one of the `unknown` columns may be it,
-/// misspelt.
-fn missing<'p>(header: &Header, unknown: &[&str], vocabulary: Vocabulary<'p>) -> Vec<(&'p str, Problem)> {
-    let meant = |name: &str| {
-        let same = |other: &&&str| nearest(&other.to_lowercase(), [name]).is_some();
-        unknown.iter().find(same).map_or(String::new(), |other| format!("is `{other}` meant? "))
-    };
-    let mut problems = Vec::new();
-    if header.observables.is_empty() {
-        let names: Vec<String> =
-            vocabulary.observables.iter().map(|o| format!("{} [{}]", o.name, o.kind.unit)).collect();
-        let problem = Problem::new("no column holds what was observed");
-        let near: String =
-            vocabulary.observables.iter().map(|o| meant(&o.name)).find(|m| !m.is_empty()).unwrap_or_default();
-        let help = format!("{near}add a column {}, or {}", names.join(" or "), said(&names[0], vocabulary));
-        problems.push(("", problem.help(help)));
-    }
-    for (i, coordinate) in vocabulary.coordinates.iter().enumerate() {
-        let given = header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
-        let needed = match coordinate.absent {
-            Absent::Refused => true,
-            Absent::NeededBy(observable) => header.observables.iter().any(|s| s.position == observable),
-            Absent::Value(_) | Absent::Model | Absent::ModelOf(_) => false,
-        };
-        if needed && !given {
-            let unit = match coordinate.holds {
-                Holds::Quantity(kind) => format!(" [{}]", kind.unit),
-                _ => String::new(),
-            };
-            let problem = Problem::new(format!("the column `{}` is missing: {}", coordinate.name, coordinate.about));
-            let name = format!("{}{unit}", coordinate.name);
-            let said = said(&name, vocabulary);
-            let help = format!("{}add a column {name}, or {said}", meant(&coordinate.name));
-            problems.push((&coordinate.name, problem.help(help)));
-        }
-    }
-    problems
+/// What must be there, and is not.
+struct Absence<'p> {
+    /// No column of any observable.
+    observed: bool,
+    coordinates: Vec<&'p Coordinate>,
 }
 
-/// How a column of another name is said to be this one, and where the names stand.
-fn said(name: &str, vocabulary: Vocabulary) -> String {
-    format!("say which one it is: --columns 'HEADING={name}'; `fem effects {}` lists all names", vocabulary.process)
+/// The coordinates that must be there, and are not.
+fn missing<'p>(header: &Header, vocabulary: Vocabulary<'p>) -> impl Iterator<Item = &'p Coordinate> {
+    let given = |i: usize| header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
+    let needed = |coordinate: &Coordinate| match coordinate.absent {
+        Absent::Refused => true,
+        Absent::NeededBy(observable) => header.observables.iter().any(|s| s.position == observable),
+        Absent::Value(_) | Absent::Model | Absent::ModelOf(_) => false,
+    };
+    let all = vocabulary.coordinates.iter().enumerate();
+    all.filter(move |(i, coordinate)| needed(coordinate) && !given(*i)).map(|(_, coordinate)| coordinate)
+}
+
+impl Absence<'_> {
+    /// All that is missing as one problem, for one remedy mends it; one of the `unknown` columns may be it, misspelt.
+    fn problem(&self, unknown: &[&str], vocabulary: Vocabulary) -> Option<Problem> {
+        let observed = observed(vocabulary);
+        let names: Vec<String> = self.coordinates.iter().map(|c| column_of(c)).collect();
+        let message = match (self.observed, &self.coordinates[..]) {
+            (false, []) => return None,
+            (true, []) => "no column holds what was observed".to_string(),
+            (false, [one]) => format!("the column `{}` is missing: {}", one.name, one.about),
+            (true, [one]) => format!("no column holds what was observed, and `{}` is missing: {}", one.name, one.about),
+            (is_observed_missing, several) => {
+                let begin = if is_observed_missing { "no column holds what was observed, and " } else { "" };
+                let names: Vec<String> = several.iter().map(|c| format!("`{}`", c.name)).collect();
+                format!("{begin}the columns {} are missing", names.join(" and "))
+            }
+        };
+        let wanted = || vocabulary.observables.iter().map(|o| &*o.name).filter(|_| self.observed);
+        let meant = wanted().chain(self.coordinates.iter().map(|c| &*c.name)).find_map(|name| {
+            let other = unknown.iter().find(|other| nearest(&other.to_lowercase(), [name]).is_some())?;
+            Some(format!("is `{other}` meant? "))
+        });
+        let to_add = observed.iter().filter(|_| self.observed).take(1).chain(&names);
+        let said: Vec<String> = to_add.map(|name| format!("HEADING={name}")).collect();
+        let either = observed.join(" or ");
+        let columns: Vec<&str> =
+            Some(&*either).filter(|_| self.observed).into_iter().chain(names.iter().map(String::as_str)).collect();
+        let (article, which) = if columns.len() == 1 { ("a column", "which one it is") } else { ("columns", "which they are") };
+        Some(Problem::new(message).help(format!(
+            "{}add {article} {}, or say {which}: --columns '{}'; `fem effects {}` lists all names",
+            meant.unwrap_or_default(),
+            columns.join(" and "),
+            said.join(","),
+            vocabulary.process
+        )))
+    }
+}
+
+/// Columns of what can be observed, with their units.
+fn observed(vocabulary: Vocabulary) -> Vec<String> {
+    vocabulary.observables.iter().map(|o| format!("{} [{}]", o.name, o.kind.unit)).collect()
+}
+
+/// The column of a coordinate, with its unit.
+fn column_of(coordinate: &Coordinate) -> String {
+    match coordinate.holds {
+        Holds::Quantity(kind) => format!("{} [{}]", coordinate.name, kind.unit),
+        _ => coordinate.name.to_string(),
+    }
+}
+
+/// Columns without which a file tells nothing: those of the first observable.
+pub fn needed(vocabulary: Vocabulary) -> Vec<String> {
+    let is_needed = |c: &&Coordinate| matches!(c.absent, Absent::Refused | Absent::NeededBy(0));
+    let coordinates = vocabulary.coordinates.iter().filter(is_needed).map(column_of);
+    coordinates.chain(observed(vocabulary).into_iter().take(1)).collect()
 }
 
 /// Checks that every column of uncertainties belongs to an observable of the file, has its dimension, and

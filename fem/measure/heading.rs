@@ -4,7 +4,7 @@ use super::lexicon;
 use super::moment::Moment;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
-use crate::units::Unit;
+use crate::units::{Unit, plain_unit};
 
 /// A coordinate that a heading fixes for its whole column, as in `temperature@x=12 mm`.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +55,7 @@ impl Heading {
         let mut heading = Self {
             written: cell.trim().to_string(),
             name: own,
-            unit: if unit == "-" { String::new() } else { unit.to_string() },
+            unit: if unit == "-" { String::new() } else { plain_unit(unit) },
             at: Vec::new(),
             since: None,
             is_known,
@@ -80,6 +80,18 @@ impl Heading {
         Ok(heading)
     }
 
+    /// The heading of a column that the program makes.
+    pub fn made(name: &str, unit: &str) -> Self {
+        Self {
+            written: name.to_string(),
+            name: name.to_string(),
+            unit: unit.to_string(),
+            at: Vec::new(),
+            since: None,
+            is_known: true,
+        }
+    }
+
     /// The heading as the program writes it.
     pub fn cell(&self) -> String {
         match (self.is_known, &*self.unit) {
@@ -87,6 +99,16 @@ impl Heading {
             (true, "") => self.name.clone(),
             (true, unit) => format!("{} [{unit}]", self.name),
         }
+    }
+
+    /// The same with the places of the whole column, as `--columns` says them.
+    pub fn whole(&self, vocabulary: Vocabulary) -> String {
+        let place = |own: &Condition| {
+            let value = format!("{} {}", own.value, own.unit);
+            format!("@{}={}", vocabulary.coordinates[own.coordinate].name, value.trim_end())
+        };
+        let places: String = self.at.iter().map(place).collect();
+        if self.unit.is_empty() { format!("{}{places}", self.name) } else { format!("{}{places} [{}]", self.name, self.unit) }
     }
 
     /// Note on how it was read, where it is not written so; `None` where it is.

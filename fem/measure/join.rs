@@ -42,27 +42,32 @@ impl Measurements {
         said: &Reading,
         is_design: bool,
     ) -> Result<Self, InputError> {
-        let files: Vec<(&P, &dyn Process)> = paths.iter().map(|path| (path, process)).collect();
+        let kept = Reading::default();
+        let files: Vec<(&P, &dyn Process, &Reading)> = paths.iter().map(|path| (path, process, &kept)).collect();
         let files = Self::load_each(&files, said, is_design)?;
         let name = files.iter().map(|file| &*file.name).collect::<Vec<_>>().join(", ");
         Self::joined(files).map_err(|problem| InputError::one(Source::new(name, ""), problem))
     }
 
-    /// Reads files of measurements, or of planned rows, each of its own process, and each by itself.
+    /// Reads files of measurements, or of planned rows, each of its own process, read as its own model
+    /// keeps it, and each by itself.
     ///
     /// # Errors
     /// A file is wrong, or named twice; none of them has a column of which something is said.
     pub fn load_each<P: AsRef<Path>>(
-        files: &[(P, &dyn Process)],
+        files: &[(P, &dyn Process, &Reading)],
         said: &Reading,
         is_design: bool,
     ) -> Result<Vec<Self>, InputError> {
         let said = &said.of_several(files.len() > 1);
         // A file has many names, by different ways.
-        let places: Vec<_> = files.iter().map(|(path, _)| std::fs::canonicalize(path.as_ref())).collect();
-        let load = |(path, process): &(P, &dyn Process)| match is_design {
-            true => Self::load_design(path.as_ref(), *process, said),
-            false => Self::load_as(path.as_ref(), *process, said),
+        let places: Vec<_> = files.iter().map(|(path, ..)| std::fs::canonicalize(path.as_ref())).collect();
+        let load = |(path, process, kept): &(P, &dyn Process, &Reading)| {
+            let said = said.clone().over(kept);
+            match is_design {
+                true => Self::load_design(path.as_ref(), *process, &said),
+                false => Self::load_as(path.as_ref(), *process, &said),
+            }
         };
         let files: Vec<Self> = files.iter().map(load).collect::<Result<_, _>>()?;
         let names: Vec<&str> = files.iter().map(|file| &*file.name).collect();

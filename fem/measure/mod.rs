@@ -1,12 +1,16 @@
 //! Measurement files: one observation per row, with its coordinates, its value and perhaps its uncertainty.
 
 mod actual;
+mod alike;
 mod clock;
 mod decimal;
+mod exported;
 mod header;
+mod header_rows;
 mod heading;
 mod instrument;
 mod join;
+mod layout;
 mod lexicon;
 mod moment;
 mod neighbours;
@@ -18,17 +22,21 @@ mod recorded;
 mod records;
 mod repeats;
 mod sheet;
+mod slips;
+mod stacked;
 mod table;
 mod thin;
 mod vocabulary;
 mod wide;
+mod workbook;
+mod worded;
 mod words;
 
 pub use decimal::Decimal;
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
 pub use ordinals::Ordinals;
-pub use preview::{Preview, meant};
+pub use preview::{Imported, Preview};
 pub use reading::Reading;
 pub use records::{RecordReader, Records};
 pub use repeats::{LEAST_FREEDOM, Repeats, Scatter, repeats};

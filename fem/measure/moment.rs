@@ -17,7 +17,7 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// Reads `2026-03-01T10:00:00`, with a blank for the T, fractions of a second and a zone (`Z`, `+01:00`)
+    /// Reads `2026-03-01T10:00:00` or `01.03.2026 10:00:00`, with a blank for the T, fractions of a second and a zone (`Z`, `+01:00`)
     /// where there are some, and a time of day alone, `10:00:00`; `None` where the text is something else.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
@@ -50,7 +50,10 @@ fn digits(text: &str, count: usize) -> Option<i128> {
 /// Days since the first of January 1970 in the Gregorian calendar (Richards, in: Explanatory Supplement to the
 /// Astronomical Almanac, 3rd ed., ch. 15).
 fn days(date: &str) -> Option<i128> {
-    let mut parts = date.split('-');
+    // 01.03.2026 has the day in front; with strokes it could be the month.
+    let is_german = date.contains('.');
+    let mut parts: Box<dyn Iterator<Item = &str>> =
+        if is_german { Box::new(date.rsplit('.')) } else { Box::new(date.split('-')) };
     let (year, month) = (digits(parts.next()?, 4)?, digits(parts.next()?, 2)?);
     let day = digits(parts.next()?, 2)?;
     let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);

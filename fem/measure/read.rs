@@ -1,25 +1,21 @@
 //! Reads the rows of a measurement file.
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
 use csv::StringRecord;
 
+use super::alike::Alike;
+use super::exported::{self, Exported};
 use super::header::{self, Column, Header};
-use super::instrument::text_of_rtx;
 use super::reading::Reading;
 use super::recorded::{self, Recorded};
 use super::records::Records;
-use super::sheet::MOST_PROBLEMS;
 use super::table;
 use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
 use super::{MeasuredFile, Measurements, Ordinals};
 use crate::input::{InputError, Problem, Source, number};
 use crate::process::{Absent, Holds, Process, Rows, Values};
 use crate::units::Unit;
-
-/// Largest measurement file, bytes: some ten million rows.
-pub(super) const LARGEST_FILE: u64 = 500_000_000;
 
 impl Measurements {
     /// Reads a file of measurements of `process`.
@@ -35,7 +31,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_as(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(Source::read_exported(path, LARGEST_FILE, text_of_rtx)?, process, Purpose::Measured, said)
+        read(exported::open(path, said)?, process, Purpose::Measured, said)
     }
 
     /// Reads a design, a file of planned rows in which nothing need have been observed yet.
@@ -43,7 +39,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_design(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(Source::read_exported(path, LARGEST_FILE, text_of_rtx)?, process, Purpose::Design, said)
+        read(exported::open(path, said)?, process, Purpose::Design, said)
     }
 
     /// Reads a design from the text of a file.
@@ -51,7 +47,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn parse_design(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(source, process, Purpose::Design, said)
+        read(exported::of_text(source), process, Purpose::Design, said)
     }
 
     /// Reads measurements from the text of a file.
@@ -67,32 +63,32 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn parse_as(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(source, process, Purpose::Measured, said)
+        read(exported::of_text(source), process, Purpose::Measured, said)
     }
 }
 
-fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading) -> Result<Measurements, InputError> {
+fn read(file: Exported, process: &dyn Process, purpose: Purpose, said: &Reading) -> Result<Measurements, InputError> {
+    let source = file.source.clone();
     let vocabulary = Vocabulary::of(process);
     let refuse = |problems| InputError::new(source.clone(), problems);
-    let file = table::read(&source, vocabulary, said).map_err(refuse)?;
+    let file = table::read(&file, vocabulary, said).map_err(refuse)?;
     let of_header = |problem: Problem| problem.at(Some(file.place.clone()));
     let header = header::read(&file.header, vocabulary, purpose)
         .map_err(|problems| refuse(problems.into_iter().map(of_header).collect()))?;
     let (beside, unused) = recorded::read(&header, &file.header, &file.records);
     let mut builder = Builder::new((&header, &beside), vocabulary, purpose, file.header, file.records.len());
-    let mut problems = file.problems;
-    let told: BTreeSet<usize> = problems.iter().filter_map(|p| p.span.as_ref()).map(|span| span.start).collect();
+    let mut alike = Alike::default();
     let mut reader = file.records.reader();
     for (number, line) in file.records.lines().enumerate() {
-        if problems.len() >= MOST_PROBLEMS {
-            break;
-        }
-        if told.is_empty() || !told.contains(&file.records.place(number).start) {
+        // What is wrong with a row is told once.
+        if !file.refused.records.contains(&file.records.byte(number)) {
             let taken = builder.push(number, line, reader.read(number));
-            taken.unwrap_or_else(|problem| problems.push(problem.at(Some(file.records.place(number)))));
+            taken.unwrap_or_else(|problem| alike.push(problem, Some(file.records.place(number))));
         }
     }
     drop(reader);
+    let mut problems = file.refused.problems;
+    problems.extend(alike.problems());
     if problems.is_empty() && builder.measurements.observed.is_empty() {
         let help = match builder.left_out.is_empty() {
             true => "add at least one observation",
@@ -111,6 +107,9 @@ fn read(source: Source, process: &dyn Process, purpose: Purpose, said: &Reading)
     (measurements.headings, measurements.said) = (file.headings, said.options());
     measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).chain(unused).collect();
     measurements.leave_echoes_out();
+    if !said.as_typed && purpose == Purpose::Measured {
+        measurements = measurements.without_slips(vocabulary, &header.columns, file.difference);
+    }
     if measurements.len() > MANY {
         let rows = measurements.len();
         measurements

@@ -5,14 +5,23 @@ use super::heading::{Heading, parts, plain};
 use super::moment::Moment;
 use super::vocabulary::Vocabulary;
 use crate::input::{Problem, did_you_mean};
+use crate::units::plain_unit;
 
 /// How a file is to be read.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {
     /// The decimal mark, where it was said.
     pub decimal: Option<Decimal>,
+    /// The line in which the headings stand, from 1, where it was said, or that there are none.
+    pub headings: Option<Option<usize>>,
+    /// Whether readings are taken as they are typed, be they as far off as a slip of the pen.
+    pub as_typed: bool,
+    /// The sheet of a workbook, where it was said.
+    pub sheet: Option<String>,
     /// Headings of the file, and what each is to be.
     columns: Vec<(String, String)>,
+    /// What a model keeps of its files, for where a file says nothing itself and nobody has said more.
+    pub(super) kept: Option<Box<Reading>>,
     /// Whether it is for several files, of which each may lack some of these headings.
     pub(super) is_of_several: bool,
 }
@@ -52,7 +61,57 @@ impl Reading {
             let problem = Problem::new(format!("--columns: `{from}` is said to be two things"));
             return Err(problem.help("keep one of them"));
         }
-        Ok(Self { decimal, columns, is_of_several: false })
+        Ok(Self { decimal, columns, ..Self::default() })
+    }
+
+    /// The same with the line in which the headings stand, or that there are none, and the sheet of a workbook.
+    #[must_use]
+    pub fn within(self, headings: Option<Option<usize>>, sheet: Option<String>) -> Self {
+        Self { headings, sheet, ..self }
+    }
+
+    /// The same, with readings as they are typed or without slips of the pen.
+    #[must_use]
+    pub fn as_typed(self, as_typed: bool) -> Self {
+        Self { as_typed, ..self }
+    }
+
+    /// The same with what a model keeps of its files.
+    #[must_use]
+    pub fn over(self, kept: &Self) -> Self {
+        let kept = (!kept.says_nothing()).then(|| Box::new(kept.clone()));
+        Self { kept: kept.or(self.kept), ..self }
+    }
+
+    /// Headings and what each is to be, those that are kept behind those that were said.
+    pub fn all_columns(&self) -> Vec<(String, String)> {
+        let kept = self.kept.iter().flat_map(|kept| kept.all_columns());
+        let is_new = |(from, _): &(String, String)| self.columns.iter().all(|(own, _)| own != from);
+        self.columns.iter().cloned().chain(kept.filter(is_new)).collect()
+    }
+
+    /// The same with what is kept where nothing else was said.
+    pub fn with_kept(&self) -> Self {
+        let kept = self.kept.as_deref();
+        Self {
+            decimal: self.decimal.or(kept.and_then(|own| own.decimal)),
+            headings: self.headings.or(kept.and_then(|own| own.headings)),
+            sheet: self.sheet.clone().or(kept.and_then(|own| own.sheet.clone())),
+            as_typed: self.as_typed,
+            columns: self.all_columns(),
+            kept: None,
+            is_of_several: self.is_of_several,
+        }
+    }
+
+    /// Whether nothing is said.
+    pub fn says_nothing(&self) -> bool {
+        !self.as_typed && self.decimal.is_none() && self.headings.is_none() && self.sheet.is_none() && self.columns.is_empty()
+    }
+
+    /// What a model keeps, as if somebody had said it now.
+    pub(super) fn kept_as_said(&self) -> Option<Self> {
+        self.kept.as_ref().filter(|_| self.headings.is_none()).map(|kept| Self { headings: kept.headings, ..self.clone() })
     }
 
     /// The same for one of several files, which may lack some of the headings, or for a single one.
@@ -69,7 +128,10 @@ impl Reading {
         });
         let columns = (!columns.is_empty()).then(|| ["--columns".to_string(), columns]);
         let decimal = decimal.map(|mark| ["--decimal".to_string(), mark.to_string()]);
-        [columns, decimal].into_iter().flatten().flatten().collect()
+        let header = self.headings.map(|line| ["--header".to_string(), line.unwrap_or(0).to_string()]);
+        let sheet = self.sheet.as_ref().map(|name| ["--sheet".to_string(), name.clone()]);
+        let as_typed = self.as_typed.then(|| "--as-typed".to_string());
+        [columns, decimal, header, sheet].into_iter().flatten().flatten().chain(as_typed).collect()
     }
 
     /// Headings of the file, and what each is to be.
@@ -84,7 +146,8 @@ impl Reading {
 
     /// The user's heading for one of the file's, if one was given.
     pub(super) fn of(&self, cell: &str) -> Option<&str> {
-        self.columns.iter().find(|(from, _)| is_meant(from, cell)).map(|(_, to)| &**to)
+        let own = self.columns.iter().find(|(from, _)| is_meant(from, cell)).map(|(_, to)| &**to);
+        own.or_else(|| self.kept.as_ref()?.of(cell))
     }
 }
 
@@ -122,9 +185,9 @@ pub(super) fn said(cell: &str, to: &str, vocabulary: Vocabulary) -> Result<Optio
         }
         None => None,
     };
-    let unit = parts(cell, |_| false).1;
+    let unit = plain_unit(parts(cell, |_| false).1);
     if heading.unit.is_empty() {
-        heading.unit = unit.to_string();
+        heading.unit = unit;
     } else if !unit.is_empty() && unit != heading.unit {
         let problem = Problem::new(format!("`{cell}` is said to be in {}, and the file says {unit}", heading.unit));
         return Err(wrong(problem.help("leave the unit to one of them")));

@@ -1,12 +1,14 @@
 //! The records of a file, with cells in the program's form.
 
+use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::ops::Range;
 use std::sync::Arc;
 
 use csv::{Position, Reader, ReaderBuilder, StringRecord};
 
-use crate::input::line_at;
+use super::alike::Alike;
+use crate::input::{Problem, line_at};
 
 /// Records of a file. What the file writes is read from its text again when it is asked for, and what the program has
 /// written in its place is kept beside: files have a million rows, and a second copy of them would be the largest thing
@@ -26,6 +28,23 @@ enum Column {
     OfFile(usize),
     /// As the program writes it.
     Written(Cells),
+}
+
+/// What was wrong with cells.
+#[derive(Debug, Default)]
+pub struct Refused {
+    /// Problems, each of them once.
+    pub problems: Vec<Problem>,
+    /// Bytes from which the records with these cells are looked for.
+    pub records: BTreeSet<usize>,
+}
+
+impl Refused {
+    /// Adds what was wrong with others.
+    pub fn add(&mut self, other: Self) {
+        self.problems.extend(other.problems);
+        self.records.extend(other.records);
+    }
 }
 
 /// The cells of a column in one piece of memory.
@@ -152,12 +171,26 @@ impl Records {
     /// Writes cells of some columns otherwise: those for which `write`, given the number of a record, its cells and the
     /// column, says how.
     pub fn rewrite(&mut self, columns: &[usize], mut write: impl FnMut(usize, &StringRecord, usize) -> Option<String>) {
+        self.rewrite_or_refuse(columns, |number, cells, column| Ok(write(number, cells, column)));
+    }
+
+    /// The same where cells may be refused.
+    pub fn rewrite_or_refuse(
+        &mut self,
+        columns: &[usize],
+        mut write: impl FnMut(usize, &StringRecord, usize) -> Result<Option<String>, Problem>,
+    ) -> Refused {
+        let (mut alike, mut refused) = (Alike::default(), Refused::default());
         let mut written = vec![(Cells::default(), false); columns.len()];
         let mut reader = self.reader();
         for number in 0..self.len() {
             let record = reader.read(number);
             for ((cells, is_other), column) in written.iter_mut().zip(columns) {
-                let cell = write(number, record, *column);
+                let cell = write(number, record, *column).unwrap_or_else(|problem| {
+                    alike.push(problem, Some(self.place(number)));
+                    refused.records.insert(self.byte(number));
+                    None
+                });
                 *is_other |= cell.is_some();
                 cells.push(cell.as_deref().unwrap_or(&record[*column]));
             }
@@ -167,6 +200,8 @@ impl Records {
                 self.columns[*column] = Column::Written(cells);
             }
         }
+        refused.problems = alike.problems();
+        refused
     }
 }
 

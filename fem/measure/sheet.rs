@@ -5,26 +5,28 @@ use std::ops::Range;
 
 use csv::StringRecord;
 
+use super::alike::Alike;
+use super::exported::Exported;
+use super::layout::{self, SEPARATORS};
 use super::records::{LARGEST_TEXT, Records, csv_builder};
-use crate::input::{Problem, Source, line_at, no_csv};
+use crate::input::{Problem, line_at, no_csv};
 
-/// Number of problems after which reading stops.
-pub const MOST_PROBLEMS: usize = 20;
+/// Rows of other lengths after which nothing more is read.
+const MOST_RAGGED: usize = 10_000;
 
 /// Most columns of a file: more are lines that were joined.
 const MOST_COLUMNS: usize = 1000;
-
-/// Separators of columns, in the order in which they are tried: a decimal comma may stand beside the first two.
-const SEPARATORS: [char; 3] = [';', '\t', ','];
 
 /// Header and records of a file.
 #[derive(Debug)]
 pub struct Sheet {
     /// Separator of the columns.
     pub separator: char,
-    /// Cells of the header, as written.
+    /// Cells of the header, as written; numbers of the columns, from 1, where the file has no headings.
     pub header: Vec<String>,
-    /// Bytes of the header's line.
+    /// Whether the file has headings.
+    pub is_headed: bool,
+    /// Bytes of the header's line, or of the first record's.
     pub place: Range<usize>,
     /// Records in their order.
     pub records: Records,
@@ -34,56 +36,116 @@ pub struct Sheet {
     pub told: Vec<String>,
 }
 
-/// Reads the cells of a file.
+/// Reads the cells of a file. `headings` is the line in which its headings stand, where somebody has said it, or that it has
+/// none.
 ///
 /// # Errors
-/// The header cannot be read as CSV.
-pub fn read(source: &Source) -> Result<Sheet, Problem> {
-    let whole = &source.text;
+/// It is no table, or longer than can be read.
+pub fn read(file: &Exported, headings: Option<Option<usize>>) -> Result<Sheet, Problem> {
+    let whole = &file.source.text;
     let text = whole.strip_prefix('\u{feff}').unwrap_or(whole);
     let (said, text) = said_separator(text);
     let skipped = whole.len() - text.len();
-    let separator = said.unwrap_or_else(|| separator(text));
     if whole.len() > LARGEST_TEXT {
         return Err(Problem::new("the file has more than 4 GB of text").help("part it, and name its parts"));
     }
-    let mut reader = csv_builder(separator as u8).from_reader(text.as_bytes());
-    let header = reader.headers().map_err(|error| no_csv(&error, skipped))?.clone();
-    if header.len() > MOST_COLUMNS {
-        let problem = Problem::new(format!("the header has {} columns; at most {MOST_COLUMNS} are read", header.len()));
+    // Lines that were taken off hold no heading.
+    let headings = headings.map(|line| line.map(|own| own - whole[..skipped].matches('\n').count().min(own)));
+    let layout = layout::find(text, said, headings);
+    if layout.columns > MOST_COLUMNS {
+        let problem = Problem::new(format!("the header has {} columns; at most {MOST_COLUMNS} are read", layout.columns));
         return Err(problem.help("has the file lost its line ends? leave out columns that are not needed"));
     }
-    let byte = |record: &StringRecord| record.position().map_or(0, |position| position.byte() as usize);
+    let separator = layout.separator;
+    let (header, place) = match &layout.headings {
+        Some(place) => (layout::cells(&text[place.clone()], separator), place.start + skipped..place.end + skipped),
+        None => ((1..=layout.columns).map(|number| number.to_string()).collect(), line_at(text, layout.begin, skipped)),
+    };
+    let mut told: Vec<String> = match separator {
+        _ if file.is_parted => Vec::new(),
+        ';' => vec!["columns parted by semicolons".into()],
+        '\t' => vec!["columns parted by tabs".into()],
+        _ => Vec::new(),
+    };
+    if layout.above > 0 {
+        let lines = if layout.above == 1 { "line" } else { "lines" };
+        told.push(format!("{} {lines} above the table left out", layout.above));
+    }
+    let columns = header.len();
     let mut sheet = Sheet {
         separator,
-        place: line_at(text, byte(&header), skipped),
-        records: Records::of_file(whole.clone(), separator as u8, header.len()),
-        header: header.iter().map(str::to_string).collect(),
+        place,
+        records: Records::of_file(whole.clone(), separator as u8, columns),
+        is_headed: layout.headings.is_some(),
+        header,
         problems: Vec::new(),
-        told: separator_notes(separator),
+        told,
     };
+    let (begin, rest) = (layout.begin + skipped, &text[layout.begin..]);
+    let mut reader = csv_builder(separator as u8).has_headers(false).flexible(true).from_reader(rest.as_bytes());
+    let byte = |record: &StringRecord| record.position().map_or(0, |position| position.byte() as usize);
     let mut record = StringRecord::new();
+    let mut ragged = Vec::new();
     loop {
         match reader.read_record(&mut record) {
             Ok(false) => break,
-            Ok(true) => sheet.records.push(skipped + byte(&record)),
-            Err(error) => sheet.problems.push(ragged(&error, skipped, separator)),
+            // Spreadsheets part empty cells behind the last that has something.
+            Ok(true) if record.len() == columns || is_padded(&record, &sheet.header) => {
+                sheet.records.push(begin + byte(&record));
+            }
+            Ok(true) if is_rule(&record) => {}
+            Ok(true) => {
+                let problem = uneven(&record, columns, separator).at(Some(line_at(rest, byte(&record), begin)));
+                let is_text = record.iter().find(|cell| !cell.is_empty()).is_some_and(|cell| !layout::is_value(cell));
+                ragged.push((problem, is_text));
+            }
+            Err(error) => ragged.push((no_csv(&error, begin), false)),
         }
-        if sheet.problems.len() >= MOST_PROBLEMS {
+        if ragged.len() >= MOST_RAGGED {
             break;
         }
     }
+    sheet.below(&mut ragged);
+    let mut problems = Alike::default();
+    ragged.into_iter().for_each(|(problem, _)| problems.push(problem, None));
+    sheet.problems = problems.problems();
     Ok(sheet)
 }
 
-/// The problem of a record that is no CSV, or has other cells than the header.
-fn ragged(error: &csv::Error, skipped: usize, separator: char) -> Problem {
-    let problem = no_csv(error, skipped);
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } if separator == ',' && len > expected_len => problem
-            .help("give every row one cell per column; where decimals have a comma, part the columns by semicolons"),
-        _ => problem,
+impl Sheet {
+    /// Leaves out what instruments write below a table: rows of other lengths behind the last of its own that begin with
+    /// words. One that begins with a number may be cut off, and is wrong.
+    fn below(&mut self, ragged: &mut Vec<(Problem, bool)>) {
+        let last = self.records.len().checked_sub(1).map_or(0, |last| self.records.place(last).end);
+        let is_below = |problem: &Problem| problem.span.as_ref().is_some_and(|span| span.start >= last);
+        let begins = ragged.iter().rposition(|(problem, is_text)| !is_text || !is_below(problem)).map_or(0, |at| at + 1);
+        let Some(first) = ragged.get(begins).and_then(|(problem, _)| problem.span.clone()) else { return };
+        let line = 1 + self.records.text()[..first.start].matches('\n').count();
+        self.told.push(format!("what stands below the table left out, from line {line} on"));
+        ragged.truncate(begins);
     }
+}
+
+/// Whether a record draws a line.
+fn is_rule(record: &StringRecord) -> bool {
+    let is_stroke = |c: char| matches!(c, '-' | '=' | '_' | '+' | '|' | '*');
+    record.iter().any(|cell| cell.len() > 1) && record.iter().all(|cell| cell.chars().all(is_stroke))
+}
+
+/// Whether a record has as many cells as the header but for empty ones at the end of either.
+fn is_padded(record: &StringRecord, header: &[String]) -> bool {
+    let behind = record.iter().skip(header.len());
+    let unnamed = header.iter().skip(record.len());
+    behind.chain(unnamed.map(|cell| &**cell)).all(str::is_empty)
+}
+
+/// The problem of a record that has other cells than the header.
+fn uneven(record: &StringRecord, columns: usize, separator: char) -> Problem {
+    let problem = Problem::new(format!("the row has {} cells, the header {columns}", record.len()));
+    problem.help(match separator == ',' && record.len() > columns {
+        true => "give every row one cell per column; where decimals have a comma, part the columns by semicolons",
+        false => "give every row one cell per column",
+    })
 }
 
 /// The separator that a first line `sep=;` names, and the text behind that line: so write spreadsheets.
@@ -93,37 +155,5 @@ fn said_separator(text: &str) -> (Option<char>, &str) {
     match said.filter(|said| SEPARATORS.contains(said)) {
         Some(said) => (Some(said), text[line.len()..].trim_start_matches('\r').trim_start_matches('\n')),
         None => (None, text),
-    }
-}
-
-/// The separator that stands in the header as often as in the record below it; else the most frequent one of
-/// the header.
-fn separator(text: &str) -> char {
-    let mut lines = text.lines().filter(|line| !line.trim().is_empty() && !line.starts_with('#'));
-    let (header, first) = (lines.next().unwrap_or_default(), lines.next().unwrap_or_default());
-    let fits = |separator: &char| {
-        let count = count(header, *separator);
-        count > 0 && count == self::count(first, *separator)
-    };
-    let frequent = || SEPARATORS.into_iter().rev().max_by_key(|separator| count(header, *separator));
-    SEPARATORS.into_iter().find(fits).or_else(frequent).unwrap_or(',')
-}
-
-/// Times a character stands in a line outside of quotes.
-fn count(line: &str, wanted: char) -> usize {
-    let mut quoted = false;
-    let is_wanted = |c: &char| {
-        quoted ^= *c == '"';
-        *c == wanted && !quoted
-    };
-    line.chars().filter(is_wanted).count()
-}
-
-/// Note on a separator other than the program's own.
-fn separator_notes(separator: char) -> Vec<String> {
-    match separator {
-        ';' => vec!["columns parted by semicolons".into()],
-        '\t' => vec!["columns parted by tabs".into()],
-        _ => Vec::new(),
     }
 }

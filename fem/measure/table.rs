@@ -3,13 +3,15 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::actual::Difference;
+use super::exported::Exported;
 use super::heading::{self, Heading};
 use super::reading::{self, Reading};
-use super::records::Records;
-use super::sheet::{self, MOST_PROBLEMS, Sheet};
+use super::records::{Records, Refused};
+use super::sheet::{self, Sheet};
 use super::vocabulary::Vocabulary;
-use super::{actual, clock, decimal, instrument, wide, words};
-use crate::input::{Problem, Source, did_you_mean};
+use super::{actual, clock, decimal, header, header_rows, instrument, stacked, wide, worded, words};
+use crate::input::{Problem, did_you_mean};
 use crate::process::Holds;
 use crate::units::TIME;
 
@@ -27,8 +29,10 @@ pub struct Table {
     pub place: Range<usize>,
     /// Records; of a wide file several stand in one line.
     pub records: Records,
-    /// Problems of single records.
-    pub problems: Vec<Problem>,
+    /// What is wrong with single records.
+    pub refused: Refused,
+    /// The column that is a difference of two of the file's, if one is.
+    pub difference: Option<Difference>,
     /// Notes for the user on everything that was read otherwise than it is written.
     pub notes: Vec<String>,
 }
@@ -37,27 +41,44 @@ pub struct Table {
 ///
 /// # Errors
 /// Problems of the header, and those without which nothing else can be read.
-pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<Table, Vec<Problem>> {
-    let sheet = instrument::read(source).unwrap_or_else(|| sheet::read(source));
+pub fn read(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<Table, Vec<Problem>> {
+    let read = read_as(file, vocabulary, said);
+    match said.kept_as_said() {
+        // A line of headings that is kept holds of files that are not understood without it.
+        Some(kept) if read.is_err() => read_as(file, vocabulary, &kept).or(read),
+        _ => read,
+    }
+}
+
+fn read_as(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<Table, Vec<Problem>> {
+    let source = &file.source;
+    let mut told = file.told.clone();
+    let sheet = instrument::read(source).unwrap_or_else(|| sheet::read(file, said.headings));
     let mut sheet = sheet.map_err(|problem| vec![problem])?;
+    header_rows::settle(&mut sheet, vocabulary, said);
     let place = sheet.place.clone();
     let of_header = |problem: Problem| problem.at(Some(place.clone()));
-    let mut told = std::mem::take(&mut sheet.told);
+    told.append(&mut sheet.told);
     let mut notes = Vec::new();
     let mut headings = headings(&mut sheet, vocabulary, said)
         .map_err(|problems| problems.into_iter().map(of_header).collect::<Vec<_>>())?;
+    if !sheet.is_headed && headings.iter().all(|heading| !heading.is_known) {
+        return Err(vec![of_header(unnamed(&sheet, vocabulary))]);
+    }
     units(&mut headings, &mut sheet, &mut told).map_err(|problem| vec![problem])?;
     let numeric: Vec<bool> = headings.iter().map(|heading| is_numeric(heading, vocabulary)).collect();
-    let mut problems = sheet.problems;
-    let marks = decimal::settle(&mut sheet.records, &numeric, sheet.separator, said.decimal, &mut told);
-    problems.extend(marks.map_err(|problem| vec![problem])?);
+    let mut refused = Refused { problems: sheet.problems, ..Refused::default() };
+    let marks = (said.decimal, said.kept.as_ref().and_then(|kept| kept.decimal));
+    let marks = decimal::settle(&mut sheet.records, &numeric, sheet.separator, marks, &mut told);
+    refused.add(marks.map_err(|problem| vec![problem])?);
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
-        problems.extend(clock::count(&mut sheet.records, column, heading, &mut notes));
+        refused.add(clock::count(&mut sheet.records, column, heading, &mut notes));
     }
     told.extend(bounded(headings.iter().filter_map(Heading::note).collect()));
-    let long = wide::lengthened(headings, sheet.records, vocabulary, &mut told);
+    let (headings, records) = stacked::stacked(headings, sheet.records, vocabulary, &mut told);
+    let long = wide::lengthened(headings, records, vocabulary, &mut told);
     let (mut headings, mut records) = long.map_err(|problem| vec![of_header(problem)])?;
-    actual::less_commanded(&mut headings, &mut records, vocabulary, &mut told)
+    let difference = actual::less_commanded(&mut headings, &mut records, vocabulary, &mut told)
         .map_err(|problem| vec![of_header(problem)])?;
     for (column, heading) in headings.iter().enumerate() {
         told.extend(bounded(settle_words(&mut records, column, heading, vocabulary)));
@@ -65,9 +86,8 @@ pub fn read(source: &Source, vocabulary: Vocabulary, said: &Reading) -> Result<T
     if !told.is_empty() {
         notes.insert(0, format!("how it was read: {}", told.join("; ")));
     }
-    problems.truncate(MOST_PROBLEMS);
     let header = headings.iter().map(Heading::cell).collect();
-    Ok(Table { header, headings: sheet.header, place: sheet.place, records, problems, notes })
+    Ok(Table { header, headings: sheet.header, place: sheet.place, records, refused, notes, difference })
 }
 
 /// Reads all headings, those that the user has said before those that speak for themselves, and drops columns
@@ -103,7 +123,7 @@ fn headings(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) -> Result
         };
         match read {
             Ok(Some(heading)) => {
-                headings.push(heading);
+                headings.push(worded::read(&heading, vocabulary).unwrap_or(heading));
                 kept.push(column);
             }
             Ok(None) => {}
@@ -117,6 +137,20 @@ fn headings(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) -> Result
         sheet.records.keep(&kept);
     }
     Ok(headings)
+}
+
+/// The problem of a file without headings of which nobody has said what its columns are.
+fn unnamed(sheet: &Sheet, vocabulary: Vocabulary) -> Problem {
+    let first = sheet.records.get(0);
+    let cells: Vec<&str> = first.iter().collect();
+    let message = format!("the file has no headings, and begins with {}", cells.join(" | "));
+    let columns = header::needed(vocabulary);
+    let said: Vec<String> = columns.iter().zip(1..).map(|(column, number)| format!("{number}={column}")).collect();
+    Problem::new(message).help(format!(
+        "say what its columns are, by their numbers: --columns '{}'; `fem effects {}` lists all names",
+        said.join(","),
+        vocabulary.process
+    ))
 }
 
 fn is_empty(records: &Records, column: usize) -> bool {

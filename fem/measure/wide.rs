@@ -40,8 +40,8 @@ pub fn lengthened(
         return Err(problem.help(format!("leave one of them out: --columns '{name}=-'")));
     }
     let mut long: Vec<Heading> = plain.iter().map(|i| headings[*i].clone()).collect();
-    long.extend(fixed.iter().map(|(i, unit)| made(&vocabulary.coordinates[*i].name, unit)));
-    long.extend(names.iter().map(|(name, unit)| made(name, unit)));
+    long.extend(fixed.iter().map(|(i, unit)| Heading::made(&vocabulary.coordinates[*i].name, unit)));
+    long.extend(names.iter().map(|(name, unit)| Heading::made(name, unit)));
     let all = has_own.then_some(&[] as &[Condition]).into_iter().chain(places.iter().copied());
     let all: Vec<&[Condition]> = all.collect();
     let column = |name: &str, place: &[Condition]| {
@@ -107,16 +107,5 @@ fn value(place: &[Condition], coordinate: usize, unit: &str) -> String {
     match own.value.parse::<f64>() {
         Ok(number) if own.unit != unit => (number * factor(&own.unit) / factor(unit)).to_string(),
         _ => own.value.clone(),
-    }
-}
-
-fn made(name: &str, unit: &str) -> Heading {
-    Heading {
-        written: name.to_string(),
-        name: name.to_string(),
-        unit: unit.to_string(),
-        at: Vec::new(),
-        since: None,
-        is_known: true,
     }
 }

@@ -105,6 +105,12 @@ const SAME: &[&[&str]] = &[
     &["clamped", "gespannt", "serre", "serrato", "sujeto", "зажато", "夹紧"],
 ];
 
+/// Whether a cell may be the word of a label.
+pub fn is_label(cell: &str) -> bool {
+    let cell = folded(cell);
+    SAME.iter().any(|group| group.contains(&&*cell))
+}
+
 /// The word of a list that a cell means; capitals do not matter.
 pub fn meant<'w>(cell: &str, words: &'w Words) -> Option<&'w str> {
     let (own, cell) = (cell.to_lowercase(), folded(cell));

@@ -4,8 +4,9 @@
 use std::path::Path;
 
 use super::tables::Tables;
-use super::{LARGEST, Model, find_process};
+use super::{LARGEST, Model, files, find_process};
 use crate::input::{InputError, Kept, Source};
+use crate::measure::Reading;
 use crate::process::{Coordinate, Process};
 
 /// A model file that was parsed.
@@ -34,9 +35,22 @@ impl Draft {
         Ok(Self { source, tables, process })
     }
 
+    /// Name of the file.
+    pub fn name(&self) -> &str {
+        &self.source.name
+    }
+
     /// The process that it models.
     pub fn process(&self) -> &'static dyn Process {
         self.process
+    }
+
+    /// How its measurement files are read where they do not say it themselves.
+    ///
+    /// # Errors
+    /// The table `[data]` is wrong.
+    pub fn reading(&self) -> Result<Reading, InputError> {
+        files::of_document(&self.source, self.tables.now())
     }
 
     /// Every text that it has for a value: names of files are among them.

@@ -6,6 +6,7 @@ mod change;
 mod data;
 mod draft;
 mod edit;
+mod files;
 mod formula_effect;
 mod machine;
 mod named;
@@ -29,6 +30,7 @@ pub use add::{Setting, add_effect};
 pub use campaign::{Acting, Campaign, Shared, Test};
 pub use data::Data;
 pub use draft::Draft;
+pub use files::kept;
 pub use machine::Machine;
 pub use odds::{OwnOdds, VALUES};
 pub use other_set::OtherSet;
@@ -52,6 +54,7 @@ use crate::input::{
     FileKey, Found, InputError, Instead, Kept, Name, Names, Parameter, ParameterId, Problem, Reader, Source,
     did_you_mean, nearest, numbered,
 };
+use crate::measure::Reading;
 use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{Active, Contradiction, Coordinate, Description, ForwardModel, Process, System};
 use crate::processes;
@@ -99,6 +102,9 @@ pub struct Model {
     /// Machine that it names.
     #[doc(hidden)]
     pub machine: Option<Machine>,
+    /// How its measurement files are read where they do not say it themselves.
+    #[doc(hidden)]
+    pub reading: Reading,
     /// Values (SI) that were entered in place of those of the file, by their quantities.
     entered: HashMap<ParameterId, f64>,
     /// Files that it names.
@@ -178,7 +184,7 @@ impl Model {
     fn of_tables(source: Source, tables: Tables, kept: Kept, recorded: &[Coordinate]) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
         let (
-            (process, (title, machine, system, effects, measurement, (odds, together, settings, largest_change))),
+            (process, (title, machine, system, effects, measurement, (odds, together, settings, largest_change, reading))),
             found,
         ) = Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| {
             let process = ModelProcess::of(process, recorded, recorded::read(model, process, recorded));
@@ -201,6 +207,7 @@ impl Model {
             largest_change,
             settings,
             machine,
+            reading,
             entered: HashMap::new(),
             files,
             source,
@@ -317,7 +324,7 @@ fn read(
     Option<Arc<dyn System>>,
     Vec<Active>,
     Vec<Term>,
-    (OwnOdds, Together, Vec<ShopSetting>, Option<f64>),
+    (OwnOdds, Together, Vec<ShopSetting>, Option<f64>, Reading),
 ) {
     let title = model.text("title", "what is modelled, for people");
     model.text("process", "which process is modelled");
@@ -326,7 +333,8 @@ fn read(
     let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
     let odds = OwnOdds::read(model, process);
-    let further = (odds, Together::read(model), ShopSetting::all(model), shop::largest_change(model));
+    let settings = (ShopSetting::all(model), shop::largest_change(model));
+    let further = (odds, Together::read(model), settings.0, settings.1, files::read(model));
     (title, machine, system, effects, noise::read(model, process), further)
 }
 

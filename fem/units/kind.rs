@@ -141,8 +141,16 @@ impl Kind {
     pub fn unit_of(&self, text: &str) -> Result<Unit, UnitError> {
         // Shops write the speed of a spindle as 1/min and mean revolutions.
         let turns = *self == SPINDLE_SPEED && matches!(text.trim(), "1/min" | "/min" | "min^-1");
-        let text = if turns { "rpm" } else { text };
-        let (unit, canonical) = (Unit::parse(text)?, self.canonical());
+        let canonical = self.canonical();
+        // Two strokes are an inch or a second of arc, by what is measured.
+        let strokes = matches!(text.trim(), "\"" | "''");
+        let text = match canonical.dimension {
+            _ if turns => "rpm",
+            dimension if strokes && dimension == LENGTH.canonical().dimension => "in",
+            dimension if strokes && dimension == ANGLE.canonical().dimension => "arcsec",
+            _ => text,
+        };
+        let unit = Unit::parse(text)?;
         // A slope has no dimension, yet 20 without `um/m` is a million times too much.
         let forgotten = text.trim().is_empty() && !self.unit.is_empty();
         if forgotten || unit.dimension != canonical.dimension {

@@ -8,6 +8,7 @@ mod dimension;
 mod kind;
 mod parse;
 mod quantity;
+mod spelling;
 mod symbol;
 mod unit;
 
@@ -15,5 +16,6 @@ pub use dimension::Dimension;
 pub use kind::*;
 pub use kind::{Kind, Shown};
 pub use quantity::{Knowledge, LARGEST, Quantity, unit_text};
+pub use spelling::plain as plain_unit;
 pub use symbol::UnitSymbol;
 pub use unit::{Unit, UnitError};

@@ -1,58 +1,60 @@
 //! Reading of unit expressions.
 
+use super::spelling::{self, MARKS};
 use super::{Dimension, Unit, UnitError};
 
-/// A named unit: name, SI units per unit, exponents over m, kg, s, K, rad, and whether SI prefixes are taken.
-struct Named(&'static str, f64, [i8; 5], bool);
+/// A named unit: name, SI units per unit, exponents over m, kg, s, K, rad, and the SI prefixes that are in use with it: of
+/// the others a word of another language, `Grad`, would be a unit nobody measures in.
+struct Named(&'static str, f64, [i8; 5], &'static [&'static str]);
 
 const PI: f64 = std::f64::consts::PI;
 
 /// Every unit a file may use. Inch, pound-force and psi are exact by definition.
 const UNITS: &[Named] = &[
-    Named("m", 1.0, [1, 0, 0, 0, 0], true),
-    Named("g", 1e-3, [0, 1, 0, 0, 0], true),
-    Named("s", 1.0, [0, 0, 1, 0, 0], true),
-    Named("K", 1.0, [0, 0, 0, 1, 0], true),
-    Named("rad", 1.0, [0, 0, 0, 0, 1], true),
-    Named("N", 1.0, [1, 1, -2, 0, 0], true),
-    Named("Pa", 1.0, [-1, 1, -2, 0, 0], true),
-    Named("J", 1.0, [2, 1, -2, 0, 0], true),
+    Named("m", 1.0, [1, 0, 0, 0, 0], &["p", "n", "u", "m", "c", "d", "k"]),
+    Named("g", 1e-3, [0, 1, 0, 0, 0], &["u", "m", "k"]),
+    Named("s", 1.0, [0, 0, 1, 0, 0], &["n", "u", "m"]),
+    Named("K", 1.0, [0, 0, 0, 1, 0], &["m", "k"]),
+    Named("rad", 1.0, [0, 0, 0, 0, 1], &["n", "u", "m"]),
+    Named("N", 1.0, [1, 1, -2, 0, 0], &["u", "m", "c", "d", "da", "k", "M", "G"]),
+    Named("Pa", 1.0, [-1, 1, -2, 0, 0], &["m", "h", "k", "M", "G", "T"]),
+    Named("J", 1.0, [2, 1, -2, 0, 0], &["n", "u", "m", "k", "M", "G"]),
     // The calorie of the International Table, as old handbooks of engineering have it.
-    Named("cal", 4.1868, [2, 1, -2, 0, 0], true),
-    Named("W", 1.0, [2, 1, -3, 0, 0], true),
-    Named("Hz", 1.0, [0, 0, -1, 0, 0], true),
-    Named("bar", 1e5, [-1, 1, -2, 0, 0], true),
-    Named("min", 60.0, [0, 0, 1, 0, 0], false),
-    Named("h", 3600.0, [0, 0, 1, 0, 0], false),
-    Named("deg", PI / 180.0, [0, 0, 0, 0, 1], false),
-    Named("°", PI / 180.0, [0, 0, 0, 0, 1], false),
-    Named("arcmin", PI / 10_800.0, [0, 0, 0, 0, 1], false),
-    Named("arcsec", PI / 648_000.0, [0, 0, 0, 0, 1], false),
-    Named("rev", 2.0 * PI, [0, 0, 0, 0, 1], false),
-    Named("rpm", PI / 30.0, [0, 0, -1, 0, 1], false),
-    Named("degC", 1.0, [0, 0, 0, 1, 0], false),
-    Named("°C", 1.0, [0, 0, 0, 1, 0], false),
-    Named("ppm", 1e-6, [0, 0, 0, 0, 0], false),
-    Named("%", 1e-2, [0, 0, 0, 0, 0], false),
-    Named("l", 1e-3, [3, 0, 0, 0, 0], true),
-    Named("L", 1e-3, [3, 0, 0, 0, 0], true),
+    Named("cal", 4.1868, [2, 1, -2, 0, 0], &["k"]),
+    Named("W", 1.0, [2, 1, -3, 0, 0], &["n", "u", "m", "k", "M"]),
+    Named("Hz", 1.0, [0, 0, -1, 0, 0], &["m", "k", "M", "G"]),
+    Named("bar", 1e5, [-1, 1, -2, 0, 0], &["u", "m"]),
+    Named("min", 60.0, [0, 0, 1, 0, 0], &[]),
+    Named("h", 3600.0, [0, 0, 1, 0, 0], &[]),
+    Named("deg", PI / 180.0, [0, 0, 0, 0, 1], &[]),
+    Named("°", PI / 180.0, [0, 0, 0, 0, 1], &[]),
+    Named("gon", PI / 200.0, [0, 0, 0, 0, 1], &["m"]),
+    Named("arcmin", PI / 10_800.0, [0, 0, 0, 0, 1], &[]),
+    Named("arcsec", PI / 648_000.0, [0, 0, 0, 0, 1], &[]),
+    Named("rev", 2.0 * PI, [0, 0, 0, 0, 1], &[]),
+    Named("rpm", PI / 30.0, [0, 0, -1, 0, 1], &[]),
+    Named("degC", 1.0, [0, 0, 0, 1, 0], &[]),
+    Named("°C", 1.0, [0, 0, 0, 1, 0], &[]),
+    Named("℃", 1.0, [0, 0, 0, 1, 0], &[]),
+    Named("ppm", 1e-6, [0, 0, 0, 0, 0], &[]),
+    Named("%", 1e-2, [0, 0, 0, 0, 0], &[]),
+    Named("l", 1e-3, [3, 0, 0, 0, 0], &["u", "m", "c", "d", "h"]),
+    Named("L", 1e-3, [3, 0, 0, 0, 0], &["u", "m", "c", "d", "h"]),
     // Numbers of hardness, each on a scale of its own.
-    Named("HV", 1.0, [0, 0, 0, 0, 0], false),
-    Named("HB", 1.0, [0, 0, 0, 0, 0], false),
-    Named("HBW", 1.0, [0, 0, 0, 0, 0], false),
-    Named("HRC", 1.0, [0, 0, 0, 0, 0], false),
-    Named("in", 0.0254, [1, 0, 0, 0, 0], false),
-    Named("kgf", 9.806_65, [1, 1, -2, 0, 0], false),
-    Named("lbf", 4.448_221_615_260_5, [1, 1, -2, 0, 0], false),
-    Named("psi", 6_894.757_293_168_361, [-1, 1, -2, 0, 0], false),
+    Named("HV", 1.0, [0, 0, 0, 0, 0], &[]),
+    Named("HB", 1.0, [0, 0, 0, 0, 0], &[]),
+    Named("HBW", 1.0, [0, 0, 0, 0, 0], &[]),
+    Named("HRC", 1.0, [0, 0, 0, 0, 0], &[]),
+    Named("in", 0.0254, [1, 0, 0, 0, 0], &[]),
+    Named("kgf", 9.806_65, [1, 1, -2, 0, 0], &[]),
+    Named("lbf", 4.448_221_615_260_5, [1, 1, -2, 0, 0], &[]),
+    Named("psi", 6_894.757_293_168_361, [-1, 1, -2, 0, 0], &[]),
 ];
 
 const PREFIXES: &[(&str, f64)] = &[
     ("p", 1e-12),
     ("n", 1e-9),
     ("u", 1e-6),
-    ("µ", 1e-6), // micro sign
-    ("μ", 1e-6), // Greek mu
     ("m", 1e-3),
     ("c", 1e-2),
     ("d", 1e-1),
@@ -72,7 +74,7 @@ pub(super) fn unit(text: &str) -> Result<Unit, UnitError> {
     if text.is_empty() {
         return Ok(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE });
     }
-    if matches!(text, "degC" | "°C") {
+    if matches!(text, "degC" | "°C" | "℃") {
         let dimension = Dimension::base([0, 0, 0, 1, 0]);
         return Ok(Unit { factor: 1.0, offset: CELSIUS_ZERO, dimension });
     }
@@ -117,9 +119,13 @@ impl Reader<'_> {
             }
             inner
         } else {
-            let end = self.rest.find(['*', '·', '/', '^', '(', ')', '²', '³', ' ']).unwrap_or(self.rest.len());
+            let end = self.rest.find(|c| MARKS.contains(&c) || c == ' ').unwrap_or(self.rest.len());
             let (name, rest) = self.rest.split_at(end);
-            let base = named(name).ok_or_else(|| self.unknown(name))?;
+            let base = match (named(name), spelling::meant(name)) {
+                (Some(base), _) => base,
+                (None, Some(own)) => unit(own)?,
+                (None, None) => return Err(self.unknown(name)),
+            };
             self.rest = rest;
             base
         };
@@ -178,8 +184,8 @@ impl Reader<'_> {
             return self.unexpected();
         }
         let error = UnitError::new(format!("`{name}` is no unit that is known here"));
-        if matches!(name, "C" | "F" | "degF" | "Celsius" | "celsius") {
-            return error.hint("temperatures are in degC or K");
+        if let Some(help) = spelling::doubt(name) {
+            return error.hint(help);
         }
         // Every other name is a neighbour of a single letter.
         match nearest(name).filter(|_| name.chars().count() > 1) {
@@ -205,9 +211,12 @@ fn named(name: &str) -> Option<Unit> {
     if let Some(unit) = UNITS.iter().find(|u| u.0 == name) {
         return Some(plain(unit.1, unit.2));
     }
+    // Greek mu and the micro sign.
+    let micro = name.strip_prefix(['µ', 'μ']).map(|rest| ("u", rest));
     for (prefix, scale) in PREFIXES {
-        let Some(rest) = name.strip_prefix(prefix) else { continue };
-        if let Some(unit) = UNITS.iter().find(|u| u.3 && u.0 == rest) {
+        let rest = micro.filter(|(u, _)| u == prefix).map(|(_, rest)| rest);
+        let Some(rest) = rest.or_else(|| name.strip_prefix(prefix)) else { continue };
+        if let Some(unit) = UNITS.iter().find(|u| u.0 == rest && u.3.contains(prefix)) {
             return Some(plain(scale * unit.1, unit.2));
         }
     }
@@ -225,7 +234,7 @@ fn nearest(name: &str) -> Option<String> {
         return None;
     }
     let mut best: Option<((bool, usize), String)> = None;
-    let prefixed = UNITS.iter().filter(|u| u.3).flat_map(|u| PREFIXES.iter().map(move |p| format!("{}{}", p.0, u.0)));
+    let prefixed = UNITS.iter().flat_map(|u| u.3.iter().map(move |prefix| format!("{prefix}{}", u.0)));
     for candidate in UNITS.iter().map(|u| u.0.to_string()).chain(prefixed) {
         let other_letters = !candidate.eq_ignore_ascii_case(name);
         let distance = strsim::damerau_levenshtein(name, &candidate);
@@ -277,6 +286,10 @@ mod tests {
             ("J/kg/K", 1.0, "m^2·s^-2·K^-1"),
             ("in", 0.0254, "m"),
             ("kcal", 4186.8, "m^2·kg·s^-2"),
+            ("Grad", PI / 180.0, "rad"),
+            ("gon", PI / 200.0, "rad"),
+            ("U/min", PI / 30.0, "s^-1·rad"),
+            ("Nm/arcsec", 648_000.0 / PI, "m^2·kg·s^-2·rad^-1"),
             ("kgf", 9.80665, "m·kg·s^-2"),
             ("kgf/mm", 9806.65, "kg·s^-2"),
             ("kgf/mm^2", 9.80665e6, "m^-1·kg·s^-2"),
@@ -300,6 +313,9 @@ mod tests {
             ("kmh", ""),
             ("N/kN^n", ""),
             ("Um", "um"),
+            ("Gdeg", ""),
+            ("Grd", ""),
+            ("Tm", ""),
         ] {
             let error = Unit::parse(text).unwrap_err();
             assert!(error.hint.unwrap_or_default().contains(hint), "{text}");

@@ -8,7 +8,7 @@ use serde_json::{Value as Json, json};
 use super::bench::Bench;
 use super::refusal::Refusal;
 use super::session::Session;
-use crate::measure::{Decimal, Measurements, Preview, Reading, meant};
+use crate::measure::{Decimal, Measurements, Preview, Reading};
 use crate::model::ModelProcess;
 use crate::output::quoted;
 use crate::process::Process;
@@ -29,14 +29,13 @@ impl Previewed {
     /// # Errors
     /// It is no table.
     pub fn read(&self) -> Result<Json, Refusal> {
-        let own = Preview::of(&self.path)?;
+        let own = Preview::of(&self.path, self.process.as_ref().map(|own| &**own as &dyn Process), &Reading::default())?;
         let process = self.process.as_ref().filter(|_| own.count < MANY);
         let fits = process.map(|process| Measurements::load(&self.path, &**process).is_ok());
-        let meant = self.process.as_ref().map(|process| meant(&own.headings, &**process));
         Ok(json!({
             "file": self.name,
             "headings": own.headings,
-            "meant": meant,
+            "meant": self.process.as_ref().map(|_| own.meant),
             "rows": own.rows,
             "lines": own.count,
             "fits": fits,
@@ -53,6 +52,7 @@ impl Session {
         let mut next = self.now.clone();
         let stay = !next.files.is_empty() && next.files.iter().all(|own| names.contains(own));
         next.reading = said.unwrap_or_else(|| if stay { next.reading.clone() } else { Reading::default() });
+        next.reading = std::mem::take(&mut next.reading).over(next.model.as_ref().map_or(&Reading::default(), |own| &own.reading));
         let Some(model) = &next.model else {
             return Err(Refusal::new("no model is open", "open the model first: it says what its measurements are"));
         };

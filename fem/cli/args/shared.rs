@@ -50,6 +50,15 @@ pub struct Reading {
     /// The decimal mark, where a file could mean either; the other one groups thousands
     #[arg(long, value_name = "MARK")]
     pub decimal: Option<Mark>,
+    /// The line in which the headings stand; 0 where there are none
+    #[arg(long, value_name = "LINE")]
+    pub header: Option<usize>,
+    /// Take readings as they are typed, slips of the pen too
+    #[arg(long)]
+    pub as_typed: bool,
+    /// The sheet of a workbook
+    #[arg(long, value_name = "NAME")]
+    pub sheet: Option<String>,
 }
 
 /// A decimal mark.

@@ -43,5 +43,5 @@ pub fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
 /// A sheet of records that a reader has made of a file, in which its header stands at `place`.
 pub fn sheet(header: Vec<String>, place: Range<usize>, records: Records, told: Vec<String>) -> Sheet {
     // Numbers may have a decimal comma, as beside a semicolon.
-    Sheet { separator: ';', header, place, records, problems: Vec::new(), told }
+    Sheet { separator: ';', header, is_headed: true, place, records, problems: Vec::new(), told }
 }

@@ -19,7 +19,11 @@ const ALL: &[Instrument] = &[iso230_report::REPORT, qdas::QDAS, rtx::RTX];
 
 /// Reads the cells of an instrument's file; `None` where it is a table of columns, or nothing that is known here.
 pub fn read(source: &Source) -> Option<Result<Sheet, Problem>> {
-    let text = source.text.trim_start_matches('\u{feff}');
-    let instrument = ALL.iter().find(|instrument| (instrument.is_one)(text))?;
-    Some((instrument.read)(source))
+    find(&source.text).map(|instrument| (instrument.read)(source))
+}
+
+/// The instrument that wrote a text, if it is no table of columns.
+pub fn find(text: &str) -> Option<&'static Instrument> {
+    let text = text.trim_start_matches('\u{feff}');
+    ALL.iter().find(|instrument| (instrument.is_one)(text))
 }

@@ -8,6 +8,7 @@ use super::layout::Layout;
 use super::system::Whole;
 use super::test::{Campaign, Test, origins};
 use crate::input::{Kept, Name, Parameter, Problem, Source, numbered};
+use crate::measure::Reading;
 use crate::model::odds::OwnOdds;
 use crate::model::tables::Tables;
 use crate::model::{Model, ModelProcess, Together, places};
@@ -58,6 +59,7 @@ impl Model {
             together: Together::default(),
             largest_change: None,
             settings: Vec::new(),
+            reading: Reading::default(),
             entered: HashMap::new(),
             files: Vec::new(),
             kept: Kept::default(),

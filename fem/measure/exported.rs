@@ -1,0 +1,75 @@
+//! Files as instruments, spreadsheets and laboratories export them, made into text with a line for each row.
+
+use std::path::Path;
+
+use super::instrument::{self, text_of_rtx};
+use super::reading::Reading;
+use super::{layout, workbook};
+use crate::input::{InputError, Source};
+
+/// Largest measurement file, bytes: some ten million rows.
+const LARGEST_FILE: u64 = 500_000_000;
+
+/// A file as text, with what was made of it.
+#[derive(Clone, Debug)]
+pub struct Exported {
+    /// The text.
+    pub source: Source,
+    /// How it was read where it is not text as the program writes it.
+    pub told: Vec<String>,
+    /// Whether the separators of its columns are not the file's own.
+    pub is_parted: bool,
+}
+
+/// Opens a file.
+///
+/// # Errors
+/// It cannot be read, is too large, or is nothing that is known here.
+pub fn open(path: &Path, said: &Reading) -> Result<Exported, InputError> {
+    let mut told = Vec::new();
+    let mut is_workbook = false;
+    let binary = |bytes: &[u8]| {
+        let workbook = workbook::text(bytes, said, &mut told);
+        is_workbook = workbook.is_some();
+        workbook.or_else(|| text_of_rtx(bytes))
+    };
+    let (source, encoding) = Source::read_exported(path, LARGEST_FILE, binary)?;
+    told.extend(encoding.map(|name| format!("text in {name}")));
+    let exported = of_text(source);
+    told.extend(exported.told);
+    Ok(Exported { told, is_parted: is_workbook || exported.is_parted, ..exported })
+}
+
+/// Makes plain text of a text: line ends of old machines become those of today's, and columns that blanks part are parted
+/// by tabs. Lines stay lines.
+pub fn of_text(source: Source) -> Exported {
+    let Source { name, mut text } = source;
+    let mut told = Vec::new();
+    if has_lone_returns(&text) {
+        text = with_line_ends(&text).into();
+    }
+    let parted = if instrument::find(&text).is_none() { layout::of_blanks(&text) } else { None };
+    let is_parted = parted.is_some();
+    if let Some(parted) = parted {
+        told.push("columns parted by blanks".into());
+        text = parted.into();
+    }
+    Exported { source: Source { name, text }, told, is_parted }
+}
+
+/// Whether a carriage return stands without a line feed behind it.
+fn has_lone_returns(text: &str) -> bool {
+    let bytes = text.as_bytes();
+    bytes.iter().enumerate().any(|(i, byte)| *byte == b'\r' && bytes.get(i + 1) != Some(&b'\n'))
+}
+
+fn with_line_ends(text: &str) -> String {
+    let mut written = String::with_capacity(text.len());
+    for (i, piece) in text.split('\r').enumerate() {
+        if i > 0 {
+            written.push(if piece.starts_with('\n') { '\r' } else { '\n' });
+        }
+        written.push_str(piece);
+    }
+    written
+}
