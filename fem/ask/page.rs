@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::{Error, compare_all, completed, refuse_mixed, run};
+use super::{Error, compare_all, completed, fit, fitted, refuse_mixed, run};
 use crate::diagnose::{Diagnosis, thinned};
 use crate::discover::diagnose;
 use crate::knowledge::Band;
@@ -60,7 +60,6 @@ impl Page<'_> {
         let Some(model) = models.last() else {
             return Ok(Made { html: String::new(), notes: Vec::new(), files: Vec::new() });
         };
-        let is_known = models.iter().all(|m| m.require_values().is_ok());
         let files = named.iter().map(|path| (path.display().to_string(), hash(path))).collect();
         let Some(measurements) = measurements else {
             model.require_part()?;
@@ -68,13 +67,15 @@ impl Page<'_> {
             let subject = Subject { models, run: Some(RunAnswer(model, &found, band.as_ref())), evidence: None, files };
             return Ok(Made { html: page(&subject, live), notes: Vec::new(), files: named });
         };
-        let (comparisons, measurements) = match is_known {
-            true => compare_all(models, measurements, progress, |_, comparison| comparison)?,
-            false => (Vec::new(), measurements),
+        let (settled, measurements, fits) = settled(models, measurements, progress)?;
+        let (comparisons, measurements) = match &settled {
+            Some(settled) => compare_all(settled, measurements, progress, |_, comparison| comparison)?,
+            None => (Vec::new(), measurements),
         };
         let all = Data::of(model, measurements).map_err(|error| Error::of_data(error, model))?;
         let all = all.watched(progress.clone());
         let mut notes = all.notes_of_fit();
+        notes.extend(fits);
         let some = thinned(&all);
         if let Some(some) = &some {
             notes.push(format!("{} of {} rows were used for the diagnosis, evenly chosen", some.len(), all.len()));
@@ -96,6 +97,40 @@ impl Page<'_> {
         let subject = Subject { models, run: best, evidence: Some(evidence), files };
         Ok(Made { html: page(&subject, live), notes, files: named })
     }
+}
+
+/// Models whose unknown values were estimated from the measurements, which come back, so that all can be compared, and notes
+/// that say so; `None` in their place where measurements do not tell a value.
+fn settled(
+    models: &[Model],
+    mut measurements: Measurements,
+    progress: &Arc<Progress>,
+) -> Result<(Option<Vec<Model>>, Measurements, Vec<String>), Error> {
+    let (mut all, mut notes) = (Vec::new(), Vec::new());
+    for model in models {
+        let unknown = model.unknown();
+        if unknown.is_empty() {
+            all.push(model.clone());
+            continue;
+        }
+        let name = &model.source.name;
+        let data = Data::of(model, measurements).map_err(|error| Error::of_data(error, model))?;
+        let data = data.watched(progress.clone());
+        let found = fit(&data).and_then(|found| fitted(&data, &found)).ok().filter(|m| m.require_values().is_ok());
+        notes.push(match &found {
+            Some(_) => {
+                format!("{name} leaves {} open (`?`): it is compared as fitted to these rows", unknown.join(", "))
+            }
+            None => format!(
+                "{name} leaves {} open (`?`), and these rows do not tell it: models are not compared",
+                unknown.join(", ")
+            ),
+        });
+        measurements = data.into_measurements();
+        all.extend(found);
+    }
+    let settled = (all.len() == models.len()).then_some(all);
+    Ok((settled, measurements, notes))
 }
 
 /// The model with what was missing, and its run; `None` where values stay open or nothing was found.

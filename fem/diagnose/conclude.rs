@@ -12,7 +12,7 @@ use super::diagnosis::{Diagnosis, Missing};
 use super::failure::unsolvable;
 use super::few_places::few_places;
 use super::hypothesis::Hypothesis;
-use super::largest_change::LargestChange;
+use super::largest_change::{LargestChange, Tangent};
 use super::lead;
 use super::model_average::Others;
 use super::null_distribution::{MaxStatistic, Variance, variance};
@@ -264,6 +264,7 @@ fn missing(
     // A thousand searches, the same for every change that is told.
     let of_changes = LazyCell::new(|| null_of_changes(found, best, variance));
     let others = Others::beside(found, best);
+    let tangent = Tangent::of(best);
     let widened = |mut estimate: Estimate| {
         if let Some(others) = &others {
             others.widen(&mut estimate, best);
@@ -306,7 +307,7 @@ fn missing(
                 let own = fit.estimates.iter().filter(|e| own_paths.contains(&e.parameter.path));
                 own.cloned().map(&widened).collect()
             },
-            largest_change: LargestChange::of_member(found, best, last),
+            largest_change: LargestChange::of_member(found, best, last, tangent.as_ref()),
             indistinguishable_from: own.map_or(Vec::new(), |p| {
                 p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()
             }),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::time::SystemTime;
 
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
-use encoding_rs::{Encoding, WINDOWS_1252};
+use encoding_rs::{BIG5, EUC_JP, Encoding, GBK, SHIFT_JIS, WINDOWS_1250, WINDOWS_1251, WINDOWS_1252};
 
 use super::{InputError, Problem, Source};
 
@@ -22,7 +22,7 @@ impl Source {
     }
 
     /// Reads a table as an instrument or a spreadsheet writes it, of at most `limit` bytes: UTF-8; UTF-16 with a byte
-    /// order mark; else a code page, by the letters that stand in it. `binary` makes a text of the bytes of files that hold
+    /// order mark; else a code page, by the letters that stand in it and the words that are `understood` then. `binary` makes a text of the bytes of files that hold
     /// more than text, as far as it knows them. Gives the name of a code page other than the western one too.
     ///
     /// # Errors
@@ -31,10 +31,11 @@ impl Source {
         path: &Path,
         limit: u64,
         binary: impl FnOnce(&[u8]) -> Option<Result<String, Problem>>,
+        understood: impl Fn(&str) -> usize,
     ) -> Result<(Self, Option<&'static str>), InputError> {
         let mut name = None;
         let source = Self::decoded(path, limit, binary, |e| {
-            let encoding = code_page(e.as_bytes());
+            let encoding = code_page(e.as_bytes(), understood);
             name = (encoding != WINDOWS_1252).then(|| encoding.name());
             // The mark of UTF-16 is heeded.
             let text = encoding.decode(e.as_bytes()).0.into_owned();
@@ -66,19 +67,36 @@ impl Source {
 }
 
 /// The code page of a text that is not UTF-8. Signs of units stand alike in western, Greek and Cyrillic ones, so that a text
-/// without other letters is western; else frequencies of letters tell.
-fn code_page(bytes: &[u8]) -> &'static Encoding {
-    let is_sign = |byte: &u8| byte.is_ascii() || matches!(byte, 0xA0 | 0xB0 | 0xB1 | 0xB2 | 0xB3 | 0xB5 | 0xB7 | 0xD8 | 0xF8);
+/// without other letters is western; else the words that are understood tell, and where they do not, frequencies of letters.
+fn code_page(bytes: &[u8], understood: impl Fn(&str) -> usize) -> &'static Encoding {
+    let is_sign =
+        |byte: &u8| byte.is_ascii() || matches!(byte, 0xA0 | 0xB0 | 0xB1 | 0xB2 | 0xB3 | 0xB5 | 0xB7 | 0xD8 | 0xF8);
     let has_mark = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF");
-    if has_mark || bytes.iter().all(is_sign) {
+    if has_mark {
         return WINDOWS_1252;
     }
     let mut detector = EncodingDetector::new(Iso2022JpDetection::Deny);
-    // Numbers tell nothing of a language.
-    let judged = &bytes[..bytes.len().min(LONGEST_JUDGED)];
-    detector.feed(judged, true);
-    detector.guess(None, Utf8Detection::Deny)
+    detector.feed(&bytes[..bytes.len().min(LONGEST_JUDGED)], true);
+    let by_letters = || detector.guess(None, Utf8Detection::Deny);
+    let likely = if bytes.iter().all(is_sign) { WINDOWS_1252 } else { by_letters() };
+    let head = &bytes[..bytes.len().min(LONGEST_HEAD)];
+    let words = |encoding: &'static Encoding| understood(&encoding.decode_without_bom_handling(head).0);
+    let others = CODE_PAGES.iter().copied().filter(|page| *page != likely);
+    let mut best = (words(likely), likely);
+    for page in others {
+        let found = words(page);
+        if found > best.0 {
+            best = (found, page);
+        }
+    }
+    best.1
 }
+
+/// Code pages of the languages whose words are known.
+const CODE_PAGES: &[&Encoding] = &[WINDOWS_1252, WINDOWS_1250, WINDOWS_1251, GBK, SHIFT_JIS, BIG5, EUC_JP];
+
+/// Bytes at the beginning in which words are looked for.
+const LONGEST_HEAD: usize = 10_000;
 
 /// Bytes by which a code page is found.
 const LONGEST_JUDGED: usize = 1_000_000;

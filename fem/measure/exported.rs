@@ -4,7 +4,8 @@ use std::path::Path;
 
 use super::instrument::{self, text_of_rtx};
 use super::reading::Reading;
-use super::{layout, workbook};
+use super::sheet::Parted;
+use super::{layout, lexicon, workbook};
 use crate::input::{InputError, Source};
 
 /// Largest measurement file, bytes: some ten million rows.
@@ -17,8 +18,8 @@ pub struct Exported {
     pub source: Source,
     /// How it was read where it is not text as the program writes it.
     pub told: Vec<String>,
-    /// Whether the separators of its columns are not the file's own.
-    pub is_parted: bool,
+    /// Who parted its columns.
+    pub parted: Parted,
 }
 
 /// Opens a file.
@@ -33,11 +34,11 @@ pub fn open(path: &Path, said: &Reading) -> Result<Exported, InputError> {
         is_workbook = workbook.is_some();
         workbook.or_else(|| text_of_rtx(bytes))
     };
-    let (source, encoding) = Source::read_exported(path, LARGEST_FILE, binary)?;
+    let (source, encoding) = Source::read_exported(path, LARGEST_FILE, binary, lexicon::count)?;
     told.extend(encoding.map(|name| format!("text in {name}")));
     let exported = of_text(source);
     told.extend(exported.told);
-    Ok(Exported { told, is_parted: is_workbook || exported.is_parted, ..exported })
+    Ok(Exported { told, parted: if is_workbook { Parted::Workbook } else { exported.parted }, ..exported })
 }
 
 /// Makes plain text of a text: line ends of old machines become those of today's, and columns that blanks part are parted
@@ -49,12 +50,12 @@ pub fn of_text(source: Source) -> Exported {
         text = with_line_ends(&text).into();
     }
     let parted = if instrument::find(&text).is_none() { layout::of_blanks(&text) } else { None };
-    let is_parted = parted.is_some();
+    let by = if parted.is_some() { Parted::Blanks } else { Parted::File };
     if let Some(parted) = parted {
         told.push("columns parted by blanks".into());
         text = parted.into();
     }
-    Exported { source: Source { name, text }, told, is_parted }
+    Exported { source: Source { name, text }, told, parted: by }
 }
 
 /// Whether a carriage return stands without a line feed behind it.

@@ -150,7 +150,8 @@ impl Absence<'_> {
         let either = observed.join(" or ");
         let columns: Vec<&str> =
             Some(&*either).filter(|_| self.observed).into_iter().chain(names.iter().map(String::as_str)).collect();
-        let (article, which) = if columns.len() == 1 { ("a column", "which one it is") } else { ("columns", "which they are") };
+        let (article, which) =
+            if columns.len() == 1 { ("a column", "which one it is") } else { ("columns", "which they are") };
         Some(Problem::new(message).help(format!(
             "{}add {article} {}, or say {which}: --columns '{}'; `fem effects {}` lists all names",
             meant.unwrap_or_default(),

@@ -73,7 +73,8 @@ fn under_groups(upper: &[String], lower: &[String], vocabulary: Vocabulary, said
         let (name, unit) = parts(own, |_| false);
         let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
         let whole = format!("{name} {group}{unit}");
-        let means_more = || Heading::read(&whole, vocabulary, &[]).is_ok_and(|own| worded::read(&own, vocabulary).is_some());
+        let means_more =
+            || Heading::read(&whole, vocabulary, &[]).is_ok_and(|own| worded::read(&own, vocabulary).is_some());
         all.push(match own.is_empty() {
             true if is_understood(above, vocabulary, said) => above.clone(),
             false if said.of(own).is_none() && means_more() => whole,

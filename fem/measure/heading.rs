@@ -108,14 +108,19 @@ impl Heading {
             format!("@{}={}", vocabulary.coordinates[own.coordinate].name, value.trim_end())
         };
         let places: String = self.at.iter().map(place).collect();
-        if self.unit.is_empty() { format!("{}{places}", self.name) } else { format!("{}{places} [{}]", self.name, self.unit) }
+        if self.unit.is_empty() {
+            format!("{}{places}", self.name)
+        } else {
+            format!("{}{places} [{}]", self.name, self.unit)
+        }
     }
 
     /// Note on how it was read, where it is not written so; `None` where it is.
-    pub fn note(&self) -> Option<String> {
-        let name = self.cell();
-        (self.is_known && self.at.is_empty() && plainly(&self.written) != plainly(&name))
-            .then(|| format!("`{}` as {name}", self.written))
+    pub fn note(&self, vocabulary: Vocabulary) -> Option<String> {
+        let whole = self.whole(vocabulary);
+        // A place behind a name is written by whoever knows the program's form.
+        let is_own = plainly(&self.written) == plainly(&whole) || (!self.at.is_empty() && self.written.contains('@'));
+        (self.is_known && !is_own).then(|| format!("`{}` as {whole}", self.written))
     }
 }
 
@@ -150,7 +155,7 @@ pub fn parts(cell: &str, is_known: impl Fn(&str) -> bool) -> (&str, &str) {
 
 /// Whether a text is a unit, and not a number: a file of whole numbers has no units in its first row.
 pub fn is_unit(text: &str) -> bool {
-    text.contains(|c: char| c.is_alphabetic() || c == '°') && Unit::parse(text).is_ok()
+    text.contains(|c: char| c.is_alphabetic() || matches!(c, '°' | '℃')) && Unit::parse(text).is_ok()
 }
 
 /// Reads `x=12 mm` in a heading.

@@ -224,8 +224,9 @@ pub fn of_blanks(text: &str) -> Option<String> {
     };
     let is_row = |line: &str| {
         let tells = |token: &str| is_number(token) || Moment::parse(token).is_some() || words::is_label(token);
-        let mut tokens = line.split_whitespace().peekable();
-        !line.contains([';', '\t']) && tokens.peek().is_some() && tokens.all(tells) && line.contains(is_digit)
+        let count = line.split_whitespace().count();
+        let told = line.split_whitespace().filter(|token| tells(token)).count();
+        !line.contains([';', '\t']) && told > 1 && 3 * told >= 2 * count && line.contains(is_digit)
     };
     let count = |line: &str| line.split_whitespace().count();
     let rows = || text.lines().filter(|line| !line.starts_with('#')).skip(1).take(MOST_ABOVE + JUDGED);

@@ -1,5 +1,7 @@
 //! Headings in other languages: German, French, Italian, Spanish, Polish, Czech, Russian, Chinese, Japanese.
 
+use std::collections::BTreeSet;
+
 use super::vocabulary::Vocabulary;
 
 /// What a heading may be called, by the columns that it then is: of those a process knows one, or the word tells nothing.
@@ -45,13 +47,30 @@ const SAME: &[(&[&str], &[&str])] = &[
             "положение",
             "позиция",
             "位置",
+            "soll",
             "sollposition",
+            "zielposition",
             "position_commandee",
+            "position_cible",
+            "position_theorique",
+            "consigne",
+            "posizione_comandata",
+            "posizione_nominale",
+            "posicion_nominal",
+            "posicion_programada",
+            "pozycja_zadana",
+            "zadana_poloha",
+            "заданное_положение",
+            "заданная_позиция",
+            "目标位置",
+            "指令位置",
+            "目標位置",
         ],
     ),
     (
         &["actual_position"],
         &[
+            "ist",
             "istposition",
             "position_reelle",
             "posizione_reale",
@@ -265,6 +284,15 @@ const ACCENTS: &[(&str, char)] = &[
 pub fn folded(word: &str) -> String {
     let letter = |c: char| ACCENTS.iter().find(|(all, _)| all.contains(c)).map_or(c, |(_, plain)| *plain);
     word.to_lowercase().replace('ß', "ss").chars().map(letter).collect()
+}
+
+/// Number of different words in a text that mean columns in some language.
+pub fn count(text: &str) -> usize {
+    let is_between = |c: char| !(c.is_alphabetic() || c == '_' || c == ' ');
+    let text = folded(text);
+    let name = |cell: &str| cell.split(" in ").next().unwrap_or_default().trim().replace(' ', "_");
+    let cells: BTreeSet<String> = text.split(is_between).map(name).collect();
+    cells.iter().filter(|cell| SAME.iter().any(|(_, words)| words.contains(&&***cell))).count()
 }
 
 /// The column of a process that a word of another language means; `None` where the process knows none of those, or several.

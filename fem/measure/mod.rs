@@ -28,9 +28,9 @@ mod table;
 mod thin;
 mod vocabulary;
 mod wide;
-mod workbook;
 mod worded;
 mod words;
+mod workbook;
 
 pub use decimal::Decimal;
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};

@@ -51,7 +51,8 @@ impl Preview {
     /// It cannot be read, or is no table.
     pub fn of(path: &Path, process: Option<&dyn Process>, said: &Reading) -> Result<Self, InputError> {
         let file = exported::open(path, said)?;
-        let sheet = instrument::read(&file.source).unwrap_or_else(|| sheet::read(&file, said.headings));
+        let sheet =
+            instrument::read(&file.source).unwrap_or_else(|| sheet::read(&file.source, file.parted, said.headings));
         let mut sheet = sheet.map_err(|problem| InputError::one(file.source.clone(), problem))?;
         let vocabulary = process.map(Vocabulary::of);
         if let Some(vocabulary) = vocabulary {

@@ -15,7 +15,7 @@ use super::vocabulary::{MeasuredObservable, Purpose, Vocabulary};
 use super::{MeasuredFile, Measurements, Ordinals};
 use crate::input::{InputError, Problem, Source, number};
 use crate::process::{Absent, Holds, Process, Rows, Values};
-use crate::units::Unit;
+use crate::units::{ANGLE, FEED_RATE, FORCE, Kind, LENGTH, TEMPERATURE, TIME, Unit};
 
 impl Measurements {
     /// Reads a file of measurements of `process`.
@@ -99,6 +99,9 @@ fn read(file: Exported, process: &dyn Process, purpose: Purpose, said: &Reading)
     if !problems.is_empty() {
         return Err(refuse(problems));
     }
+    if let Some(problem) = builder.far_out() {
+        return Err(refuse(vec![of_header(problem)]));
+    }
     let left_out = unobserved(&builder.left_out);
     let mut measurements = builder.measurements;
     measurements.name = source.name.to_string();
@@ -124,6 +127,10 @@ fn read(file: Exported, process: &dyn Process, purpose: Purpose, said: &Reading)
 
 /// Rows above which a note tells what they may take: each some 80 bytes with two coordinates, 170 with eight.
 const MANY: usize = 6_000_000;
+
+/// Where coordinates of a kind end, SI: more than any machine, part or test has.
+const FARTHEST: &[(Kind, f64)] =
+    &[(ANGLE, 1e6), (LENGTH, 1e7), (TIME, 1e10), (FORCE, 1e10), (TEMPERATURE, 1e5), (FEED_RATE, 1e5)];
 
 /// Most lines that a note lists.
 const MOST_LINES: usize = 10;
@@ -219,6 +226,22 @@ impl<'a> Builder<'a> {
             table.lines.push(line as usize);
         }
         Ok(())
+    }
+
+    /// The problem of a coordinate that reaches where no machine and no test does.
+    fn far_out(&self) -> Option<Problem> {
+        let table = &self.measurements;
+        self.vocabulary.coordinates.iter().zip(&table.rows.columns).enumerate().find_map(|(i, (own, values))| {
+            let kind = own.holds.kind().filter(|_| table.given.contains(&i))?;
+            let most = FARTHEST.iter().find(|(of, _)| of.canonical().dimension == kind.canonical().dimension)?.1;
+            let largest = values.iter().fold(0.0f64, |most, v| if v.abs() > most { v.abs() } else { most });
+            let told = || {
+                let (name, reached) = (&own.name, kind.format(largest));
+                Problem::new(format!("`{name}` goes up to {reached}: is its unit right?"))
+                    .help(format!("write the unit that it has: {name} [{}]", kind.unit))
+            };
+            (largest > most).then(told)
+        })
     }
 
     /// Reads the observed values of a record; empty cells observe nothing. A design asks for none.

@@ -106,12 +106,19 @@ impl Reading {
 
     /// Whether nothing is said.
     pub fn says_nothing(&self) -> bool {
-        !self.as_typed && self.decimal.is_none() && self.headings.is_none() && self.sheet.is_none() && self.columns.is_empty()
+        !self.as_typed
+            && self.decimal.is_none()
+            && self.headings.is_none()
+            && self.sheet.is_none()
+            && self.columns.is_empty()
     }
 
     /// What a model keeps, as if somebody had said it now.
     pub(super) fn kept_as_said(&self) -> Option<Self> {
-        self.kept.as_ref().filter(|_| self.headings.is_none()).map(|kept| Self { headings: kept.headings, ..self.clone() })
+        self.kept
+            .as_ref()
+            .filter(|_| self.headings.is_none())
+            .map(|kept| Self { headings: kept.headings, ..self.clone() })
     }
 
     /// The same for one of several files, which may lack some of the headings, or for a single one.

@@ -6,16 +6,27 @@ use std::ops::Range;
 use csv::StringRecord;
 
 use super::alike::Alike;
-use super::exported::Exported;
+use super::heading;
 use super::layout::{self, SEPARATORS};
 use super::records::{LARGEST_TEXT, Records, csv_builder};
-use crate::input::{Problem, line_at, no_csv};
+use crate::input::{Problem, Source, line_at, no_csv};
 
 /// Rows of other lengths after which nothing more is read.
 const MOST_RAGGED: usize = 10_000;
 
 /// Most columns of a file: more are lines that were joined.
 const MOST_COLUMNS: usize = 1000;
+
+/// Who parted the columns of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parted {
+    /// The file.
+    File,
+    /// The program, where the file has blanks.
+    Blanks,
+    /// The program, for a sheet of a workbook: rows end with their last cell that has something.
+    Workbook,
+}
 
 /// Header and records of a file.
 #[derive(Debug)]
@@ -41,8 +52,8 @@ pub struct Sheet {
 ///
 /// # Errors
 /// It is no table, or longer than can be read.
-pub fn read(file: &Exported, headings: Option<Option<usize>>) -> Result<Sheet, Problem> {
-    let whole = &file.source.text;
+pub fn read(source: &Source, parted: Parted, headings: Option<Option<usize>>) -> Result<Sheet, Problem> {
+    let whole = &source.text;
     let text = whole.strip_prefix('\u{feff}').unwrap_or(whole);
     let (said, text) = said_separator(text);
     let skipped = whole.len() - text.len();
@@ -53,7 +64,8 @@ pub fn read(file: &Exported, headings: Option<Option<usize>>) -> Result<Sheet, P
     let headings = headings.map(|line| line.map(|own| own - whole[..skipped].matches('\n').count().min(own)));
     let layout = layout::find(text, said, headings);
     if layout.columns > MOST_COLUMNS {
-        let problem = Problem::new(format!("the header has {} columns; at most {MOST_COLUMNS} are read", layout.columns));
+        let problem =
+            Problem::new(format!("the header has {} columns; at most {MOST_COLUMNS} are read", layout.columns));
         return Err(problem.help("has the file lost its line ends? leave out columns that are not needed"));
     }
     let separator = layout.separator;
@@ -62,7 +74,7 @@ pub fn read(file: &Exported, headings: Option<Option<usize>>) -> Result<Sheet, P
         None => ((1..=layout.columns).map(|number| number.to_string()).collect(), line_at(text, layout.begin, skipped)),
     };
     let mut told: Vec<String> = match separator {
-        _ if file.is_parted => Vec::new(),
+        _ if parted != Parted::File => Vec::new(),
         ';' => vec!["columns parted by semicolons".into()],
         '\t' => vec!["columns parted by tabs".into()],
         _ => Vec::new(),
@@ -90,7 +102,11 @@ pub fn read(file: &Exported, headings: Option<Option<usize>>) -> Result<Sheet, P
         match reader.read_record(&mut record) {
             Ok(false) => break,
             // Spreadsheets part empty cells behind the last that has something.
-            Ok(true) if record.len() == columns || is_padded(&record, &sheet.header) => {
+            Ok(true)
+                if record.len() == columns
+                    || is_padded(&record, &sheet.header)
+                    || (parted == Parted::Workbook && !is_prose(&record, columns)) =>
+            {
                 sheet.records.push(begin + byte(&record));
             }
             Ok(true) if is_rule(&record) => {}
@@ -118,12 +134,19 @@ impl Sheet {
     fn below(&mut self, ragged: &mut Vec<(Problem, bool)>) {
         let last = self.records.len().checked_sub(1).map_or(0, |last| self.records.place(last).end);
         let is_below = |problem: &Problem| problem.span.as_ref().is_some_and(|span| span.start >= last);
-        let begins = ragged.iter().rposition(|(problem, is_text)| !is_text || !is_below(problem)).map_or(0, |at| at + 1);
+        let begins =
+            ragged.iter().rposition(|(problem, is_text)| !is_text || !is_below(problem)).map_or(0, |at| at + 1);
         let Some(first) = ragged.get(begins).and_then(|(problem, _)| problem.span.clone()) else { return };
         let line = 1 + self.records.text()[..first.start].matches('\n').count();
         self.told.push(format!("what stands below the table left out, from line {line} on"));
         ragged.truncate(begins);
     }
+}
+
+/// Whether a record is shorter than the header and holds words alone, as what stands below a table.
+fn is_prose(record: &StringRecord, columns: usize) -> bool {
+    record.len() > columns
+        || record.iter().all(|cell| cell.is_empty() || !layout::is_value(cell) && !heading::is_unit(cell))
 }
 
 /// Whether a record draws a line.

@@ -18,6 +18,10 @@ const NEAR: f64 = 3.0;
 const FEWEST: usize = 8;
 /// Most rows.
 const MOST: usize = 200_000;
+/// Rows on either side of a reading by which what is usual there is judged.
+const BESIDE: usize = 6;
+/// Rows on either side of a slip in which no other reading is far off.
+const NEARBY: usize = 3;
 /// Largest share of the rows that may be slips.
 const MOST_SHARE: f64 = 0.05;
 /// Ratio of the standard deviation of a normal distribution to its median absolute deviation.
@@ -36,11 +40,12 @@ pub struct Slip {
     pub what: &'static str,
 }
 
-/// What stands around a row of one series: its expected value, and the standard deviation of that in standard deviations of
-/// a row.
+/// A reading and what stands around it in its series: the value that is expected, and the standard deviation of their
+/// difference in standard deviations of a row.
 #[derive(Clone, Copy)]
 struct Around {
     row: usize,
+    observed: f64,
     value: f64,
     spread: f64,
 }
@@ -93,52 +98,82 @@ pub fn slips(
     if rows.len() < FEWEST || rows.len() > MOST {
         return Vec::new();
     }
+    let surroundings = |left: &[usize]| Surroundings::of(measurements, coordinates, left);
     let mut left = rows.clone();
     let mut found: Vec<Slip> = Vec::new();
-    loop {
-        let Some((around, scale)) = surroundings(measurements, coordinates, &left) else { return found };
-        let off = |own: &Around| (measurements.observed[own.row] - own.value) / (scale * own.spread);
-        let mut far: Vec<&Around> = around.iter().filter(|own| off(own).abs() > FAR).collect();
-        far.sort_unstable_by(|a, b| off(b).abs().total_cmp(&off(a).abs()));
-        // A slip takes its neighbours' surroundings with it: one at a time, and all are looked at anew.
-        let slip = far.iter().find_map(|own| {
-            let (text, factor) = typed(own.row)?;
-            let shift = own.value - measurements.observed[own.row];
-            let near = NEAR * scale * own.spread;
-            let (meant, what) = meant(&text, shift / factor, near / factor)?;
-            Some(Slip { row: own.row, typed: text, meant, what })
-        });
-        let Some(slip) = slip else { return found };
-        left.retain(|row| *row != slip.row);
-        found.push(slip);
-        if found.len() as f64 > MOST_SHARE * rows.len() as f64 {
-            // So many are no slips.
-            return Vec::new();
+    // A slip takes the surroundings of its neighbours with it: one at a time, and all are looked at anew.
+    'all: while let Some(here) = surroundings(&left) {
+        for own in here.far() {
+            let Some((text, factor)) = typed(own.row) else { continue };
+            let shift = own.value - own.observed;
+            let near = NEAR * here.scale * own.spread;
+            let Some((meant, what)) = meant(&text, shift / factor, near / factor) else { continue };
+            let others: Vec<usize> = left.iter().copied().filter(|row| *row != own.row).collect();
+            // A reading beside which others are as far off is one of them, and no slip.
+            let is_nearby = |other: &Around| other.row.abs_diff(own.row) <= NEARBY;
+            if surroundings(&others).is_none_or(|there| there.far().into_iter().any(is_nearby)) {
+                continue;
+            }
+            left = others;
+            found.push(Slip { row: own.row, typed: text, meant, what });
+            if found.len() as f64 > MOST_SHARE * rows.len() as f64 {
+                // So many are no slips.
+                return Vec::new();
+            }
+            continue 'all;
         }
+        break;
     }
+    found
 }
 
-/// What stands around each row along the coordinate along which rows follow each other best, and the standard deviation of
-/// a row there; `None` where they follow each other along none.
-fn surroundings(all: &Measurements, coordinates: &[Coordinate], rows: &[usize]) -> Option<(Vec<Around>, f64)> {
-    let along = (0..coordinates.len()).filter(|i| all.given.contains(i)).filter(|i| match coordinates[*i].holds {
-        Holds::Quantity(_) | Holds::Number(_) => true,
-        Holds::Word(_) => false,
-    });
-    let one = |i: usize| {
-        let around = along_one(all, rows, i);
-        if 2 * around.len() < rows.len().max(2 * FEWEST) {
-            return None;
-        }
-        let errors = around.iter().map(|own| ((all.observed[own.row] - own.value) / own.spread).abs());
-        let mut errors: Vec<f64> = errors.collect();
-        errors.sort_unstable_by(f64::total_cmp);
-        let scale = OF_MEDIAN * errors[errors.len() / 2];
-        let told = all.uncertainty.as_ref().map_or(0.0, |u| u[rows[0]]);
-        let scale = scale.max(told);
-        (scale > 0.0).then_some((around, scale))
-    };
-    along.filter_map(one).min_by(|a, b| a.1.total_cmp(&b.1))
+/// What stands around rows, along the coordinate along which they follow each other best.
+struct Surroundings {
+    around: Vec<Around>,
+    /// Standard deviation of a row, SI.
+    scale: f64,
+}
+
+impl Surroundings {
+    /// `None` where rows follow each other along no coordinate.
+    fn of(all: &Measurements, coordinates: &[Coordinate], rows: &[usize]) -> Option<Self> {
+        let is_one = |i: &usize| all.given.contains(i) && !matches!(coordinates[*i].holds, Holds::Word(_));
+        let one = |i: usize| {
+            let around = along_one(all, rows, i);
+            if 2 * around.len() < rows.len().max(2 * FEWEST) {
+                return None;
+            }
+            let errors = around.iter().map(|own| ((own.observed - own.value) / own.spread).abs());
+            let mut errors: Vec<f64> = errors.collect();
+            errors.sort_unstable_by(f64::total_cmp);
+            let told = all.uncertainty.as_ref().map_or(0.0, |u| u[rows[0]]);
+            let scale = (OF_MEDIAN * errors[errors.len() / 2]).max(told);
+            (scale > 0.0).then_some(Self { around, scale })
+        };
+        (0..coordinates.len()).filter(is_one).filter_map(one).min_by(|a, b| a.scale.total_cmp(&b.scale))
+    }
+
+    /// How far a reading is off, in its standard deviations.
+    fn off(&self, own: &Around) -> f64 {
+        ((own.observed - own.value) / (self.scale * own.spread)).abs()
+    }
+
+    /// How far others beside it are off: where readings jump about, as at a reversal, one that does is nothing unusual.
+    fn usual(&self, i: usize) -> f64 {
+        let from = i.saturating_sub(BESIDE);
+        let others = self.around[from..(i + BESIDE + 1).min(self.around.len())].iter().zip(from..);
+        let mut sizes: Vec<f64> = others.filter(|(_, j)| j.abs_diff(i) > 1).map(|(own, _)| self.off(own)).collect();
+        sizes.sort_unstable_by(f64::total_cmp);
+        sizes.get(sizes.len() / 2).copied().unwrap_or(0.0).max(1.0)
+    }
+
+    /// Readings that are far off, the farthest first.
+    fn far(&self) -> Vec<&Around> {
+        let is_far = |(i, own): &(usize, &Around)| self.off(own) > FAR * self.usual(*i);
+        let mut far: Vec<&Around> = self.around.iter().enumerate().filter(is_far).map(|(_, own)| own).collect();
+        far.sort_unstable_by(|a, b| self.off(b).total_cmp(&self.off(a)));
+        far
+    }
 }
 
 /// What stands around rows that differ in one coordinate alone, in its order.
@@ -172,26 +207,27 @@ fn along_one(all: &Measurements, rows: &[usize], coordinate: usize) -> Vec<Aroun
             let value = (1.0 - weight) * all.observed[a] + weight * all.observed[b];
             let spread = (1.0 + weight.powi(2) + (1.0 - weight).powi(2)).sqrt();
             if value.is_finite() && spread.is_finite() && spread < 4.0 {
-                around.push(Around { row: series[i], value, spread });
+                let observed = all.observed[series[i]];
+                around.push(Around { row: series[i], observed, value, spread });
             }
         }
     }
     around
 }
 
-/// What a typist may have meant that lies by `shift` from what is typed, within `near`; `None` where no slip does, or two
-/// do that mean different numbers.
+/// What a typist may have meant that lies by `shift` from what is typed, within `near`: the closest, and of those that are
+/// as close the commonest slip. `None` where no slip does.
 fn meant(typed: &str, shift: f64, near: f64) -> Option<(String, &'static str)> {
     let value: f64 = typed.parse().ok()?;
     let target = value + shift;
     let all = alternatives(typed, value);
-    let close = |(text, _): &&(String, &'static str)| {
-        text.parse::<f64>().is_ok_and(|own| own != value && (own - target).abs() <= near)
+    let off = |(text, what): (String, &'static str)| {
+        let own = text.parse::<f64>().ok().filter(|own| *own != value)?;
+        Some(((own - target).abs(), text, what)).filter(|(off, ..)| *off <= near)
     };
-    let mut fitting: Vec<&(String, &'static str)> = all.iter().filter(close).collect();
-    fitting.dedup_by(|a, b| a.0.parse::<f64>() == b.0.parse::<f64>());
-    // The first is the commonest slip.
-    fitting.first().map(|(text, what)| (text.clone(), *what))
+    // The first of equals.
+    let (_, text, what) = all.into_iter().filter_map(off).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some((text, what))
 }
 
 /// Numbers that one slip makes into what is typed, the commonest slips first.

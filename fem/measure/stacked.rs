@@ -60,8 +60,7 @@ pub fn stacked(
     if !blocks.iter().all(is_same) {
         return (headings, records);
     }
-    let shared: Vec<usize> =
-        (0..headings.len()).filter(|i| again.iter().all(|(_, all)| !all.contains(i))).collect();
+    let shared: Vec<usize> = (0..headings.len()).filter(|i| again.iter().all(|(_, all)| !all.contains(i))).collect();
     let mut long: Vec<Heading> = shared.iter().map(|i| headings[*i].clone()).collect();
     long.extend(fixed.iter().map(|i| Heading::made(&vocabulary.coordinates[*i].name, "")));
     long.extend(again.iter().map(|(_, all)| Heading { at: Vec::new(), ..headings[all[0]].clone() }));

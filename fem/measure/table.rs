@@ -13,7 +13,7 @@ use super::vocabulary::Vocabulary;
 use super::{actual, clock, decimal, header, header_rows, instrument, stacked, wide, worded, words};
 use crate::input::{Problem, did_you_mean};
 use crate::process::Holds;
-use crate::units::TIME;
+use crate::units::{TIME, plain_unit};
 
 /// Most readings of one sort that are told one by one.
 const MOST_TOLD: usize = 8;
@@ -53,7 +53,7 @@ pub fn read(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<T
 fn read_as(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<Table, Vec<Problem>> {
     let source = &file.source;
     let mut told = file.told.clone();
-    let sheet = instrument::read(source).unwrap_or_else(|| sheet::read(file, said.headings));
+    let sheet = instrument::read(source).unwrap_or_else(|| sheet::read(source, file.parted, said.headings));
     let mut sheet = sheet.map_err(|problem| vec![problem])?;
     header_rows::settle(&mut sheet, vocabulary, said);
     let place = sheet.place.clone();
@@ -74,7 +74,7 @@ fn read_as(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<Ta
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
         refused.add(clock::count(&mut sheet.records, column, heading, &mut notes));
     }
-    told.extend(bounded(headings.iter().filter_map(Heading::note).collect()));
+    told.extend(bounded(headings.iter().filter_map(|heading| heading.note(vocabulary)).collect()));
     let (headings, records) = stacked::stacked(headings, sheet.records, vocabulary, &mut told);
     let long = wide::lengthened(headings, records, vocabulary, &mut told);
     let (mut headings, mut records) = long.map_err(|problem| vec![of_header(problem)])?;
@@ -177,11 +177,12 @@ fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) ->
         return Ok(());
     }
     for (heading, cell) in headings.iter_mut().zip(&cells).filter(|(heading, cell)| heading.is_known && is_unit(cell)) {
-        if !heading.unit.is_empty() && heading.unit != *cell {
+        let cell = plain_unit(cell);
+        if !heading.unit.is_empty() && heading.unit != cell {
             let message = format!("`{}` is in {} by its heading, and in {cell} here", heading.name, heading.unit);
             return Err(Problem::new(message).help("keep one of the units").at(Some(sheet.records.place(0))));
         }
-        heading.unit = cell.to_string();
+        heading.unit = cell;
         // The unit stands elsewhere; the name alone may be as the program writes it.
         if heading.written == heading.name {
             heading.written = heading.cell();

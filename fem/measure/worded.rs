@@ -20,7 +20,8 @@ pub fn read(heading: &Heading, vocabulary: Vocabulary) -> Option<Heading> {
     }
     let unit = Unit::parse(&heading.unit).ok().filter(|_| !heading.unit.is_empty());
     let observable = found.observable.or_else(|| {
-        let measures = |i: &usize| Some(vocabulary.observables[*i].kind.canonical().dimension) == unit.map(|u| u.dimension);
+        let measures =
+            |i: &usize| Some(vocabulary.observables[*i].kind.canonical().dimension) == unit.map(|u| u.dimension);
         let mut all = (0..vocabulary.observables.len()).filter(measures);
         all.next().filter(|_| all.next().is_none())
     })?;
@@ -91,35 +92,4 @@ fn numbers(name: &str, vocabulary: Vocabulary) -> Option<usize> {
         coordinate.name == *name && matches!(coordinate.holds, Holds::Number(_))
     };
     vocabulary.coordinates.iter().position(is_own)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::processes;
-
-    #[test]
-    fn words_are_conditions_of_what_is_observed() {
-        let axis = processes::ALL.iter().find(|p| p.name() == "axis").unwrap();
-        let vocabulary = Vocabulary::of(*axis);
-        let told = |cell: &str| {
-            let heading = Heading::read(cell, vocabulary, &[]).unwrap();
-            let read = read(&heading, vocabulary)?;
-            let at = read.at.iter().map(|c| format!("@{}={}", vocabulary.coordinates[c.coordinate].name, c.value));
-            Some(read.name + &at.collect::<String>())
-        };
-        for (cell, expected) in [
-            ("Lauf 2 [um]", "deviation@run=2"),
-            ("Run2 / um", "deviation@run=2"),
-            ("Abweichung 3 [um]", "deviation@run=3"),
-            ("Abweichung vor [um]", "deviation@direction=+"),
-            ("Lauf 1 zurück [um]", "deviation@run=1@direction=-"),
-            ("прогон 4 назад [мкм]", "deviation@run=4@direction=-"),
-        ] {
-            assert_eq!(told(cell).as_deref(), Some(expected), "{cell}");
-        }
-        for cell in ["Lauf [um]", "Lauf 2 [N]", "Lauf 2 Lauf 3 [um]", "Bemerkung 2 [um]", "T1"] {
-            assert_eq!(told(cell), None, "{cell}");
-        }
-    }
 }

@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use nalgebra::DMatrix;
 
+use super::plausible::implausible;
 use super::{Model, terms};
 use crate::input::{InputError, Problem, Source};
 use crate::measure::{Measurements, Repeats, repeats};
@@ -52,6 +53,9 @@ impl<'m> Data<'m> {
         let rows = at_true_times(&measurements.rows, &model.measurement, time);
         let misplaced = model.system.misplaced(&rows);
         if misplaced.is_empty() {
+            if let Some(problem) = implausible(model, &measurements, &rows) {
+                return Err(InputError::one(Source::new(measurements.name.clone(), ""), problem));
+            }
             let data = Self::within(model, measurements);
             let refused = |problems| InputError::new(model.source.clone(), problems);
             let own = terms::resolved(model, &data, data.as_read()).map_err(refused)?;

@@ -42,9 +42,13 @@ pub fn kept(reading: &Reading) -> Edit {
 }
 
 fn of_table(table: &Reader) -> Reading {
-    let columns = table.text("columns", "what columns are, as `--columns` says it: Zeit=time [s],T1=temperature@x=12 mm");
+    let columns =
+        table.text("columns", "what columns are, as `--columns` says it: Zeit=time [s],T1=temperature@x=12 mm");
     let decimal = table.choice("decimal", "the decimal mark, where a file could mean either", MARKS).optional();
-    let header = table.count("header", "the line in which the headings stand; 0 where there are none").between(0, 1000).optional();
+    let header = table
+        .count("header", "the line in which the headings stand; 0 where there are none")
+        .between(0, 1000)
+        .optional();
     let sheet = table.text("sheet", "the sheet of a workbook");
     let headings = header.map(|line| (line > 0).then_some(line));
     let reading = Reading::new(columns.as_slice(), decimal).unwrap_or_else(|problem| {

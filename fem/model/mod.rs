@@ -13,6 +13,7 @@ mod named;
 mod odds;
 mod other_set;
 mod outline;
+mod plausible;
 mod process;
 mod recorded;
 mod require;
@@ -184,7 +185,10 @@ impl Model {
     fn of_tables(source: Source, tables: Tables, kept: Kept, recorded: &[Coordinate]) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
         let (
-            (process, (title, machine, system, effects, measurement, (odds, together, settings, largest_change, reading))),
+            (
+                process,
+                (title, machine, system, effects, measurement, (odds, together, settings, largest_change, reading)),
+            ),
             found,
         ) = Reader::of_file(tables.now(), source.folder(), &kept, Instead::default(), |model| {
             let process = ModelProcess::of(process, recorded, recorded::read(model, process, recorded));

@@ -21,6 +21,12 @@ impl Model {
         self.require(|place| !matches!(place, Place::Size(_)))
     }
 
+    /// Paths of the parameters that are unknown.
+    pub fn unknown(&self) -> Vec<String> {
+        let free = self.parameters.iter().filter(|p| p.quantity.knowledge == Knowledge::Free);
+        free.map(|p| p.path.to_string()).collect()
+    }
+
     fn require(&self, is_needed: impl Fn(&Place) -> bool) -> Result<(), InputError> {
         let all = self.parameters.iter().zip(&self.places);
         let free = all.filter(|(p, place)| p.quantity.knowledge == Knowledge::Free && is_needed(place));

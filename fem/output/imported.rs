@@ -53,7 +53,10 @@ impl ImportAnswer<'_> {
         let sentence = format!("read as {}: {} {rows} of {}", process.name(), taken.len(), observed.join(" and "));
         let notes = taken.notes.iter().map(|note| Block::Paragraph(note.clone()));
         let keep = self.command(process, " -o measured.csv");
-        let commands = vec![keep, "# with a model: fem import FILE --model MODEL.toml --keep NEW.toml keeps the options in it".into()];
+        let commands = vec![
+            keep,
+            "# with a model: fem import FILE --model MODEL.toml --keep NEW.toml keeps the options in it".into(),
+        ];
         let after = [Block::Heading("to go on".into()), Block::Commands(commands)];
         std::iter::once(Block::Sentence(sentence)).chain(notes).chain(after).collect()
     }
@@ -85,7 +88,9 @@ impl Answer for ImportAnswer<'_> {
             Column::remark("first rows", widest(&|i| self.cells(i))),
             Column::remark("read as", widest(&|i| self.meant(i))),
         ];
-        let named = |i: usize| !preview.headings[i].is_empty() || preview.rows.iter().any(|row| row.get(i).is_some_and(|c| !c.is_empty()));
+        let named = |i: usize| {
+            !preview.headings[i].is_empty() || preview.rows.iter().any(|row| row.get(i).is_some_and(|c| !c.is_empty()))
+        };
         let rows = all.clone().filter(|i| named(*i));
         let row = |i: usize| [preview.headings[i].clone(), self.cells(i), self.meant(i)].map(Cell::Text).into();
         blocks.push(Block::Table(Table::new(columns, rows.map(row))));
@@ -96,10 +101,8 @@ impl Answer for ImportAnswer<'_> {
         };
         if !others.is_empty() {
             let names: Vec<&str> = others.iter().map(|own| own.name()).collect();
-            blocks.push(Block::Caution(format!(
-                "it could be of {} as well: say which with --process",
-                names.join(", ")
-            )));
+            blocks
+                .push(Block::Caution(format!("it could be of {} as well: say which with --process", names.join(", "))));
         }
         blocks.extend(match taken {
             Some(Ok(taken)) => self.taken(*process, taken),

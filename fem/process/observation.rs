@@ -13,12 +13,20 @@ pub struct Observable {
     pub words: Name,
     /// Its kind, with the unit in which results give it.
     pub kind: Kind,
+    /// Difference from the prediction, SI, beyond which readings as a whole are in another unit or of another part.
+    pub largest: f64,
 }
 
 impl Observable {
     /// An observable by its column name, what effects change in a sentence, and its kind.
     pub const fn new(name: &'static str, words: &'static str, kind: Kind) -> Self {
-        Self { name: Name::new(name), words: Name::new(words), kind }
+        Self { name: Name::new(name), words: Name::new(words), kind, largest: f64::INFINITY }
+    }
+
+    /// The same with the difference from the prediction, SI, beyond which readings as a whole are in another unit or of
+    /// another part.
+    pub const fn within(name: &'static str, words: &'static str, kind: Kind, largest: f64) -> Self {
+        Self { name: Name::new(name), words: Name::new(words), kind, largest }
     }
 
     /// Kind of errors and changes of it: in micrometres those of a length, in kelvins those of a temperature.

@@ -77,7 +77,9 @@ mod tests {
 
     #[test]
     fn names_are_exchanged_and_marks_stay() {
-        for (spelled, own) in [("мкм/м", "um/m"), ("U/min", "rev/min"), ("Nm/Grad", "N*m/deg"), ("W/(m²·K)", "W/(m²·K)")] {
+        for (spelled, own) in
+            [("мкм/м", "um/m"), ("U/min", "rev/min"), ("Nm/Grad", "N*m/deg"), ("W/(m²·K)", "W/(m²·K)")]
+        {
             assert_eq!(plain(spelled), own);
         }
     }

@@ -29,7 +29,8 @@ impl Previewed {
     /// # Errors
     /// It is no table.
     pub fn read(&self) -> Result<Json, Refusal> {
-        let own = Preview::of(&self.path, self.process.as_ref().map(|own| &**own as &dyn Process), &Reading::default())?;
+        let own =
+            Preview::of(&self.path, self.process.as_ref().map(|own| &**own as &dyn Process), &Reading::default())?;
         let process = self.process.as_ref().filter(|_| own.count < MANY);
         let fits = process.map(|process| Measurements::load(&self.path, &**process).is_ok());
         Ok(json!({
@@ -52,7 +53,8 @@ impl Session {
         let mut next = self.now.clone();
         let stay = !next.files.is_empty() && next.files.iter().all(|own| names.contains(own));
         next.reading = said.unwrap_or_else(|| if stay { next.reading.clone() } else { Reading::default() });
-        next.reading = std::mem::take(&mut next.reading).over(next.model.as_ref().map_or(&Reading::default(), |own| &own.reading));
+        next.reading =
+            std::mem::take(&mut next.reading).over(next.model.as_ref().map_or(&Reading::default(), |own| &own.reading));
         let Some(model) = &next.model else {
             return Err(Refusal::new("no model is open", "open the model first: it says what its measurements are"));
         };

@@ -7,6 +7,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod materials;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

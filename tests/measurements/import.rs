@@ -273,6 +273,24 @@ const CASES: &[Case] = &[
         ..PLAIN
     },
     Case {
+        name: "a column for each run and direction, in words",
+        process: "axis",
+        written: "Sollposition [mm];Lauf 1 vor [um];Lauf1 zur\u{fc}ck [um];Run 2 forward / um;Abweichung 2 r\u{fc}ckw\u{e4}rts [um]\n\
+                  10;1,5;2,5;3,5;4,5\n",
+        own: "position [mm],run,direction,deviation [um]\n10,1,+,1.5\n10,1,-,2.5\n10,2,+,3.5\n10,2,-,4.5\n",
+        told: "`Lauf 1 vor [um]` as deviation@run=1@direction=+ [um]",
+        ..PLAIN
+    },
+    Case {
+        name: "runs side by side, each under its group",
+        process: "axis",
+        written: ";Lauf 1;;Lauf 2;\nRichtung;Position [mm];Abweichung [um];Position [mm];Abweichung [um]\n\
+                  +;10;1,5;10,5;2,5\n+;20;3,5;;\n",
+        own: "run,position [mm],direction,deviation [um]\n1,10,+,1.5\n1,20,+,3.5\n2,10.5,+,2.5\n",
+        told: "2 tables side by side",
+        ..PLAIN
+    },
+    Case {
         name: "a word of another language beside the column that it would be",
         process: "axis",
         written: "position [mm],direction,deviation [um],Fehler\n10,+,1.5,7\n10,-,-2.5,8\n",

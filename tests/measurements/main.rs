@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod clothes;
 mod compare;
 mod diagnose;
 mod fit;

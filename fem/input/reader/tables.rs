@@ -255,7 +255,11 @@ impl<'a> Reader<'a> {
         reader.finish();
         if described {
             let table = reader.shape.take().into_schema(about);
-            self.describe(key, || json!({ "description": about, "anyOf": [{ "enum": names }, table] }), true);
+            self.describe(
+                key,
+                || json!({ "description": about, "anyOf": [{ "enum": names }, { "type": "string" }, table] }),
+                true,
+            );
         }
         value
     }

@@ -27,6 +27,7 @@ impl Layout {
                 name: format!("{} of {test}", o.name).into(),
                 words: format!("{} of {test}", o.words).into(),
                 kind: o.kind,
+                largest: o.largest,
             });
             layout.observables.extend(own);
             layout.first.push(layout.observables.len());

@@ -213,7 +213,18 @@ fn missing(missing: &Missing, data: &Data) -> Json {
         "probability": missing.probability,
         "largest_change": missing.largest_change.as_ref().map(|change| {
             let seen = &data.observables[change.observable];
-            json!({ "value": seen.kind.from_si(change.value), "unit": seen.kind.unit, "observable": seen.name })
+            let difference = |own: f64| seen.kind.difference().from_si(own);
+            json!({
+                "value": seen.kind.from_si(change.value),
+                "uncertainty": change.uncertainty.map(|own| finite(difference(own))),
+                "unit": seen.kind.unit,
+                "observable": seen.name,
+                "growth": change.growth.as_ref().map(|own| json!({
+                    "along": own.along,
+                    "value": finite(difference(own.value)),
+                    "uncertainty": finite(difference(own.uncertainty)),
+                })),
+            })
         }),
         "parameters": missing.estimates.iter().map(|e| (name(e), estimate(e))).collect::<Map<_, _>>(),
         "indistinguishable_from": missing.indistinguishable_from.iter().map(|e| &e.name).collect::<Vec<_>>(),

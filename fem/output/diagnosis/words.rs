@@ -81,6 +81,35 @@ pub fn largest_change(missing: &Missing, data: &Data) -> Option<[String; 2]> {
     Some([format!("moves {rows} by up to"), size.trim_end().into()])
 }
 
+/// What the rows settle of a cause whose values they leave open one by one, in the words of a shop: how much it moves them,
+/// by how much more from each part to the next, and which of its values stay open.
+pub fn settled(missing: &Missing, data: &Data) -> Option<String> {
+    let change = missing.largest_change.as_ref()?;
+    let uncertainty = change.uncertainty.filter(|own| *own < SETTLED * change.value)?;
+    let is_open = |e: &&Estimate| match (e.interval.low, e.interval.high) {
+        (Some(low), Some(high)) => high - low > 2.0 * e.value.abs(),
+        _ => true,
+    };
+    let open: Vec<String> =
+        missing.estimates.iter().filter(is_open).map(|e| e.parameter.path.key().to_string()).collect();
+    if open.is_empty() {
+        return None;
+    }
+    let kind = data.observables[change.observable].kind;
+    let with = |value: f64, uncertainty: f64| {
+        let [value, uncertainty] = [value, uncertainty].map(|own| kind.from_si(own));
+        format!("{:.3} +- {:.2} {}", Short(value), Short(uncertainty), kind.unit)
+    };
+    let growth = change.growth.as_ref().filter(|own| own.uncertainty < SETTLED * own.value.abs());
+    let growth = growth.map_or(String::new(), |own| format!(", {} a {}", with(own.value, own.uncertainty), own.along));
+    let (it, verb) = if open.len() == 1 { ("its value", "stays") } else { ("its values", "stay") };
+    let size = with(change.value, uncertainty);
+    Some(format!("the rows settle {size} at most{growth}; {it} {} {verb} open one by one", open.join(", ")))
+}
+
+/// Largest relative uncertainty of what counts as settled.
+const SETTLED: f64 = 0.25;
+
 /// A probability: `97 %`.
 pub fn percent(probability: f64) -> String {
     format!("{:.0} %", 100.0 * probability)

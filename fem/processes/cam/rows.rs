@@ -5,8 +5,11 @@ use super::setup::Setup;
 use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Rows, Values};
 use crate::units::{ANGLE, MICRO, SPINDLE_SPEED};
 
+/// No part is as far off, m.
+const FAR_OFF: f64 = 5e-3;
+
 /// The deviation along the normal of the profile, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the cam", MICRO)];
+pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the cam", MICRO, FAR_OFF)];
 
 /// Positions in [`COORDINATES`]: the polar angle of the point.
 pub const ANGLE_OF_ROW: usize = 0;

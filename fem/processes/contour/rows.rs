@@ -9,8 +9,11 @@ use crate::process::{
 };
 use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 
+/// No part is as far off, m.
+const FAR_OFF: f64 = 5e-3;
+
 /// The deviation of the tool from its path, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the contour", MICRO)];
+pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the contour", MICRO, FAR_OFF)];
 
 /// What a drawing allows it.
 pub const ALLOWED: AllowedWords =

@@ -10,8 +10,11 @@ use crate::process::{
 };
 use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
 
+/// No part is as far off, m.
+const FAR_OFF: f64 = 5e-3;
+
 /// The radial deviation of the bore, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the bore", MICRO)];
+pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the bore", MICRO, FAR_OFF)];
 
 /// Positions in [`COORDINATES`]: the angle from jaw 1.
 pub const ANGLE_OF_ROW: usize = 0;

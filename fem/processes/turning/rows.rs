@@ -5,9 +5,14 @@ use super::setup::Setup;
 use crate::process::{Absent, Coordinate, Holds, Misplaced, Observable, Places, RADIUS_CHANGE, Rows, Values};
 use crate::units::{FEED, FORCE, LENGTH, MICRO, PATH, SPINDLE_SPEED, TIME};
 
+/// No part is as far off, m.
+const FAR_OFF: f64 = 5e-3;
+
 /// A diameter is the set diameter plus its error.
-pub const OBSERVABLES: &[Observable] =
-    &[Observable::new("diameter_error", "the diameter", MICRO), Observable::new("diameter", "the diameter", LENGTH)];
+pub const OBSERVABLES: &[Observable] = &[
+    Observable::within("diameter_error", "the diameter", MICRO, FAR_OFF),
+    Observable::within("diameter", "the diameter", LENGTH, FAR_OFF),
+];
 /// Position of the whole diameter in [`OBSERVABLES`].
 pub const DIAMETER: usize = 1;
 

@@ -49,6 +49,7 @@ pub fn cases() -> Vec<Case> {
     cases.push(row("carriage of 0.01 N/um", "part inherited", part, ROUND_OFF, "seed 002 (27): j far below C"));
     cases.extend(hardly_cutting());
     cases.push(force_law());
+    cases.extend(kienzle());
     cases
 }
 
@@ -82,4 +83,39 @@ fn force_law() -> Case {
     // 0.2^0.6·0.5^0.9·200^0.3 = (0.2²·0.5³·200)^0.3 = 1, so that P = C.
     let computed = lathe(&text, "").map_or(f64::NAN, |l| l.setup().conditions(0.0, 0.0).force);
     row("force law, s = 0.2 mm/rev, t = 0.5 mm", "radial force", (243.0, computed, "N"), ROUND_OFF, "seed 002 (16)")
+}
+
+/// Specific cutting forces kc(h) as a table prints them, rounded to 5 N/mm², against the law of their kc1.1 and mc; and a chip
+/// that is thinner and wider by the approach angle, worked out by hand.
+fn kienzle() -> Vec<Case> {
+    const PRINTED: &[(&str, f64, f64, [f64; 4])] = &[
+        ("E295", 1500.0, 0.30, [2995.0, 2600.0, 1845.0, 1605.0]),
+        ("C35E", 1450.0, 0.27, [2700.0, 2380.0, 1750.0, 1540.0]),
+        ("9SMn28", 1310.0, 0.18, [1985.0, 1820.0, 1485.0, 1365.0]),
+        ("16MnCr5", 1400.0, 0.30, [2795.0, 2425.0, 1725.0, 1495.0]),
+    ];
+    let force = |law: &str, depth: &str, feed: f64| {
+        let text = UNIFORM.replace("HELD", "centres").replace("0.5 mm", depth);
+        let text = text.replace("0.2 mm/rev", &format!("{feed} mm/rev"));
+        let text = text.replace("radial_force = \"400 N\"", &format!("force = {{ {law} }}"));
+        lathe(&text, "").map_or(f64::NAN, |l| l.setup().conditions(0.0, 0.0).force)
+    };
+    let mut cases = Vec::new();
+    for (name, kc, mc, printed) in PRINTED {
+        for (thickness, expected) in [0.1, 0.16, 0.5, 0.8].into_iter().zip(printed) {
+            let law = format!("kc = \"{kc} MPa\", mc = {mc}, radial_share = 1.0");
+            // All of the cutting force on a chip 1 mm wide.
+            let computed = force(&law, "1 mm", thickness) / thickness;
+            let name = format!("Kienzle, {name}, h = {thickness} mm");
+            let source = "Fachkunde Metall (Europa-Lehrmittel), specific cutting force in turning";
+            cases.push(row(name, "kc", (*expected, computed, "N/mm^2"), Tolerance::Absolute(2.5), source));
+        }
+    }
+    // h = 0.2·sin 75°, b = 2/sin 75°, kc = 1600·h^-0.25 = 2413.4 N/mm².
+    let computed = force("material = \"C45\", approach_angle = \"75 deg\", radial_share = 1.0", "2 mm", 0.2);
+    let (h, b) = (0.2 * 75f64.to_radians().sin(), 2.0 / 75f64.to_radians().sin());
+    let expected = 1600.0 * b * h.powf(0.75);
+    let name = "Kienzle, C45 by name, edge at 75 deg";
+    cases.push(row(name, "cutting force", (expected, computed, "N"), ROUND_OFF, "Kienzle (1952), by hand"));
+    cases
 }

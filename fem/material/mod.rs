@@ -1,24 +1,14 @@
-//! Materials: a built-in list, or a table of one's own.
+//! Materials: a built-in list, the names of standards, or a table of one's own.
+
+pub mod catalogue;
+mod properties;
+
+pub use properties::Material;
+
+use properties::material;
 
 use crate::input::{Bounds, Doubt, Grows, Reader, did_you_mean};
 use crate::units::{CONDUCTIVITY, CONTRACTION, EXPANSION, Kind, MASS_DENSITY, PRESSURE, SPECIFIC_HEAT};
-
-/// An isotropic, linear material. SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
-    /// Young's modulus E, Pa.
-    pub youngs_modulus: f64,
-    /// Poisson's ratio ν.
-    pub poisson_ratio: f64,
-    /// Density ρ, kg/m³.
-    pub density: f64,
-    /// Thermal expansion α, 1/K.
-    pub expansion: f64,
-    /// Conductivity k, W/(m K).
-    pub conductivity: f64,
-    /// Specific heat c, J/(kg K).
-    pub specific_heat: f64,
-}
 
 /// Typical room-temperature values of handbooks; a part that matters deserves its own table.
 const BUILT_IN: &[(&str, Material)] = &[
@@ -32,17 +22,6 @@ const BUILT_IN: &[(&str, Material)] = &[
     ("titanium", material(114e9, 0.34, 4430.0, 8.6e-6, 6.7, 526.0)),
     ("carbide", material(600e9, 0.22, 14_800.0, 5.5e-6, 85.0, 210.0)),
 ];
-
-const fn material(
-    youngs_modulus: f64,
-    poisson_ratio: f64,
-    density: f64,
-    expansion: f64,
-    conductivity: f64,
-    specific_heat: f64,
-) -> Material {
-    Material { youngs_modulus, poisson_ratio, density, expansion, conductivity, specific_heat }
-}
 
 /// Doubt about a property that somebody wrote himself. The density and Poisson's ratio of a metal are known
 /// better than any deflection.
@@ -58,17 +37,20 @@ impl Material {
     pub fn read(table: &Reader, key: &'static str) -> Self {
         let names: Vec<&'static str> = BUILT_IN.iter().map(|m| m.0).collect();
         table.name_or_table(key, "a material's name, or a table of its properties", &names, |name, own| {
-            let named = |name: &str| BUILT_IN.iter().find(|m| m.0 == name).map(|m| m.1);
+            let named = |name: &str| {
+                let own = BUILT_IN.iter().find(|m| m.0 == name).map(|m| m.1);
+                own.or_else(|| catalogue::named(name).map(|entry| entry.material))
+            };
             if let Some(name) = name {
                 return named(name).unwrap_or_else(|| {
-                    table.problem(key, format!("`{name}` is no material known here"), listed(name, &names));
+                    table.problem(key, format!("`{name}` is no material known here"), listed(name));
                     Self::STEEL
                 });
             }
             let base = own.text("base", "material whose other properties are taken").and_then(|base| {
                 let found = named(&base);
                 if found.is_none() {
-                    own.problem("base", format!("`{base}` is no material known here"), listed(&base, &names));
+                    own.problem("base", format!("`{base}` is no material known here"), listed(&base));
                 }
                 found.or(Some(Self::STEEL))
             });
@@ -109,7 +91,14 @@ impl Material {
     }
 }
 
-fn listed(name: &str, names: &[&'static str]) -> String {
-    let meant = did_you_mean(name, names.iter().copied(), '"');
-    format!("{meant}known are {}; or give a table of its properties", names.join(", "))
+/// What to write in the place of a name that is not known.
+pub fn listed(name: &str) -> String {
+    let of_standards = catalogue::ALL.iter().flat_map(|entry| entry.names.iter().copied());
+    let meant = did_you_mean(name, BUILT_IN.iter().map(|own| own.0).chain(of_standards), '"');
+    let own: Vec<&str> = BUILT_IN.iter().map(|own| own.0).collect();
+    format!(
+        "{meant}known are {}, and names of standards such as {}; or give a table of its properties",
+        own.join(", "),
+        catalogue::ALL.iter().step_by(8).map(|entry| entry.names[0]).collect::<Vec<_>>().join(", ")
+    )
 }

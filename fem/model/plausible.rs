@@ -1,0 +1,57 @@
+//! Readings that no machine gives: a unit is another, or the part is.
+
+use super::Model;
+use crate::input::Problem;
+use crate::measure::Measurements;
+use crate::process::Rows;
+
+/// Most rows that are looked at.
+const MOST: usize = 2000;
+
+/// Mistakes of units: by what the readings are to be multiplied, and how it is told.
+const MISTAKES: &[(f64, &str)] = &[
+    (25.4, "they are in inches"),
+    (1.0 / 25.4, "they are in mm, and taken for inches"),
+    (1e3, "they are in mm where m is said, or in m where km is"),
+    (1e-3, "they are in um where mm is said, or in mm where m is"),
+    (2.0, "they are radii"),
+    (0.5, "they are diameters, and taken for radii"),
+];
+
+/// Part of the difference that may be left where a mistake explains it.
+const EXPLAINED: f64 = 0.1;
+
+/// The problem of readings whose middle lies farther from what the model says than any such difference is.
+pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> Option<Problem> {
+    for (position, observable) in model.process.observables().iter().enumerate() {
+        let own: Vec<usize> = (0..rows.len()).filter(|row| rows.observable[*row] == position).collect();
+        let step = own.len().div_ceil(MOST).max(1);
+        let own: Vec<usize> = own.into_iter().step_by(step).collect();
+        if own.is_empty() || !observable.largest.is_finite() {
+            continue;
+        }
+        let Ok(predicted) = model.forward().observe(&rows.some(&own)) else { continue };
+        let off = |factor: f64| {
+            let differences =
+                own.iter().zip(&predicted).map(|(row, p)| (factor * measurements.observed[*row] - p).abs());
+            let mut all: Vec<f64> = differences.filter(|own| own.is_finite()).collect();
+            all.sort_unstable_by(f64::total_cmp);
+            all.get(all.len() / 2).copied()
+        };
+        let Some(difference) = off(1.0).filter(|own| *own > observable.largest) else { continue };
+        let (row, name) = (own[own.len() / 2], &observable.name);
+        let shown = observable.kind.format(measurements.observed[row]);
+        let is_meant = |(factor, _): &&(f64, &str)| off(*factor).is_some_and(|left| left < EXPLAINED * difference);
+        let meant = MISTAKES.iter().find(is_meant).map_or(String::new(), |(_, what)| format!("; as if {what}"));
+        let problem = Problem::new(format!(
+            "half of the readings of `{name}` lie more than {} from what the model says, as {shown} in {}{meant}",
+            observable.error_kind().format(difference),
+            measurements.place(row),
+        ));
+        let unit = observable.kind.unit;
+        return Some(problem.help(format!(
+            "is the unit right, is it the part of the model? say the unit: --columns 'HEADING={name} [{unit}]', or mend the model"
+        )));
+    }
+    None
+}
